@@ -1,0 +1,22 @@
+# Each of these is one line of packages.txt; docs say why each was chosen.
+find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+if(NOT TARGET yaml-cpp::yaml-cpp)  # yaml-cpp before 0.8 exports the bare name
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
+endif()
+
+# The unmodified LAMMPS library. Its headers include a fmt header that Debian does not
+# ship; structure/lammps/fmt_shim declares the four names they need, and must come first.
+find_path(LAMMPS_INCLUDE_DIR lammps/lammps.h REQUIRED)
+find_library(LAMMPS_LIBRARY lammps REQUIRED)
+add_library(magfsi_lammps_headers INTERFACE)
+target_include_directories(magfsi_lammps_headers SYSTEM BEFORE INTERFACE
+  ${PROJECT_SOURCE_DIR}/structure/lammps/fmt_shim ${LAMMPS_INCLUDE_DIR}/lammps)
+target_compile_definitions(magfsi_lammps_headers INTERFACE LAMMPS_SMALLBIG)
+target_link_libraries(magfsi_lammps_headers INTERFACE ${LAMMPS_LIBRARY} MPI::MPI_CXX)

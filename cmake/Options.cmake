@@ -1,0 +1,19 @@
+option(MAGFSI_TESTS "Build the tests" ON)
+option(MAGFSI_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+# Every target of ours links this: warnings are errors, headers are found from the top
+# ("structure/mesh/mesh.h"), and never -ffast-math, which would defeat the NaN checks.
+add_library(magfsi_options INTERFACE)
+target_include_directories(magfsi_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(magfsi_options INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+if(MAGFSI_SANITIZE)
+  target_compile_options(magfsi_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(magfsi_options INTERFACE -fsanitize=address,undefined)
+endif()
