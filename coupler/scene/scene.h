@@ -1,0 +1,219 @@
+// The scene: what a user asked for, checked and in SI. Plain data; absent effects are
+// empty optionals. Filled by reader.h, read by the adapters.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace magfsi::scene {
+
+using Vec3 = std::array<double, 3>;
+
+struct Time {
+    double end_s = 0;
+    std::optional<double> step_s;  // coupled step; absent: from the lattice speed
+};
+
+// --- bodies -------------------------------------------------------------------------
+
+// Block of hexahedra; the body's frame has its origin in the corner (x_min, y_min, z_min).
+struct BoxMesh {
+    Vec3 size_m{};
+    std::array<int, 3> elements{};
+};
+
+// Neo-Hookean solid of eq. (1). lame_lambda is the constant called K in the paper.
+struct Material {
+    double shear_modulus_pa = 0;
+    double lame_lambda_pa = 0;
+    double density_kg_m3 = 0;
+};
+
+enum class ElementVariant { full, mean_f };
+
+struct UniformMagnetization {
+    Vec3 vector_a_m{};
+};
+// M(s) = amplitude [cos(2 pi s / wavelength + phase) along + sin(...) into], s from the
+// body's left end (eq. 10 of the paper's strip).
+struct HarmonicMagnetization {
+    double amplitude_a_m = 0;
+    double wavelength_m = 0;
+    double phase_rad = 0;
+    int along = 0;  // axis of s: 0 x, 1 y, 2 z
+    int into = 2;
+};
+// Elements whose centre lies in the box, or in the polygon of the x-y plane, carry the
+// vector; the first domain that holds a centre wins.
+struct MagneticDomain {
+    std::optional<std::array<Vec3, 2>> box_m;
+    std::vector<std::array<double, 2>> polygon_xy_m;
+    Vec3 vector_a_m{};
+};
+struct DomainMagnetization {
+    std::vector<MagneticDomain> domains;
+};
+using Magnetization =
+    std::variant<UniformMagnetization, HarmonicMagnetization, DomainMagnetization>;
+
+// Rotation by an angle from the first axis of the plane towards the second.
+struct PlaneRotation {
+    std::array<int, 2> plane{0, 2};
+    double angle_rad = 0;
+};
+
+// The static shape in a constant field, found before the run without fluid and gravity.
+struct RelaxedShape {
+    double magnitude_t = 0;
+    double direction_rad = 0;
+};
+
+struct InitialState {
+    std::optional<Vec3> position_m;  // where the centre of volume goes
+    std::optional<PlaneRotation> rotation;
+    std::optional<RelaxedShape> relaxed;
+};
+
+enum class Face { x_min, x_max, y_min, y_max, z_min, z_max };
+
+struct Body {
+    std::string name;
+    BoxMesh mesh;
+    ElementVariant element = ElementVariant::full;
+    Material material;
+    std::optional<Magnetization> magnetization;
+    std::vector<Face> clamps;
+    InitialState initial;
+};
+
+// --- loads --------------------------------------------------------------------------
+
+struct ConstantField {
+    double magnitude_t = 0;
+    double direction_rad = 0;
+};
+// Linear between the rows (eqs. 7-9); signed magnitudes flip the field.
+struct FieldTable {
+    std::vector<double> time_s;
+    std::vector<double> magnitude_t;
+    std::vector<double> direction_rad;  // one value, or one a row
+    bool repeat = false;
+};
+struct RotatingField {
+    double magnitude_t = 0;
+    double start_rad = 0;
+    double frequency_hz = 0;  // turns a second, from the plane's first axis to its second
+};
+struct MagneticField {
+    std::array<int, 2> plane{0, 2};
+    std::variant<ConstantField, FieldTable, RotatingField> course;
+};
+
+struct Gravity {
+    double acceleration_m_s2 = 0;
+    Vec3 direction{0, 0, -1};  // unit vector
+};
+
+struct Damping {
+    double rate_1_s = 0;  // force = -rate * mass * velocity, on every node
+};
+
+// --- fluid --------------------------------------------------------------------------
+
+enum class FluidSolver { lbm, openfoam };
+enum class Collision { automatic, bgk, recursive_regularized };
+enum class BoundaryKind { periodic, no_slip };
+
+struct Boundary {
+    BoundaryKind kind = BoundaryKind::no_slip;
+    Vec3 wall_velocity_m_s{};  // tangential; zero for a wall at rest
+};
+
+struct Fluid {
+    FluidSolver solver = FluidSolver::lbm;
+    Vec3 box_m{};
+    double spacing_m = 0;
+    double density_kg_m3 = 0;
+    double viscosity_m2_s = 0;      // kinematic
+    double expected_speed_m_s = 0;  // largest speed that the run should resolve
+    double lattice_speed = 0.05;    // that speed in lattice units (Mach limit)
+    Collision collision = Collision::automatic;
+    std::array<Boundary, 6> boundaries{};  // by Face
+    std::optional<Vec3> initial_velocity_m_s;
+    std::optional<Vec3> body_force_n_m3;
+};
+
+// --- coupling -----------------------------------------------------------------------
+
+enum class Kernel { two_point, three_point, four_point };
+enum class MarkerSurface { mid_surface, both_faces };
+
+struct ImmersedBoundary {
+    Kernel kernel = Kernel::three_point;
+    MarkerSurface markers = MarkerSurface::mid_surface;
+    double marker_spacing = 0.5;  // in units of the fluid's spacing
+    double strength = 1.0;        // beta of eq. (13) as a fraction of 2 rho dV / dt
+};
+
+struct Coupling {
+    std::optional<int> substeps;  // absent: from the structure's stable step
+    ImmersedBoundary immersed_boundary;
+    double timeout_s = 60;
+};
+
+// --- output -------------------------------------------------------------------------
+
+enum class BodyQuantity { com, speed, shape, max_displacement, fluid_force, energy };
+enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed };
+
+struct PointProbe {
+    std::string name;
+    std::string body;
+    Vec3 at_m{};  // in the body's frame, before placement
+};
+
+struct Probes {
+    double every_s = 0;
+    std::vector<BodyQuantity> bodies;
+    std::vector<PointProbe> points;
+    std::vector<FluidQuantity> fluid;
+    bool interface_balance = false;  // momentum and power given and received, each step
+};
+
+enum class FluidField { velocity, density, vorticity };
+
+struct StructureOutput {
+    double every_s = 0;
+};
+struct FluidOutput {
+    double every_s = 0;
+    std::vector<FluidField> fields;
+};
+struct Output {
+    std::optional<StructureOutput> structure;
+    std::optional<FluidOutput> fluid;
+};
+
+struct Scene {
+    std::string name;
+    Time time;
+    std::vector<Body> bodies;
+    std::optional<MagneticField> magnetic_field;
+    std::optional<Gravity> gravity;
+    std::optional<Damping> damping;
+    std::optional<Fluid> fluid;
+    std::optional<Coupling> coupling;
+    std::optional<Probes> probes;
+    Output output;
+
+    // Hash of the effective scene (after --set), the same for the same meaning: equal on
+    // both sides of a coupled run or the handshake refuses.
+    std::uint64_t hash = 0;
+};
+
+}  // namespace magfsi::scene

@@ -1,0 +1,103 @@
+// The fluid as its users see it: SI in, SI out. Lattice units stay inside fluid_lbm/.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace magfsi::fluid {
+
+using Vec3 = std::array<double, 3>;
+
+enum class Collision { automatic, bgk, recursive_regularized };
+enum class BoundaryKind { periodic, no_slip };
+
+struct Boundary {
+    BoundaryKind kind = BoundaryKind::periodic;
+    Vec3 wall_velocity_m_s{};
+};
+
+struct FluidConfig {
+    std::array<int, 3> cells{};
+    double spacing_m = 0;
+    double time_step_s = 0;
+    double density_kg_m3 = 0;
+    double viscosity_m2_s = 0;  // kinematic
+    Collision collision = Collision::automatic;
+    std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
+    std::optional<Vec3> body_force_n_m3;
+    // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
+    std::function<Vec3(const Vec3&)> initial_velocity;
+    std::function<double(const Vec3&)> initial_pressure;
+};
+
+// Half-open box of cells in global indices.
+struct CellBox {
+    std::array<int, 3> lo{}, hi{};
+};
+
+// Cells x_begin <= x < x_end of one row, global indices, inside the owned box.
+struct CellRow {
+    int y = 0, z = 0, x_begin = 0, x_end = 0;
+    int size() const { return x_end - x_begin; }
+};
+
+struct Totals {  // over all ranks
+    double mass_kg = 0;
+    Vec3 momentum_kg_m_s{};
+    double kinetic_energy_j = 0;
+    double enstrophy_1_s2 = 0;  // mean of |curl u|^2 / 2
+    double max_speed_m_s = 0;
+};
+
+// The first cell found with a distribution function that is not finite, or a speed above
+// the lattice's limit.
+struct Divergence {
+    std::array<int, 3> cell{};
+    double lattice_speed = 0;
+};
+
+class Fluid {
+  public:
+    // Throws std::invalid_argument on a configuration that cannot run.
+    Fluid(MPI_Comm comm, const FluidConfig& config);
+    ~Fluid();
+    Fluid(const Fluid&) = delete;
+    Fluid& operator=(const Fluid&) = delete;
+
+    const FluidConfig& config() const;
+    double relaxation_time() const;
+    Collision collision() const;  // the one chosen
+    std::string kernel() const;   // "avx512", "avx2" or "sse2"
+    CellBox owned() const;
+    const std::vector<CellBox>& owned_by_rank() const;
+    std::size_t memory_bytes() const;  // this rank
+
+    // Velocity before this step's force acts (sum of c f over rho), [m/s], three values a
+    // cell, rows one after the other.
+    void velocity(std::span<const CellRow> rows, std::span<double> out) const;
+
+    // Force density [N/m3] of the next step only, three values a cell (Guo's scheme).
+    // Rows may overlap nowhere. Replaces what was set before.
+    void set_force(std::span<const CellRow> rows, std::span<const double> force);
+
+    void step();
+
+    Totals totals() const;                         // collective
+    std::optional<Divergence> divergence() const;  // local look, costs one sweep
+    // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest.
+    void macroscopic(std::span<float> velocity, std::span<float> density) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,32 @@
+// One magttice body before it goes to LAMMPS. SI throughout.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "structure/mesh/mesh.h"
+
+namespace magfsi::structure {
+
+struct Material {
+    double shear_modulus_pa = 0;
+    double lame_lambda_pa = 0;  // K of eq. (1)
+    // Inertia; in a fluid this is rho_solid - rho_fluid (enclosed fluid counted once).
+    double density_kg_m3 = 0;
+};
+
+// full: the paper's element (exact volume, full spring matrix).
+// mean_f: J from the mean deformation gradient and hourglass coefficients 3 min(l_i,l_j)^2:
+// accurate in bending with few layers.
+enum class ElementVariant { full, mean_f };
+
+struct Body {
+    std::string name;
+    Mesh mesh;
+    Material material;
+    ElementVariant element = ElementVariant::full;
+    std::vector<Vec3> magnetization_a_m;  // one an element; empty: not magnetic
+    std::vector<std::string> clamps;      // faces held still
+};
+
+}  // namespace magfsi::structure

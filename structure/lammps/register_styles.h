@@ -1,0 +1,22 @@
+// Makes our styles known to the unmodified LAMMPS library.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace magfsi::structure {
+
+// Call after the constructor of LAMMPS and before its first input line. Adds
+//   fix ID group magttice FILE G K [field Bx By Bz] ...   (see docs/fix_magttice.md)
+void register_styles(LAMMPS_NS::LAMMPS& lammps);
+
+// What a failing style calls in place of LAMMPS's own error exit (which ends the process
+// through MPI_Finalize and would leave a partner waiting). The handler must not return.
+// Without one, LAMMPS's error->one is used.
+void set_failure_handler(std::function<void(const std::string& cause)> handler);
+
+}  // namespace magfsi::structure

@@ -1,0 +1,30 @@
+// Hexahedral mesh of one body, in the body's own frame [m].
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace magfsi::structure {
+
+using Vec3 = std::array<double, 3>;
+
+// Node numbers of one hexahedron in lexicographic order: a = i + 2 j + 4 k, i, j, k in {0,1}.
+using Hexahedron = std::array<int, 8>;
+
+// A point carried by an element: position = sum of weight[a] * x[node[a]].
+struct MaterialPoint {
+    std::array<int, 8> node{};
+    std::array<double, 8> weight{};
+    int element = -1;
+};
+
+struct Mesh {
+    std::vector<Vec3> nodes;
+    std::vector<Hexahedron> elements;
+    std::map<std::string, std::vector<int>> faces;  // "x_min" ...: node numbers
+    std::vector<MaterialPoint> centre_line;         // left end to right end; may be empty
+};
+
+}  // namespace magfsi::structure
