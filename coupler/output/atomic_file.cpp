@@ -1,0 +1,52 @@
+#include "coupler/output/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <utility>
+
+namespace magfsi::output {
+namespace {
+
+std::filesystem::path temporary_of(std::filesystem::path path) {
+    return path += ".tmp";
+}
+
+// A rename is durable only when the folder's own entry is on the disk.
+void sync_folder(const std::filesystem::path& file) {
+    const auto folder = file.has_parent_path() ? file.parent_path() : ".";
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) throw FileError(folder, errno);
+    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (error != 0) throw FileError(folder, error);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path path, Survives survives)
+    : path_(std::move(path)), survives_(survives), temporary_(temporary_of(path_)) {}
+
+AtomicFile::~AtomicFile() {
+    if (!committed_) ::unlink(temporary_.path().c_str());
+}
+
+void AtomicFile::commit() {
+    if (survives_ == Survives::power_cut) temporary_.sync();
+    temporary_.close();
+    if (std::rename(temporary_.path().c_str(), path_.c_str()) != 0)
+        throw FileError(path_, errno);
+    committed_ = true;
+    if (survives_ == Survives::power_cut) sync_folder(path_);
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view text,
+                      Survives survives) {
+    AtomicFile file(path, survives);
+    file.write(text);
+    file.commit();
+}
+
+}  // namespace magfsi::output

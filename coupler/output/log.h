@@ -1,0 +1,19 @@
+// The run's log: to the terminal and to run.log.
+#pragma once
+
+#include <spdlog/logger.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace magfsi::output {
+
+// Levels below error go to stdout, error and above to stderr, all of it to `file`
+// (emptied), flushed at every line. Times of day and levels, no names of hosts or users.
+// Throws FileError where the file cannot be created. The logger is not put into spdlog's
+// registry.
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file,
+                                         const std::string& name);
+
+}  // namespace magfsi::output

@@ -1,0 +1,86 @@
+#include "coupler/output/summary.h"
+
+#include <fmt/format.h>
+
+#include "coupler/output/atomic_file.h"
+
+namespace magfsi::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json object(const Named<T>& entries) {
+    Json out = Json::object();
+    for (const auto& [name, value] : entries) out[name] = value;
+    return out;
+}
+
+Json object(const Named<Named<double>>& participants) {
+    Json out = Json::object();
+    for (const auto& [name, tasks] : participants) out[name] = object(tasks);
+    return out;
+}
+
+Json object(const FluidSummary& fluid) {
+    return {{"cells", fluid.cells},
+            {"mlups", fluid.mlups},
+            {"relaxation_time", fluid.relaxation_time},
+            {"spacing_m", fluid.spacing_m},
+            {"collision", fluid.collision},
+            {"kernel", fluid.kernel}};
+}
+
+Json object(const StructureSummary& structure) {
+    return {{"elements", structure.elements},
+            {"ns_per_element_step", structure.ns_per_element_step},
+            {"substeps_per_step", structure.substeps_per_step}};
+}
+
+}  // namespace
+
+std::string_view to_text(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::completed:
+            return "completed";
+        case Outcome::diverged:
+            return "diverged";
+        case Outcome::lost_partner:
+            return "lost_partner";
+        case Outcome::stopped:
+            return "stopped";
+    }
+    return "stopped";
+}
+
+Json to_json(const Summary& summary) {
+    Json out;
+    out["scene"] = summary.scene;
+    out["scene_hash"] = fmt::format("{:016x}", summary.scene_hash);
+    out["outcome"] = to_text(summary.outcome);
+    out["cause"] = summary.cause;
+    out["effects"] = summary.effects;
+    out["absent_effects"] = summary.absent_effects;
+    out["versions"] = object(summary.versions);
+    out["ranks"] = object(summary.ranks);
+    out["steps"] = summary.steps;
+    out["substeps"] = summary.substeps;
+    out["simulated_s"] = summary.simulated_s;
+    out["wall_s"] = summary.wall_s;
+    out["tasks"] = object(summary.tasks);
+    if (summary.fluid) out["fluid"] = object(*summary.fluid);
+    if (summary.structure) out["structure"] = object(*summary.structure);
+    out["memory_bytes"] = object(summary.memory_bytes);
+    out["probes"] = object(summary.probes);
+    out["extra"] = summary.extra;
+    return out;
+}
+
+void write_summary(const std::filesystem::path& path, const Summary& summary) {
+    // A cause may quote a file's bytes; what is not UTF-8 is replaced, not thrown at.
+    const auto text =
+        to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
+    write_atomically(path, text + '\n');
+}
+
+}  // namespace magfsi::output

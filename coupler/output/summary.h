@@ -1,0 +1,64 @@
+// How a run went, as summary.json.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace magfsi::output {
+
+enum class Outcome { completed, diverged, lost_partner, stopped };
+
+std::string_view to_text(Outcome outcome);  // "completed" ...
+
+// In the order in which it was filled, and so in the file.
+template <class T>
+using Named = std::vector<std::pair<std::string, T>>;
+
+struct FluidSummary {
+    std::int64_t cells = 0;
+    double mlups = 0;  // million cell updates a second of wall time
+    double relaxation_time = 0;
+    double spacing_m = 0;
+    std::string collision, kernel;
+};
+
+struct StructureSummary {
+    std::int64_t elements = 0;
+    double ns_per_element_step = 0;
+    int substeps_per_step = 1;
+};
+
+struct Summary {
+    std::string scene;
+    std::uint64_t scene_hash = 0;
+    Outcome outcome = Outcome::stopped;
+    std::string cause;  // one sentence; empty when completed
+    std::vector<std::string> effects, absent_effects;
+    Named<std::string> versions;
+    Named<int> ranks;  // by participant
+    std::int64_t steps = 0;
+    std::int64_t substeps = 0;  // of the structure, in the whole run
+    double simulated_s = 0, wall_s = 0;
+    Named<Named<double>> tasks;  // seconds by participant and task
+    std::optional<FluidSummary> fluid;
+    std::optional<StructureSummary> structure;
+    Named<std::int64_t> memory_bytes;  // by participant, all its ranks
+    Named<double> probes;              // last values by column
+    nlohmann::ordered_json extra = nlohmann::ordered_json::object();
+};
+
+// Keys as in the struct, save: scene_hash is 16 hexadecimal digits in a string; what is
+// not finite becomes null, for JSON knows no NaN; an absent fluid or structure has no
+// key.
+nlohmann::ordered_json to_json(const Summary& summary);
+
+// Indented, atomic. Throws FileError.
+void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+}  // namespace magfsi::output
