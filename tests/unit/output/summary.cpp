@@ -1,0 +1,98 @@
+#include "coupler/output/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/unit/output/temporary_folder.h"
+
+using namespace magfsi::output;
+using magfsi::test::read;
+using magfsi::test::TemporaryFolder;
+
+namespace {
+
+Summary diverged_run() {
+    Summary s;
+    s.scene = "swimmer";
+    s.scene_hash = 0xbeef;
+    s.outcome = Outcome::diverged;
+    s.cause = "element 7 of robot inverted at step 12";
+    s.effects = {"magnetic_field", "fluid"};
+    s.absent_effects = {"gravity"};
+    s.versions = {{"magfsi", "0.1.0"}, {"lammps", "29 Sep 2021"}};
+    s.ranks = {{"structure", 1}, {"fluid", 2}};
+    s.steps = 12;
+    s.substeps = 72;
+    s.simulated_s = 2.4e-4;
+    s.wall_s = 1.5;
+    s.tasks = {{"fluid", {{"stream", 1.0}, {"exchange", 0.25}}}};
+    s.fluid = FluidSummary{128000, 88.5, 0.5015, 2e-4, "recursive_regularized", "avx2"};
+    s.memory_bytes = {{"structure", 50000000}};
+    s.probes = {{"robot.com_z[m]", std::numeric_limits<double>::quiet_NaN()},
+                {"robot.bend[rad]", 0.5}};
+    s.extra["restart"] = 3;
+    return s;
+}
+
+}  // namespace
+
+TEST(Summary, has_the_keys_that_readers_rely_on) {
+    TemporaryFolder folder;
+    write_summary(folder / "summary.json", diverged_run());
+    const auto json = nlohmann::ordered_json::parse(read(folder / "summary.json"));
+    EXPECT_EQ(json["scene"], "swimmer");
+    EXPECT_EQ(json["scene_hash"], "000000000000beef");
+    EXPECT_EQ(json["outcome"], "diverged");
+    EXPECT_EQ(json["cause"], "element 7 of robot inverted at step 12");
+    EXPECT_EQ(json["effects"].size(), 2u);
+    EXPECT_EQ(json["absent_effects"][0], "gravity");
+    EXPECT_EQ(json["versions"]["lammps"], "29 Sep 2021");
+    EXPECT_EQ(json["ranks"]["fluid"], 2);
+    EXPECT_EQ(json["steps"], 12);
+    EXPECT_EQ(json["substeps"], 72);
+    EXPECT_EQ(json["simulated_s"], 2.4e-4);
+    EXPECT_EQ(json["wall_s"], 1.5);
+    EXPECT_EQ(json["tasks"]["fluid"]["exchange"], 0.25);
+    EXPECT_EQ(json["fluid"]["cells"], 128000);
+    EXPECT_EQ(json["fluid"]["mlups"], 88.5);
+    EXPECT_EQ(json["fluid"]["relaxation_time"], 0.5015);
+    EXPECT_EQ(json["memory_bytes"]["structure"], 50000000);
+    EXPECT_EQ(json["probes"]["robot.bend[rad]"], 0.5);
+    EXPECT_EQ(json["extra"]["restart"], 3);
+}
+
+TEST(Summary, absent_solvers_have_no_key_and_what_is_not_finite_is_null) {
+    const auto json = to_json(diverged_run());
+    EXPECT_FALSE(json.contains("structure"));
+    const auto read_back = nlohmann::ordered_json::parse(json.dump());
+    EXPECT_TRUE(read_back["probes"]["robot.com_z[m]"].is_null());
+}
+
+TEST(Summary, keeps_the_order_in_which_it_was_filled) {
+    const auto json = to_json(diverged_run());
+    EXPECT_EQ(json.begin().key(), "scene");
+    EXPECT_EQ(json["versions"].begin().key(), "magfsi");
+    EXPECT_EQ(json["tasks"]["fluid"].begin().key(), "stream");
+}
+
+TEST(Summary, structure_and_every_outcome_have_their_words) {
+    Summary s;
+    s.structure = StructureSummary{108, 33.5, 6};
+    const auto json = to_json(s);
+    EXPECT_EQ(json["structure"]["elements"], 108);
+    EXPECT_EQ(json["structure"]["ns_per_element_step"], 33.5);
+    EXPECT_EQ(json["structure"]["substeps_per_step"], 6);
+    EXPECT_EQ(to_text(Outcome::completed), "completed");
+    EXPECT_EQ(to_text(Outcome::lost_partner), "lost_partner");
+    EXPECT_EQ(to_text(Outcome::stopped), "stopped");
+}
+
+TEST(Summary, a_cause_that_is_not_utf8_does_not_lose_the_summary) {
+    TemporaryFolder folder;
+    Summary s;
+    s.cause = "line \xff of the mesh";
+    write_summary(folder / "summary.json", s);
+    const auto json = nlohmann::json::parse(read(folder / "summary.json"));
+    EXPECT_EQ(json["cause"], "line \xef\xbf\xbd of the mesh");  // U+FFFD
+}
