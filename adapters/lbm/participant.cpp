@@ -1,0 +1,203 @@
+#include "adapters/lbm/participant.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "adapters/lbm/fluid_probes.h"
+#include "adapters/lbm/scene_to_fluid.h"
+#include "coupler/participants/errors.h"
+#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/step/report.h"
+#include "coupler/step/probe_columns.h"
+
+namespace magfsi::lbm {
+
+namespace {
+
+// A diverging lattice doubles its speed in tens of steps: seen at the latest after these.
+constexpr std::int64_t divergence_check_every = 50;
+
+constexpr const char* advance_task = "advance fluid";
+
+coupler::Kernel to_kernel(scene::Kernel kernel) {
+    switch (kernel) {
+        case scene::Kernel::two_point: return coupler::Kernel::two_point;
+        case scene::Kernel::three_point: return coupler::Kernel::three_point;
+        case scene::Kernel::four_point: return coupler::Kernel::four_point;
+    }
+    return coupler::Kernel::three_point;
+}
+
+}  // namespace
+
+Participant::Participant(coupler::Session& session, output::ProgressMode progress)
+    : session_(session),
+      progress_mode_(progress),
+      fluid_(session.world().local(),
+             to_config(*session.scene().fluid, session.clock().step_s())),
+      lbm_(fluid_) {
+    if (session.world().coupled()) join_structure();
+    assemble();
+}
+
+void Participant::join_structure() {
+    const scene::Coupling& coupling = *session_.scene().coupling;
+    exchange_ = std::make_unique<coupler::FluidExchange>(session_.world(), session_.timeout_s());
+    immersed_boundary_ = std::make_unique<coupler::FluidSide>(
+        lbm_, lbm_.grid().owned_by_rank[static_cast<std::size_t>(session_.world().rank())],
+        to_kernel(coupling.immersed_boundary.kernel), session_.clock().step_s());
+    if (session_.scene().probes && session_.scene().probes->interface_balance) {
+        balance_ = std::make_unique<coupler::BalanceRecord>();
+    }
+    coupler::swap_text(session_.world(), coupler::to_text(lbm_.grid()),
+                       coupler::startup_timeout_s, "description of the grid");
+}
+
+void Participant::assemble() {
+    if (exchange_) assemble_coupling();
+    tasks_.add(advance_task, [this] { lbm_.advance(); });
+    tasks_.add("count step", [this] { session_.complete_step(); });
+    if (exchange_) {
+        tasks_.add("sample velocities", [this] {
+            const auto velocities = immersed_boundary_->sample(batch_->now_m);
+            exchange_->send(session_.clock().step() - 1, velocities);
+        });
+    }
+    tasks_.add("check divergence", [this] { check_divergence(); });
+    assemble_output();
+}
+
+void Participant::assemble_coupling() {
+    tasks_.add("wait for structure",
+               [this] { batch_ = &exchange_->receive(session_.clock().step()); });
+    tasks_.add("spread impulses", [this] {
+        immersed_boundary_->spread(batch_->before_m, batch_->impulse);
+    });
+    if (balance_) {
+        tasks_.add("audit interface", [this] { balance_->add(immersed_boundary_->received()); });
+    }
+}
+
+void Participant::assemble_output() {
+    const scene::Scene& scene = session_.scene();
+    const bool leads = session_.world().leads();
+    if (scene.probes && (balance_ || !scene.probes->fluid.empty())) {
+        if (leads) {
+            probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
+                                                          coupler::fluid_columns(scene));
+        }
+        tasks_.add("probes", [this, every = session_.clock().every(scene.probes->every_s)] {
+            if (session_.clock().step() % every == 0) write_probes();
+        });
+    }
+    if (scene.output.fluid) {
+        files_ = std::make_unique<FluidFiles>(session_.world().local(), fluid_,
+                                              *scene.output.fluid, session_.out());
+        tasks_.add("write fields", [this, every = session_.clock().every(
+                                              scene.output.fluid->every_s)] {
+            const auto step = session_.clock().step();
+            if (step % every == 0) files_->write(step / every, session_.clock().time_s());
+        });
+    }
+    if (leads) {
+        progress_ = std::make_unique<output::Progress>(
+            progress_mode_,
+            output::ProgressGoal{session_.clock().steps(), scene.time.end_s, 0},
+            [](std::string_view text) {
+                fmt::print("{}", text);
+                std::fflush(stdout);
+            });
+        tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
+    }
+}
+
+// The velocities at the first positions, so that step 0 of the structure can start.
+void Participant::begin_coupling() {
+    batch_ = &exchange_->receive(-1);
+    exchange_->send(-1, immersed_boundary_->sample(batch_->now_m));
+}
+
+void Participant::write_probes() {
+    last_probes_ = probe_values(session_.scene().probes->fluid, fluid_);
+    if (!session_.world().coupled()) {
+        if (probes_) probes_->row(session_.clock().time_s(), last_probes_);
+        return;
+    }
+    std::vector<double> numbers = last_probes_;
+    if (balance_) {
+        const auto received = balance_->collect(session_.world().local());
+        numbers.insert(numbers.end(), received.begin(), received.end());
+    }
+    if (session_.world().root()) {
+        coupler::send_numbers(session_.world(), session_.clock().step(), numbers,
+                              session_.timeout_s());
+    }
+}
+
+void Participant::check_divergence() {
+    if (session_.clock().step() % divergence_check_every != 0) return;
+    const auto fault = fluid_.divergence();
+    if (!fault) return;
+    const double h = fluid_.config().spacing_m * 1e3;
+    throw coupler::Diverged(fmt::format(
+        "the fluid diverged: cell ({}, {}, {}) at ({:.4g}, {:.4g}, {:.4g}) mm has lattice speed "
+        "{:.3g} (limit 0.4) at step {}; lower fluid.lattice_speed, refine fluid.spacing, or "
+        "raise the viscosity (relaxation time is {:.5g})",
+        fault->cell[0], fault->cell[1], fault->cell[2], (fault->cell[0] + 0.5) * h,
+        (fault->cell[1] + 0.5) * h, (fault->cell[2] + 0.5) * h, fault->lattice_speed,
+        session_.clock().step(), fluid_.relaxation_time()));
+}
+
+void Participant::run() {
+    if (session_.world().root()) {
+        const auto& c = fluid_.config();
+        fmt::print(
+            "fluid: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time {:.5g}, {} "
+            "collision, {} kernels, {} rank(s)\nfluid step: {}\n",
+            c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
+            fluid_.relaxation_time(), fluid::to_string(fluid_.collision()), fluid_.kernel(),
+            session_.world().size(), tasks_.names());
+        std::fflush(stdout);
+    }
+    if (exchange_) begin_coupling();
+    const double start = output::steady_seconds();
+    while (!session_.clock().done()) tasks_.run();
+    finish(output::steady_seconds() - start);
+}
+
+coupler::ParticipantReport Participant::make_report(double wall_s) const {
+    auto report = coupler::basic_report(session_.world(), tasks_.timer());
+    const auto& n = fluid_.config().cells;
+    output::FluidSummary fluid;
+    fluid.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
+    fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
+                  static_cast<double>(session_.clock().step()) / wall_s;
+    for (const auto& [task, seconds] : tasks_.timer().seconds()) {
+        if (task == advance_task) fluid.mlups *= wall_s / seconds;
+    }
+    fluid.relaxation_time = fluid_.relaxation_time();
+    fluid.spacing_m = fluid_.config().spacing_m;
+    fluid.collision = fluid::to_string(fluid_.collision());
+    fluid.kernel = fluid_.kernel();
+    report.fluid = fluid;
+    return report;
+}
+
+void Participant::finish(double wall_s) {
+    const auto report = make_report(wall_s);
+    if (session_.world().coupled()) {
+        coupler::swap_text(session_.world(), coupler::to_text(report), session_.timeout_s(),
+                           "final report");
+        return;
+    }
+    if (!session_.world().leads()) return;
+    progress_->finish(session_.clock().step());
+    output::Named<double> last;
+    for (std::size_t i = 0; probes_ && i < last_probes_.size(); ++i) {
+        last.emplace_back(probes_->columns()[i], last_probes_[i]);
+    }
+    coupler::write_summary(session_, {&report, 1}, wall_s, last);
+}
+
+}  // namespace magfsi::lbm

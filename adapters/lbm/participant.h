@@ -1,0 +1,51 @@
+// The lattice-Boltzmann fluid as a participant: its coupled step, assembled from the scene.
+#pragma once
+
+#include <memory>
+
+#include "adapters/lbm/fluid_output.h"
+#include "adapters/lbm/lbm_fluid.h"
+#include "coupler/exchange/fluid_exchange.h"
+#include "coupler/immersed_boundary/fluid_side.h"
+#include "coupler/output/probe_file.h"
+#include "coupler/output/progress.h"
+#include "coupler/participants/session.h"
+#include "coupler/step/report.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::lbm {
+
+class Participant {
+  public:
+    Participant(coupler::Session& session, output::ProgressMode progress);
+    void run();
+
+  private:
+    void join_structure();
+    void assemble();
+    void assemble_coupling();
+    void assemble_output();
+    void begin_coupling();
+    void write_probes();
+    void check_divergence();
+    coupler::ParticipantReport make_report(double wall_s) const;
+    void finish(double wall_s);
+
+    coupler::Session& session_;
+    output::ProgressMode progress_mode_;
+    fluid::Fluid fluid_;
+    LbmFluid lbm_;
+    coupler::TaskList tasks_;
+    // Present only with a structure:
+    std::unique_ptr<coupler::FluidExchange> exchange_;
+    std::unique_ptr<coupler::FluidSide> immersed_boundary_;
+    std::unique_ptr<coupler::BalanceRecord> balance_;
+    const coupler::MarkerBatch* batch_ = nullptr;
+    // Present only when the scene names them:
+    std::unique_ptr<FluidFiles> files_;
+    std::unique_ptr<output::ProbeFile> probes_;
+    std::unique_ptr<output::Progress> progress_;
+    std::vector<double> last_probes_;
+};
+
+}  // namespace magfsi::lbm

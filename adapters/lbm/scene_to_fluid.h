@@ -1,0 +1,11 @@
+// The scene's fluid in the terms of fluid_lbm/.
+#pragma once
+
+#include "coupler/scene/scene.h"
+#include "fluid_lbm/fluid.h"
+
+namespace magfsi::lbm {
+
+fluid::FluidConfig to_config(const scene::Fluid& fluid, double time_step_s);
+
+}  // namespace magfsi::lbm

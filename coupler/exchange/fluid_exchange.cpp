@@ -1,0 +1,81 @@
+#include "coupler/exchange/fluid_exchange.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "coupler/exchange/message.h"
+#include "coupler/exchange/partner_table.h"
+#include "coupler/participants/wait.h"
+
+namespace magfsi::coupler {
+
+FluidExchange::FluidExchange(const World& world, double timeout_s)
+    : world_(world), timeout_s_(timeout_s) {
+    const auto ranks = static_cast<std::size_t>(world.partner_size());
+    count_.assign(ranks, 0);
+    in_.resize(ranks);
+    out_.resize(ranks);
+}
+
+void FluidExchange::renew(std::int64_t step) {
+    const std::vector<int> nothing(count_.size(), 0);
+    MPI_Request request;
+    MPI_Ialltoall(nothing.data(), 1, MPI_INT, count_.data(), 1, MPI_INT, world_.partner(),
+                  &request);
+    wait_all({&request, 1}, step < 0 ? startup_timeout_s : timeout_s_,
+             fmt::format("partner table of step {}", step));
+    const auto total = static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
+    batch_.before_m.resize(total);
+    batch_.impulse.resize(total);
+    batch_.now_m.resize(total);
+}
+
+const MarkerBatch& FluidExchange::receive(std::int64_t step) {
+    if (step < 0 || (step > 0 && step % renew_every == 0)) renew(step);
+    std::vector<MPI_Request> requests(sending_);
+    for (std::size_t s = 0; s < count_.size(); ++s) {
+        if (count_[s] == 0) continue;
+        in_[s].resize(marker_message_size(static_cast<std::size_t>(count_[s])));
+        MPI_Request& request = requests.emplace_back();
+        MPI_Irecv(in_[s].data(), static_cast<int>(in_[s].size()), MPI_DOUBLE,
+                  static_cast<int>(s), marker_tag, world_.partner(), &request);
+    }
+    wait_all(requests, step < 0 ? startup_timeout_s : timeout_s_,
+             fmt::format("structure markers of step {}", step));
+    sending_.clear();
+    unpack(step);
+    return batch_;
+}
+
+void FluidExchange::unpack(std::int64_t step) {
+    std::size_t m = 0;
+    for (std::size_t s = 0; s < count_.size(); ++s) {
+        if (count_[s] == 0) continue;
+        const auto count = static_cast<std::size_t>(count_[s]);
+        check_header(in_[s], step, count, fmt::format("structure rank {}", s));
+        const double* at = in_[s].data() + message_header;
+        for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values) {
+            batch_.before_m[m] = get(at);
+            batch_.impulse[m] = get(at + 3);
+            batch_.now_m[m] = get(at + 6);
+        }
+    }
+}
+
+void FluidExchange::send(std::int64_t step, std::span<const Vec3> velocity) {
+    std::size_t m = 0;
+    for (std::size_t s = 0; s < count_.size(); ++s) {
+        if (count_[s] == 0) continue;
+        const auto count = static_cast<std::size_t>(count_[s]);
+        out_[s].resize(velocity_message_size(count));
+        write_header(out_[s], step, count);
+        double* at = out_[s].data() + message_header;
+        for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values) put(at, velocity[m]);
+        MPI_Request& request = sending_.emplace_back();
+        MPI_Isend(out_[s].data(), static_cast<int>(out_[s].size()), MPI_DOUBLE,
+                  static_cast<int>(s), velocity_tag, world_.partner(), &request);
+    }
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,44 @@
+// The fluid rank's end of the marker exchange.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coupler/immersed_boundary/grid.h"
+#include "coupler/participants/world.h"
+
+namespace magfsi::coupler {
+
+// The markers that may touch this rank's cells, those of structure rank 0 first.
+struct MarkerBatch {
+    std::vector<Vec3> before_m;   // where the impulse acts
+    std::vector<Vec3> impulse;    // given to the fluid [N s]
+    std::vector<Vec3> now_m;      // where to sample next
+};
+
+class FluidExchange {
+  public:
+    FluidExchange(const World& world, double timeout_s);
+
+    // The structure's message of a coupled step; -1 is the one before step 0.
+    const MarkerBatch& receive(std::int64_t step);
+
+    // This rank's share of the velocities [m/s] at the batch's `now` positions.
+    void send(std::int64_t step, std::span<const Vec3> velocity);
+
+  private:
+    void renew(std::int64_t step);
+    void unpack(std::int64_t step);
+
+    const World& world_;
+    double timeout_s_;
+    std::vector<int> count_;  // markers by structure rank
+    std::vector<std::vector<double>> in_, out_;
+    std::vector<MPI_Request> sending_;
+    MarkerBatch batch_;
+};
+
+}  // namespace magfsi::coupler

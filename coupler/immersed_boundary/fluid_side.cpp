@@ -1,0 +1,46 @@
+#include "coupler/immersed_boundary/fluid_side.h"
+
+namespace magfsi::coupler {
+
+FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
+                     double coupled_step_s)
+    : fluid_(fluid),
+      coupled_step_s_(coupled_step_s),
+      spread_rows_(fluid.grid(), owned, kernel),
+      sample_rows_(fluid.grid(), owned, kernel) {}
+
+void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse) {
+    spread_rows_.place(points_m);
+    force_.resize(impulse.size());
+    for (std::size_t m = 0; m < impulse.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) force_[m][d] = impulse[m][d] / coupled_step_s_;
+    }
+    density_.assign(3 * spread_rows_.cells(), 0.0);
+    spread_rows_.spread(force_, density_);
+    fluid_.set_force(spread_rows_.rows(), density_);
+}
+
+std::span<const Vec3> FluidSide::sample(std::span<const Vec3> points_m) {
+    sample_rows_.place(points_m);
+    velocity_.resize(3 * sample_rows_.cells());
+    fluid_.velocity(sample_rows_.rows(), velocity_);
+    sampled_.resize(points_m.size());
+    sample_rows_.interpolate(velocity_, sampled_);
+    return sampled_;
+}
+
+InterfaceBalance FluidSide::received() {
+    std::vector<double> velocity(3 * spread_rows_.cells());
+    fluid_.velocity(spread_rows_.rows(), velocity);
+    const double h = fluid_.grid().spacing_m;
+    const double impulse_of_density = h * h * h * coupled_step_s_;
+    InterfaceBalance b;
+    for (std::size_t i = 0; i < density_.size(); ++i) {
+        const double impulse = density_[i] * impulse_of_density;
+        b.impulse_n_s[i % 3] += impulse;
+        b.work_j += impulse * velocity[i];
+    }
+    return b;
+}
+
+}  // namespace magfsi::coupler

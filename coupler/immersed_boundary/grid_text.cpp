@@ -1,0 +1,29 @@
+#include "coupler/immersed_boundary/grid_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace magfsi::coupler {
+
+std::string to_text(const Grid& grid) {
+    nlohmann::json boxes = nlohmann::json::array();
+    for (const CellBox& box : grid.owned_by_rank) boxes.push_back({box.lo, box.hi});
+    return nlohmann::json{{"spacing_m", grid.spacing_m},
+                          {"cells", grid.cells},
+                          {"periodic", grid.periodic},
+                          {"owned_by_rank", boxes}}
+        .dump();
+}
+
+Grid grid_from_text(const std::string& text) {
+    const auto json = nlohmann::json::parse(text);
+    Grid grid;
+    grid.spacing_m = json.at("spacing_m");
+    grid.cells = json.at("cells");
+    grid.periodic = json.at("periodic");
+    for (const auto& box : json.at("owned_by_rank")) {
+        grid.owned_by_rank.push_back({box.at(0), box.at(1)});
+    }
+    return grid;
+}
+
+}  // namespace magfsi::coupler

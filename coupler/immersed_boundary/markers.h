@@ -1,0 +1,28 @@
+// Lagrangian markers: material points of the body, carried by its elements through their
+// shape functions, so that the fluid's grid and the body's mesh can be refined alone.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "coupler/immersed_boundary/grid.h"
+
+namespace magfsi::coupler {
+
+// A marker as one structure rank sees it: eight nodes by local index, their weights (which
+// add up to one) and the Lagrangian volume [m3].
+struct Marker {
+    std::array<int, 8> node{};
+    std::array<double, 8> weight{};
+    double volume_m3 = 0;
+    int body = 0;
+};
+
+// Value of a nodal field (three numbers a node) at a marker.
+Vec3 at_marker(const Marker& marker, const double* nodal);
+
+// Adds a marker's force to its nodes: the transpose of at_marker.
+void to_nodes(const Marker& marker, const Vec3& force, double* nodal);
+
+}  // namespace magfsi::coupler

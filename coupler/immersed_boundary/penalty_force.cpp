@@ -1,0 +1,33 @@
+#include "coupler/immersed_boundary/penalty_force.h"
+
+#include <algorithm>
+
+namespace magfsi::coupler {
+
+PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale)
+    : markers_(std::move(markers)),
+      fluid_velocity_(markers_.size()),
+      impulse_(markers_.size()) {
+    kappa_.reserve(markers_.size());
+    for (const Marker& m : markers_) kappa_.push_back(scale.coefficient(m));
+}
+
+void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
+    std::copy(fluid_velocity.begin(), fluid_velocity.end(), fluid_velocity_.begin());
+    std::fill(impulse_.begin(), impulse_.end(), Vec3{});
+}
+
+void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
+                         double duration_s) {
+    for (std::size_t m = 0; m < markers_.size(); ++m) {
+        const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
+        Vec3 force;
+        for (std::size_t d = 0; d < 3; ++d) {
+            force[d] = -kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
+            impulse_[m][d] -= force[d] * duration_s;
+        }
+        to_nodes(markers_[m], force, nodal_force);
+    }
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,52 @@
+// Eq. (13): the force between a marker and the fluid around it, F = -kappa (V - U), with V the
+// marker's present velocity and U the fluid's velocity sampled at the start of the coupled
+// step. kappa = strength * 2 rho dV / dt: at strength 1 the fluid, given 2 rho / dt of the
+// slip through Guo's forcing, is brought to the marker's velocity in one step.
+//
+// The force is evaluated anew in every substep of the structure. Held over the substeps it
+// would sample sheet modes above half the fluid's step rate aliased and pump them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupler/immersed_boundary/markers.h"
+
+namespace magfsi::coupler {
+
+struct PenaltyScale {
+    double strength = 1;
+    double fluid_density_kg_m3 = 0;
+    double coupled_step_s = 0;
+
+    // Drag coefficient [kg/s] of a marker.
+    double coefficient(const Marker& marker) const {
+        return strength * 2 * fluid_density_kg_m3 * marker.volume_m3 / coupled_step_s;
+    }
+};
+
+class PenaltyForce {
+  public:
+    PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale);
+
+    const std::vector<Marker>& markers() const { return markers_; }
+
+    // The fluid's velocity at every marker for the coming coupled step [m/s]; clears the
+    // impulses.
+    void begin_step(std::span<const Vec3> fluid_velocity);
+
+    // One substep: adds the forces to the nodes (nodal_force[3 * node + d], [N]) and the
+    // impulse of duration_s to the markers' sums.
+    void apply(const double* nodal_velocity, double* nodal_force, double duration_s);
+
+    // What the markers gave to the fluid since begin_step [N s].
+    std::span<const Vec3> impulse() const { return impulse_; }
+
+  private:
+    std::vector<Marker> markers_;
+    std::vector<double> kappa_;
+    std::vector<Vec3> fluid_velocity_;
+    std::vector<Vec3> impulse_;
+};
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,95 @@
+#include "coupler/immersed_boundary/touched_rows.h"
+
+#include <algorithm>
+
+namespace magfsi::coupler {
+
+TouchedRows::TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel)
+    : grid_(grid), box_(box), kernel_(kernel) {
+    const auto rows = static_cast<std::size_t>(box.hi[1] - box.lo[1]) *
+                      static_cast<std::size_t>(box.hi[2] - box.lo[2]);
+    row_of_.assign(rows, -1);
+}
+
+int TouchedRows::slot(int y, int z) const {
+    return (z - box_.lo[2]) * (box_.hi[1] - box_.lo[1]) + (y - box_.lo[1]);
+}
+
+// Visits the cells of the stencil that this rank owns, as (row, x, weight).
+template <typename Visit>
+void TouchedRows::for_each_cell(const MarkerStencil& stencil, Visit&& visit) const {
+    const auto& [sx, sy, sz] = stencil;
+    for (int k = 0; k < sz.count; ++k) {
+        const int z = wrapped(sz.first + k, grid_.cells[2]);
+        if (z < box_.lo[2] || z >= box_.hi[2]) continue;
+        for (int j = 0; j < sy.count; ++j) {
+            const int y = wrapped(sy.first + j, grid_.cells[1]);
+            if (y < box_.lo[1] || y >= box_.hi[1]) continue;
+            const double wyz = sy.weight[static_cast<std::size_t>(j)] *
+                               sz.weight[static_cast<std::size_t>(k)];
+            for (int i = 0; i < sx.count; ++i) {
+                const int x = wrapped(sx.first + i, grid_.cells[0]);
+                visit(slot(y, z), x, wyz * sx.weight[static_cast<std::size_t>(i)]);
+            }
+        }
+    }
+}
+
+void TouchedRows::widen(int y, int z, int x_begin, int x_end) {
+    int& row = row_of_[static_cast<std::size_t>(slot(y, z))];
+    if (row < 0) {
+        row = static_cast<int>(rows_.size());
+        rows_.push_back({y, z, x_begin, x_end});
+        return;
+    }
+    GridRow& r = rows_[static_cast<std::size_t>(row)];
+    r.x_begin = std::min(r.x_begin, x_begin);
+    r.x_end = std::max(r.x_end, x_end);
+}
+
+void TouchedRows::place(std::span<const Vec3> points_m) {
+    for (const GridRow& r : rows_) row_of_[static_cast<std::size_t>(slot(r.y, r.z))] = -1;
+    rows_.clear();
+    stencils_.clear();
+    const int ny = box_.hi[1] - box_.lo[1];
+    for (const Vec3& point : points_m) {
+        stencils_.push_back(marker_stencil(grid_, kernel_, point));
+        for_each_cell(stencils_.back(), [&](int at, int x, double) {
+            widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, x, x + 1);
+        });
+    }
+    offset_.clear();
+    cells_ = 0;
+    for (const GridRow& r : rows_) {
+        offset_.push_back(cells_);
+        cells_ += static_cast<std::size_t>(r.x_end - r.x_begin);
+    }
+}
+
+void TouchedRows::interpolate(std::span<const double> velocity,
+                              std::span<Vec3> markers) const {
+    for (std::size_t m = 0; m < stencils_.size(); ++m) {
+        Vec3 sum{};
+        for_each_cell(stencils_[m], [&](int at, int x, double weight) {
+            const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
+            const auto cell = offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
+            for (std::size_t d = 0; d < 3; ++d) sum[d] += weight * velocity[3 * cell + d];
+        });
+        markers[m] = sum;
+    }
+}
+
+void TouchedRows::spread(std::span<const Vec3> force_n, std::span<double> density) const {
+    const double per_volume = 1 / (grid_.spacing_m * grid_.spacing_m * grid_.spacing_m);
+    for (std::size_t m = 0; m < stencils_.size(); ++m) {
+        for_each_cell(stencils_[m], [&](int at, int x, double weight) {
+            const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
+            const auto cell = offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
+            for (std::size_t d = 0; d < 3; ++d) {
+                density[3 * cell + d] += weight * per_volume * force_n[m][d];
+            }
+        });
+    }
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,47 @@
+// The rows of one rank's cells that a set of markers touches, and the sums over them:
+// interpolation (eq. 14) and spreading (eq. 15).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coupler/immersed_boundary/marker_stencil.h"
+
+namespace magfsi::coupler {
+
+class TouchedRows {
+  public:
+    // box: the cells of this rank; markers may reach beyond it, what lies there is left to
+    // the rank that owns it.
+    TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel);
+
+    // Sets the markers by their positions [m].
+    void place(std::span<const Vec3> points_m);
+
+    const std::vector<GridRow>& rows() const { return rows_; }
+    std::size_t cells() const { return cells_; }
+
+    // velocity: three values a cell, row after row. Returns this rank's share of each marker's
+    // velocity; the shares of all ranks add up.
+    void interpolate(std::span<const double> velocity, std::span<Vec3> markers) const;
+
+    // Adds each marker's force [N] as a force density [N/m3] to the cells.
+    void spread(std::span<const Vec3> force_n, std::span<double> density) const;
+
+  private:
+    template <typename Visit>
+    void for_each_cell(const MarkerStencil& stencil, Visit&& visit) const;
+    int slot(int y, int z) const;
+    void widen(int y, int z, int x_begin, int x_end);
+
+    const Grid& grid_;
+    CellBox box_;
+    Kernel kernel_;
+    std::vector<MarkerStencil> stencils_;
+    std::vector<GridRow> rows_;
+    std::vector<std::size_t> offset_;  // of each row's first cell
+    std::vector<int> row_of_;          // (y, z) -> row, -1: not touched
+    std::size_t cells_ = 0;
+};
+
+}  // namespace magfsi::coupler

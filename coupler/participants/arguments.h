@@ -1,0 +1,27 @@
+// The command line that every participant understands.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/output/progress.h"
+
+namespace magfsi::coupler {
+
+struct ParticipantArguments {
+    std::filesystem::path scene;
+    std::filesystem::path out;  // run folder; default runs/NAME of the scene
+    std::vector<std::string> overrides;
+    output::ProgressMode progress = output::ProgressMode::plain;
+    bool help = false;
+    std::string help_text;
+};
+
+// Throws std::invalid_argument naming the option.
+ParticipantArguments parse_arguments(int argc, char** argv, const std::string& description);
+
+// The run folder when none was given.
+std::filesystem::path default_out(const std::string& scene_name);
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,95 @@
+#include "coupler/participants/guard.h"
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "coupler/output/summary.h"
+#include "coupler/participants/errors.h"
+#include "coupler/participants/wait.h"
+#include "coupler/scene/effects.h"
+#include "coupler/scene/reader.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+struct Ending {
+    int code;
+    output::Outcome outcome;
+    std::string cause;
+};
+
+Ending classify(const std::exception_ptr& exception) {
+    using output::Outcome;
+    try {
+        std::rethrow_exception(exception);
+    } catch (const scene::SceneError& e) {
+        return {exit_input, Outcome::stopped, e.what()};
+    } catch (const Diverged& e) {
+        return {exit_diverged, Outcome::diverged, e.what()};
+    } catch (const PartnerLost& e) {
+        return {exit_partner, Outcome::lost_partner, e.what()};
+    } catch (const Stopped& e) {
+        return {exit_partner, Outcome::stopped, e.what()};
+    } catch (const std::exception& e) {
+        return {exit_error, Outcome::stopped, e.what()};
+    }
+}
+
+void write_failure(const RunState& state, const Ending& ending) {
+    if (!state.started) return;
+    output::Summary summary;
+    summary.scene = state.scene.name;
+    summary.scene_hash = state.scene.hash;
+    summary.outcome = ending.outcome;
+    summary.cause = ending.cause;
+    summary.effects = scene::active_effects(state.scene);
+    summary.absent_effects = scene::absent_effects(state.scene);
+    summary.steps = state.step;
+    summary.simulated_s = state.time_s;
+    try {
+        output::write_summary(state.out / "summary.json", summary);
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "magfsi: {}\n", e.what());
+    }
+}
+
+}  // namespace
+
+int run_participant(Role role, const std::string& description, int argc, char** argv,
+                    const ParticipantBody& body) {
+    ParticipantArguments arguments;
+    try {
+        arguments = parse_arguments(argc, argv, description);
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "magfsi {}: {} (see --help)\n", to_string(role), e.what());
+        return exit_input;
+    }
+    if (arguments.help) {
+        fmt::print("{}", arguments.help_text);
+        return exit_done;
+    }
+    MPI_Init(&argc, &argv);
+    catch_stop_signals();
+    RunState state;
+    try {
+        body(arguments, state);
+    } catch (...) {
+        const Ending ending = classify(std::current_exception());
+        write_failure(state, ending);
+        const std::string where =
+            state.started && state.step > 0
+                ? fmt::format(" (after coupled step {}, t = {:.6g} s)", state.step, state.time_s)
+                : "";
+        fmt::print(stderr, "magfsi {}: {}{}\n", to_string(role), ending.cause, where);
+        std::fflush(nullptr);
+        MPI_Abort(MPI_COMM_WORLD, ending.code);
+    }
+    MPI_Finalize();
+    return exit_done;
+}
+
+}  // namespace magfsi::coupler

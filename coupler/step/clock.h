@@ -1,0 +1,34 @@
+// Time as an integer number of coupled steps; seconds are computed, never accumulated.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace magfsi::coupler {
+
+class Clock {
+  public:
+    // Runs from 0 to the first step at or after end_s.
+    Clock(double step_s, double end_s)
+        : step_s_(step_s), steps_(static_cast<std::int64_t>(std::ceil(end_s / step_s - 1e-9))) {}
+
+    double step_s() const { return step_s_; }
+    std::int64_t steps() const { return steps_; }
+    std::int64_t step() const { return step_; }
+    double time_s() const { return static_cast<double>(step_) * step_s_; }
+    bool done() const { return step_ >= steps_; }
+    void tick() { ++step_; }
+
+    // Every how many steps something happens that is wanted every interval_s.
+    std::int64_t every(double interval_s) const {
+        const auto steps = static_cast<std::int64_t>(std::llround(interval_s / step_s_));
+        return steps < 1 ? 1 : steps;
+    }
+
+  private:
+    double step_s_;
+    std::int64_t steps_;
+    std::int64_t step_ = 0;
+};
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,15 @@
+// Names of the columns of probes.csv, in the order in which both sides deliver values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupler/scene/scene.h"
+
+namespace magfsi::coupler {
+
+std::vector<std::string> body_columns(const scene::Scene& scene);   // structure side
+std::vector<std::string> fluid_columns(const scene::Scene& scene);  // fluid side
+std::vector<std::string> interface_columns(const scene::Scene& scene);
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,96 @@
+#include "coupler/step/report.h"
+
+#include "coupler/output/memory.h"
+#include "coupler/scene/effects.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const output::FluidSummary& f) {
+    return {{"cells", f.cells},           {"mlups", f.mlups},
+            {"tau", f.relaxation_time},   {"spacing_m", f.spacing_m},
+            {"collision", f.collision},   {"kernel", f.kernel}};
+}
+
+output::FluidSummary fluid_from(const Json& json) {
+    return {json.at("cells"),     json.at("mlups"),     json.at("tau"),
+            json.at("spacing_m"), json.at("collision"), json.at("kernel")};
+}
+
+Json to_json(const output::StructureSummary& s) {
+    return {{"elements", s.elements},
+            {"ns", s.ns_per_element_step},
+            {"substeps", s.substeps_per_step}};
+}
+
+output::StructureSummary structure_from(const Json& json) {
+    return {json.at("elements"), json.at("ns"), json.at("substeps")};
+}
+
+}  // namespace
+
+ParticipantReport basic_report(const World& world, const output::TaskTimer& timer) {
+    ParticipantReport report;
+    report.name = to_string(world.self());
+    report.ranks = world.size();
+    for (const auto& [task, seconds] : timer.seconds()) report.tasks.emplace_back(task, seconds);
+    const std::int64_t mine = output::peak_resident_bytes();
+    MPI_Reduce(&mine, &report.memory_bytes, 1, MPI_INT64_T, MPI_SUM, 0, world.local());
+    return report;
+}
+
+std::string to_text(const ParticipantReport& report) {
+    Json json{{"name", report.name},
+              {"ranks", report.ranks},
+              {"tasks", report.tasks},
+              {"memory_bytes", report.memory_bytes},
+              {"versions", report.versions}};
+    if (report.fluid) json["fluid"] = to_json(*report.fluid);
+    if (report.structure) json["structure"] = to_json(*report.structure);
+    return json.dump();
+}
+
+ParticipantReport report_from_text(const std::string& text) {
+    const Json json = Json::parse(text);
+    ParticipantReport report;
+    report.name = json.at("name");
+    report.ranks = json.at("ranks");
+    report.tasks = json.at("tasks").get<output::Named<double>>();
+    report.memory_bytes = json.at("memory_bytes");
+    report.versions = json.at("versions").get<output::Named<std::string>>();
+    if (json.contains("fluid")) report.fluid = fluid_from(json.at("fluid"));
+    if (json.contains("structure")) report.structure = structure_from(json.at("structure"));
+    return report;
+}
+
+void write_summary(const Session& session, std::span<const ParticipantReport> reports,
+                   double wall_s, const output::Named<double>& probes) {
+    output::Summary summary;
+    summary.scene = session.scene().name;
+    summary.scene_hash = session.scene().hash;
+    summary.outcome = output::Outcome::completed;
+    summary.effects = scene::active_effects(session.scene());
+    summary.absent_effects = scene::absent_effects(session.scene());
+    summary.steps = session.clock().step();
+    summary.simulated_s = session.clock().time_s();
+    summary.wall_s = wall_s;
+    summary.probes = probes;
+    for (const ParticipantReport& report : reports) {
+        summary.ranks.emplace_back(report.name, report.ranks);
+        summary.tasks.emplace_back(report.name, report.tasks);
+        summary.memory_bytes.emplace_back(report.name, report.memory_bytes);
+        summary.versions.insert(summary.versions.end(), report.versions.begin(),
+                                report.versions.end());
+        if (report.fluid) summary.fluid = report.fluid;
+        if (report.structure) {
+            summary.structure = report.structure;
+            summary.substeps = summary.steps * report.structure->substeps_per_step;
+        }
+    }
+    output::write_summary(session.out() / "summary.json", summary);
+}
+
+}  // namespace magfsi::coupler

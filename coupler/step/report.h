@@ -1,0 +1,33 @@
+// What each participant reports at the end, and the summary made of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "coupler/output/summary.h"
+#include "coupler/output/task_timer.h"
+#include "coupler/participants/session.h"
+
+namespace magfsi::coupler {
+
+struct ParticipantReport {
+    std::string name;
+    int ranks = 1;
+    output::Named<double> tasks;    // seconds on the root rank
+    std::int64_t memory_bytes = 0;  // all ranks
+    output::Named<std::string> versions;
+    std::optional<output::FluidSummary> fluid;
+    std::optional<output::StructureSummary> structure;
+};
+
+// Name, ranks, tasks and memory. Collective over the participant.
+ParticipantReport basic_report(const World& world, const output::TaskTimer& timer);
+
+std::string to_text(const ParticipantReport& report);
+ParticipantReport report_from_text(const std::string& text);
+
+// summary.json of a completed run; only the lead calls it. probes: last values by column.
+void write_summary(const Session& session, std::span<const ParticipantReport> reports,
+                   double wall_s, const output::Named<double>& probes);
+
+}  // namespace magfsi::coupler
