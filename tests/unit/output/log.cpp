@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <sstream>
 
 #include "coupler/output/file.h"
 #include "tests/unit/output/temporary_folder.h"
@@ -13,6 +13,24 @@ using magfsi::test::message_of;
 using magfsi::test::read;
 using magfsi::test::TemporaryFolder;
 
+namespace {
+
+// Drops "12:34:56.789 " of every line, and the line if it does not begin so.
+std::string without_times(const std::string& log) {
+    const std::string shape = "00:00:00.000 ";
+    std::istringstream in(log);
+    std::string out;
+    for (std::string line; std::getline(in, line);) {
+        std::string time = line.substr(0, shape.size());
+        for (char& c : time)
+            if (c >= '0' && c <= '9') c = '0';
+        if (time == shape) out += line.substr(shape.size()) + '\n';
+    }
+    return out;
+}
+
+}  // namespace
+
 TEST(Log, each_stream_gets_its_levels_and_the_file_all_of_them) {
     TemporaryFolder folder;
     testing::internal::CaptureStdout();
@@ -22,11 +40,8 @@ TEST(Log, each_stream_gets_its_levels_and_the_file_all_of_them) {
     log->error("partner lost");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "step 7\n");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "error: partner lost\n");
-    const std::regex lines(
-        "\\d\\d:\\d\\d:\\d\\d\\.\\d{3} info     step 7\n"
-        "\\d\\d:\\d\\d:\\d\\d\\.\\d{3} error    partner lost\n");
-    EXPECT_TRUE(std::regex_match(read(folder / "run.log"), lines))
-        << read(folder / "run.log");
+    EXPECT_EQ(without_times(read(folder / "run.log")),
+              "info     step 7\nerror    partner lost\n");
 }
 
 TEST(Log, a_file_that_cannot_be_written_is_named) {
