@@ -1,0 +1,47 @@
+// What the fast kernel reads: elements in batches of eight, lane by lane. Plain pointers
+// only, because this header is compiled for several instruction sets (cmake/IsaVariants).
+#pragma once
+
+namespace magfsi::structure {
+
+inline constexpr int batch_lanes = 8;
+
+enum class KernelKind { brick_full, brick_mean_f, general_full, general_mean_f };
+
+// All arrays are 64-byte aligned, [batch][entry][lane]. Lanes past the last element
+// repeat it.
+struct ElementBatches {
+    KernelKind kind = KernelKind::brick_full;
+    int element_count = 0;
+    const int* node = nullptr;         // 8 entries: index of node a in x and f
+    const double* spring = nullptr;    // 7 entries for bricks, 28 in general [N/m]
+    const double* gradient = nullptr;  // 21 entries, general_mean_f only [1/m]
+    const double* volume = nullptr;    // 1 entry: V0 [m3]
+    double shear_modulus_pa = 0;
+    double lame_lambda_pa = 0;
+};
+
+struct KernelResult {
+    double energy_j = 0;    // zero where it was not asked for
+    double smallest_j = 1;  // minus infinity stands for a J that is not a number
+    int element = -1;       // where: position among the batches' elements
+};
+
+// Adds the forces [N] on the nodes to f, three values a node as in x [m]. With
+// want_energy also sums the elements' energies. Element order is fixed, and so is every
+// rounding.
+using ElementKernelFunction = KernelResult (*)(const ElementBatches& batches,
+                                               const double* x, double* f,
+                                               bool want_energy);
+
+namespace sse2 {
+KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool energy);
+}
+namespace avx2 {
+KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool energy);
+}
+namespace avx512 {
+KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool energy);
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,39 @@
+#include "structure/lattice/element_energy.h"
+
+#include <cmath>
+
+#include "structure/lattice/springs.h"
+#include "structure/lattice/volume.h"
+
+namespace magfsi::structure {
+
+ElementReference element_reference(const Positions8& nodes_m, ElementVariant variant,
+                                   int element_number) {
+    const HexahedronIntegrals integrals = integrate_hexahedron(nodes_m, element_number);
+    return {variant, spring_matrix(nodes_m, integrals, variant), integrals.gradient,
+            integrals.volume, integrals.node_volume};
+}
+
+ElementState element_energy(const ElementReference& reference, const Material& material,
+                            const Positions8& x_m) {
+    const double g = material.shear_modulus_pa;
+    const double k = material.lame_lambda_pa;
+    const double v0 = reference.volume;
+    // Springs see differences only; taking the mean off keeps the rounding of a body that
+    // is far from the origin out of them.
+    const Positions8 x = x_m.rowwise() - x_m.colwise().mean();
+    const Positions8 spring_force = -g * reference.spring_matrix * x;
+    const VolumeAndGradient v = reference.variant == ElementVariant::full
+                                    ? exact_volume(x)
+                                    : mean_volume(x, reference.gradient, v0);
+    ElementState out;
+    out.volume_ratio = v.volume_m3 / v0;
+    const double log_j = std::log(out.volume_ratio);
+    const double pressure = (k * log_j - g) / out.volume_ratio;  // dU/dJ [Pa]
+    out.energy_j = -0.5 * spring_force.cwiseProduct(x).sum() - 1.5 * g * v0 +
+                   v0 * log_j * (0.5 * k * log_j - g);
+    out.force_n = spring_force - pressure * v.gradient_m2;
+    return out;
+}
+
+}  // namespace magfsi::structure

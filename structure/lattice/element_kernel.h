@@ -1,0 +1,58 @@
+// The fast kernel: forces and energy of many elements of one lattice, in the instruction
+// set of the machine.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "structure/lattice/element_batches.h"
+#include "structure/lattice/lattice.h"
+
+namespace magfsi::structure {
+
+class ElementKernel {
+  public:
+    // The instruction set is the widest of sse2, avx2 and avx512 that the machine has;
+    // the environment variable MAGFSI_ISA lowers it. Throws std::invalid_argument on
+    // another value of it.
+    ElementKernel();
+
+    // Packs these elements of the lattice; nodes: for each of them the eight indices of
+    // its nodes in x and f.
+    void assign(const Lattice& lattice, std::span<const int> elements,
+                std::span<const std::array<int, 8>> nodes);
+    // All elements, nodes numbered as in the mesh.
+    void assign(const Lattice& lattice);
+
+    // Adds the forces [N] at positions x [m], three values a node. KernelResult::element
+    // is the lattice's number of the element of smallest J (-1 if there are no elements).
+    KernelResult add_forces(const double* x, double* f) const { return run(x, f, false); }
+    KernelResult add_forces_and_energy(const double* x, double* f) const {
+        return run(x, f, true);
+    }
+
+    const std::string& isa() const { return isa_; }
+    std::size_t size() const { return elements_.size(); }
+
+  private:
+    struct alignas(64) Lanes {
+        double lane[batch_lanes];
+    };
+    struct alignas(64) NodeLanes {
+        int lane[2 * batch_lanes];  // two nodes
+    };
+    KernelResult run(const double* x, double* f, bool energy) const;
+    void pack(const ElementModes& modes, std::size_t position);
+
+    std::string isa_;
+    ElementKernelFunction function_ = nullptr;
+    KernelKind kind_ = KernelKind::brick_full;
+    Material material_;
+    std::vector<int> elements_;
+    std::vector<NodeLanes> nodes_;
+    std::vector<Lanes> spring_, gradient_, volume_;
+};
+
+}  // namespace magfsi::structure

@@ -1,0 +1,217 @@
+// The element of eqs. (2) to (6) in Hadamard mode space, `width` elements at a time. See
+// element_modes.h for the coefficients and element_energy.cpp for the same in plain form.
+#include "structure/lattice/element_batches.h"
+#include "structure/lattice/simd_lanes.h"
+
+namespace magfsi::structure::MAGFSI_ISA {
+namespace {
+
+// g[m] = sum_n spring[mn] u[n]: minus the force on mode m.
+template <bool brick>
+MAGFSI_INLINE void spring_modes(const double* spring, const Vec (&u)[8], Vec (&g)[8]) {
+    if constexpr (brick) {
+        for (int m = 1; m < 8; ++m) g[m] = load(spring + (m - 1) * batch_lanes) * u[m];
+    } else {
+        for (int m = 1; m < 8; ++m) g[m] = {Real{}, Real{}, Real{}};
+        for (int m = 1; m < 8; ++m) {
+            const Real diagonal = load(spring);
+            spring += batch_lanes;
+            g[m] = g[m] + diagonal * u[m];
+            for (int n = m + 1; n < 8; ++n) {
+                const Real c = load(spring);
+                spring += batch_lanes;
+                g[m] = g[m] + c * u[n];
+                g[n] = g[n] + c * u[m];
+            }
+        }
+    }
+}
+
+// What the volume term needs: U = V0 (K/2 ln^2 J - G ln J).
+struct VolumeTerm {
+    Real j, log_j, slope;  // slope = dU/dJ / V0 [Pa]
+};
+
+MAGFSI_INLINE VolumeTerm volume_term(const ElementBatches& b, const Real& j) {
+    const Real log_j = log_positive(j);
+    return {j, log_j, (b.lame_lambda_pa * log_j - b.shear_modulus_pa) / j};
+}
+
+// Exact volume: d[m] = 1/8 dV/du_m.
+MAGFSI_INLINE VolumeTerm exact_volume(const ElementBatches& b, const Real& v0,
+                                      const Vec (&u)[8], Vec (&g)[8]) {
+    const Real third = splat(1.0 / 3);
+    const Vec &r1 = u[1], &r2 = u[2], &r3 = u[4], &s12 = u[3], &s23 = u[6], &s31 = u[5];
+    const Vec a = third * cross(s12, s31);
+    const Vec c = third * cross(s23, s12);
+    const Vec e = third * cross(s31, s23);
+    const Vec d1 = cross(r2, r3) + a;
+    const Real v = 8.0 * (dot(r1, d1) + dot(r2, c) + dot(r3, e));
+    const VolumeTerm term = volume_term(b, v / v0);
+    g[1] = g[1] + term.slope * d1;
+    g[2] = g[2] + term.slope * (cross(r3, r1) + c);
+    g[4] = g[4] + term.slope * (cross(r1, r2) + e);
+    const Real slope3 = term.slope * third;
+    g[3] = g[3] + slope3 * (cross(s31, r1) + cross(r2, s23));
+    g[6] = g[6] + slope3 * (cross(s12, r2) + cross(r3, s31));
+    g[5] = g[5] + slope3 * (cross(r1, s12) + cross(s23, r3));
+    return term;
+}
+
+// Mean F of a brick is made of the three linear modes alone.
+MAGFSI_INLINE VolumeTerm mean_volume_of_brick(const ElementBatches& b, const Real& v0,
+                                              const Vec (&u)[8], Vec (&g)[8]) {
+    const Vec d1 = cross(u[2], u[4]);
+    const VolumeTerm term = volume_term(b, 8.0 * dot(u[1], d1) / v0);
+    g[1] = g[1] + term.slope * d1;
+    g[2] = g[2] + term.slope * cross(u[4], u[1]);
+    g[4] = g[4] + term.slope * cross(u[1], u[2]);
+    return term;
+}
+
+// F = sum_m u_m B_m^T; 1/8 dJ/du_m V0 = V0/8 cof(F) B_m.
+MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const double* gradient,
+                                     const Real& v0, const Vec (&u)[8], Vec (&g)[8]) {
+    Vec f[3] = {};
+    for (int m = 1; m < 8; ++m) {
+        for (int d = 0; d < 3; ++d) {
+            f[d] = f[d] + load(gradient + (3 * (m - 1) + d) * batch_lanes) * u[m];
+        }
+    }
+    const Vec cofactor[3] = {cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])};
+    const VolumeTerm term = volume_term(b, dot(f[0], cofactor[0]));
+    const Real scale = 0.125 * v0 * term.slope;
+    for (int m = 1; m < 8; ++m) {
+        for (int d = 0; d < 3; ++d) {
+            const Real entry = load(gradient + (3 * (m - 1) + d) * batch_lanes);
+            g[m] = g[m] + (scale * entry) * cofactor[d];
+        }
+    }
+    return term;
+}
+
+// Smallest J of each lane, and the batch (as a double) where it was.
+struct Smallest {
+    Real j, batch;
+};
+
+MAGFSI_INLINE void note_smallest(Smallest& smallest, const Real& j, double batch) {
+    const Real seen = j == j ? j : splat(-__builtin_inf());
+    const auto less = seen < smallest.j;
+    smallest.j = less ? seen : smallest.j;
+    smallest.batch = less ? splat(batch) : smallest.batch;
+}
+
+MAGFSI_INLINE Real energy_of(const ElementBatches& b, const Real& v0, const Vec (&u)[8],
+                             const Vec (&spring)[8], const VolumeTerm& term) {
+    Real springs = {};
+    for (int m = 1; m < 8; ++m) springs += dot(spring[m], u[m]);
+    return 4.0 * springs - 1.5 * b.shear_modulus_pa * v0 +
+           v0 * term.log_j * (0.5 * b.lame_lambda_pa * term.log_j - b.shear_modulus_pa);
+}
+
+// Positions u in, forces on the nodes out.
+template <bool brick, bool mean_f, bool want_energy>
+MAGFSI_INLINE Real element(const ElementBatches& b, long batch, int lane, Vec (&u)[8],
+                           Real& energy) {
+    constexpr int springs = brick ? 7 : 28;
+    const double* spring = b.spring + batch * springs * batch_lanes + lane;
+    const Real v0 = load(b.volume + batch * batch_lanes + lane);
+    to_modes(u);
+    for (int m = 1; m < 8; ++m) u[m] = splat(0.125) * u[m];
+    Vec g[8];
+    spring_modes<brick>(spring, u, g);
+    Vec spring_part[8];
+    if constexpr (want_energy) {
+        for (int m = 1; m < 8; ++m) spring_part[m] = g[m];
+    }
+    VolumeTerm term;
+    if constexpr (!mean_f) {
+        term = exact_volume(b, v0, u, g);
+    } else if constexpr (brick) {
+        term = mean_volume_of_brick(b, v0, u, g);
+    } else {
+        term = mean_volume(b, b.gradient + batch * 21 * batch_lanes + lane, v0, u, g);
+    }
+    if constexpr (want_energy) energy = energy_of(b, v0, u, spring_part, term);
+    u[0] = {Real{}, Real{}, Real{}};
+    for (int m = 1; m < 8; ++m) u[m] = splat(-1.0) * g[m];
+    to_nodes(u);
+    return term.j;
+}
+
+KernelResult first_smallest(const Smallest (&smallest)[batch_lanes / width]) {
+    KernelResult out;
+    out.smallest_j = __builtin_inf();
+    for (int lane = 0; lane < batch_lanes; ++lane) {
+        const double j = smallest[lane / width].j[lane % width];
+        if (j < out.smallest_j) {
+            out.smallest_j = j;
+            const double batch = smallest[lane / width].batch[lane % width];
+            out.element = static_cast<int>(batch) * batch_lanes + lane;
+        }
+    }
+    return out;
+}
+
+template <bool brick, bool mean_f, bool want_energy>
+KernelResult run(const ElementBatches& b, const double* x, double* f) {
+    Smallest smallest[batch_lanes / width];
+    for (Smallest& s : smallest) s = {splat(__builtin_inf()), Real{}};
+    double energy_sum = 0;
+    const long batches = (b.element_count + batch_lanes - 1) / batch_lanes;
+    for (long batch = 0; batch < batches; ++batch) {
+        const int filled = b.element_count - static_cast<int>(batch) * batch_lanes;
+        for (int part = 0; part < batch_lanes / width; ++part) {
+            const int lane = part * width;
+            const int* node = b.node + batch * 8 * batch_lanes + lane;
+            Vec u[8];
+            for (int a = 0; a < 8; ++a) u[a] = gather_node(x, node + a * batch_lanes);
+            Real energy = {};
+            const Real j = element<brick, mean_f, want_energy>(b, batch, lane, u, energy);
+            note_smallest(smallest[part], j, static_cast<double>(batch));
+            const int left = filled - lane;
+            if (left >= width) {
+                for (int a = 0; a < 8; ++a) {
+                    scatter_node(f, node + a * batch_lanes, u[a], width);
+                }
+            } else {
+                for (int a = 0; a < 8; ++a) {
+                    scatter_node(f, node + a * batch_lanes, u[a], left);
+                }
+            }
+            if constexpr (want_energy) {
+                for (int l = 0; l < width && l < left; ++l) energy_sum += energy[l];
+            }
+        }
+    }
+    KernelResult out = first_smallest(smallest);
+    if (out.element >= b.element_count) out.element = b.element_count - 1;
+    out.energy_j = energy_sum;
+    return out;
+}
+
+template <bool brick, bool mean_f>
+KernelResult run(const ElementBatches& b, const double* x, double* f, bool energy) {
+    return energy ? run<brick, mean_f, true>(b, x, f)
+                  : run<brick, mean_f, false>(b, x, f);
+}
+
+}  // namespace
+
+KernelResult run_elements(const ElementBatches& b, const double* x, double* f,
+                          bool energy) {
+    switch (b.kind) {
+        case KernelKind::brick_full:
+            return run<true, false>(b, x, f, energy);
+        case KernelKind::brick_mean_f:
+            return run<true, true>(b, x, f, energy);
+        case KernelKind::general_full:
+            return run<false, false>(b, x, f, energy);
+        case KernelKind::general_mean_f:
+            return run<false, true>(b, x, f, energy);
+    }
+    return {};
+}
+
+}  // namespace magfsi::structure::MAGFSI_ISA
