@@ -1,0 +1,219 @@
+#!/usr/bin/python3
+"""Draws the swimmer's figure from a run folder.
+
+    plot.py RUN_FOLDER [--out figure.png] [--period "40 ms"] [--body robot]
+
+(a) side views of the robot at even instants of the last full period, to scale, under the
+    course of the field; (b) the height of its centre of mass, with the rise of each period.
+"""
+import argparse
+import csv
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from matplotlib.collections import PolyCollection
+from vtk.util.numpy_support import vtk_to_numpy
+
+INSTANTS = 9  # both ends of the period: the same phase twice shows the net rise
+INK, GREY, PALE = "0.1", "0.45", "0.9"
+WIDTH_IN, LEFT_IN, RIGHT_IN = 7.2, 0.72, 0.12
+
+
+def seconds(text):
+    """'40 ms' or '0.04 s' as a number."""
+    number, _, unit = text.strip().partition(" ")
+    factors = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+    if unit.strip() not in factors:
+        raise argparse.ArgumentTypeError(f"'{text}': write a time as '40 ms' or '0.04 s'")
+    return float(number) * factors[unit.strip()]
+
+
+def read_probes(path):
+    """Columns by name, as arrays."""
+    with open(path, newline="") as file:
+        names, *rows = list(csv.reader(file))
+    values = np.array(rows, dtype=float).reshape(-1, len(names))
+    return dict(zip(names, values.T))
+
+
+def column(probes, name):
+    if name not in probes:
+        sys.exit(f"probes.csv has no column '{name}'; it has {', '.join(probes)}")
+    return probes[name]
+
+
+def read_series(path):
+    """[(time, file)] of a .pvd collection."""
+    entries = xml.etree.ElementTree.parse(path).iter("DataSet")
+    return [(float(e.get("timestep")), path.parent / e.get("file")) for e in entries]
+
+
+def side_view_mm(path):
+    """The outer faces of a body, projected on the x-z plane: an array (faces, 4, 2)."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputConnection(reader.GetOutputPort())
+    surface.Update()
+    skin = surface.GetOutput()
+    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    return 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[faces][:, :, [0, 2]]
+
+
+def last_period(time_s, period_s):
+    """Start of the last period that the run covers from end to end."""
+    count = int(np.floor((time_s[-1] - time_s[0]) / period_s + 1e-6))
+    if count < 1:
+        sys.exit(f"the run lasts {1e3 * (time_s[-1] - time_s[0]):g} ms; "
+                 f"one period of {1e3 * period_s:g} ms is needed")
+    return time_s[0] + (count - 1) * period_s
+
+
+def nearest_frames(series, wanted_s):
+    """The stored frame nearest to each instant, each frame once."""
+    times = np.array([time for time, _ in series])
+    return [series[i] for i in sorted({int(np.abs(times - t).argmin()) for t in wanted_s})]
+
+
+class Row:
+    """Side views on a common height axis, each at its time: x = (t - start) mm_per_s."""
+
+    def __init__(self, probes, body, frames, start_s, period_s):
+        self.start_s, self.period_s = start_s, period_s
+        self.times = np.array([time for time, _ in frames])
+        centre = 1e3 * np.interp(self.times, probes["t[s]"],
+                                 column(probes, f"{body}.com_x[m]"))
+        self.views = [side_view_mm(file) - [x, 0] for (_, file), x in zip(frames, centre)]
+        reach = max(np.abs(view[:, :, 0]).max() for view in self.views)
+        pitch = 2 * reach + 0.45  # mm between neighbours, so that they never touch
+        self.mm_per_s = pitch * (INSTANTS - 1) / period_s
+        self.x_limits = (-pitch / 2, pitch * (INSTANTS - 0.5))
+        low = min(view[:, :, 1].min() for view in self.views)
+        high = max(view[:, :, 1].max() for view in self.views)
+        self.z_limits = (low - 0.75, high + 0.3)  # the key and the scale lie below
+
+    def x(self, time_s):
+        return (np.asarray(time_s) - self.start_s) * self.mm_per_s
+
+    def height_in(self):
+        scale = (WIDTH_IN - LEFT_IN - RIGHT_IN) / (self.x_limits[1] - self.x_limits[0])
+        return scale * (self.z_limits[1] - self.z_limits[0])
+
+
+def clean(axes, *hidden):
+    for side in ("top", "right", *hidden):
+        axes.spines[side].set_visible(False)
+
+
+def draw_field(axes, probes, row):
+    end_s = row.start_s + row.period_s
+    field = 1e3 * column(probes, "field[T]")
+    time = probes["t[s]"]
+    inside = (time >= row.start_s - 1e-9) & (time <= end_s + 1e-9)
+    axes.axhline(0, color=GREY, lw=0.5)
+    axes.plot(row.x(time[inside]), field[inside], color=INK, lw=1.2)
+    axes.plot(row.x(row.times), np.interp(row.times, time, field), "o", ms=4, color=INK,
+              clip_on=False)
+    peak = np.ceil(np.abs(field).max())
+    axes.set(xlim=row.x_limits, ylim=(-1.1 * peak, 1.1 * peak), xticks=[],
+             yticks=[-peak, 0, peak], ylabel="field\n[mT]")
+    clean(axes, "bottom")
+
+
+def draw_views(axes, probes, body, row):
+    time = probes["t[s]"]
+    inside = (time >= row.start_s - 1e-9) & (time <= row.start_s + row.period_s + 1e-9)
+    height = 1e3 * column(probes, f"{body}.com_z[m]")
+    axes.plot(row.x(time[inside]), height[inside], color="0.6", lw=0.8, zorder=1)
+    for time_s, view in zip(row.times, row.views):
+        axes.axvline(row.x(time_s), color=PALE, lw=0.6, zorder=0)
+        faces = view + [row.x(time_s), 0]
+        axes.add_collection(PolyCollection(faces, facecolors=INK, edgecolors=INK,
+                                           linewidths=0.3, zorder=2))
+    keys_z = row.z_limits[0] + 0.25
+    key_x, bar_x = row.x_limits[0] + 0.4, row.x_limits[1] - 2.8
+    for x, text, style in ((key_x, "centre of mass", {"color": "0.6", "lw": 0.8}),
+                           (bar_x, "1 mm", {"color": INK, "lw": 2})):
+        axes.plot([x, x + 1], [keys_z, keys_z], solid_capstyle="butt", **style)
+        axes.text(x + 1.2, keys_z, text, va="center", fontsize=7, color=GREY,
+                  bbox={"color": "white", "pad": 1})
+    axes.set(xlim=row.x_limits, ylim=row.z_limits, ylabel="height z [mm]",
+             xlabel="time in the period [ms]", xticks=row.x(row.times),
+             xticklabels=[f"{abs(round(1e3 * (t - row.start_s), 2)):g}" for t in row.times])
+    axes.yaxis.set_major_locator(matplotlib.ticker.MultipleLocator(1))
+    axes.tick_params(axis="x", length=0)
+    clean(axes, "bottom")
+
+
+def draw_height(axes, probes, body, row):
+    time_ms = 1e3 * probes["t[s]"]
+    height = 1e3 * column(probes, f"{body}.com_z[m]")
+    period_ms = 1e3 * row.period_s
+    marks = np.arange(time_ms[0], time_ms[-1] + 1e-6 * period_ms, period_ms)
+    at_marks = np.interp(marks, time_ms, height)
+    top = height.max() + 0.22 * np.ptp(height)
+    start_ms = 1e3 * row.start_s
+    axes.axvspan(start_ms, start_ms + period_ms, color="0.93", lw=0)
+    axes.text(start_ms + period_ms / 2, height.min() - 0.03 * np.ptp(height),
+              "shown in (a)", ha="center", va="bottom", fontsize=7, color=GREY)
+    for mark in marks:
+        axes.axvline(mark, color="0.75", lw=0.6)
+    axes.plot(time_ms, height, color=INK, lw=1.2)
+    axes.plot(marks, at_marks, "o", ms=4, color=INK, clip_on=False)
+    for left, rise in zip(marks, np.diff(at_marks)):
+        label = f"{rise:+.2f} mm".replace("-", "\N{MINUS SIGN}")
+        axes.text(left + period_ms / 2, top, label, ha="center", va="top", fontsize=8)
+    axes.set(xlim=(time_ms[0], time_ms[-1]),
+             ylim=(height.min() - 0.05 * np.ptp(height), top), xlabel="time [ms]", ylabel="height of the\ncentre of mass [mm]")
+    axes.set_xticks(marks)
+    clean(axes)
+
+
+def draw(probes, body, row, out):
+    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans",
+                         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6})
+    field_in, views_in, height_in = 0.6, row.height_in(), 1.7
+    gaps = {"top": 0.2, "field": 0.05, "views": 0.75, "bottom": 0.45}  # inches, downwards
+    total = field_in + views_in + height_in + sum(gaps.values())
+    figure = plt.figure(figsize=(WIDTH_IN, total))
+
+    def room(bottom, size):
+        return figure.add_axes([LEFT_IN / WIDTH_IN, bottom / total,
+                                (WIDTH_IN - LEFT_IN - RIGHT_IN) / WIDTH_IN, size / total])
+
+    views_at = gaps["bottom"] + height_in + gaps["views"]
+    field_axes = room(views_at + views_in + gaps["field"], field_in)
+    draw_field(field_axes, probes, row)
+    draw_views(room(views_at, views_in), probes, body, row)
+    draw_height(room(gaps["bottom"], height_in), probes, body, row)
+    for letter, top in (("(a)", total - 0.14), ("(b)", gaps["bottom"] + height_in + 0.14)):
+        figure.text(0.01, top / total, letter, weight="bold", fontsize=9, va="center")
+    figure.align_ylabels()
+    figure.savefig(out, dpi=200)
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("run_folder", type=pathlib.Path)
+    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
+    options.add_argument("--period", type=seconds, default="40 ms")
+    options.add_argument("--body", default="robot")
+    chosen = options.parse_args()
+    probes = read_probes(chosen.run_folder / "probes.csv")
+    start_s = last_period(column(probes, "t[s]"), chosen.period)
+    instants = start_s + np.linspace(0, chosen.period, INSTANTS)
+    frames = nearest_frames(read_series(chosen.run_folder / "structure.pvd"), instants)
+    row = Row(probes, chosen.body, frames, start_s, chosen.period)
+    draw(probes, chosen.body, row, chosen.out)
+    print(chosen.out)
+
+
+if __name__ == "__main__":
+    main()
