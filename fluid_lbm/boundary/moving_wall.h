@@ -1,0 +1,27 @@
+// Walls that move along themselves: half-way bounce-back gains 6 w rho0 c.u_w on each
+// population that leaves the wall (Ladd 1994), rho0 = 1.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fluid_lbm/lattice/populations.h"
+
+namespace magfsi::fluid {
+
+// One side of the box on this rank.
+struct MovingWall {
+    int axis = 0;
+    int side = 0;                      // 0 low, 1 high
+    std::array<double, 3> velocity{};  // lattice units, tangential
+};
+
+// Adds the wall's term to the slots that hold bounced populations. Called after every
+// step: in both arrangements these are the natural slots of the cells at the wall. A link
+// that crosses two walls at an edge gets the terms of both: each wall then adds no mass,
+// and walls that share a velocity are not counted twice, since such a link has no
+// component along the edge.
+void move_walls(const Populations& populations, const RowLayout& layout,
+                const std::vector<MovingWall>& walls);
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,28 @@
+#include "fluid_lbm/boundary/x_ends.h"
+
+namespace magfsi::fluid {
+
+using namespace d3q19;
+
+double* x_end_partner(const RowPointers& p, const RowLayout& layout, int q) {
+    if (c[q][0] == 0 || p.bounced[q]) return nullptr;
+    const bool low = c[q][0] > 0;  // enters at the low end
+    if (layout.beyond_x == Beyond::wall) return p.own[q] + (low ? 0 : layout.nx - 1);
+    return p.at[q] + (low ? layout.nx : -1);
+}
+
+void open_x_ends(const RowPointers& p, const RowLayout& layout) {
+    for (int q = 1; q < directions; ++q) {
+        const double* partner = x_end_partner(p, layout, q);
+        if (partner != nullptr) p.at[q][c[q][0] > 0 ? 0 : layout.nx - 1] = *partner;
+    }
+}
+
+void close_x_ends(const RowPointers& p, const RowLayout& layout) {
+    for (int q = 1; q < directions; ++q) {
+        double* partner = x_end_partner(p, layout, q);
+        if (partner != nullptr) *partner = p.at[q][c[q][0] > 0 ? 0 : layout.nx - 1];
+    }
+}
+
+}  // namespace magfsi::fluid

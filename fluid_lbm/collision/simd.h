@@ -1,0 +1,68 @@
+// What collision kernels are written in: GCC vector extensions, one source for every
+// instruction set. Everything here is always inlined into the functions of a variant's
+// namespace, so that no symbol compiled for AVX-512 can be picked by another variant.
+#pragma once
+
+#include "fluid_lbm/lattice/d3q19.h"
+
+#define MAGFSI_INLINE [[gnu::always_inline]] inline
+
+namespace magfsi::fluid {
+
+template <int Width>
+struct Simd {
+    using Vector [[gnu::vector_size(Width * sizeof(double))]] = double;
+};
+
+template <class V>
+MAGFSI_INLINE V load(const double* from) {
+    V value;
+    __builtin_memcpy(&value, from, sizeof value);
+    return value;
+}
+
+template <class V>
+MAGFSI_INLINE void store(double* to, const V& value) {
+    __builtin_memcpy(to, &value, sizeof value);
+}
+
+// c_q . a for the first direction of a pair, without multiplications.
+template <int Q, class V>
+MAGFSI_INLINE V along(const V (&a)[3]) {
+    static_assert(Q % 2 == 1, "the first direction of a pair");
+    constexpr const int(&c)[3] = d3q19::c[Q];
+    constexpr int first = c[0] != 0 ? 0 : c[1] != 0 ? 1 : 2;
+    constexpr int second = c[0] != 0 && c[1] != 0 ? 1 : first != 2 && c[2] != 0 ? 2 : -1;
+    if constexpr (second < 0) {
+        return a[first];
+    } else if constexpr (c[second] > 0) {
+        return a[first] + a[second];
+    } else {
+        return a[first] - a[second];
+    }
+}
+
+// Density - 1 and the sum of c f.
+template <class V>
+struct Moments {
+    V excess;
+    V j[3];
+};
+
+template <class V>
+MAGFSI_INLINE Moments<V> moments(const V (&f)[d3q19::directions]) {
+    const V faces = ((f[1] + f[2]) + (f[3] + f[4])) + (f[5] + f[6]);
+    const V edges = ((f[7] + f[8]) + (f[9] + f[10])) +
+                    ((f[11] + f[12]) + (f[13] + f[14])) +
+                    ((f[15] + f[16]) + (f[17] + f[18]));
+    const V d7 = f[7] - f[8], d9 = f[9] - f[10], d11 = f[11] - f[12];
+    const V d13 = f[13] - f[14], d15 = f[15] - f[16], d17 = f[17] - f[18];
+    Moments<V> m;
+    m.excess = (faces + edges) + f[0];
+    m.j[0] = (f[1] - f[2]) + (d7 + d9) + (d11 + d13);
+    m.j[1] = (f[3] - f[4]) + (d7 - d9) + (d15 + d17);
+    m.j[2] = (f[5] - f[6]) + (d11 - d13) + (d15 - d17);
+    return m;
+}
+
+}  // namespace magfsi::fluid

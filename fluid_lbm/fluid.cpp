@@ -1,0 +1,203 @@
+#include "fluid_lbm/fluid.h"
+
+#include <stdexcept>
+
+#include "fluid_lbm/initial_flow.h"
+#include "fluid_lbm/sampling/totals.h"
+#include "fluid_lbm/solver.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
+#include "fluid_lbm/units.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+FluidConfig checked(const FluidConfig& config) {
+    check(config);
+    return config;
+}
+
+Vec3 scaled(const Vec3& v, double factor) {
+    return {v[0] * factor, v[1] * factor, v[2] * factor};
+}
+
+SolverConfig in_lattice_units(const FluidConfig& config, const RowKernels& kernels) {
+    const Units unit = units(config);
+    SolverConfig lattice;
+    lattice.cells = config.cells;
+    lattice.relaxation_time = relaxation_time(config);
+    lattice.kernels = kernels;
+    for (int side = 0; side < 6; ++side) {
+        const Boundary& boundary = config.boundaries[side];
+        lattice.periodic[side / 2] = boundary.kind == BoundaryKind::periodic;
+        lattice.wall_velocity[side] =
+            scaled(boundary.wall_velocity_m_s, 1 / unit.velocity_m_s());
+    }
+    if (config.body_force_n_m3) {
+        lattice.body_force = scaled(*config.body_force_n_m3, 1 / unit.force_n_m3());
+    }
+    return lattice;
+}
+
+// A communicator of the fluid's own: its messages cannot meet those of its user.
+class OwnedComm {
+  public:
+    explicit OwnedComm(MPI_Comm comm) { MPI_Comm_dup(comm, &comm_); }
+    ~OwnedComm() {
+        int finalized = 0;
+        MPI_Finalized(&finalized);
+        if (finalized == 0) MPI_Comm_free(&comm_);
+    }
+    OwnedComm(const OwnedComm&) = delete;
+    OwnedComm& operator=(const OwnedComm&) = delete;
+    MPI_Comm get() const { return comm_; }
+
+  private:
+    MPI_Comm comm_ = MPI_COMM_NULL;
+};
+
+}  // namespace
+
+struct Fluid::State {
+    State(MPI_Comm parent, const FluidConfig& fluid_config)
+        : config(checked(fluid_config)),
+          collision(choose_collision(config.collision)),
+          kernels(choose_kernels()),
+          lattice(in_lattice_units(config, row_kernels(kernels.kernels, collision))),
+          comm(parent),
+          solver(comm.get(), lattice) {
+        set_initial_flow(config, solver);
+    }
+
+    // Throws if the rows leave this rank's box or the values do not match them.
+    void check_rows(std::span<const CellRow> rows, std::size_t values) const;
+
+    FluidConfig config;
+    Collision collision;
+    NamedKernels kernels;
+    SolverConfig lattice;
+    OwnedComm comm;
+    Solver solver;
+};
+
+void Fluid::State::check_rows(std::span<const CellRow> rows, std::size_t values) const {
+    const CellBox& box = solver.owned();
+    std::size_t cells = 0;
+    for (const CellRow& row : rows) {
+        const bool inside = row.y >= box.lo[1] && row.y < box.hi[1] &&
+                            row.z >= box.lo[2] && row.z < box.hi[2] && row.x_begin >= 0 &&
+                            row.x_begin <= row.x_end && row.x_end <= box.hi[0];
+        if (!inside) {
+            throw std::invalid_argument("row of cells y " + std::to_string(row.y) +
+                                        ", z " + std::to_string(row.z) + ", x " +
+                                        std::to_string(row.x_begin) + " to " +
+                                        std::to_string(row.x_end) +
+                                        " is not inside this rank's box of the fluid");
+        }
+        cells += row.size();
+    }
+    if (values != 3 * cells) {
+        throw std::invalid_argument(std::to_string(values) + " values were given for " +
+                                    std::to_string(cells) +
+                                    " cells; 3 a cell are needed");
+    }
+}
+
+Fluid::Fluid(MPI_Comm comm, const FluidConfig& config)
+    : state_(std::make_unique<State>(comm, config)) {}
+Fluid::~Fluid() = default;
+
+const FluidConfig& Fluid::config() const {
+    return state_->config;
+}
+double Fluid::relaxation_time() const {
+    return state_->lattice.relaxation_time;
+}
+Collision Fluid::collision() const {
+    return state_->collision;
+}
+std::string Fluid::kernel() const {
+    return state_->kernels.name;
+}
+CellBox Fluid::owned() const {
+    return state_->solver.owned();
+}
+const std::vector<CellBox>& Fluid::owned_by_rank() const {
+    return state_->solver.decomposition().boxes;
+}
+std::size_t Fluid::memory_bytes() const {
+    return state_->solver.populations().bytes() + state_->solver.forces().bytes();
+}
+
+void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out) const {
+    state_->check_rows(rows, out.size());
+    const CellBox& box = state_->solver.owned();
+    const double unit = units(state_->config).velocity_m_s();
+    RowMoments m;
+    double* to = out.data();
+    for (const CellRow& row : rows) {
+        row_moments(state_->solver.view(), row.y - box.lo[1], row.z - box.lo[2],
+                    row.x_begin, row.x_end, m);
+        for (int i = 0; i < row.size(); ++i) {
+            const double factor = unit / (1 + m.excess[i]);
+            for (int a = 0; a < 3; ++a) *to++ = factor * m.j[a][i];
+        }
+    }
+}
+
+void Fluid::set_force(std::span<const CellRow> rows, std::span<const double> force) {
+    state_->check_rows(rows, force.size());
+    const CellBox& box = state_->solver.owned();
+    const double factor = 1 / units(state_->config).force_n_m3();
+    ForcedRows& forces = state_->solver.forces();
+    forces.clear();
+    std::size_t first = 0;
+    for (const CellRow& row : rows) {
+        const std::size_t count = 3 * static_cast<std::size_t>(row.size());
+        forces.add(row.y - box.lo[1], row.z - box.lo[2], row.x_begin,
+                   force.subspan(first, count), factor);
+        first += count;
+    }
+}
+
+void Fluid::step() {
+    state_->solver.step();
+}
+
+Totals Fluid::totals() const {
+    return fluid::totals(state_->comm.get(), state_->solver, units(state_->config),
+                         state_->lattice.wall_velocity);
+}
+
+std::optional<Divergence> Fluid::divergence() const {
+    return find_divergence(state_->solver);
+}
+
+void Fluid::macroscopic(std::span<float> velocity, std::span<float> density) const {
+    const RowLayout& layout = state_->solver.layout();
+    const std::size_t cells = static_cast<std::size_t>(layout.nx) * layout.ny * layout.nz;
+    if (velocity.size() != 3 * cells || density.size() != cells) {
+        throw std::invalid_argument(
+            "macroscopic() needs 3 velocity values and 1 density "
+            "value for each of this rank's " +
+            std::to_string(cells) + " cells");
+    }
+    const Units unit = units(state_->config);
+    RowMoments m;
+    std::size_t cell = 0;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            row_moments(state_->solver.view(), y, z, 0, layout.nx, m);
+            for (int x = 0; x < layout.nx; ++x, ++cell) {
+                const double rho = 1 + m.excess[x];
+                for (int a = 0; a < 3; ++a) {
+                    const double u = m.j[a][x] / rho * unit.velocity_m_s();
+                    velocity[3 * cell + a] = static_cast<float>(u);
+                }
+                density[cell] = static_cast<float>(unit.density_kg_m3 * rho);
+            }
+        }
+    }
+}
+
+}  // namespace magfsi::fluid

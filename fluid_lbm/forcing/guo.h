@@ -1,0 +1,29 @@
+// Guo's body force (Guo, Zheng, Shi 2002): the velocity of the collision is
+// u = (sum c f + F / 2) / rho and the source, before its factor (1 - omega / 2), is
+//   S_q = w_q [3 (c - u) . F + 9 (c . u)(c . F)],
+// with moments 0, F and u F + F u. Lattice units.
+#pragma once
+
+#include "fluid_lbm/collision/simd.h"
+
+namespace magfsi::fluid {
+
+template <class V>
+MAGFSI_INLINE void shift_momentum(Moments<V>& m, const V (&force)[3]) {
+    for (int a = 0; a < 3; ++a) m.j[a] += 0.5 * force[a];
+}
+
+// S over its weight for a pair of directions: even part, the same for both, and odd part.
+template <class V>
+struct PairSource {
+    V even, odd;
+};
+
+template <int Q, class V>
+MAGFSI_INLINE PairSource<V> guo_source(const V (&u)[3], const V (&force)[3],
+                                       const V& uf) {
+    const V cf = along<Q>(force);
+    return {9.0 * along<Q>(u) * cf - 3.0 * uf, 3.0 * cf};
+}
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,49 @@
+// Exchange of populations between ranks. In-place streaming needs it in the swapped
+// arrangement only: a rank borrows the 5 populations a face whose slots lie in its
+// neighbours' rows but belong to its own (fill), steps, and returns them (give_back).
+//
+// Faces along y go first when filling and last when returning; those along z include the
+// ghost rows of y, so that edges pass through a common neighbour. A slot is lent only if
+// the row it belongs to is on the other rank: the owner uses all others itself.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <vector>
+
+#include "fluid_lbm/lattice/populations.h"
+#include "fluid_lbm/parallel/decomposition.h"
+
+namespace magfsi::fluid {
+
+class Halo {
+  public:
+    // comm must outlive the object; its ranks are those of the decomposition.
+    Halo(MPI_Comm comm, const Decomposition& decomposition, int rank);
+
+    // Collective among neighbours.
+    void fill(const Populations& populations);
+    void give_back(const Populations& populations);
+
+  private:
+    struct Slot {
+        int q, row;
+    };
+    struct Face {
+        int rank = no_rank, axis = 0, side = 0;
+        std::vector<Slot> borrowed;  // in my ghost rows
+        std::vector<Slot> lent;      // in my rows
+        std::vector<double> sent, received;
+    };
+
+    static std::vector<Slot> slots(const RowLayout& layout, int axis, int sign, int row);
+    void exchange(int axis, const Populations& populations,
+                  std::vector<Slot> Face::*sending, std::vector<Slot> Face::*receiving);
+
+    MPI_Comm comm_;
+    int row_length_;
+    std::vector<Face> faces_;
+};
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,99 @@
+#include "fluid_lbm/sampling/totals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fluid_lbm/sampling/velocity_field.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+// Summed over ranks: excess of density, momentum, energy, enstrophy.
+enum { excess, momentum, energy = momentum + 3, enstrophy, sums };
+
+struct Local {
+    double sum[sums] = {};
+    double max_speed_squared = 0;
+};
+
+void add_row(const Solver& solver, int y, int z, RowMoments& m, VelocityField& field,
+             Local& local) {
+    const int nx = solver.layout().nx;
+    row_moments(solver.view(), y, z, 0, nx, m);
+    for (int x = 0; x < nx; ++x) {
+        const double density = 1 + m.excess[x];
+        double u_squared = 0;
+        for (int a = 0; a < 3; ++a) {
+            const double u = m.j[a][x] / density;
+            field.at(x, y, z)[a] = u;
+            u_squared += u * u;
+            local.sum[momentum + a] += m.j[a][x];
+        }
+        local.sum[excess] += m.excess[x];
+        local.sum[energy] += 0.5 * density * u_squared;
+        local.max_speed_squared = std::max(local.max_speed_squared, u_squared);
+    }
+}
+
+}  // namespace
+
+Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
+              const std::array<Vec3, 6>& lattice_wall_velocity) {
+    const RowLayout& layout = solver.layout();
+    VelocityField field(layout);
+    RowMoments m;
+    Local local;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) add_row(solver, y, z, m, field, local);
+    }
+    field.exchange(comm, solver.decomposition(), solver.rank());
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            for (int x = 0; x < layout.nx; ++x) {
+                local.sum[enstrophy] += field.enstrophy(x, y, z, lattice_wall_velocity);
+            }
+        }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, local.sum, sums, MPI_DOUBLE, MPI_SUM, comm);
+    MPI_Allreduce(MPI_IN_PLACE, &local.max_speed_squared, 1, MPI_DOUBLE, MPI_MAX, comm);
+
+    const std::array<int, 3>& n = solver.decomposition().cells;
+    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const double mass = unit.cell_mass_kg(), speed = unit.velocity_m_s();
+    Totals total;
+    total.mass_kg = mass * (cells + local.sum[excess]);
+    for (int a = 0; a < 3; ++a) {
+        total.momentum_kg_m_s[a] = mass * speed * local.sum[momentum + a];
+    }
+    total.kinetic_energy_j = mass * speed * speed * local.sum[energy];
+    total.enstrophy_1_s2 =
+        local.sum[enstrophy] / cells / (unit.time_step_s * unit.time_step_s);
+    total.max_speed_m_s = speed * std::sqrt(local.max_speed_squared);
+    return total;
+}
+
+std::optional<Divergence> find_divergence(const Solver& solver) {
+    const RowLayout& layout = solver.layout();
+    const CellBox& box = solver.owned();
+    RowMoments m;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            row_moments(solver.view(), y, z, 0, layout.nx, m);
+            for (int x = 0; x < layout.nx; ++x) {
+                const double density = 1 + m.excess[x];
+                const double speed =
+                    std::hypot(m.j[0][x], m.j[1][x], m.j[2][x]) / density;
+                // Written so that a NaN does not pass.
+                if (density > 0 && std::isfinite(density) &&
+                    speed <= lattice_speed_limit) {
+                    continue;
+                }
+                return Divergence{{box.lo[0] + x, box.lo[1] + y, box.lo[2] + z}, speed};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace magfsi::fluid

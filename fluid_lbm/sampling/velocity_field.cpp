@@ -1,0 +1,97 @@
+#include "fluid_lbm/sampling/velocity_field.h"
+
+#include <algorithm>
+
+namespace magfsi::fluid {
+
+using Vec3 = std::array<double, 3>;
+
+VelocityField::VelocityField(const RowLayout& layout) : layout_(layout) {
+    const std::size_t rows = static_cast<std::size_t>(layout.ny + 2) * (layout.nz + 2);
+    values_.resize(3 * rows * layout.nx);
+}
+
+std::size_t VelocityField::offset(int x, int y, int z) const {
+    const std::size_t row = static_cast<std::size_t>(z + 1) * (layout_.ny + 2) + (y + 1);
+    return 3 * (row * layout_.nx + x);
+}
+
+void VelocityField::exchange(MPI_Comm comm, const Decomposition& decomposition,
+                             int rank) {
+    const int row_size = 3 * layout_.nx;
+    std::vector<double> sent, received;
+    for (int axis = 1; axis <= 2; ++axis) {
+        const int count = axis == 1 ? layout_.ny : layout_.nz;
+        const int rows = axis == 1 ? layout_.nz : layout_.ny;
+        const auto row_at = [&](int normal, int i) {
+            return axis == 1 ? at(0, normal, i) : at(0, i, normal);
+        };
+        for (int side = 0; side < 2; ++side) {  // data leave by this side
+            const int to = decomposition.neighbor(rank, axis, side);
+            const int from = decomposition.neighbor(rank, axis, 1 - side);
+            const auto peer = [](int r) { return r == no_rank ? MPI_PROC_NULL : r; };
+            sent.resize(static_cast<std::size_t>(rows) * row_size);
+            received.resize(sent.size());
+            for (int i = 0; i < rows; ++i) {
+                std::copy_n(row_at(side == 0 ? 0 : count - 1, i), row_size,
+                            sent.data() + static_cast<std::size_t>(i) * row_size);
+            }
+            MPI_Sendrecv(sent.data(), static_cast<int>(sent.size()), MPI_DOUBLE, peer(to),
+                         side, received.data(), static_cast<int>(received.size()),
+                         MPI_DOUBLE, peer(from), side, comm, MPI_STATUS_IGNORE);
+            if (from == no_rank) continue;
+            for (int i = 0; i < rows; ++i) {
+                std::copy_n(received.data() + static_cast<std::size_t>(i) * row_size,
+                            row_size, row_at(side == 0 ? count : -1, i));
+            }
+        }
+    }
+}
+
+Vec3 VelocityField::derivative(const std::array<int, 3>& cell, int axis,
+                               const std::array<Vec3, 6>& wall_velocity) const {
+    const int counts[3] = {layout_.nx, layout_.ny, layout_.nz};
+    const std::array<Beyond, 2> x_sides{layout_.beyond_x, layout_.beyond_x};
+    const std::array<Beyond, 2>& sides = axis == 0   ? x_sides
+                                         : axis == 1 ? layout_.beyond_y
+                                                     : layout_.beyond_z;
+    const double* value[2] = {nullptr, nullptr};
+    int wall_side = -1;
+    for (int side = 0; side < 2; ++side) {
+        std::array<int, 3> next = cell;
+        next[axis] += side == 0 ? -1 : 1;
+        const Crossing crossing = cross(next[axis], counts[axis], sides);
+        next[axis] = crossing.index;
+        if (crossing.wall) {
+            wall_side = side;
+        } else {
+            value[side] = at(next[0], next[1], next[2]);
+        }
+    }
+    Vec3 slope{};
+    const double* here = at(cell[0], cell[1], cell[2]);
+    for (int a = 0; a < 3; ++a) {
+        if (wall_side < 0) {
+            slope[a] = 0.5 * (value[1][a] - value[0][a]);
+        } else {
+            // Parabola through -1/2 (wall), 0 and 1, at 0.
+            const double wall = wall_velocity[2 * axis + wall_side][a];
+            const double inward = value[1 - wall_side][a];
+            const double rise = -4.0 / 3 * wall + here[a] + inward / 3;
+            slope[a] = wall_side == 0 ? rise : -rise;
+        }
+    }
+    return slope;
+}
+
+double VelocityField::enstrophy(int x, int y, int z,
+                                const std::array<Vec3, 6>& wall_velocity) const {
+    const std::array<int, 3> cell{x, y, z};
+    const Vec3 dx = derivative(cell, 0, wall_velocity);
+    const Vec3 dy = derivative(cell, 1, wall_velocity);
+    const Vec3 dz = derivative(cell, 2, wall_velocity);
+    const double curl[3] = {dy[2] - dz[1], dz[0] - dx[2], dx[1] - dy[0]};
+    return 0.5 * (curl[0] * curl[0] + curl[1] * curl[1] + curl[2] * curl[2]);
+}
+
+}  // namespace magfsi::fluid

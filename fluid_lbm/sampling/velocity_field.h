@@ -1,0 +1,43 @@
+// The velocity of a rank's cells with one layer of its neighbours', for derivatives.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "fluid_lbm/parallel/decomposition.h"
+
+namespace magfsi::fluid {
+
+class VelocityField {
+  public:
+    explicit VelocityField(const RowLayout& layout);
+
+    // y and z from -1 to ny and nz.
+    double* at(int x, int y, int z) { return values_.data() + offset(x, y, z); }
+    const double* at(int x, int y, int z) const {
+        return values_.data() + offset(x, y, z);
+    }
+
+    // Fills the layers beyond cut sides. Collective among neighbours.
+    void exchange(MPI_Comm comm, const Decomposition& decomposition, int rank);
+
+    // |curl u|^2 / 2 of a cell, central differences; at walls, whose velocity is given by
+    // side (x_min x_max y_min ...), the second-order one-sided difference through the
+    // wall half a cell away. Unit: velocity unit over cells, squared.
+    double enstrophy(int x, int y, int z,
+                     const std::array<std::array<double, 3>, 6>& wall_velocity) const;
+
+  private:
+    std::size_t offset(int x, int y, int z) const;
+    std::array<double, 3> derivative(
+        const std::array<int, 3>& cell, int axis,
+        const std::array<std::array<double, 3>, 6>& wall_velocity) const;
+
+    RowLayout layout_;
+    std::vector<double> values_;
+};
+
+}  // namespace magfsi::fluid

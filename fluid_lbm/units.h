@@ -1,0 +1,39 @@
+// SI to lattice units and back: length in cells, time in steps, density 1 at rest.
+#pragma once
+
+#include "fluid_lbm/fluid.h"
+
+namespace magfsi::fluid {
+
+struct Units {
+    double spacing_m = 0;
+    double time_step_s = 0;
+    double density_kg_m3 = 0;
+
+    // One lattice unit of each in SI.
+    double velocity_m_s() const { return spacing_m / time_step_s; }
+    double force_n_m3() const {
+        return density_kg_m3 * spacing_m / (time_step_s * time_step_s);
+    }
+    double cell_mass_kg() const {
+        return density_kg_m3 * spacing_m * spacing_m * spacing_m;
+    }
+    // Pressure per unit of density - 1: the speed of sound squared is 1/3.
+    double pressure_pa() const {
+        return density_kg_m3 * velocity_m_s() * velocity_m_s() / 3;
+    }
+};
+
+Units units(const FluidConfig& config);
+
+// tau = 3 nu dt / dx^2 + 1/2.
+double relaxation_time(const FluidConfig& config);
+
+// Speed that no cell may reach: above it the lattice's equilibria go negative and its
+// compressibility error is of order one.
+inline constexpr double lattice_speed_limit = 0.4;
+
+// Throws std::invalid_argument with a sentence on the first value that cannot run.
+void check(const FluidConfig& config);
+
+}  // namespace magfsi::fluid
