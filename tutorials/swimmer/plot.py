@@ -171,14 +171,16 @@ def draw_height(axes, probes, body, row):
         label = f"{rise:+.2f} mm".replace("-", "\N{MINUS SIGN}")
         axes.text(left + period_ms / 2, top, label, ha="center", va="top", fontsize=8)
     axes.set(xlim=(time_ms[0], time_ms[-1]),
-             ylim=(height.min() - 0.05 * np.ptp(height), top), xlabel="time [ms]", ylabel="height of the\ncentre of mass [mm]")
+             ylim=(height.min() - 0.05 * np.ptp(height), top), xlabel="time [ms]",
+             ylabel="height of the\ncentre of mass [mm]")
     axes.set_xticks(marks)
     clean(axes)
 
 
 def draw(probes, body, row, out):
     plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans",
-                         "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6})
+                         "axes.linewidth": 0.6, "xtick.major.width": 0.6,
+                         "ytick.major.width": 0.6})
     field_in, views_in, height_in = 0.6, row.height_in(), 1.7
     gaps = {"top": 0.2, "field": 0.05, "views": 0.75, "bottom": 0.45}  # inches, downwards
     total = field_in + views_in + height_in + sum(gaps.values())
