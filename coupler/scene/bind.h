@@ -1,0 +1,210 @@
+// Which key is stored where: one line a key, used for reading (tree_reader.h) and for
+// writing (json_writer.h), so that what is stored is also dumped and hashed.
+#pragma once
+
+#include "coupler/scene/scene.h"
+
+namespace magfsi::scene {
+
+// Wrappers for integers that stand for words: "x" and "xz".
+struct AxisRef {
+    int& axis;
+};
+struct PlaneRef {
+    std::array<int, 2>& axes;
+};
+
+template <class Io>
+void bind(Io& io, Time& time) {
+    io("end", time.end_s);
+    io("step", time.step_s);
+}
+
+template <class Io>
+void bind(Io& io, BoxMesh& box) {
+    io("size", box.size_m);
+    io("elements", box.elements);
+}
+
+template <class Io>
+void bind(Io& io, Material& material) {
+    io("shear_modulus", material.shear_modulus_pa);
+    io("lame_lambda", material.lame_lambda_pa);
+    io("density", material.density_kg_m3);
+}
+
+template <class Io>
+void bind(Io& io, UniformMagnetization& uniform) {
+    io.whole(uniform.vector_a_m);
+}
+
+template <class Io>
+void bind(Io& io, HarmonicMagnetization& harmonic) {
+    io("amplitude", harmonic.amplitude_a_m);
+    io("wavelength", harmonic.wavelength_m);
+    io("phase", harmonic.phase_rad);
+    io("along", AxisRef{harmonic.along});
+    io("into", AxisRef{harmonic.into});
+}
+
+template <class Io>
+void bind(Io& io, MagneticDomain& domain) {
+    io("box", domain.box_m);
+    io("polygon", domain.polygon_xy_m);
+    io("vector", domain.vector_a_m);
+}
+
+template <class Io>
+void bind(Io& io, DomainMagnetization& magnetization) {
+    io.whole(magnetization.domains);
+}
+
+template <class Io>
+void bind(Io& io, Magnetization& magnetization) {
+    io.alternatives(magnetization, {"uniform", "harmonic", "domains"});
+}
+
+template <class Io>
+void bind(Io& io, PlaneRotation& rotation) {
+    io("plane", PlaneRef{rotation.plane});
+    io("angle", rotation.angle_rad);
+}
+
+template <class Io>
+void bind(Io& io, RelaxedShape& relaxed) {
+    io("magnitude", relaxed.magnitude_t);
+    io("direction", relaxed.direction_rad);
+}
+
+template <class Io>
+void bind(Io& io, InitialState& initial) {
+    io("position", initial.position_m);
+    io("rotation", initial.rotation);
+    io("relaxed", initial.relaxed);
+}
+
+template <class Io>
+void bind(Io& io, Body& body) {
+    io.group("mesh", [&](Io& mesh) { mesh("box", body.mesh); });
+    io("element", body.element);
+    io("material", body.material);
+    io("magnetization", body.magnetization);
+    io("clamps", body.clamps);
+    io("initial", body.initial);
+}
+
+template <class Io>
+void bind(Io& io, ConstantField& constant) {
+    io("magnitude", constant.magnitude_t);
+    io("direction", constant.direction_rad);
+}
+
+template <class Io>
+void bind(Io& io, FieldTable& table) {
+    io("time", table.time_s);
+    io("magnitude", table.magnitude_t);
+    io("direction", table.direction_rad);
+    io("repeat", table.repeat);
+}
+
+template <class Io>
+void bind(Io& io, RotatingField& rotating) {
+    io("magnitude", rotating.magnitude_t);
+    io("start", rotating.start_rad);
+    io("frequency", rotating.frequency_hz);
+}
+
+template <class Io>
+void bind(Io& io, MagneticField& field) {
+    io("plane", PlaneRef{field.plane});
+    io.alternatives(field.course, {"constant", "table", "rotation"});
+}
+
+template <class Io>
+void bind(Io& io, Gravity& gravity) {
+    io("acceleration", gravity.acceleration_m_s2);
+    io("direction", gravity.direction);
+}
+
+template <class Io>
+void bind(Io& io, Damping& damping) {
+    io("rate", damping.rate_1_s);
+}
+
+template <class Io>
+void bind(Io& io, Fluid& fluid) {
+    io("solver", fluid.solver);
+    io("box", fluid.box_m);
+    io("spacing", fluid.spacing_m);
+    io("density", fluid.density_kg_m3);
+    io("viscosity", fluid.viscosity_m2_s);
+    io("expected_speed", fluid.expected_speed_m_s);
+    io("lattice_speed", fluid.lattice_speed);
+    io("collision", fluid.collision);
+    io("boundaries", fluid.boundaries);
+    io("initial_velocity", fluid.initial_velocity_m_s);
+    io("body_force", fluid.body_force_n_m3);
+}
+
+template <class Io>
+void bind(Io& io, ImmersedBoundary& boundary) {
+    io("kernel", boundary.kernel);
+    io("markers", boundary.markers);
+    io("marker_spacing", boundary.marker_spacing);
+    io("strength", boundary.strength);
+}
+
+template <class Io>
+void bind(Io& io, Coupling& coupling) {
+    io("substeps", coupling.substeps);
+    io("timeout", coupling.timeout_s);
+    io("immersed_boundary", coupling.immersed_boundary);
+}
+
+template <class Io>
+void bind(Io& io, PointProbe& point) {
+    io("body", point.body);
+    io("at", point.at_m);
+}
+
+template <class Io>
+void bind(Io& io, Probes& probes) {
+    io("every", probes.every_s);
+    io("bodies", probes.bodies);
+    io("points", probes.points);
+    io("fluid", probes.fluid);
+    io("interface_balance", probes.interface_balance);
+}
+
+template <class Io>
+void bind(Io& io, StructureOutput& output) {
+    io("every", output.every_s);
+}
+
+template <class Io>
+void bind(Io& io, FluidOutput& output) {
+    io("every", output.every_s);
+    io("fields", output.fields);
+}
+
+template <class Io>
+void bind(Io& io, Output& output) {
+    io("structure", output.structure);
+    io("fluid", output.fluid);
+}
+
+template <class Io>
+void bind(Io& io, Scene& scene) {
+    io("name", scene.name);
+    io("time", scene.time);
+    io("bodies", scene.bodies);
+    io("magnetic_field", scene.magnetic_field);
+    io("gravity", scene.gravity);
+    io("damping", scene.damping);
+    io("fluid", scene.fluid);
+    io("coupling", scene.coupling);
+    io("probes", scene.probes);
+    io("output", scene.output);
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "coupler/scene/checks.h"
+#include "coupler/scene/names.h"
+#include "coupler/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+constexpr std::string_view axes = "xyz";
+
+// mean_f takes 3 min(l_i, l_j)^2 for the hourglass stiffness; with an in-plane edge below
+// the edge through the thickness that is the wrong one, and bending several times too
+// soft.
+void check_mean_f(const Body& body, const Marks& marks) {
+    if (body.element != ElementVariant::mean_f) return;
+    Vec3 edge{};
+    for (int i = 0; i < 3; ++i) edge[i] = body.mesh.size_m[i] / body.mesh.elements[i];
+    const auto& size = body.mesh.size_m;
+    const auto thickness = std::ranges::min_element(size) - size.begin();
+    for (int i = 0; i < 3; ++i) {
+        // Rounding of equal edges is no fault.
+        if (edge[i] >= edge[thickness] * (1 - 1e-9)) continue;
+        const int most = std::max(1, static_cast<int>(size[i] / edge[thickness] + 1e-9));
+        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
+               fmt::format("mean_f elements with the edge {} along {}, shorter than {} "
+                           "through the thickness",
+                           format_si(edge[i], "m"), axes[i],
+                           format_si(edge[thickness], "m")),
+               "in-plane edges of at least the edge through the thickness",
+               fmt::format("take at most {} elements along {}, more layers along {}, or "
+                           "element: full",
+                           most, axes[i], axes[thickness]));
+    }
+}
+
+void check_node_count(const Body& body, const Marks& marks) {
+    std::int64_t nodes = 1;
+    for (const int n : body.mesh.elements) {
+        nodes *= n + 1;
+        // Node numbers are int.
+        if (nodes <= std::numeric_limits<int>::max()) continue;
+        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
+               "a mesh of more than 2147483647 nodes", "fewer elements");
+    }
+}
+
+void check_magnetization(const Body& body, const Marks& marks) {
+    if (!body.magnetization) return;
+    if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization)) {
+        if (m->along == m->into)
+            refuse(
+                marks.value({"bodies", body.name, "magnetization", "harmonic", "into"}),
+                fmt::format("along and into both {}", axis_names[m->along]),
+                "two different axes");
+    }
+    const auto* domains = std::get_if<DomainMagnetization>(&*body.magnetization);
+    for (std::size_t i = 0; domains && i < domains->domains.size(); ++i) {
+        const auto& box = domains->domains[i].box_m;
+        for (int k = 0; box && k < 3; ++k) {
+            if ((*box)[0][k] < (*box)[1][k]) continue;
+            refuse(marks.value({"bodies", body.name, "magnetization", "domains"}),
+                   fmt::format("a domain box (number {}) that is empty along {}", i + 1,
+                               axes[k]),
+                   "[lower corner, upper corner]");
+        }
+    }
+}
+
+void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
+    if (body.initial.relaxed && !body.magnetization)
+        refuse(marks.key({"bodies", body.name, "initial", "relaxed"}),
+               "relaxed for a body without magnetization", "it for magnetized bodies");
+    if (scene.fluid && !body.initial.position_m)
+        refuse(marks.value({"bodies", body.name, "initial"}),
+               fmt::format("no initial position of \"{}\" in a scene with a fluid",
+                           body.name),
+               "initial: {position: [x, y, z]}, where the centre of volume goes");
+}
+
+// Half the extent along each axis of the turned block.
+Vec3 half_extent(const Body& body) {
+    Vec3 half{};
+    for (int i = 0; i < 3; ++i) half[i] = 0.5 * body.mesh.size_m[i];
+    if (!body.initial.rotation) return half;
+    const auto [a, b] = body.initial.rotation->plane;
+    const double c = std::abs(std::cos(body.initial.rotation->angle_rad));
+    const double s = std::abs(std::sin(body.initial.rotation->angle_rad));
+    Vec3 turned = half;
+    turned[a] = c * half[a] + s * half[b];
+    turned[b] = s * half[a] + c * half[b];
+    return turned;
+}
+
+// Of a body that starts relaxed, the flat block counts: its curled shape is not known
+// yet.
+void check_inside(const Scene& scene, const Body& body, const Marks& marks) {
+    if (!scene.fluid || !body.initial.position_m) return;
+    const Vec3 half = half_extent(body);
+    for (int i = 0; i < 3; ++i) {
+        const double side = scene.fluid->box_m[i];
+        const double centre = (*body.initial.position_m)[i];
+        const double slack = 1e-9 * side;  // a body as wide as the box may touch it
+        const bool below = centre - half[i] < -slack;
+        if (!below && centre + half[i] <= side + slack) continue;
+        const double end = below ? centre - half[i] : centre + half[i];
+        const double from = half[i], to = side - half[i];
+        refuse(marks.value({"bodies", body.name, "initial", "position"}),
+               fmt::format("\"{}\" reaching {} = {}, outside the fluid box", body.name,
+                           axes[i], format_si(end, "m")),
+               fmt::format("{} from 0 m to {}", axes[i], format_si(side, "m")),
+               from <= to ? fmt::format("put its centre between {} and {}",
+                                        format_si(from, "m"), format_si(to, "m"))
+                          : "take a larger box");
+    }
+}
+
+// Explicit coupling is unstable where the added mass exceeds the body's own inertia; with
+// the enclosed fluid counted once that inertia is (rho_s - rho_f) V.
+void check_density(const Scene& scene, const Body& body, const Marks& marks) {
+    constexpr double least_ratio = 1.05;
+    if (!scene.fluid) return;
+    const double ratio = body.material.density_kg_m3 / scene.fluid->density_kg_m3;
+    if (ratio > least_ratio) return;
+    refuse(
+        marks.value({"bodies", body.name, "material", "density"}),
+        fmt::format("the density of \"{}\" at {:.4g} times the fluid's", body.name,
+                    ratio),
+        fmt::format("more than {} times", least_ratio),
+        fmt::format("explicit coupling is unstable for light bodies: take more than {}",
+                    format_si(least_ratio * scene.fluid->density_kg_m3, "kg/m3")));
+}
+
+}  // namespace
+
+void check_bodies(const Scene& scene, const Marks& marks) {
+    for (const Body& body : scene.bodies) {
+        check_node_count(body, marks);
+        check_mean_f(body, marks);
+        check_magnetization(body, marks);
+        check_initial(scene, body, marks);
+        check_density(scene, body, marks);
+        check_inside(scene, body, marks);
+    }
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/scene/checks.h"
+#include "coupler/scene/names.h"
+#include "coupler/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+constexpr double divides_within = 1e-6;  // of a side: far below what a cell resolves
+constexpr int least_cells = 4;           // the widest delta kernel spans 4 cells
+
+bool divides(double side, double spacing) {
+    const double cells = std::round(side / spacing);
+    return cells >= 1 && std::abs(cells * spacing / side - 1) <= divides_within;
+}
+
+bool divides_all(const Vec3& box, double spacing) {
+    return std::ranges::all_of(box, [=](double side) { return divides(side, spacing); });
+}
+
+// The spacing nearest to the wanted one that divides all sides, or the box of whole
+// cells.
+std::string advice(const Fluid& fluid) {
+    const double wanted = fluid.spacing_m;
+    const long cells = std::max(1L, std::lround(fluid.box_m[0] / wanted));
+    for (long away = 0; 2 * away <= cells; ++away) {
+        double best = 0;
+        for (const long n : {cells - away, cells + away}) {
+            const double spacing = fluid.box_m[0] / static_cast<double>(n);
+            if (divides_all(fluid.box_m, spacing) &&
+                (best == 0 || std::abs(spacing - wanted) < std::abs(best - wanted)))
+                best = spacing;
+        }
+        if (best > 0) return "the nearest is " + format_si(best, "m");
+    }
+    Vec3 box{};
+    for (int i = 0; i < 3; ++i)
+        box[i] = std::max(1.0, std::round(fluid.box_m[i] / wanted)) * wanted;
+    return fmt::format("the nearest box is [{}, {}, {}]", format_si(box[0], "m"),
+                       format_si(box[1], "m"), format_si(box[2], "m"));
+}
+
+void check_spacing(const Fluid& fluid, const Marks& marks) {
+    for (int i = 0; i < 3; ++i) {
+        if (fluid.box_m[i] / fluid.spacing_m < least_cells * (1 - divides_within))
+            refuse(marks.value({"fluid", "spacing"}),
+                   fmt::format("{:.3g} cells along {}", fluid.box_m[i] / fluid.spacing_m,
+                               axis_names[i]),
+                   fmt::format("at least {} cells a side", least_cells),
+                   fmt::format("take a spacing of at most {}",
+                               format_si(fluid.box_m[i] / least_cells, "m")));
+        if (!divides(fluid.box_m[i], fluid.spacing_m))
+            refuse(
+                marks.value({"fluid", "spacing"}),
+                fmt::format("the spacing {}, which does not divide the box's {} along {}",
+                            format_si(fluid.spacing_m, "m"),
+                            format_si(fluid.box_m[i], "m"), axis_names[i]),
+                "a spacing that divides every side", advice(fluid));
+    }
+}
+
+void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
+    for (std::size_t low = 0; low < 6; low += 2) {
+        const bool a = fluid.boundaries[low].kind == BoundaryKind::periodic;
+        const bool b = fluid.boundaries[low + 1].kind == BoundaryKind::periodic;
+        if (a == b) continue;
+        const std::string periodic(names<Face>[a ? low : low + 1]);
+        const std::string other(names<Face>[a ? low + 1 : low]);
+        refuse(marks.value({"fluid", "boundaries", periodic}),
+               fmt::format("{} periodic but {} not", periodic, other),
+               "periodic in pairs", fmt::format("make {} periodic as well", other));
+    }
+}
+
+void check_walls(const Fluid& fluid, const Marks& marks) {
+    for (std::size_t face = 0; face < 6; ++face) {
+        const double normal = fluid.boundaries[face].wall_velocity_m_s[face / 2];
+        if (normal == 0) continue;
+        const std::string name(names<Face>[face]);
+        refuse(marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
+               fmt::format("the wall {} moving along its normal at {:.6g} m/s", name,
+                           normal),
+               "velocities along the wall",
+               fmt::format("set the {} component to 0 m/s", axis_names[face / 2]));
+    }
+}
+
+}  // namespace
+
+void check_fluid(const Scene& scene, const Marks& marks) {
+    if (!scene.fluid) return;
+    check_spacing(*scene.fluid, marks);
+    check_periodic_pairs(*scene.fluid, marks);
+    check_walls(*scene.fluid, marks);
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "coupler/scene/checks.h"
+#include "coupler/scene/effective.h"
+#include "coupler/scene/field.h"
+#include "coupler/scene/names.h"
+#include "coupler/scene/suggestion.h"
+#include "coupler/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+void check_interval(const Scene& scene, double every_s, const Origin& where) {
+    const std::optional<double> dt_s = coupled_step_s(scene);
+    if (!dt_s || every_s >= *dt_s * (1 - 1e-9)) return;  // rounding is no fault
+    refuse(where, fmt::format("the interval {}", format_si(every_s, "s")),
+           fmt::format("at least the coupled step of {}", format_si(*dt_s, "s")));
+}
+
+void check_point(const Scene& scene, const PointProbe& point, const Marks& marks) {
+    const auto body = std::ranges::find(scene.bodies, point.body, &Body::name);
+    if (body == scene.bodies.end()) {
+        std::vector<std::string> bodies;
+        for (const Body& b : scene.bodies) bodies.push_back(b.name);
+        refuse(marks.value({"probes", "points", point.name, "body"}),
+               fmt::format("no body {}", in_quotes(point.body)),
+               bodies.empty() ? "scenes with bodies" : joined(bodies),
+               did_you_mean(point.body, bodies));
+    }
+    for (int i = 0; i < 3; ++i) {
+        const double size = body->mesh.size_m[i];
+        // A point on the surface may round to just outside.
+        if (point.at_m[i] >= -1e-9 * size && point.at_m[i] <= size * (1 + 1e-9)) continue;
+        refuse(marks.value({"probes", "points", point.name, "at"}),
+               fmt::format("{} = {} outside the body \"{}\"", axis_names[i],
+                           format_si(point.at_m[i], "m"), point.body),
+               fmt::format("{} from 0 m to {} (the body's own frame)", axis_names[i],
+                           format_si(size, "m")));
+    }
+}
+
+void check_probes(const Scene& scene, const Marks& marks) {
+    if (!scene.probes) return;
+    const Probes& probes = *scene.probes;
+    check_interval(scene, probes.every_s, marks.value({"probes", "every"}));
+    if (!probes.bodies.empty() && scene.bodies.empty())
+        refuse(marks.key({"probes", "bodies"}), "body probes without bodies",
+               "them with bodies only");
+    if (!probes.fluid.empty() && !scene.fluid)
+        refuse(marks.key({"probes", "fluid"}), "fluid probes without a fluid",
+               "them with a fluid only");
+    const bool force = std::ranges::find(probes.bodies, BodyQuantity::fluid_force) !=
+                       probes.bodies.end();
+    if (force && !scene.fluid)
+        refuse(marks.value({"probes", "bodies"}), "the probe fluid_force without a fluid",
+               "it with a fluid only");
+    if (probes.interface_balance && !scene.coupling)
+        refuse(marks.value({"probes", "interface_balance"}),
+               "interface_balance without bodies in a fluid",
+               "it with bodies and a fluid only");
+    for (const PointProbe& point : probes.points) check_point(scene, point, marks);
+}
+
+}  // namespace
+
+void check_outputs(const Scene& scene, const Marks& marks) {
+    check_probes(scene, marks);
+    if (scene.output.structure) {
+        if (scene.bodies.empty())
+            refuse(marks.key({"output", "structure"}), "structure output without bodies",
+                   "it with bodies only");
+        check_interval(scene, scene.output.structure->every_s,
+                       marks.value({"output", "structure", "every"}));
+    }
+    if (scene.output.fluid) {
+        if (!scene.fluid)
+            refuse(marks.key({"output", "fluid"}), "fluid output without a fluid",
+                   "it with a fluid only");
+        check_interval(scene, scene.output.fluid->every_s,
+                       marks.value({"output", "fluid", "every"}));
+    }
+}
+
+}  // namespace magfsi::scene

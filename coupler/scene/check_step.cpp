@@ -1,0 +1,108 @@
+// Limits of the coupled step: lattice speed and relaxation time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/scene/checks.h"
+#include "coupler/scene/effective.h"
+#include "coupler/scene/names.h"
+#include "coupler/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+// The lattice's error grows with the square of the speed; beyond a quarter of a cell a
+// step (Mach 0.43) it is no longer a weakly compressible fluid.
+constexpr double most_lattice_speed = 0.25;
+// tau = 3 nu dt / dx^2 + 1/2 (lattice speed of sound squared 1/3). Below 0.5001 the
+// viscosity is lost in the scheme's own error; above 2 walls slip.
+constexpr double least_tau = 0.5001;
+constexpr double most_tau = 2;
+
+void check_speed(double speed, std::string_view what, const Origin& where,
+                 const Fluid& fluid, double dt_s) {
+    const double lattice = speed * dt_s / fluid.spacing_m;
+    if (lattice <= most_lattice_speed * (1 + 1e-9)) return;  // rounding is no fault
+    refuse(
+        where,
+        fmt::format("{} {:.6g} m/s, which is {:.3g} cells a step", what, speed, lattice),
+        fmt::format("at most {}", most_lattice_speed),
+        fmt::format("take a step of at most {}",
+                    format_si(most_lattice_speed * fluid.spacing_m / speed, "s")));
+}
+
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
+    const Fluid& fluid = *scene.fluid;
+    check_speed(fluid.expected_speed_m_s, "the expected speed",
+                marks.value({"fluid", "expected_speed"}), fluid, dt_s);
+    if (fluid.initial_velocity_m_s)
+        check_speed(length(*fluid.initial_velocity_m_s), "the initial velocity",
+                    marks.value({"fluid", "initial_velocity"}), fluid, dt_s);
+    for (std::size_t face = 0; face < 6; ++face) {
+        const std::string name(names<Face>[face]);
+        check_speed(length(fluid.boundaries[face].wall_velocity_m_s), "the wall velocity",
+                    marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
+                    fluid, dt_s);
+    }
+}
+
+// What to change so that 3 nu dt / dx^2 becomes `wanted`; its present value is `now`.
+std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
+    const Fluid& fluid = *scene.fluid;
+    const double factor = wanted / now;
+    if (scene.time.step_s)
+        return fmt::format("take time.step {} {}, or spacing {} {}",
+                           factor > 1 ? "above" : "below", format_si(dt_s * factor, "s"),
+                           factor > 1 ? "below" : "above",
+                           format_si(fluid.spacing_m / std::sqrt(factor), "m"));
+    // With the step from the lattice speed, 3 nu dt / dx^2 = 3 nu u_lattice / (U dx).
+    return fmt::format("take lattice_speed {} {:.3g}, or spacing {} {}",
+                       factor > 1 ? "above" : "below", fluid.lattice_speed * factor,
+                       factor > 1 ? "below" : "above",
+                       format_si(fluid.spacing_m / factor, "m"));
+}
+
+void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {
+    const Fluid& fluid = *scene.fluid;
+    if (fluid.solver != FluidSolver::lbm) return;
+    const double dx = fluid.spacing_m;
+    const double beyond_half = 3 * fluid.viscosity_m2_s * dt_s / (dx * dx);
+    const double tau = beyond_half + 0.5;
+    if (tau >= least_tau && tau <= most_tau) return;
+    const double wanted = (tau < least_tau ? least_tau : most_tau) - 0.5;
+    refuse(marks.value({"fluid", "viscosity"}),
+           fmt::format(
+               "a relaxation time of {:.6g} (viscosity {:.6g} m2/s, step {}, spacing "
+               "{})",
+               tau, fluid.viscosity_m2_s, format_si(dt_s, "s"), format_si(dx, "m")),
+           fmt::format("{} to {}", least_tau, most_tau),
+           advice(scene, dt_s, beyond_half, wanted));
+}
+
+}  // namespace
+
+void check_step(const Scene& scene, const Marks& marks) {
+    const std::optional<double> dt_s = coupled_step_s(scene);
+    if (scene.fluid && !dt_s)
+        refuse(marks.value({"fluid"}), "neither time.step nor fluid.expected_speed",
+               "one of them, to set the coupled step",
+               "add expected_speed, the largest speed that the run should resolve");
+    if (!dt_s) return;
+    // Rounding in lattice_speed * spacing / expected_speed is no fault.
+    if (*dt_s > scene.time.end_s * (1 + 1e-9))
+        refuse(marks.value({"time", "end"}),
+               fmt::format("the end {} before the first step of {}",
+                           format_si(scene.time.end_s, "s"), format_si(*dt_s, "s")),
+               "at least one step");
+    if (!scene.fluid) return;
+    check_speeds(scene, marks, *dt_s);
+    check_relaxation(scene, marks, *dt_s);
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,32 @@
+#include "coupler/scene/effective.h"
+
+#include "coupler/scene/json_writer.h"
+
+namespace magfsi::scene {
+
+nlohmann::ordered_json effective_scene(const Scene& scene) {
+    Scene copy = scene;  // bind.h serves reading too, hence wants mutable references
+    JsonWriter writer;
+    bind(writer, copy);
+    return writer.take();
+}
+
+std::uint64_t scene_hash(const Scene& scene) {
+    // nlohmann::json sorts the keys, ordered_json does not.
+    const std::string text = nlohmann::json(effective_scene(scene)).dump();
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : text) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 1099511628211ULL;
+    }
+    return hash;
+}
+
+std::optional<double> coupled_step_s(const Scene& scene) {
+    if (scene.time.step_s) return scene.time.step_s;
+    if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;
+    const Fluid& fluid = *scene.fluid;
+    return fluid.lattice_speed * fluid.spacing_m / fluid.expected_speed_m_s;
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,28 @@
+// What a scene comes to: its values in SI, its hash, its effects and its step.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupler/scene/scene.h"
+
+namespace magfsi::scene {
+
+// All values in SI (angles in rad) under the keys of the scene file, defaults included.
+nlohmann::ordered_json effective_scene(const Scene& scene);
+
+// 64-bit FNV-1a of effective_scene with sorted keys: comments, the order of keys and the
+// spelling of units do not matter. scene.hash itself is not looked at.
+std::uint64_t scene_hash(const Scene& scene);
+
+// Coupled step [s]: time.step, or lattice_speed * spacing / expected_speed. Empty without
+// a fluid and time.step, where the bodies' own stable step rules.
+std::optional<double> coupled_step_s(const Scene& scene);
+
+// Names of the effects in the order in which a step evaluates them.
+std::vector<std::string> active_effects(const Scene& scene);
+std::vector<std::string> absent_effects(const Scene& scene);
+
+}  // namespace magfsi::scene

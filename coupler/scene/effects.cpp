@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include "coupler/scene/effective.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+struct Effect {
+    const char* name;
+    bool (*active)(const Scene&);
+};
+
+bool any_body(const Scene& scene, bool (*test)(const Body&)) {
+    return std::ranges::any_of(scene.bodies, test);
+}
+
+bool has_moving_wall(const Scene& scene) {
+    return scene.fluid && std::ranges::any_of(scene.fluid->boundaries, [](const auto& b) {
+               return b.wall_velocity_m_s != Vec3{};
+           });
+}
+
+// A coupled step: the structure's substeps, each with the immersed boundary's force, then
+// the fluid.
+constexpr Effect effects[] = {
+    {"elasticity", [](const Scene& s) { return !s.bodies.empty(); }},
+    {"magnetic field", [](const Scene& s) { return s.magnetic_field.has_value(); }},
+    {"gravity", [](const Scene& s) { return s.gravity.has_value(); }},
+    {"damping", [](const Scene& s) { return s.damping.has_value(); }},
+    {"clamps",
+     [](const Scene& s) {
+         return any_body(s, [](const Body& b) { return !b.clamps.empty(); });
+     }},
+    {"immersed boundary", [](const Scene& s) { return s.coupling.has_value(); }},
+    {"fluid", [](const Scene& s) { return s.fluid.has_value(); }},
+    {"body force",
+     [](const Scene& s) { return s.fluid && s.fluid->body_force_n_m3.has_value(); }},
+    {"moving walls", has_moving_wall},
+};
+
+std::vector<std::string> select(const Scene& scene, bool active) {
+    std::vector<std::string> list;
+    for (const Effect& effect : effects) {
+        if (effect.active(scene) == active) list.emplace_back(effect.name);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::vector<std::string> active_effects(const Scene& scene) {
+    return select(scene, true);
+}
+std::vector<std::string> absent_effects(const Scene& scene) {
+    return select(scene, false);
+}
+
+}  // namespace magfsi::scene

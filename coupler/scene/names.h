@@ -1,0 +1,59 @@
+// The words of the scene file for the enumerations of scene.h, in their order.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <type_traits>
+
+#include "coupler/scene/scene.h"
+
+namespace magfsi::scene {
+
+template <class E>
+inline constexpr std::nullptr_t names = nullptr;
+
+template <>
+inline constexpr std::array names<ElementVariant> =
+    std::to_array<std::string_view>({"full", "mean_f"});
+template <>
+inline constexpr std::array names<Face> = std::to_array<std::string_view>(
+    {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
+template <>
+inline constexpr std::array names<FluidSolver> =
+    std::to_array<std::string_view>({"lbm", "openfoam"});
+template <>
+inline constexpr std::array names<Collision> =
+    std::to_array<std::string_view>({"automatic", "bgk", "recursive_regularized"});
+template <>
+inline constexpr std::array names<BoundaryKind> =
+    std::to_array<std::string_view>({"periodic", "no_slip"});
+template <>
+inline constexpr std::array names<Kernel> =
+    std::to_array<std::string_view>({"2-point", "3-point", "4-point"});
+template <>
+inline constexpr std::array names<MarkerSurface> =
+    std::to_array<std::string_view>({"mid_surface", "both_faces"});
+template <>
+inline constexpr std::array names<BodyQuantity> = std::to_array<std::string_view>(
+    {"com", "speed", "shape", "max_displacement", "fluid_force", "energy"});
+template <>
+inline constexpr std::array names<FluidQuantity> =
+    std::to_array<std::string_view>({"kinetic_energy", "enstrophy", "mass", "max_speed"});
+template <>
+inline constexpr std::array names<FluidField> =
+    std::to_array<std::string_view>({"velocity", "density", "vorticity"});
+
+inline constexpr std::array axis_names = std::to_array<std::string_view>({"x", "y", "z"});
+// A plane names its first and its second axis; angles run from the first to the second.
+inline constexpr std::array plane_names =
+    std::to_array<std::string_view>({"xy", "xz", "yz", "yx", "zx", "zy"});
+
+template <class E>
+concept Named = std::is_enum_v<E>;
+
+template <Named E>
+constexpr std::string_view name_of(E value) {
+    return names<E>[static_cast<std::size_t>(value)];
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,75 @@
+#include "coupler/scene/reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/scene/checks.h"
+#include "coupler/scene/effective.h"
+#include "coupler/scene/fields.h"
+#include "coupler/scene/overrides.h"
+#include "coupler/scene/tree_reader.h"
+#include "coupler/scene/validate.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+std::string file_text(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (!stream.is_open() || stream.bad())
+        refuse({file.string()}, "a file that cannot be read", "readable scene files");
+    return text.str();
+}
+
+// Defaults that depend on other keys.
+void complete(Scene& scene) {
+    for (Body& body : scene.bodies) {
+        if (!body.magnetization) continue;
+        auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
+        if (harmonic && harmonic->wavelength_m == 0)
+            harmonic->wavelength_m = body.mesh.size_m[harmonic->along];
+    }
+    if (scene.gravity) {
+        Vec3& d = scene.gravity->direction;
+        const double length = std::hypot(d[0], d[1], d[2]);
+        for (double& component : d) component /= length > 0 ? length : 1;
+    }
+    if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
+}
+
+}  // namespace
+
+std::filesystem::path scene_file(const std::filesystem::path& path) {
+    const bool folder = std::filesystem::is_directory(path);
+    const std::filesystem::path file = folder ? path / "scene.yaml" : path;
+    if (!std::filesystem::exists(file))
+        refuse({file.string()}, "no such file",
+               "a scene file, or a folder with a scene.yaml");
+    return file;
+}
+
+Scene read_scene(const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides) {
+    const std::filesystem::path file = scene_file(path);
+    const Origin start{file.string(), 1, 1};
+    Node root = parse_document(file_text(file), start);
+    if (root.type == Node::Type::null)
+        refuse(start, "an empty file", "a map with keys such as time and bodies");
+    apply_overrides(root, overrides);
+    validate(root, scene_fields());
+
+    Scene scene;
+    TreeReader reader(&root, scene_fields());
+    bind(reader, scene);
+    complete(scene);
+    check_scene(scene, Marks(root));
+    scene.hash = scene_hash(scene);
+    return scene;
+}
+
+}  // namespace magfsi::scene
