@@ -3,7 +3,7 @@
 #include "adapters/lbm/participant.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/guard.h"
-#include "coupler/scene/effects.h"
+#include "coupler/scene/effective.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;

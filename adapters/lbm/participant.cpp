@@ -8,6 +8,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 #include "coupler/participants/errors.h"
 #include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/step/report.h"
 #include "coupler/step/probe_columns.h"
 
@@ -19,15 +20,6 @@ namespace {
 constexpr std::int64_t divergence_check_every = 50;
 
 constexpr const char* advance_task = "advance fluid";
-
-coupler::Kernel to_kernel(scene::Kernel kernel) {
-    switch (kernel) {
-        case scene::Kernel::two_point: return coupler::Kernel::two_point;
-        case scene::Kernel::three_point: return coupler::Kernel::three_point;
-        case scene::Kernel::four_point: return coupler::Kernel::four_point;
-    }
-    return coupler::Kernel::three_point;
-}
 
 }  // namespace
 
@@ -46,7 +38,7 @@ void Participant::join_structure() {
     exchange_ = std::make_unique<coupler::FluidExchange>(session_.world(), session_.timeout_s());
     immersed_boundary_ = std::make_unique<coupler::FluidSide>(
         lbm_, lbm_.grid().owned_by_rank[static_cast<std::size_t>(session_.world().rank())],
-        to_kernel(coupling.immersed_boundary.kernel), session_.clock().step_s());
+        coupler::to_kernel(coupling.immersed_boundary.kernel), session_.clock().step_s());
     if (session_.scene().probes && session_.scene().probes->interface_balance) {
         balance_ = std::make_unique<coupler::BalanceRecord>();
     }
@@ -171,11 +163,12 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
     const auto& n = fluid_.config().cells;
     output::FluidSummary fluid;
     fluid.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
-    fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
-                  static_cast<double>(session_.clock().step()) / wall_s;
+    double advance_s = wall_s;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
-        if (task == advance_task) fluid.mlups *= wall_s / seconds;
+        if (task == advance_task) advance_s = seconds;
     }
+    fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
+                  static_cast<double>(session_.clock().step()) / advance_s;
     fluid.relaxation_time = fluid_.relaxation_time();
     fluid.spacing_m = fluid_.config().spacing_m;
     fluid.collision = fluid::to_string(fluid_.collision());

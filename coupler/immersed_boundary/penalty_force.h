@@ -39,6 +39,8 @@ class PenaltyForce {
     // impulse of duration_s to the markers' sums.
     void apply(const double* nodal_velocity, double* nodal_force, double duration_s);
 
+    std::span<const Vec3> fluid_velocity() const { return fluid_velocity_; }
+
     // What the markers gave to the fluid since begin_step [N s].
     std::span<const Vec3> impulse() const { return impulse_; }
 

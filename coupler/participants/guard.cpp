@@ -9,7 +9,7 @@
 #include "coupler/output/summary.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scene/effects.h"
+#include "coupler/scene/effective.h"
 #include "coupler/scene/reader.h"
 
 namespace magfsi::coupler {

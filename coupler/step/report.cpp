@@ -1,7 +1,7 @@
 #include "coupler/step/report.h"
 
 #include "coupler/output/memory.h"
-#include "coupler/scene/effects.h"
+#include "coupler/scene/effective.h"
 
 namespace magfsi::coupler {
 

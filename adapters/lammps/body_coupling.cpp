@@ -1,0 +1,117 @@
+#include "adapters/lammps/body_coupling.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/kernel_choice.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+std::vector<PlacedMarker> place_all(const scene::Scene& scene) {
+    std::vector<PlacedMarker> all;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const auto markers =
+            place_markers(scene.bodies[b].mesh, scene.coupling->immersed_boundary,
+                          scene.fluid->spacing_m, static_cast<int>(b));
+        all.insert(all.end(), markers.begin(), markers.end());
+    }
+    return all;
+}
+
+}  // namespace
+
+BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
+                           const std::vector<int>& first_node)
+    : session_(session), engine_(engine), bodies_(session.scene().bodies.size()) {
+    const scene::Scene& scene = session.scene();
+    grid_ = coupler::grid_from_text(coupler::swap_text(
+        session.world(), "", coupler::startup_timeout_s, "description of the grid"));
+    const auto& boundary = scene.coupling->immersed_boundary;
+    force_ = std::make_unique<coupler::PenaltyForce>(
+        own_markers(place_all(scene), first_node),
+        coupler::PenaltyScale{boundary.strength, scene.fluid->density_kg_m3,
+                              session.clock().step_s()});
+    fluid_velocity_.resize(force_->markers().size());
+    exchange_ = std::make_unique<coupler::StructureExchange>(
+        session.world(), grid_, coupler::to_kernel(boundary.kernel), session.timeout_s());
+    engine.attach_fluid_force([this](const double* velocity, double* force, double step_s) {
+        force_->apply(velocity, force, step_s);
+    });
+    now_m_ = marker_positions();
+}
+
+std::vector<coupler::Marker> BodyCoupling::own_markers(
+    const std::vector<PlacedMarker>& placed, const std::vector<int>& first_node) const {
+    std::vector<coupler::Marker> mine;
+    for (const PlacedMarker& p : placed) {
+        const int shift = first_node[static_cast<std::size_t>(p.body)];
+        if (!engine_.owns(p.point.node[0] + shift)) continue;
+        coupler::Marker marker;
+        for (std::size_t a = 0; a < 8; ++a) {
+            marker.node[a] = engine_.local_index(p.point.node[a] + shift);
+            if (marker.node[a] < 0) {
+                throw std::logic_error(fmt::format(
+                    "atom {} of a marker's element is not on this rank (ghost cutoff too small)",
+                    p.point.node[a] + shift));
+            }
+        }
+        marker.weight = p.point.weight;
+        marker.volume_m3 = p.volume_m3;
+        marker.body = p.body;
+        mine.push_back(marker);
+    }
+    return mine;
+}
+
+std::vector<Vec3> BodyCoupling::marker_positions() const {
+    std::vector<Vec3> positions;
+    positions.reserve(force_->markers().size());
+    for (const coupler::Marker& marker : force_->markers()) {
+        positions.push_back(coupler::at_marker(marker, engine_.positions()));
+    }
+    return positions;
+}
+
+void BodyCoupling::exchange_first() {
+    exchange_->send_first(now_m_);
+    exchange_->receive(-1, fluid_velocity_);
+}
+
+void BodyCoupling::begin_step() { force_->begin_step(fluid_velocity_); }
+
+void BodyCoupling::send_impulses() {
+    before_m_ = std::move(now_m_);
+    now_m_ = marker_positions();
+    exchange_->send(session_.clock().step(), before_m_, force_->impulse(), now_m_);
+}
+
+void BodyCoupling::receive_velocities() {
+    exchange_->receive(session_.clock().step(), fluid_velocity_);
+}
+
+std::vector<Vec3> BodyCoupling::force_on_bodies() const {
+    std::vector<Vec3> sum(bodies_);
+    const auto impulse = force_->impulse();
+    for (std::size_t m = 0; m < impulse.size(); ++m) {
+        Vec3& force = sum[static_cast<std::size_t>(force_->markers()[m].body)];
+        for (std::size_t d = 0; d < 3; ++d) force[d] -= impulse[m][d] / session_.clock().step_s();
+    }
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
+                  MPI_SUM, session_.world().local());
+    return sum;
+}
+
+void BodyCoupling::audit(coupler::BalanceRecord& record) const {
+    coupler::InterfaceBalance given;
+    const auto impulse = force_->impulse();
+    for (std::size_t m = 0; m < impulse.size(); ++m) {
+        coupler::add_marker(given, impulse[m], force_->fluid_velocity()[m]);
+    }
+    record.add(given);
+}
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,49 @@
+// The structure rank's half of the immersed boundary: its markers, the force inside LAMMPS's
+// steps, and the exchange with the fluid.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "adapters/lammps/engine.h"
+#include "adapters/lammps/marker_placement.h"
+#include "coupler/exchange/structure_exchange.h"
+#include "coupler/immersed_boundary/balance.h"
+#include "coupler/immersed_boundary/penalty_force.h"
+#include "coupler/participants/session.h"
+
+namespace magfsi::lammps {
+
+class BodyCoupling {
+  public:
+    // After engine.set_up(): a rank takes the markers of the elements whose first node it
+    // owns. first_node: atom id of each body's node 0.
+    BodyCoupling(const coupler::Session& session, Engine& engine,
+                 const std::vector<int>& first_node);
+
+    void exchange_first();     // velocities for step 0
+    void begin_step();         // the sampled velocities become the step's
+    void send_impulses();      // what was given since, where and where the markers are now
+    void receive_velocities();
+
+    std::size_t bodies() const { return bodies_; }
+    // Sum over the ranks of the force on each body in the last step [N]. Collective.
+    std::vector<Vec3> force_on_bodies() const;
+    // Adds the last step to the record.
+    void audit(coupler::BalanceRecord& record) const;
+
+  private:
+    std::vector<coupler::Marker> own_markers(const std::vector<PlacedMarker>& placed,
+                                             const std::vector<int>& first_node) const;
+    std::vector<Vec3> marker_positions() const;
+
+    const coupler::Session& session_;
+    Engine& engine_;
+    coupler::Grid grid_;
+    std::size_t bodies_ = 0;
+    std::unique_ptr<coupler::PenaltyForce> force_;
+    std::unique_ptr<coupler::StructureExchange> exchange_;
+    std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
+};
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,112 @@
+#include "adapters/lammps/engine.h"
+
+#include <numeric>
+#include <stdexcept>
+
+#include "adapters/lammps/fix_fluid_force.h"
+#include "adapters/lammps/lammps_exit.h"
+#include "atom.h"
+#include "input.h"
+#include "lammps.h"
+#include "modify.h"
+#include "structure/lammps/register_styles.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+using LAMMPS_NS::LAMMPS;
+
+std::unique_ptr<LAMMPS> make_lammps(MPI_Comm comm, const std::string& log) {
+    // LAMMPS keeps the pointers only while it is constructed.
+    std::vector<std::string> words{"lammps", "-screen", "none", "-log", log, "-nocite"};
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    return std::make_unique<LAMMPS>(static_cast<int>(pointers.size()), pointers.data(), comm);
+}
+
+}  // namespace
+
+Engine::Engine(MPI_Comm comm, const std::filesystem::path& log) : comm_(comm) {
+    watch_lammps_exit(log);
+    const InsideLammps inside;
+    lammps_ = make_lammps(comm, log.string());
+    structure::register_styles(*lammps_);
+    (*lammps_->modify->fix_map)["magfsi/fluid"] = &FixFluidForce::create;
+}
+
+Engine::~Engine() = default;
+
+void Engine::command(const std::string& line) {
+    const InsideLammps inside;
+    lammps_->input->one(line);
+}
+
+void Engine::set_up() { command("run 0"); }
+
+void Engine::advance(int substeps) {
+    // pre no: forces and layout of the step before are still valid.
+    command("run " + std::to_string(substeps) + " pre no post no");
+}
+
+int Engine::local_index(int atom_id) const { return lammps_->atom->map(atom_id); }
+
+bool Engine::owns(int atom_id) const {
+    const int local = local_index(atom_id);
+    return local >= 0 && local < lammps_->atom->nlocal;
+}
+
+const double* Engine::positions() const { return lammps_->atom->x[0]; }
+const double* Engine::velocities() const { return lammps_->atom->v[0]; }
+
+void Engine::attach_fluid_force(NodalForce force) {
+    command("fix fluid all magfsi/fluid");
+    const int at = lammps_->modify->find_fix("fluid");
+    static_cast<FixFluidForce*>(lammps_->modify->fix[at])->attach(std::move(force));
+    lammps_->init();  // fixes added between two runs are taken into the step's lists here
+}
+
+NodalState Engine::gather(int atoms) const {
+    constexpr int values = 8;  // id, position, velocity, mass
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    std::vector<double> mine;
+    mine.reserve(static_cast<std::size_t>(values * atom.nlocal));
+    for (int i = 0; i < atom.nlocal; ++i) {
+        mine.push_back(static_cast<double>(atom.tag[i]));
+        mine.insert(mine.end(), atom.x[i], atom.x[i] + 3);
+        mine.insert(mine.end(), atom.v[i], atom.v[i] + 3);
+        mine.push_back(atom.rmass[i]);
+    }
+    int rank = 0;
+    int size = 1;
+    MPI_Comm_rank(comm_, &rank);
+    MPI_Comm_size(comm_, &size);
+    const int count = static_cast<int>(mine.size());
+    std::vector<int> counts(static_cast<std::size_t>(size)), starts(counts);
+    MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm_);
+    std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+    std::vector<double> all(rank == 0 ? static_cast<std::size_t>(values * atoms) : 0);
+    MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(),
+                MPI_DOUBLE, 0, comm_);
+    NodalState state;
+    if (rank != 0) return state;
+    const auto n = static_cast<std::size_t>(atoms);
+    state.position_m.resize(n);
+    state.velocity_m_s.resize(n);
+    state.mass_kg.resize(n);
+    for (std::size_t i = 0; i < all.size(); i += values) {
+        const auto node = static_cast<std::size_t>(all[i]) - 1;
+        state.position_m[node] = {all[i + 1], all[i + 2], all[i + 3]};
+        state.velocity_m_s[node] = {all[i + 4], all[i + 5], all[i + 6]};
+        state.mass_kg[node] = all[i + 7];
+    }
+    return state;
+}
+
+double Engine::fix_vector(const std::string& fix_id, int n) const {
+    const int at = lammps_->modify->find_fix(fix_id);
+    if (at < 0) throw std::logic_error("LAMMPS has no fix '" + fix_id + "'");
+    return lammps_->modify->fix[at]->compute_vector(n - 1);
+}
+
+}  // namespace magfsi::lammps

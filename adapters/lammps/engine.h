@@ -1,0 +1,62 @@
+// The LAMMPS library as the structure solver: commands in, steps, nodal arrays out. Hides
+// LAMMPS's headers.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace magfsi::lammps {
+
+using Vec3 = std::array<double, 3>;
+
+// Positions and velocities of all nodes in the order of their ids; on the root only.
+struct NodalState {
+    std::vector<Vec3> position_m, velocity_m_s;
+    std::vector<double> mass_kg;
+};
+
+class Engine {
+  public:
+    Engine(MPI_Comm comm, const std::filesystem::path& log);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    void command(const std::string& line);
+
+    // First forces and the parallel layout; nodes keep their local indices from here on.
+    void set_up();
+    void advance(int substeps);
+
+    // Local index of an atom on this rank, owned or ghost; -1 if it is neither.
+    int local_index(int atom_id) const;
+    bool owns(int atom_id) const;
+    const double* positions() const;  // three values a local or ghost atom
+    const double* velocities() const;
+
+    // Called in every substep with the velocities and the force array.
+    using NodalForce = std::function<void(const double* velocity, double* force, double step_s)>;
+    void attach_fluid_force(NodalForce force);
+
+    NodalState gather(int atoms) const;  // collective
+
+    // Entry n (from 1) of a fix's global vector. Collective.
+    double fix_vector(const std::string& fix_id, int n) const;
+
+  private:
+    MPI_Comm comm_;
+    std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
+};
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,56 @@
+#include "adapters/lammps/lammps_exit.h"
+
+#include <mpi.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "coupler/participants/errors.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+int depth = 0;
+std::filesystem::path log_file;
+
+std::string last_error() {
+    std::ifstream log(log_file);
+    std::string line;
+    std::string found = "no reason in " + log_file.string();
+    while (std::getline(log, line)) {
+        if (line.find("ERROR") != std::string::npos) found = line;
+    }
+    return found;
+}
+
+void report() {
+    std::fprintf(stderr, "magfsi structure: LAMMPS stopped: %s\n", last_error().c_str());
+    std::fflush(nullptr);
+}
+
+}  // namespace
+
+void watch_lammps_exit(const std::filesystem::path& log) { log_file = log; }
+
+InsideLammps::InsideLammps() { ++depth; }
+InsideLammps::~InsideLammps() { --depth; }
+
+}  // namespace magfsi::lammps
+
+extern "C" int MPI_Finalize() {
+    if (magfsi::lammps::depth > 0) {
+        magfsi::lammps::report();
+        return PMPI_Abort(MPI_COMM_WORLD, magfsi::coupler::exit_error);
+    }
+    return PMPI_Finalize();
+}
+
+extern "C" int MPI_Abort(MPI_Comm comm, int code) {
+    if (magfsi::lammps::depth > 0) {
+        magfsi::lammps::report();
+        return PMPI_Abort(MPI_COMM_WORLD, magfsi::coupler::exit_error);
+    }
+    return PMPI_Abort(comm, code);
+}

@@ -1,0 +1,273 @@
+#include "adapters/lammps/participant.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "adapters/lammps/generated_input.h"
+#include "adapters/lammps/scene_to_structure.h"
+#include "coupler/participants/errors.h"
+#include "coupler/scene/effective.h"
+#include "coupler/step/probe_columns.h"
+#include "structure/lammps/field_program.h"
+#include "structure/mesh/box_mesh.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+constexpr const char* advance_task = "advance structure";
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+Participant::Participant(coupler::Session& session, const Substeps& substeps,
+                         output::ProgressMode progress)
+    : session_(session), substeps_(substeps) {
+    build();
+    assemble();
+    assemble_output(progress);
+}
+
+void Participant::build() {
+    input_ = to_lammps_input(scene(), substeps_.coupled_step_s / substeps_.count);
+    const auto script = generate_input(session_, input_,
+                                       session_.clock().steps() * substeps_.count);
+    structure::set_failure_handler(
+        [](const std::string& cause) { throw coupler::Diverged(cause); });
+    engine_ = std::make_unique<Engine>(session_.world().local(), session_.out() / "lammps.log");
+    for (const std::string& line : script.setup) engine_->command(line);
+    engine_->set_up();
+
+    atoms_ = script.first_node.back() - 1;
+    const NodalState start = engine_->gather(atoms_);
+    if (session_.world().root()) {
+        for (std::size_t b = 0; b < input_.bodies.size(); ++b) {
+            const structure::Mesh& mesh = input_.bodies[b].mesh;
+            BodyNodes body;
+            body.first = static_cast<std::size_t>(script.first_node[b] - 1);
+            body.count = mesh.nodes.size();
+            body.centre_line = mesh.centre_line;
+            const auto from = start.position_m.begin() + static_cast<std::ptrdiff_t>(body.first);
+            body.start_m.assign(from, from + static_cast<std::ptrdiff_t>(body.count));
+            body.elements = static_cast<int>(mesh.elements.size());
+            bodies_.push_back(std::move(body));
+        }
+        if (scene().output.structure) {
+            files_ = std::make_unique<StructureFiles>(input_, start, session_.out());
+            files_->write(0, 0, start);
+        }
+    }
+    if (session_.world().coupled()) {
+        coupling_ = std::make_unique<BodyCoupling>(session_, *engine_, script.first_node);
+        if (scene().probes && scene().probes->interface_balance) {
+            balance_ = std::make_unique<coupler::BalanceRecord>();
+        }
+    }
+}
+
+void Participant::assemble() {
+    if (coupling_) tasks_.add("take fluid velocity", [this] { coupling_->begin_step(); });
+    tasks_.add(advance_task, [this] { engine_->advance(substeps_.count); });
+    tasks_.add("check finite", [this] { check_finite(); });
+    if (coupling_) assemble_coupling();
+    tasks_.add("count step", [this] { session_.complete_step(); });
+}
+
+void Participant::assemble_coupling() {
+    tasks_.add("send impulses", [this] { coupling_->send_impulses(); });
+    if (balance_) tasks_.add("audit interface", [this] { coupling_->audit(*balance_); });
+    tasks_.add("wait for fluid", [this] { coupling_->receive_velocities(); });
+}
+
+void Participant::assemble_output(output::ProgressMode progress) {
+    const bool leads = session_.world().leads();
+    if (scene().probes) {
+        if (leads) {
+            std::vector<std::string> columns = coupler::body_columns(scene());
+            for (const auto& more :
+                 {coupler::fluid_columns(scene()), coupler::interface_columns(scene())}) {
+                columns.insert(columns.end(), more.begin(), more.end());
+            }
+            probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv", columns);
+        }
+        tasks_.add("probes", [this, every = session_.clock().every(scene().probes->every_s)] {
+            if (session_.clock().step() % every == 0) write_probes();
+        });
+    }
+    if (scene().output.structure) {
+        tasks_.add("write fields",
+                   [this, every = session_.clock().every(scene().output.structure->every_s)] {
+                       const auto step = session_.clock().step();
+                       if (step % every != 0) return;
+                       const NodalState state = engine_->gather(atoms_);
+                       if (files_) files_->write(step / every, session_.clock().time_s(), state);
+                   });
+    }
+    if (leads) {
+        progress_ = std::make_unique<output::Progress>(
+            progress, output::ProgressGoal{session_.clock().steps(), scene().time.end_s, 0},
+            [progress](std::string_view text) {
+                fmt::print("{}{}", text, progress == output::ProgressMode::plain ? "\n" : "");
+                std::fflush(stdout);
+            });
+        tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
+    }
+}
+
+// A NaN in one node reaches its neighbours in the next substep: one look a coupled step is
+// enough to name the place.
+void Participant::check_finite() const {
+    for (int node = 1; node <= atoms_; ++node) {
+        if (!engine_->owns(node)) continue;
+        const double* x = engine_->positions() + 3 * engine_->local_index(node);
+        if (std::isfinite(x[0] + x[1] + x[2])) continue;
+        throw coupler::Diverged(fmt::format(
+            "the structure diverged: node {} has no finite position at step {}; take more "
+            "coupling.substeps, a finer mesh or a weaker field",
+            node, session_.clock().step()));
+    }
+}
+
+void Participant::add_body_values(std::vector<double>& row, const NodalState& state) {
+    std::vector<Vec3> forces(bodies_.size());
+    const auto& wanted = scene().probes->bodies;
+    const auto wants = [&](scene::BodyQuantity q) {
+        return std::find(wanted.begin(), wanted.end(), q) != wanted.end();
+    };
+    // Collective calls first: every rank takes part, only the root goes on.
+    if (coupling_ && wants(scene::BodyQuantity::fluid_force)) {
+        forces = coupling_->force_on_bodies();
+    }
+    std::vector<BodyEnergies> energies(input_.bodies.size());
+    if (wants(scene::BodyQuantity::energy)) {
+        for (std::size_t b = 0; b < energies.size(); ++b) {
+            const std::string fix = structure::magttice_fix_id(input_.bodies[b].name);
+            energies[b].elastic_j = engine_->fix_vector(fix, 1);
+            energies[b].work_magnetic_j = engine_->fix_vector(fix, 3);
+        }
+    }
+    const auto add = [&](const Vec3& v) { row.insert(row.end(), v.begin(), v.end()); };
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const BodyNodes& body = bodies_[b];
+        for (const auto quantity : wanted) {
+            switch (quantity) {
+                case scene::BodyQuantity::com: add(centre_of_mass(body, state)); break;
+                case scene::BodyQuantity::speed: add(mean_velocity(body, state)); break;
+                case scene::BodyQuantity::shape: {
+                    const Shape s = shape(body, state);
+                    add({s.end_to_end_m, s.mid_rise_m, s.bend_rad});
+                    break;
+                }
+                case scene::BodyQuantity::max_displacement:
+                    row.push_back(max_displacement_m(body, state));
+                    break;
+                case scene::BodyQuantity::fluid_force: add(forces[b]); break;
+                case scene::BodyQuantity::energy:
+                    add({energies[b].elastic_j, kinetic_energy_j(body, state),
+                         energies[b].work_magnetic_j});
+                    break;
+            }
+        }
+    }
+}
+
+void Participant::add_point_values(std::vector<double>& row, const NodalState& state) const {
+    for (const scene::PointProbe& probe : scene().probes->points) {
+        std::size_t b = 0;
+        while (scene().bodies[b].name != probe.body) ++b;
+        const auto point = structure::locate(to_box(scene().bodies[b].mesh), probe.at_m);
+        const Vec3 now = position(point, state, bodies_[b].first);
+        NodalState start;
+        start.position_m = bodies_[b].start_m;
+        const Vec3 then = position(point, start, 0);
+        row.insert(row.end(), now.begin(), now.end());
+        for (std::size_t d = 0; d < 3; ++d) row.push_back(now[d] - then[d]);
+    }
+}
+
+void Participant::add_partner_values(std::vector<double>& row) {
+    const std::size_t fluid_values = coupler::fluid_columns(scene()).size();
+    const auto given =
+        balance_ ? balance_->collect(session_.world().local()) : std::vector<double>{};
+    if (!session_.world().root() || fluid_values + given.size() == 0) return;
+    std::vector<double> numbers(fluid_values + given.size());
+    coupler::receive_numbers(session_.world(), session_.clock().step(), numbers,
+                             session_.timeout_s());
+    const std::span<const double> all(numbers);
+    row.insert(row.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(fluid_values));
+    if (!balance_) return;
+    const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
+    row.push_back(mismatch.momentum);
+    row.push_back(mismatch.power);
+}
+
+void Participant::write_probes() {
+    const NodalState state = engine_->gather(atoms_);
+    std::vector<double> row;
+    if (input_.field) {
+        row.push_back(structure::field_at(*input_.field, session_.clock().time_s()).magnitude_t);
+    }
+    add_body_values(row, state);
+    if (session_.world().root()) add_point_values(row, state);
+    if (coupling_) add_partner_values(row);
+    if (!probes_) return;
+    probes_->row(session_.clock().time_s(), row);
+    last_probes_ = row;
+}
+
+void Participant::run() {
+    session_.log(fmt::format("scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of {} "
+                             "LAMMPS steps",
+                             scene().name, joined(scene::active_effects(scene())),
+                             scene().time.end_s, session_.clock().steps(),
+                             substeps_.coupled_step_s * 1e6, substeps_.count));
+    session_.log("absent: " + joined(scene::absent_effects(scene())));
+    session_.log("structure step: " + tasks_.names());
+    if (coupling_) coupling_->exchange_first();
+    const double start = output::steady_seconds();
+    while (!session_.clock().done()) tasks_.run();
+    finish(output::steady_seconds() - start);
+}
+
+coupler::ParticipantReport Participant::make_report() const {
+    auto report = coupler::basic_report(session_.world(), tasks_.timer());
+    output::StructureSummary structure;
+    for (const auto& body : input_.bodies) {
+        structure.elements += static_cast<std::int64_t>(body.mesh.elements.size());
+    }
+    structure.substeps_per_step = substeps_.count;
+    for (const auto& [task, seconds] : tasks_.timer().seconds()) {
+        if (task != advance_task) continue;
+        structure.ns_per_element_step = 1e9 * seconds /
+                                        (static_cast<double>(session_.clock().step()) *
+                                         substeps_.count *
+                                         static_cast<double>(structure.elements));
+    }
+    report.structure = structure;
+    return report;
+}
+
+void Participant::finish(double wall_s) {
+    std::vector<coupler::ParticipantReport> reports{make_report()};
+    if (session_.world().coupled()) {
+        reports.push_back(coupler::report_from_text(coupler::swap_text(
+            session_.world(), "", session_.timeout_s(), "final report")));
+    }
+    if (!session_.world().leads()) return;
+    progress_->finish(session_.clock().step());
+    output::Named<double> last;
+    for (std::size_t i = 0; i < last_probes_.size(); ++i) {
+        last.emplace_back(probes_->columns()[i], last_probes_[i]);
+    }
+    coupler::write_summary(session_, reports, wall_s, last);
+    session_.log(fmt::format("done: {} steps in {:.1f} s; results in {}",
+                             session_.clock().step(), wall_s, session_.out().string()));
+}
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,56 @@
+// The magttice in LAMMPS as a participant: its coupled step, assembled from the scene.
+#pragma once
+
+#include <memory>
+
+#include "adapters/lammps/body_coupling.h"
+#include "adapters/lammps/body_probes.h"
+#include "adapters/lammps/structure_files.h"
+#include "adapters/lammps/substeps.h"
+#include "coupler/output/probe_file.h"
+#include "coupler/output/progress.h"
+#include "coupler/participants/session.h"
+#include "coupler/step/report.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::lammps {
+
+class Participant {
+  public:
+    Participant(coupler::Session& session, const Substeps& substeps,
+                output::ProgressMode progress);
+    void run();
+
+  private:
+    void build();
+    void assemble();
+    void assemble_coupling();
+    void assemble_output(output::ProgressMode progress);
+    void write_probes();
+    void add_body_values(std::vector<double>& row, const NodalState& state);
+    void add_point_values(std::vector<double>& row, const NodalState& state) const;
+    void add_partner_values(std::vector<double>& row);
+    void check_finite() const;
+    coupler::ParticipantReport make_report() const;
+    void finish(double wall_s);
+
+    const scene::Scene& scene() const { return session_.scene(); }
+
+    coupler::Session& session_;
+    Substeps substeps_;
+    structure::LammpsInput input_;
+    int atoms_ = 0;
+    std::unique_ptr<Engine> engine_;
+    coupler::TaskList tasks_;
+    std::vector<BodyNodes> bodies_;  // on the root
+    // Present only with a fluid:
+    std::unique_ptr<BodyCoupling> coupling_;
+    std::unique_ptr<coupler::BalanceRecord> balance_;
+    // Present only when the scene names them, and only on the lead:
+    std::unique_ptr<StructureFiles> files_;
+    std::unique_ptr<output::ProbeFile> probes_;
+    std::unique_ptr<output::Progress> progress_;
+    std::vector<double> last_probes_;
+};
+
+}  // namespace magfsi::lammps

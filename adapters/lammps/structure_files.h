@@ -1,0 +1,30 @@
+// structure.pvd and its .vtu files: displacement, velocity, magnetisation.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "adapters/lammps/engine.h"
+#include "coupler/output/pvd.h"
+#include "structure/lammps/script.h"
+
+namespace magfsi::lammps {
+
+// On the structure's root only.
+class StructureFiles {
+  public:
+    StructureFiles(const structure::LammpsInput& input, const NodalState& start,
+                   const std::filesystem::path& run_folder);
+
+    void write(std::int64_t index, double time_s, const NodalState& state);
+
+  private:
+    std::vector<std::array<int, 8>> elements_;  // of all bodies, global node numbers
+    std::vector<double> magnetization_;         // three values an element
+    std::vector<float> body_;                   // number of the body, one an element
+    std::vector<Vec3> start_m_;
+    std::filesystem::path folder_;
+    output::PvdSeries series_;
+};
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,75 @@
+#include "adapters/lammps/substeps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "adapters/lammps/marker_placement.h"
+#include "adapters/lammps/scene_to_structure.h"
+#include "coupler/scene/effective.h"
+#include "structure/lattice/lattice.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+// Margins below the stability limits: the lattice stiffens by a few per cent when it is
+// compressed, and the drag (explicit, limit 2 / rate) should decay without overshoot.
+constexpr double elastic_margin = 0.9;
+constexpr double drag_margin = 0.5;
+
+// The largest drag rate of a node: sum over its markers of N_a kappa over its mass. kappa is
+// that of penalty_force.h, inversely proportional to the coupled step.
+double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
+    double largest = 0;
+    for (const scene::Body& body : scene.bodies) {
+        const structure::Body solid = to_body(scene, body);
+        const auto mass = structure::node_masses(structure::build_lattice(
+            solid.mesh.nodes, solid.mesh.elements, solid.material, solid.element));
+        std::vector<double> drag(mass.size());
+        const auto& boundary = scene.coupling->immersed_boundary;
+        for (const auto& m :
+             place_markers(body.mesh, boundary, scene.fluid->spacing_m, 0)) {
+            const double kappa = boundary.strength * 2 * scene.fluid->density_kg_m3 *
+                                 m.volume_m3 / coupled_step_s;
+            for (std::size_t a = 0; a < 8; ++a) {
+                drag[static_cast<std::size_t>(m.point.node[a])] += m.point.weight[a] * kappa;
+            }
+        }
+        for (std::size_t n = 0; n < mass.size(); ++n) {
+            largest = std::max(largest, drag[n] / mass[n]);
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+Substeps choose_substeps(const scene::Scene& scene) {
+    Substeps s;
+    s.elastic_limit_s = stable_step_s(scene);
+    const auto wanted = scene::coupled_step_s(scene);
+    s.coupled_step_s = wanted ? *wanted : elastic_margin * s.elastic_limit_s;
+    double limit = elastic_margin * s.elastic_limit_s;
+    if (scene.fluid && scene.coupling) {
+        s.drag_limit_s = 2 / largest_drag_rate(scene, s.coupled_step_s);
+        limit = std::min(limit, drag_margin * s.drag_limit_s);
+    }
+    s.count = std::max(1, static_cast<int>(std::ceil(s.coupled_step_s / limit - 1e-9)));
+    if (scene.coupling && scene.coupling->substeps) {
+        const int asked = *scene.coupling->substeps;
+        const double step = s.coupled_step_s / asked;
+        if (step > s.elastic_limit_s || (s.drag_limit_s > 0 && step > s.drag_limit_s)) {
+            throw std::invalid_argument(fmt::format(
+                "coupling.substeps: {} makes a structure step of {:.3g} us; the lattice is stable "
+                "up to {:.3g} us and the immersed boundary up to {:.3g} us; use {} or more",
+                asked, step * 1e6, s.elastic_limit_s * 1e6, s.drag_limit_s * 1e6, s.count));
+        }
+        s.count = asked;
+    }
+    return s;
+}
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,87 @@
+// magfsi: the program behind the launcher.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "adapters/magfsi/explain.h"
+#include "adapters/magfsi/run.h"
+#include "coupler/participants/errors.h"
+#include "coupler/scene/reader.h"
+#include "coupler/scene/schema.h"
+
+namespace {
+
+using namespace magfsi;
+
+struct Options {
+    launch::RunOptions run;
+    std::string ranks, fluid;
+};
+
+void add_scene_options(CLI::App& command, Options& options) {
+    command.add_option("scene", options.run.scene, "Scene file or tutorial folder")->required();
+    command
+        .add_option("--set", options.run.overrides,
+                    "Override a value: path.to.key=value, e.g. fluid.spacing='0.1 mm'")
+        ->allow_extra_args(false);
+    command.add_option("--fluid", options.fluid, "Fluid solver: lbm or openfoam");
+}
+
+int check(const Options& options) {
+    const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
+    fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
+    (void)launch::explain(scene);  // what only the solvers can refuse
+    return coupler::exit_done;
+}
+
+int execute(CLI::App& app, Options& options) {
+    if (!options.fluid.empty()) {
+        options.run.overrides.push_back("fluid.solver=" + options.fluid);
+    }
+    options.run.ranks = launch::parse_ranks(options.ranks);
+    const std::string command = app.get_subcommands().front()->get_name();
+    if (command == "schema") {
+        fmt::print("{}\n", scene::scene_schema().dump(2));
+        return coupler::exit_done;
+    }
+    if (command == "check") return check(options);
+    if (command == "explain") {
+        fmt::print("{}", launch::explain(
+                             scene::read_scene(options.run.scene, options.run.overrides)));
+        return coupler::exit_done;
+    }
+    return launch::run(options.run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"magfsi: hard-magnetic soft robots in a fluid"};
+    app.require_subcommand(1);
+    Options options;
+    CLI::App& run = *app.add_subcommand("run", "Run a scene");
+    add_scene_options(run, options);
+    run.add_option("--out", options.run.out, "Run folder (default: runs/NAME)");
+    run.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
+    add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"), options);
+    add_scene_options(
+        *app.add_subcommand("explain", "Effects, steps, lattice values and memory of a scene"),
+        options);
+    app.add_subcommand("schema", "JSON Schema of the scene file");
+    try {
+        app.parse(argc, argv);
+        return execute(app, options);
+    } catch (const CLI::ParseError& error) {
+        const int code = app.exit(error);
+        return code == 0 ? coupler::exit_done : coupler::exit_input;
+    } catch (const scene::SceneError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return coupler::exit_input;
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "magfsi: {}\n", error.what());
+        return coupler::exit_input;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "magfsi: {}\n", error.what());
+        return coupler::exit_error;
+    }
+}

@@ -1,0 +1,31 @@
+// One MPMD job under mpirun, watched: what it prints as errors is passed on without mpirun's
+// own banners, and a process that was killed is named.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace magfsi::launch {
+
+struct Program {
+    std::string role;  // for messages
+    int ranks = 1;
+    std::vector<std::string> command;
+};
+
+struct JobEnd {
+    int exit_code = 0;
+    std::string lost;      // "fluid rank 1 was killed by signal 9"; empty if nobody was
+    bool stopped = false;  // this process was told to end
+};
+
+int available_cores();
+
+// mpirun with the options that this machine and this number of ranks need, no others.
+std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
+
+// Runs it to the end. SIGINT and SIGTERM are passed on.
+JobEnd run_job(const std::vector<Program>& programs);
+
+}  // namespace magfsi::launch
