@@ -4,7 +4,7 @@
     plot.py RUN_FOLDER [--out figure.png] [--period "40 ms"] [--body robot]
 
 (a) side views of the robot at even instants of the last full period, to scale, under the
-    course of the field; (b) the height of its centre of mass, with the rise of each period.
+    course of the field; (b) the height of its centre of mass, and the rise a period.
 """
 import argparse
 import csv
@@ -79,7 +79,8 @@ def last_period(time_s, period_s):
 def nearest_frames(series, wanted_s):
     """The stored frame nearest to each instant, each frame once."""
     times = np.array([time for time, _ in series])
-    return [series[i] for i in sorted({int(np.abs(times - t).argmin()) for t in wanted_s})]
+    nearest = {int(np.abs(times - t).argmin()) for t in wanted_s}
+    return [series[i] for i in sorted(nearest)]
 
 
 class Row:
@@ -144,9 +145,10 @@ def draw_views(axes, probes, body, row):
         axes.plot([x, x + 1], [keys_z, keys_z], solid_capstyle="butt", **style)
         axes.text(x + 1.2, keys_z, text, va="center", fontsize=7, color=GREY,
                   bbox={"color": "white", "pad": 1})
+    since_start_ms = np.abs(np.round(1e3 * (row.times - row.start_s), 2))
     axes.set(xlim=row.x_limits, ylim=row.z_limits, ylabel="height z [mm]",
              xlabel="time in the period [ms]", xticks=row.x(row.times),
-             xticklabels=[f"{abs(round(1e3 * (t - row.start_s), 2)):g}" for t in row.times])
+             xticklabels=[f"{ms:g}" for ms in since_start_ms])
     axes.yaxis.set_major_locator(matplotlib.ticker.MultipleLocator(1))
     axes.tick_params(axis="x", length=0)
     clean(axes, "bottom")
@@ -195,7 +197,8 @@ def draw(probes, body, row, out):
     draw_field(field_axes, probes, row)
     draw_views(room(views_at, views_in), probes, body, row)
     draw_height(room(gaps["bottom"], height_in), probes, body, row)
-    for letter, top in (("(a)", total - 0.14), ("(b)", gaps["bottom"] + height_in + 0.14)):
+    letters = {"(a)": total - 0.14, "(b)": gaps["bottom"] + height_in + 0.14}
+    for letter, top in letters.items():
         figure.text(0.01, top / total, letter, weight="bold", fontsize=9, va="center")
     figure.align_ylabels()
     figure.savefig(out, dpi=200)

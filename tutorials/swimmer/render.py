@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Renders one instant of a run: the robot in its box of fluid, with the vortices it sheds.
+"""Renders one instant of a run: the robot in its box of fluid, with its vortices.
 
     render.py RUN_FOLDER [--time "160 ms"] [--out render.png] [--levels 60,150]
               [--zoom 1.6] [--plain]
 
-The robot is coloured by the component of its magnetisation along its own length (field
-`magnetization` of the .vtu, in the undeformed frame). Vortices are translucent surfaces of
-equal |curl u|, in 1/s; without --levels at shares of its largest value. Needs no display:
-without one it runs again under xvfb-run.
+The robot is coloured by the component of its magnetisation along its own length (the cell
+field `magnetization` of the .vtu, in the undeformed frame). Vortices are translucent
+surfaces of equal |curl u|, in 1/s; without --levels at shares of its largest value. Needs
+no display: without one it runs again under xvfb-run.
 """
 import argparse
 import os
@@ -33,7 +33,7 @@ def seconds(text):
     number, _, unit = text.strip().partition(" ")
     factors = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
     if unit.strip() not in factors:
-        raise argparse.ArgumentTypeError(f"'{text}': write a time as '160 ms' or '0.16 s'")
+        raise argparse.ArgumentTypeError(f"'{text}': write a time as '160 ms', '0.16 s'")
     return float(number) * factors[unit.strip()]
 
 
@@ -222,7 +222,7 @@ def save(renderer, out):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetSize(*SIZE)
-    window.SetMultiSamples(0)  # translucent layers are sorted by peeling, which forbids it
+    window.SetMultiSamples(0)  # not together with depth peeling
     window.SetAlphaBitPlanes(1)
     window.AddRenderer(renderer)
     renderer.SetUseDepthPeeling(1)
