@@ -11,7 +11,7 @@ FixFluidForce::FixFluidForce(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
 int FixFluidForce::setmask() { return LAMMPS_NS::FixConst::PRE_REVERSE; }
 
 void FixFluidForce::pre_reverse(int, int) {
-    if (force_ && atom->nlocal + atom->nghost > 0) force_(atom->v[0], atom->f[0], update->dt);
+    if (nodal_force_ && atom->nlocal > 0) nodal_force_(atom->v[0], atom->f[0], update->dt);
 }
 
 LAMMPS_NS::Fix* FixFluidForce::create(LAMMPS_NS::LAMMPS* lammps, int count, char** words) {

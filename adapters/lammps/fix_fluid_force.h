@@ -20,12 +20,12 @@ class FixFluidForce : public LAMMPS_NS::Fix {
     // forces put on ghosts reach their owners.
     void pre_reverse(int, int) override;
 
-    void attach(NodalForce force) { force_ = std::move(force); }
+    void attach(NodalForce nodal_force) { nodal_force_ = std::move(nodal_force); }
 
     static LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
   private:
-    NodalForce force_;
+    NodalForce nodal_force_;
 };
 
 }  // namespace magfsi::lammps

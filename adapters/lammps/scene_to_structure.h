@@ -3,6 +3,7 @@
 
 #include "coupler/scene/scene.h"
 #include "structure/lammps/script.h"
+#include "structure/mesh/box_mesh.h"
 
 namespace magfsi::lammps {
 

@@ -7,6 +7,7 @@
 #include "adapters/lbm/fluid_probes.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/wait.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/step/report.h"
