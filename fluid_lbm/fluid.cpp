@@ -21,12 +21,13 @@ Vec3 scaled(const Vec3& v, double factor) {
     return {v[0] * factor, v[1] * factor, v[2] * factor};
 }
 
-SolverConfig in_lattice_units(const FluidConfig& config, const RowKernels& kernels) {
+SolverConfig in_lattice_units(const FluidConfig& config, const KernelSet& kernels) {
     const Units unit = units(config);
     SolverConfig lattice;
     lattice.cells = config.cells;
     lattice.relaxation_time = relaxation_time(config);
-    lattice.kernels = kernels;
+    lattice.kernels = row_kernels(kernels, config.collision);
+    lattice.moments_kernel = kernels.moments;
     for (int side = 0; side < 6; ++side) {
         const Boundary& boundary = config.boundaries[side];
         lattice.periodic[side / 2] = boundary.kind == BoundaryKind::periodic;
@@ -58,12 +59,21 @@ class OwnedComm {
 
 }  // namespace
 
+std::string to_string(Collision collision) {
+    switch (collision) {
+        case Collision::automatic: return "automatic";
+        case Collision::bgk: return "bgk";
+        case Collision::recursive_regularized: return "recursive_regularized";
+    }
+    return "";
+}
+
 struct Fluid::State {
     State(MPI_Comm parent, const FluidConfig& fluid_config)
         : config(checked(fluid_config)),
           collision(choose_collision(config.collision)),
           kernels(choose_kernels()),
-          lattice(in_lattice_units(config, row_kernels(kernels.kernels, collision))),
+          lattice(in_lattice_units(config, kernels.kernels)),
           comm(parent),
           solver(comm.get(), lattice) {
         set_initial_flow(config, solver);
@@ -158,6 +168,11 @@ void Fluid::set_force(std::span<const CellRow> rows, std::span<const double> for
                    force.subspan(first, count), factor);
         first += count;
     }
+}
+
+void Fluid::vorticity(std::span<float> out) const {
+    fluid::vorticity(state_->comm.get(), state_->solver, units(state_->config),
+                     state_->lattice.wall_velocity, out);
 }
 
 void Fluid::step() {

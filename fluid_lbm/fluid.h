@@ -17,6 +17,8 @@ namespace magfsi::fluid {
 using Vec3 = std::array<double, 3>;
 
 enum class Collision { automatic, bgk, recursive_regularized };
+std::string to_string(Collision collision);
+
 enum class BoundaryKind { periodic, no_slip };
 
 struct Boundary {
@@ -94,6 +96,8 @@ class Fluid {
     std::optional<Divergence> divergence() const;  // local look, costs one sweep
     // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest.
     void macroscopic(std::span<float> velocity, std::span<float> density) const;
+    // curl u [1/s] of the owned cells, 3 a cell, x fastest. Collective.
+    void vorticity(std::span<float> out) const;
 
   private:
     struct State;

@@ -44,6 +44,7 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       halo_(comm, decomposition_, rank_),
       moving_walls_(moving_walls(config, decomposition_.boxes[rank_])),
       kernels_(config.kernels),
+      moments_kernel_(config.moments_kernel),
       omega_(1 / config.relaxation_time) {}
 
 void Solver::step() {

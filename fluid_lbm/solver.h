@@ -24,6 +24,7 @@ struct SolverConfig {
     std::optional<std::array<double, 3>> body_force;
     double relaxation_time = 0;
     RowKernels kernels;
+    MomentsKernel moments_kernel = nullptr;
 };
 
 class Solver {
@@ -38,7 +39,7 @@ class Solver {
 
     // The state before collision, complete between steps whatever its arrangement: ghost
     // rows filled, walls applied.
-    View view() const { return {populations_, layout_, arrangement_}; }
+    View view() const { return {populations_, layout_, arrangement_, moments_kernel_}; }
     Arrangement arrangement() const { return arrangement_; }
     const Populations& populations() const { return populations_; }
 
@@ -58,6 +59,7 @@ class Solver {
     Halo halo_;
     std::vector<MovingWall> moving_walls_;
     RowKernels kernels_;
+    MomentsKernel moments_kernel_;
     double omega_;
     Arrangement arrangement_ = Arrangement::natural;
 };

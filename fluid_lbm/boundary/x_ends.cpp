@@ -4,12 +4,18 @@ namespace magfsi::fluid {
 
 using namespace d3q19;
 
+namespace {
+
+// The partner of population q's ghost, or null if q has none: no velocity along x, or
+// bounced at a wall along y or z.
 double* x_end_partner(const RowPointers& p, const RowLayout& layout, int q) {
     if (c[q][0] == 0 || p.bounced[q]) return nullptr;
     const bool low = c[q][0] > 0;  // enters at the low end
     if (layout.beyond_x == Beyond::wall) return p.own[q] + (low ? 0 : layout.nx - 1);
     return p.at[q] + (low ? layout.nx : -1);
 }
+
+}  // namespace
 
 void open_x_ends(const RowPointers& p, const RowLayout& layout) {
     for (int q = 1; q < directions; ++q) {

@@ -14,8 +14,4 @@ void open_x_ends(const RowPointers& p, const RowLayout& layout);
 // The ghost element's value back to its partner, after the kernel.
 void close_x_ends(const RowPointers& p, const RowLayout& layout);
 
-// The partner of population q's ghost, or null if q has none: no velocity along x, or
-// bounced at a wall along y or z.
-double* x_end_partner(const RowPointers& p, const RowLayout& layout, int q);
-
 }  // namespace magfsi::fluid

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "fluid_lbm/lattice/populations.h"
+#include "fluid_lbm/streaming/kernels.h"
 
 namespace magfsi::fluid {
 
@@ -15,15 +15,17 @@ struct RowMoments {
     std::array<std::vector<double>, 3> j;  // sum of c f
 };
 
-// Populations and where the rows of the box are; what all sampling reads.
+// What all sampling reads.
 struct View {
     const Populations& populations;
     const RowLayout& layout;
     Arrangement arrangement;
+    MomentsKernel kernel;
 };
 
 // Cells x_begin <= x < x_end of an owned row. In the swapped arrangement the ghost rows
-// must be filled.
+// must be filled. Writes the ghost elements at the row's ends, which are free between
+// steps.
 void row_moments(const View& view, int y, int z, int x_begin, int x_end,
                  RowMoments& moments);
 

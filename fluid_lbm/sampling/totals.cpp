@@ -73,6 +73,34 @@ Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
     return total;
 }
 
+void vorticity(MPI_Comm comm, const Solver& solver, const Units& unit,
+               const std::array<Vec3, 6>& lattice_wall_velocity, std::span<float> out) {
+    const RowLayout& layout = solver.layout();
+    VelocityField field(layout);
+    RowMoments m;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            row_moments(solver.view(), y, z, 0, layout.nx, m);
+            for (int x = 0; x < layout.nx; ++x) {
+                for (int a = 0; a < 3; ++a) {
+                    field.at(x, y, z)[a] = m.j[a][x] / (1 + m.excess[x]);
+                }
+            }
+        }
+    }
+    field.exchange(comm, solver.decomposition(), solver.rank());
+    float* to = out.data();
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            for (int x = 0; x < layout.nx; ++x) {
+                for (const double w : field.curl(x, y, z, lattice_wall_velocity)) {
+                    *to++ = static_cast<float>(w / unit.time_step_s);
+                }
+            }
+        }
+    }
+}
+
 std::optional<Divergence> find_divergence(const Solver& solver) {
     const RowLayout& layout = solver.layout();
     const CellBox& box = solver.owned();

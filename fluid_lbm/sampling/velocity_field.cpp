@@ -84,14 +84,19 @@ Vec3 VelocityField::derivative(const std::array<int, 3>& cell, int axis,
     return slope;
 }
 
-double VelocityField::enstrophy(int x, int y, int z,
-                                const std::array<Vec3, 6>& wall_velocity) const {
+Vec3 VelocityField::curl(int x, int y, int z,
+                         const std::array<Vec3, 6>& wall_velocity) const {
     const std::array<int, 3> cell{x, y, z};
     const Vec3 dx = derivative(cell, 0, wall_velocity);
     const Vec3 dy = derivative(cell, 1, wall_velocity);
     const Vec3 dz = derivative(cell, 2, wall_velocity);
-    const double curl[3] = {dy[2] - dz[1], dz[0] - dx[2], dx[1] - dy[0]};
-    return 0.5 * (curl[0] * curl[0] + curl[1] * curl[1] + curl[2] * curl[2]);
+    return {dy[2] - dz[1], dz[0] - dx[2], dx[1] - dy[0]};
+}
+
+double VelocityField::enstrophy(int x, int y, int z,
+                                const std::array<Vec3, 6>& wall_velocity) const {
+    const Vec3 w = curl(x, y, z, wall_velocity);
+    return 0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
 }  // namespace magfsi::fluid

@@ -24,9 +24,14 @@ class VelocityField {
     // Fills the layers beyond cut sides. Collective among neighbours.
     void exchange(MPI_Comm comm, const Decomposition& decomposition, int rank);
 
-    // |curl u|^2 / 2 of a cell, central differences; at walls, whose velocity is given by
-    // side (x_min x_max y_min ...), the second-order one-sided difference through the
-    // wall half a cell away. Unit: velocity unit over cells, squared.
+    // curl u in a cell, central differences; at walls, whose velocity is given by side
+    // (x_min x_max y_min ...), the second-order one-sided difference through the wall half
+    // a cell away. Unit: velocity unit over cells.
+    std::array<double, 3> curl(
+        int x, int y, int z,
+        const std::array<std::array<double, 3>, 6>& wall_velocity) const;
+
+    // |curl u|^2 / 2 of a cell. Unit: velocity unit over cells, squared.
     double enstrophy(int x, int y, int z,
                      const std::array<std::array<double, 3>, 6>& wall_velocity) const;
 

@@ -3,6 +3,7 @@
 
 #include "fluid_lbm/collision/bgk.h"
 #include "fluid_lbm/collision/recursive_regularized.h"
+#include "fluid_lbm/sampling/moments_kernel.h"
 #include "fluid_lbm/streaming/row_kernel.h"
 
 namespace magfsi::fluid::MAGFSI_ISA {
@@ -35,7 +36,12 @@ static void recursive_forced(double* const* at, const double* const* force,
     collide_row<RecursiveRegularized, true, width>(at, force, length, omega);
 }
 
+static void sample(const double* const* at, std::ptrdiff_t length,
+                   double* const* moments) {
+    sample_row<width>(at, length, moments);
+}
+
 extern const KernelSet kernels;
-const KernelSet kernels = {{bgk, bgk_forced}, {recursive, recursive_forced}};
+const KernelSet kernels = {{bgk, bgk_forced}, {recursive, recursive_forced}, sample};
 
 }  // namespace magfsi::fluid::MAGFSI_ISA

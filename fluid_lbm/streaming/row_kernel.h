@@ -19,15 +19,19 @@ MAGFSI_INLINE void collide_block(double* const* at, const double* const* force,
                                  std::ptrdiff_t x, double omega) {
     using namespace d3q19;
     V f[directions], local_force[3] = {};
+// Unrolled, or the compiler keeps f in memory.
+#pragma GCC unroll 19
     for (int q = 0; q < directions; ++q) f[q] = load<V>(at[q] + x);
     if constexpr (Forced) {
         for (int a = 0; a < 3; ++a) local_force[a] = load<V>(force[a] + x);
     }
     Collision::template collide<Forced>(f, local_force, omega);
+#pragma GCC unroll 19
     for (int q = 0; q < directions; ++q) store(at[opposite(q)] + x, f[q]);
 }
 
 MAGFSI_INLINE void prefetch_for_write(double* const* at, std::ptrdiff_t x) {
+#pragma GCC unroll 19
     for (int q = 0; q < d3q19::directions; ++q) {
         __builtin_prefetch(at[q] + x + prefetch_ahead, 1, 3);
     }
