@@ -1,45 +1,22 @@
-// From bodies and loads to a LAMMPS input: data files, lattice files and the script's lines,
-// with only the commands that the scene needs.
+// From bodies and loads to a LAMMPS input: a data file, lattice files and the script's
+// lines, with only the commands that the scene needs.
 #pragma once
 
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "structure/body.h"
+#include "structure/lammps/field_program.h"
+#include "structure/lammps/placement.h"
 
 namespace magfsi::structure {
 
-struct ConstantField {
-    double magnitude_t = 0;
-    double direction_rad = 0;
-};
-// Linear between rows; repeated with the period time.back() - time.front().
-struct FieldTable {
-    std::vector<double> time_s, magnitude_t, direction_rad;  // directions: one, or one a row
-    bool repeat = false;
-};
-struct RotatingField {
-    double magnitude_t = 0, start_rad = 0, frequency_hz = 0;
-};
-struct FieldProgram {
-    std::array<int, 2> plane{0, 2};  // angles run from the first axis to the second
-    std::variant<ConstantField, FieldTable, RotatingField> course;
-};
-
-struct Placement {
-    std::optional<ConstantField> relaxed;       // shape at rest in this field, no other load
-    std::array<int, 2> rotation_plane{0, 2};
-    double rotation_rad = 0;                    // about the centre of volume
-    std::optional<Vec3> position_m;             // of the centre of volume
-};
-
 struct LammpsInput {
     std::vector<Body> bodies;
-    std::vector<Placement> placements;  // one a body
+    std::vector<Placement> placements;  // one a body; or none: all where their meshes are
     std::optional<FieldProgram> field;
     std::optional<Vec3> gravity_m_s2;
     std::optional<double> drag_rate_1_s;
@@ -48,10 +25,19 @@ struct LammpsInput {
 
 struct LammpsScript {
     std::vector<std::string> setup;  // up to, not including, the run command
-    std::vector<int> first_node;     // atom id (from 1) of each body's node 0; then the end
+    std::vector<int> first_node;  // atom ID (from 1) of each body's node 0; then the end
+    std::vector<std::string>
+        fix_id;  // each body's fix magttice (energies, work, smallest J)
 };
 
-// Writes NAME.data and NAME.lattice of each body into folder and returns the script.
+// Writes bodies.data and each body's NAME.lattice into folder and returns the script,
+// whose lines name these files as `folder` does. Call it on one rank; every rank runs the
+// lines. Run them, then `run 0`, then `run N pre no post no` as often as needed: with
+// neigh_modify once yes nothing but the forces and the integration is left in a step.
+// A relaxed shape lies in the plane of `field` (x and z where there is none), and is
+// found here, before LAMMPS starts, so that the script holds the run alone. Throws
+// std::invalid_argument on bad input, std::runtime_error if a file cannot be written or a
+// shape not be relaxed.
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder);
 

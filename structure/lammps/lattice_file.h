@@ -1,0 +1,28 @@
+// The lattice file that fix magttice reads: one body's mesh and magnetisation as text.
+//
+//   # comment lines
+//   nodes N
+//   x y z                          N lines [m]
+//   elements M
+//   n0 ... n7  Mx My Mz            M lines; node numbers from 0, magnetisation [A/m]
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "structure/mesh/mesh.h"
+
+namespace magfsi::structure {
+
+struct LatticeFile {
+    std::vector<Vec3> nodes_m;
+    std::vector<Hexahedron> elements;
+    std::vector<Vec3> magnetization_a_m;  // one an element
+};
+
+// Numbers are written so that they read back exactly. Empty magnetisation is written as
+// zeros. Both throw std::runtime_error that names the file (and what was expected in it).
+void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path& file);
+LatticeFile read_lattice_file(const std::filesystem::path& file);
+
+}  // namespace magfsi::structure

@@ -1,0 +1,68 @@
+#include "structure/lammps/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace magfsi::structure {
+namespace {
+
+// LAMMPS has 32 groups; "all", "clamped" and "moving" are taken.
+constexpr std::size_t most_bodies = 29;
+
+std::string sanitized(const std::string& name) {
+    std::string out = name.empty() ? "body" : name;
+    for (char& c : out) {
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<std::string> lammps_names(const std::vector<Body>& bodies) {
+    if (bodies.size() > most_bodies) {
+        throw std::invalid_argument(fmt::format(
+            "{} bodies found, LAMMPS has groups for {}", bodies.size(), most_bodies));
+    }
+    std::vector<std::string> taken{"all", "clamped", "moving"};
+    for (const Body& body : bodies) {
+        const std::string wanted = sanitized(body.name);
+        std::string name = wanted;
+        for (int n = 2; std::ranges::find(taken, name) != taken.end(); ++n) {
+            name = fmt::format("{}_{}", wanted, n);
+        }
+        taken.push_back(name);
+    }
+    return {taken.begin() + 3, taken.end()};
+}
+
+std::string quoted(const std::string& path) {
+    if (path.find_first_of("\"$") != std::string::npos) {
+        throw std::invalid_argument(fmt::format(
+            "the path {} has a quote or a dollar sign, which LAMMPS cannot read", path));
+    }
+    return '"' + path + '"';
+}
+
+std::string id_ranges(const std::vector<int>& ids) {
+    std::string out;
+    for (std::size_t i = 0; i < ids.size();) {
+        std::size_t last = i;
+        const int stride = i + 1 < ids.size() ? ids[i + 1] - ids[i] : 1;
+        while (last + 1 < ids.size() && ids[last + 1] - ids[last] == stride) ++last;
+        if (!out.empty()) out += ' ';
+        if (last > i + 1) {
+            out += fmt::format("{}:{}:{}", ids[i], ids[last], stride);
+            i = last + 1;
+        } else {
+            out += fmt::format("{}", ids[i]);
+            ++i;
+        }
+    }
+    return out;
+}
+
+}  // namespace magfsi::structure

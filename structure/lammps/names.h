@@ -1,0 +1,23 @@
+// Words of a LAMMPS command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "structure/body.h"
+
+namespace magfsi::structure {
+
+// One ID a body, fit for groups, fixes and file names: letters, digits and underscores of
+// its name, other characters as underscores; a repeated or reserved one gets a number.
+// Throws std::invalid_argument on more bodies than LAMMPS has groups for.
+std::vector<std::string> lammps_names(const std::vector<Body>& bodies);
+
+// In double quotes. Throws std::invalid_argument on a quote or a dollar sign, which
+// LAMMPS would read as its own.
+std::string quoted(const std::string& path);
+
+// Rising IDs as LAMMPS ranges first:last:stride, "1:91:10 3".
+std::string id_ranges(const std::vector<int>& ids);
+
+}  // namespace magfsi::structure

@@ -1,0 +1,60 @@
+#include "structure/lammps/placement.h"
+
+#include <cmath>
+
+#include "structure/equilibrium/relax.h"
+#include "structure/lattice/lattice.h"
+
+namespace magfsi::structure {
+namespace {
+
+std::vector<double> node_volumes(const Body& body) {
+    return build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element)
+        .node_volume_m3;
+}
+
+Vec3 centre_of_volume(const std::vector<Vec3>& nodes, const std::vector<double>& volume) {
+    Vec3 sum{};
+    double total = 0;
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        total += volume[a];
+        for (int d = 0; d < 3; ++d) sum[d] += volume[a] * nodes[a][d];
+    }
+    for (double& component : sum) component /= total;
+    return sum;
+}
+
+void rotate(std::vector<Vec3>& nodes, const Vec3& centre, const std::array<int, 2>& plane,
+            double angle) {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    for (Vec3& x : nodes) {
+        const double first = x[plane[0]] - centre[plane[0]];
+        const double second = x[plane[1]] - centre[plane[1]];
+        x[plane[0]] = centre[plane[0]] + c * first - s * second;
+        x[plane[1]] = centre[plane[1]] + s * first + c * second;
+    }
+}
+
+}  // namespace
+
+std::vector<Vec3> placed_nodes(const Body& body, const Placement& placement,
+                               const std::array<int, 2>& field_plane) {
+    std::vector<Vec3> nodes = body.mesh.nodes;
+    if (placement.relaxed) {
+        nodes = relax(body, field_vector(*placement.relaxed, field_plane)).nodes_m;
+    }
+    if (placement.rotation_rad == 0 && !placement.position_m) return nodes;
+    const Vec3 centre = centre_of_volume(nodes, node_volumes(body));
+    if (placement.rotation_rad != 0) {
+        rotate(nodes, centre, placement.rotation_plane, placement.rotation_rad);
+    }
+    if (placement.position_m) {
+        for (Vec3& x : nodes) {
+            for (int d = 0; d < 3; ++d) x[d] += (*placement.position_m)[d] - centre[d];
+        }
+    }
+    return nodes;
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,46 @@
+#include "structure/lammps/register_styles.h"
+
+#include <error.h>
+#include <lammps.h>
+#include <modify.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "structure/lammps/failure.h"
+#include "structure/lammps/fix_magttice.h"
+#include "structure/lammps/fix_magttice_drag.h"
+
+namespace magfsi::structure {
+namespace {
+
+std::function<void(const std::string&)>& failure_handler() {
+    static std::function<void(const std::string&)> handler;
+    return handler;
+}
+
+template <typename Style>
+LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) {
+    return new Style(lammps, narg, arg);
+}
+
+}  // namespace
+
+void register_styles(LAMMPS_NS::LAMMPS& lammps) {
+    (*lammps.modify->fix_map)["magttice"] = &create<FixMagttice>;
+    (*lammps.modify->fix_map)["magttice/drag"] = &create<FixMagtticeDrag>;
+}
+
+void set_failure_handler(std::function<void(const std::string& cause)> handler) {
+    failure_handler() = std::move(handler);
+}
+
+void fail(LAMMPS_NS::Error& error, const std::string& cause) {
+    if (failure_handler()) {
+        failure_handler()(cause);
+        std::abort();  // the handler's contract is not to return
+    }
+    error.one(FLERR, cause);
+}
+
+}  // namespace magfsi::structure
