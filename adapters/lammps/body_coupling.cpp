@@ -6,6 +6,7 @@
 
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
+#include "coupler/participants/wait.h"
 
 namespace magfsi::lammps {
 

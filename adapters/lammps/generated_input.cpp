@@ -56,6 +56,9 @@ structure::LammpsScript generate_input(const coupler::Session& session,
     }
     broadcast(text, session.world().local());
     script.setup = split(text);
+    std::string ids = joined(script.fix_id);
+    broadcast(ids, session.world().local());
+    script.fix_id = split(ids);
     auto bodies = static_cast<int>(script.first_node.size());
     MPI_Bcast(&bodies, 1, MPI_INT, 0, session.world().local());
     script.first_node.resize(static_cast<std::size_t>(bodies));

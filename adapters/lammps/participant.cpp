@@ -12,6 +12,7 @@
 #include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
 #include "structure/lammps/field_program.h"
+#include "structure/lammps/register_styles.h"
 #include "structure/mesh/box_mesh.h"
 
 namespace magfsi::lammps {
@@ -44,6 +45,7 @@ void Participant::build() {
     for (const std::string& line : script.setup) engine_->command(line);
     engine_->set_up();
 
+    fix_ids_ = script.fix_id;
     atoms_ = script.first_node.back() - 1;
     const NodalState start = engine_->gather(atoms_);
     if (session_.world().root()) {
@@ -147,7 +149,7 @@ void Participant::add_body_values(std::vector<double>& row, const NodalState& st
     std::vector<BodyEnergies> energies(input_.bodies.size());
     if (wants(scene::BodyQuantity::energy)) {
         for (std::size_t b = 0; b < energies.size(); ++b) {
-            const std::string fix = structure::magttice_fix_id(input_.bodies[b].name);
+            const std::string& fix = fix_ids_[b];
             energies[b].elastic_j = engine_->fix_vector(fix, 1);
             energies[b].work_magnetic_j = engine_->fix_vector(fix, 3);
         }
@@ -211,7 +213,8 @@ void Participant::write_probes() {
     const NodalState state = engine_->gather(atoms_);
     std::vector<double> row;
     if (input_.field) {
-        row.push_back(structure::field_at(*input_.field, session_.clock().time_s()).magnitude_t);
+        row.push_back(
+            structure::polar_field_at(*input_.field, session_.clock().time_s()).magnitude_t);
     }
     add_body_values(row, state);
     if (session_.world().root()) add_point_values(row, state);

@@ -39,6 +39,7 @@ class Participant {
     coupler::Session& session_;
     Substeps substeps_;
     structure::LammpsInput input_;
+    std::vector<std::string> fix_ids_;  // of each body's fix magttice
     int atoms_ = 0;
     std::unique_ptr<Engine> engine_;
     coupler::TaskList tasks_;
