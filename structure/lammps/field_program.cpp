@@ -2,27 +2,62 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-
-#include "structure/lammps/field_table.h"
 
 namespace magfsi::structure {
 namespace {
 
 void check_plane(const std::array<int, 2>& plane) {
-    for (int axis : plane) {
-        if (axis < 0 || axis > 2 || plane[0] == plane[1]) {
-            throw std::invalid_argument(fmt::format(
-                "field plane of axes {} and {} found, two different ones of 0, "
-                "1, 2 are allowed",
-                plane[0], plane[1]));
-        }
+    const bool axes =
+        std::ranges::all_of(plane, [](int axis) { return axis >= 0 && axis <= 2; });
+    if (!axes || plane[0] == plane[1]) {
+        throw std::invalid_argument(
+            fmt::format("field plane of axes {} and {} found, two different ones of 0, "
+                        "1, 2 are allowed",
+                        plane[0], plane[1]));
     }
 }
 
-// Magnitude and direction at a time.
+void check_table(const FieldTable& table) {
+    const std::size_t rows = table.time_s.size();
+    const std::size_t directions = table.direction_rad.size();
+    if (rows == 0 || table.magnitude_t.size() != rows ||
+        (directions != 1 && directions != rows)) {
+        throw std::invalid_argument(
+            fmt::format("field table with {} times, {} magnitudes and {} directions "
+                        "found; it needs one "
+                        "magnitude a time and one direction, or one a time",
+                        rows, table.magnitude_t.size(), directions));
+    }
+    if (!std::ranges::is_sorted(table.time_s)) {
+        throw std::invalid_argument("the times of a field table must not fall");
+    }
+    if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
+        throw std::invalid_argument("a repeated field table needs a period above zero");
+    }
+}
+
+double fold_time(const FieldTable& table, double time_s) {
+    if (!table.repeat) return time_s;
+    const double start = table.time_s.front();
+    const double period = table.time_s.back() - start;
+    return time_s - period * std::floor((time_s - start) / period);
+}
+
+double interpolate(const std::vector<double>& time_s, const std::vector<double>& value,
+                   double t) {
+    if (value.size() == 1) return value.front();
+    const auto after = std::ranges::upper_bound(time_s, t) - time_s.begin();
+    if (after == 0) return value.front();
+    const auto i = static_cast<std::size_t>(after - 1);
+    if (i + 1 == time_s.size()) return value.back();
+    const double s = (t - time_s[i]) / (time_s[i + 1] - time_s[i]);
+    return value[i] + s * (value[i + 1] - value[i]);
+}
+
 ConstantField polar(const ConstantField& course, double) {
     return course;
 }
@@ -31,49 +66,17 @@ ConstantField polar(const RotatingField& course, double time_s) {
             course.start_rad + 2 * std::numbers::pi * course.frequency_hz * time_s};
 }
 ConstantField polar(const FieldTable& course, double time_s) {
-    check_table(course);
     const double t = fold_time(course, time_s);
-    const double direction = course.direction_rad.size() == 1
-                                 ? course.direction_rad[0]
-                                 : interpolate(course.time_s, course.direction_rad, t);
-    return {interpolate(course.time_s, course.magnitude_t, t), direction};
-}
-
-// Formulas of LAMMPS variables for magnitude and direction, and the lines before them.
-struct Formulas {
-    std::vector<std::string> lines;
-    std::string magnitude, direction;
-};
-
-Formulas formulas(const ConstantField& course) {
-    return {{}, number(course.magnitude_t), number(course.direction_rad)};
-}
-Formulas formulas(const RotatingField& course) {
-    const double rate = 2 * std::numbers::pi * course.frequency_hz;
-    return {
-        {"variable t equal step*dt", fmt::format("variable theta equal {}+{}*v_t",
-                                                 number(course.start_rad), number(rate))},
-        number(course.magnitude_t),
-        "v_theta"};
-}
-Formulas formulas(const FieldTable& course) {
-    check_table(course);
-    Formulas out;
-    out.lines.push_back("variable t equal " + fold_formula(course));
-    out.lines.push_back("variable B equal " +
-                        table_formula(course.time_s, course.magnitude_t));
-    out.magnitude = "v_B";
-    if (course.direction_rad.size() == 1) {
-        out.direction = number(course.direction_rad[0]);
-    } else {
-        out.lines.push_back("variable theta equal " +
-                            table_formula(course.time_s, course.direction_rad));
-        out.direction = "v_theta";
-    }
-    return out;
+    return {interpolate(course.time_s, course.magnitude_t, t),
+            interpolate(course.time_s, course.direction_rad, t)};
 }
 
 }  // namespace
+
+void check_field_program(const FieldProgram& program) {
+    check_plane(program.plane);
+    if (const auto* table = std::get_if<FieldTable>(&program.course)) check_table(*table);
+}
 
 Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane) {
     check_plane(plane);
@@ -87,23 +90,6 @@ Vec3 field_at(const FieldProgram& program, double time_s) {
     const ConstantField now = std::visit(
         [time_s](const auto& course) { return polar(course, time_s); }, program.course);
     return field_vector(now, program.plane);
-}
-
-std::vector<std::string> field_commands(const FieldProgram& program) {
-    check_plane(program.plane);
-    Formulas made =
-        std::visit([](const auto& course) { return formulas(course); }, program.course);
-    std::array<std::string, 3> component{"0", "0", "0"};
-    // A leading minus would otherwise meet the factor's sign.
-    component[program.plane[0]] =
-        fmt::format("({})*cos({})", made.magnitude, made.direction);
-    component[program.plane[1]] =
-        fmt::format("({})*sin({})", made.magnitude, made.direction);
-    for (int d = 0; d < 3; ++d) {
-        made.lines.push_back(
-            fmt::format("variable B{} equal {}", "xyz"[d], component[d]));
-    }
-    return made.lines;
 }
 
 }  // namespace magfsi::structure

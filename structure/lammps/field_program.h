@@ -1,4 +1,4 @@
-// The uniform magnetic field over time (eqs. 7 to 9), as a value and as LAMMPS variables.
+// The uniform magnetic field over time (eqs. 7 to 9).
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct ConstantField {
 // rows the end values hold. Two rows of one time are a jump: from that time on the later
 // one.
 struct FieldTable {
-    std::vector<double> time_s, magnitude_t,
-        direction_rad;  // directions: one, or one a row
+    std::vector<double> time_s, magnitude_t;
+    std::vector<double> direction_rad;  // one, or one a row
     bool repeat = false;
 };
 struct RotatingField {
@@ -30,14 +30,22 @@ struct FieldProgram {
     std::variant<ConstantField, FieldTable, RotatingField> course;
 };
 
-// Field vector [T]. Throws std::invalid_argument on a table that is empty, whose times
-// fall, or whose columns differ in length, and on a plane that is not two different axes.
+// Throws std::invalid_argument on a table that is empty, whose times fall, or whose
+// columns differ in length, and on a plane that is not two different axes.
+void check_field_program(const FieldProgram& program);
+
+// Field vector [T] of a checked program.
 Vec3 field_at(const FieldProgram& program, double time_s);
 
 Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane);
 
-// LAMMPS commands that define the equal-style variables Bx, By and Bz [T] of step * dt,
-// and those that they need: t [s], B [T], theta [rad]. Throws as field_at does.
-std::vector<std::string> field_commands(const FieldProgram& program);
+// The arguments of fix magttice/field, and back:
+//   xz constant MAGNITUDE DIRECTION
+//   xz rotating MAGNITUDE START FREQUENCY
+//   xz table|repeat  TIME MAGNITUDE DIRECTION  TIME MAGNITUDE DIRECTION ...
+// The words are the two axes of the plane and the course. Numbers read back exactly. Both
+// throw std::invalid_argument on what is not such a program.
+std::string field_arguments(const FieldProgram& program);
+FieldProgram parse_field_arguments(const std::vector<std::string>& words);
 
 }  // namespace magfsi::structure

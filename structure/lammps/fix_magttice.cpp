@@ -152,14 +152,8 @@ void FixMagttice::min_pre_reverse(int, int) {
     add_forces();
 }
 
-// At this point v holds the velocity of the half step, (x(n+1) - x(n)) / dt, so that the
-// mean of the field at both ends gives the work of the step.
 void FixMagttice::pre_reverse(int, int) {
-    if (has_field_) {
-        const double before = half_step_power();
-        evaluate_field();
-        work_j_ += 0.5 * update->dt * (before + half_step_power());
-    }
+    if (has_field_) advance_field();
     add_forces();
 }
 

@@ -51,7 +51,8 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void evaluate_field();
     void add_forces();
     void refuse_inverted(const KernelResult& result);
-    double half_step_power() const;  // B . sum of q v, this rank [W]
+    std::array<double, 3> charge_flow() const;  // sum of q v, this rank [A m2/s]
+    void advance_field();
     void compute_energies();
 
     NodeRange range_;

@@ -47,14 +47,25 @@ void FixMagttice::evaluate_field() {
     modify->addstep_compute(update->ntimestep + 1);
 }
 
-double FixMagttice::half_step_power() const {
-    double sum[3] = {0, 0, 0};
+std::array<double, 3> FixMagttice::charge_flow() const {
+    std::array<double, 3> sum{};
     const double* const* const v = atom->v;
     for (const ChargedNode& node : charged_) {
         for (int d = 0; d < 3; ++d) sum[d] += node.charge_a_m * v[node.atom][d];
     }
-    return sum[0] * field_[0].value_t + sum[1] * field_[1].value_t +
-           sum[2] * field_[2].value_t;
+    return sum;
+}
+
+// At this point of a step v holds the velocity of the half step, (x(n+1) - x(n)) / dt, so
+// that the mean of the field at both ends gives the work of the step.
+void FixMagttice::advance_field() {
+    std::array<double, 3> before{};
+    for (int d = 0; d < 3; ++d) before[d] = field_[d].value_t;
+    evaluate_field();
+    const std::array<double, 3> flow = charge_flow();
+    for (int d = 0; d < 3; ++d) {
+        work_j_ += 0.5 * update->dt * (before[d] + field_[d].value_t) * flow[d];
+    }
 }
 
 }  // namespace magfsi::structure

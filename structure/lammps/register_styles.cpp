@@ -10,6 +10,7 @@
 #include "structure/lammps/failure.h"
 #include "structure/lammps/fix_magttice.h"
 #include "structure/lammps/fix_magttice_drag.h"
+#include "structure/lammps/fix_magttice_field_source.h"
 
 namespace magfsi::structure {
 namespace {
@@ -29,6 +30,7 @@ LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) {
 void register_styles(LAMMPS_NS::LAMMPS& lammps) {
     (*lammps.modify->fix_map)["magttice"] = &create<FixMagttice>;
     (*lammps.modify->fix_map)["magttice/drag"] = &create<FixMagtticeDrag>;
+    (*lammps.modify->fix_map)["magttice/field"] = &create<FixMagtticeFieldSource>;
 }
 
 void set_failure_handler(std::function<void(const std::string& cause)> handler) {

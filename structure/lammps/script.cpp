@@ -17,6 +17,8 @@ namespace {
 // What the writers below share.
 struct Assembly {
     std::vector<DataAtom> atoms;
+    Vec3 low{INFINITY, INFINITY, INFINITY};  // bounds of the bodies before relaxing
+    Vec3 high{-INFINITY, -INFINITY, -INFINITY};
     std::vector<int> first_node;
     std::vector<std::string> name;  // fit for LAMMPS IDs and file names
     std::vector<int> clamped_ids;
@@ -85,28 +87,38 @@ void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
         std::max(all.longest_diagonal_m, longest_diagonal(nodes, body));
 }
 
+void add_bounds(Assembly& all, const std::vector<Vec3>& nodes) {
+    for (const Vec3& x : nodes) {
+        for (int d = 0; d < 3; ++d) {
+            all.low[d] = std::min(all.low[d], x[d]);
+            all.high[d] = std::max(all.high[d], x[d]);
+        }
+    }
+}
+
 Assembly assemble(const LammpsInput& input) {
     Assembly all;
     all.name = lammps_names(input.bodies);
     const std::array<int, 2> plane =
         input.field ? input.field->plane : std::array<int, 2>{0, 2};
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
-        const Placement placement =
+        Placement placement =
             input.placements.empty() ? Placement{} : input.placements[i];
         add_body(all, input.bodies[i], placed_nodes(input.bodies[i], placement, plane));
+        placement.relaxed.reset();
+        add_bounds(all, placed_nodes(input.bodies[i], placement, plane));
     }
     all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
     return all;
 }
 
-int longest_axis(const std::vector<DataAtom>& atoms) {
-    Vec3 extent{};
-    for (int d = 0; d < 3; ++d) {
-        const auto [low, high] = std::ranges::minmax(
-            atoms, {}, [d](const DataAtom& atom) { return atom.position_m[d]; });
-        extent[d] = high.position_m[d] - low.position_m[d];
+// Along the bodies' length, also where they start rolled up.
+int longest_axis(const Assembly& all) {
+    int longest = 0;
+    for (int d = 1; d < 3; ++d) {
+        if (all.high[d] - all.low[d] > all.high[longest] - all.low[longest]) longest = d;
     }
-    return static_cast<int>(std::ranges::max_element(extent) - extent.begin());
+    return longest;
 }
 
 // Boundaries are wrapped around the atoms at the start and then no more looked at: a body
@@ -114,9 +126,9 @@ int longest_axis(const std::vector<DataAtom>& atoms) {
 // nodes.
 void add_system(std::vector<std::string>& lines, const Assembly& all,
                 const std::string& data_file) {
-    const int axis = longest_axis(all.atoms);
+    const int axis = longest_axis(all);
     std::array<const char*, 3> ranks{"1", "1", "1"};
-    ranks[static_cast<std::size_t>(axis)] = "*";
+    ranks[axis] = "*";
     // Ghosts must reach across an element, even one that has been stretched by half.
     const double cutoff = 1.5 * all.longest_diagonal_m;
     lines.insert(lines.end(),
@@ -127,6 +139,15 @@ void add_system(std::vector<std::string>& lines, const Assembly& all,
                   fmt::format("neighbor {:.6g} bin", 0.1 * cutoff),
                   "neigh_modify once yes", fmt::format("read_data {}", quoted(data_file)),
                   fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
+}
+
+// Variables, so that a script can put its own course in their place.
+void add_field(std::vector<std::string>& lines, const FieldProgram& field) {
+    lines.push_back(
+        fmt::format("fix field all magttice/field {}", field_arguments(field)));
+    for (int d = 0; d < 3; ++d) {
+        lines.push_back(fmt::format("variable B{} equal f_field[{}]", "xyz"[d], d + 1));
+    }
 }
 
 void add_lattices(std::vector<std::string>& lines, LammpsScript& script,
@@ -194,9 +215,7 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     script.first_node = all.first_node;
     add_system(script.setup, all, data_file);
     if (input.field) {
-        for (std::string& line : field_commands(*input.field)) {
-            script.setup.push_back(std::move(line));
-        }
+        add_field(script.setup, *input.field);
     }
     add_lattices(script.setup, script, input, all, folder);
     add_loads(script.setup, input);
