@@ -31,7 +31,9 @@ std::vector<Halo::Slot> Halo::slots(const RowLayout& layout, int axis, int sign,
 }
 
 Halo::Halo(MPI_Comm comm, const Decomposition& decomposition, int rank)
-    : comm_(comm), row_length_(decomposition.cells[0]) {
+    : comm_(comm),
+      row_length_(decomposition.cells[0]),
+      x_walls_(!decomposition.periodic[0]) {
     const RowLayout layout = decomposition.layout(rank);
     for (int axis = 1; axis <= 2; ++axis) {
         const int count = axis == 1 ? layout.ny : layout.nz;
@@ -52,6 +54,14 @@ Halo::Halo(MPI_Comm comm, const Decomposition& decomposition, int rank)
     }
 }
 
+int Halo::first_lent(int q) const {
+    return x_walls_ && c[q][0] > 0 ? 1 : 0;
+}
+
+int Halo::lent_length(int q) const {
+    return x_walls_ && c[q][0] != 0 ? row_length_ - 1 : row_length_;
+}
+
 void Halo::exchange(int axis, const Populations& populations,
                     std::vector<Slot> Face::*sending,
                     std::vector<Slot> Face::*receiving) {
@@ -68,7 +78,8 @@ void Halo::exchange(int axis, const Populations& populations,
         if (face.axis != axis) continue;
         double* to = face.sent.data();
         for (const Slot& slot : face.*sending) {
-            to = std::copy_n(populations.row(slot.q, slot.row), row_length_, to);
+            const double* row = populations.row(slot.q, slot.row) + first_lent(slot.q);
+            to = std::copy_n(row, lent_length(slot.q), to);
         }
         MPI_Isend(face.sent.data(), static_cast<int>(to - face.sent.data()), MPI_DOUBLE,
                   face.rank, face.side, comm_, &requests.emplace_back());
@@ -78,8 +89,9 @@ void Halo::exchange(int axis, const Populations& populations,
         if (face.axis != axis) continue;
         const double* from = face.received.data();
         for (const Slot& slot : face.*receiving) {
-            std::copy_n(from, row_length_, populations.row(slot.q, slot.row));
-            from += row_length_;
+            double* row = populations.row(slot.q, slot.row) + first_lent(slot.q);
+            std::copy_n(from, lent_length(slot.q), row);
+            from += lent_length(slot.q);
         }
     }
 }

@@ -3,8 +3,9 @@
 // neighbours' rows but belong to its own (fill), steps, and returns them (give_back).
 //
 // Faces along y go first when filling and last when returning; those along z include the
-// ghost rows of y, so that edges pass through a common neighbour. A slot is lent only if
-// the row it belongs to is on the other rank: the owner uses all others itself.
+// ghost rows of y, so that edges pass through a common neighbour. Only what the other
+// rank will use is lent: the owner uses the rest itself, to bounce populations off walls,
+// and stale values coming back would overwrite that.
 #pragma once
 
 #include <mpi.h>
@@ -38,11 +39,15 @@ class Halo {
     };
 
     static std::vector<Slot> slots(const RowLayout& layout, int axis, int sign, int row);
+    // Cells of a row whose slot q is lent: all but the one at a wall across x.
+    int first_lent(int q) const;
+    int lent_length(int q) const;
     void exchange(int axis, const Populations& populations,
                   std::vector<Slot> Face::*sending, std::vector<Slot> Face::*receiving);
 
     MPI_Comm comm_;
     int row_length_;
+    bool x_walls_;
     std::vector<Face> faces_;
 };
 
