@@ -15,31 +15,31 @@ struct PlaneRef {
 };
 
 template <class Io>
-void bind(Io& io, Time& time) {
+void bind_keys(Io& io, Time& time) {
     io("end", time.end_s);
     io("step", time.step_s);
 }
 
 template <class Io>
-void bind(Io& io, BoxMesh& box) {
+void bind_keys(Io& io, BoxMesh& box) {
     io("size", box.size_m);
     io("elements", box.elements);
 }
 
 template <class Io>
-void bind(Io& io, Material& material) {
+void bind_keys(Io& io, Material& material) {
     io("shear_modulus", material.shear_modulus_pa);
     io("lame_lambda", material.lame_lambda_pa);
     io("density", material.density_kg_m3);
 }
 
 template <class Io>
-void bind(Io& io, UniformMagnetization& uniform) {
+void bind_keys(Io& io, UniformMagnetization& uniform) {
     io.whole(uniform.vector_a_m);
 }
 
 template <class Io>
-void bind(Io& io, HarmonicMagnetization& harmonic) {
+void bind_keys(Io& io, HarmonicMagnetization& harmonic) {
     io("amplitude", harmonic.amplitude_a_m);
     io("wavelength", harmonic.wavelength_m);
     io("phase", harmonic.phase_rad);
@@ -48,43 +48,43 @@ void bind(Io& io, HarmonicMagnetization& harmonic) {
 }
 
 template <class Io>
-void bind(Io& io, MagneticDomain& domain) {
+void bind_keys(Io& io, MagneticDomain& domain) {
     io("box", domain.box_m);
     io("polygon", domain.polygon_xy_m);
     io("vector", domain.vector_a_m);
 }
 
 template <class Io>
-void bind(Io& io, DomainMagnetization& magnetization) {
+void bind_keys(Io& io, DomainMagnetization& magnetization) {
     io.whole(magnetization.domains);
 }
 
 template <class Io>
-void bind(Io& io, Magnetization& magnetization) {
+void bind_keys(Io& io, Magnetization& magnetization) {
     io.alternatives(magnetization, {"uniform", "harmonic", "domains"});
 }
 
 template <class Io>
-void bind(Io& io, PlaneRotation& rotation) {
+void bind_keys(Io& io, PlaneRotation& rotation) {
     io("plane", PlaneRef{rotation.plane});
     io("angle", rotation.angle_rad);
 }
 
 template <class Io>
-void bind(Io& io, RelaxedShape& relaxed) {
+void bind_keys(Io& io, RelaxedShape& relaxed) {
     io("magnitude", relaxed.magnitude_t);
     io("direction", relaxed.direction_rad);
 }
 
 template <class Io>
-void bind(Io& io, InitialState& initial) {
+void bind_keys(Io& io, InitialState& initial) {
     io("position", initial.position_m);
     io("rotation", initial.rotation);
     io("relaxed", initial.relaxed);
 }
 
 template <class Io>
-void bind(Io& io, Body& body) {
+void bind_keys(Io& io, Body& body) {
     io.group("mesh", [&](Io& mesh) { mesh("box", body.mesh); });
     io("element", body.element);
     io("material", body.material);
@@ -94,13 +94,13 @@ void bind(Io& io, Body& body) {
 }
 
 template <class Io>
-void bind(Io& io, ConstantField& constant) {
+void bind_keys(Io& io, ConstantField& constant) {
     io("magnitude", constant.magnitude_t);
     io("direction", constant.direction_rad);
 }
 
 template <class Io>
-void bind(Io& io, FieldTable& table) {
+void bind_keys(Io& io, FieldTable& table) {
     io("time", table.time_s);
     io("magnitude", table.magnitude_t);
     io("direction", table.direction_rad);
@@ -108,31 +108,31 @@ void bind(Io& io, FieldTable& table) {
 }
 
 template <class Io>
-void bind(Io& io, RotatingField& rotating) {
+void bind_keys(Io& io, RotatingField& rotating) {
     io("magnitude", rotating.magnitude_t);
     io("start", rotating.start_rad);
     io("frequency", rotating.frequency_hz);
 }
 
 template <class Io>
-void bind(Io& io, MagneticField& field) {
+void bind_keys(Io& io, MagneticField& field) {
     io("plane", PlaneRef{field.plane});
     io.alternatives(field.course, {"constant", "table", "rotation"});
 }
 
 template <class Io>
-void bind(Io& io, Gravity& gravity) {
+void bind_keys(Io& io, Gravity& gravity) {
     io("acceleration", gravity.acceleration_m_s2);
     io("direction", gravity.direction);
 }
 
 template <class Io>
-void bind(Io& io, Damping& damping) {
+void bind_keys(Io& io, Damping& damping) {
     io("rate", damping.rate_1_s);
 }
 
 template <class Io>
-void bind(Io& io, Fluid& fluid) {
+void bind_keys(Io& io, Fluid& fluid) {
     io("solver", fluid.solver);
     io("box", fluid.box_m);
     io("spacing", fluid.spacing_m);
@@ -147,7 +147,7 @@ void bind(Io& io, Fluid& fluid) {
 }
 
 template <class Io>
-void bind(Io& io, ImmersedBoundary& boundary) {
+void bind_keys(Io& io, ImmersedBoundary& boundary) {
     io("kernel", boundary.kernel);
     io("markers", boundary.markers);
     io("marker_spacing", boundary.marker_spacing);
@@ -155,20 +155,20 @@ void bind(Io& io, ImmersedBoundary& boundary) {
 }
 
 template <class Io>
-void bind(Io& io, Coupling& coupling) {
+void bind_keys(Io& io, Coupling& coupling) {
     io("substeps", coupling.substeps);
     io("timeout", coupling.timeout_s);
     io("immersed_boundary", coupling.immersed_boundary);
 }
 
 template <class Io>
-void bind(Io& io, PointProbe& point) {
+void bind_keys(Io& io, PointProbe& point) {
     io("body", point.body);
     io("at", point.at_m);
 }
 
 template <class Io>
-void bind(Io& io, Probes& probes) {
+void bind_keys(Io& io, Probes& probes) {
     io("every", probes.every_s);
     io("bodies", probes.bodies);
     io("points", probes.points);
@@ -177,24 +177,24 @@ void bind(Io& io, Probes& probes) {
 }
 
 template <class Io>
-void bind(Io& io, StructureOutput& output) {
+void bind_keys(Io& io, StructureOutput& output) {
     io("every", output.every_s);
 }
 
 template <class Io>
-void bind(Io& io, FluidOutput& output) {
+void bind_keys(Io& io, FluidOutput& output) {
     io("every", output.every_s);
     io("fields", output.fields);
 }
 
 template <class Io>
-void bind(Io& io, Output& output) {
+void bind_keys(Io& io, Output& output) {
     io("structure", output.structure);
     io("fluid", output.fluid);
 }
 
 template <class Io>
-void bind(Io& io, Scene& scene) {
+void bind_keys(Io& io, Scene& scene) {
     io("name", scene.name);
     io("time", scene.time);
     io("bodies", scene.bodies);

@@ -36,7 +36,8 @@ std::string advice(const Fluid& fluid) {
                 (best == 0 || std::abs(spacing - wanted) < std::abs(best - wanted)))
                 best = spacing;
         }
-        if (best > 0) return "the nearest is " + format_si(best, "m");
+        // Digits enough to pass divides_within when typed in again.
+        if (best > 0) return fmt::format("the nearest is {:.9g} mm", 1e3 * best);
     }
     Vec3 box{};
     for (int i = 0; i < 3; ++i)

@@ -62,10 +62,13 @@ std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
                            factor > 1 ? "below" : "above",
                            format_si(fluid.spacing_m / std::sqrt(factor), "m"));
     // With the step from the lattice speed, 3 nu dt / dx^2 = 3 nu u_lattice / (U dx).
-    return fmt::format("take lattice_speed {} {:.3g}, or spacing {} {}",
-                       factor > 1 ? "above" : "below", fluid.lattice_speed * factor,
-                       factor > 1 ? "below" : "above",
-                       format_si(fluid.spacing_m / factor, "m"));
+    const double lattice_speed = fluid.lattice_speed * factor;
+    const std::string spacing =
+        fmt::format("spacing {} {}", factor > 1 ? "below" : "above",
+                    format_si(fluid.spacing_m / factor, "m"));
+    if (lattice_speed > most_lattice_speed) return "take " + spacing;
+    return fmt::format("take lattice_speed {} {:.3g}, or {}",
+                       factor > 1 ? "above" : "below", lattice_speed, spacing);
 }
 
 void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {

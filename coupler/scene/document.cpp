@@ -6,6 +6,9 @@
 
 #include <map>
 #include <sstream>
+#include <utility>
+
+#include "coupler/scene/syntax.h"
 
 namespace magfsi::scene {
 
@@ -143,19 +146,6 @@ class Builder : public YAML::EventHandler {
     std::size_t nodes_ = 0;
 };
 
-class SecondDocument : public Builder {
-  public:
-    explicit SecondDocument(const Origin& whole) : Builder(whole), whole_(whole) {}
-    void OnDocumentStart(const YAML::Mark& mark) override {
-        refuse(whole_.line == 0 ? whole_
-                                : Origin{whole_.source, mark.line + 1, mark.column + 1},
-               "a second document", "one scene a file", "remove the line \"---\"");
-    }
-
-  private:
-    Origin whole_;
-};
-
 }  // namespace
 
 const Node* Node::find(std::string_view name) const {
@@ -171,21 +161,11 @@ Node* Node::find(std::string_view name) {
 }
 
 Node parse_document(const std::string& text, const Origin& whole) {
+    check_syntax(text, whole);
     Builder builder(whole);
-    try {
-        std::istringstream stream(text);
-        YAML::Parser parser(stream);
-        if (parser.HandleNextDocument(builder)) {
-            SecondDocument second(whole);
-            parser.HandleNextDocument(second);
-        }
-    } catch (const YAML::Exception& error) {
-        Origin where = whole;
-        if (whole.line != 0 && !error.mark.is_null())
-            where = {whole.source, error.mark.line + 1, error.mark.column + 1};
-        refuse(where, fmt::format("no valid YAML ({})", error.msg),
-               "YAML: \"key: value\" with indentation by spaces");
-    }
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    parser.HandleNextDocument(builder);
     Node root = builder.take();
     if (root.type == Node::Type::null && root.origin.source.empty()) root.origin = whole;
     return root;

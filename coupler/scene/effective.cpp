@@ -7,7 +7,7 @@ namespace magfsi::scene {
 nlohmann::ordered_json effective_scene(const Scene& scene) {
     Scene copy = scene;  // bind.h serves reading too, hence wants mutable references
     JsonWriter writer;
-    bind(writer, copy);
+    bind_keys(writer, copy);
     return writer.take();
 }
 

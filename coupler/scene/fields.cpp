@@ -1,128 +1,80 @@
 #include "coupler/scene/fields.h"
 
-// clang-format off: the nesting below is that of the file.
+// The nesting below is that of the file.
+// clang-format off
 
 namespace magfsi::scene {
 
 const Field& scene_fields() {
-    static const Field scene = group(
-        "", "A scene: what is there, and for how long.",
-        {
-            text("name", "Name of the scene, in the summary and the log.")
-                .or_default("scene"),
-            group("time", "Length of the run and its step.",
-                  {
-                      quantity("end", "s", "End of the run; it starts at 0.").above(0),
-                      quantity("step", "s",
-                               "Coupled step; without it, from the fluid's lattice "
-                               "speed, or without a fluid from the bodies' stable step.")
-                          .above(0)
-                          .optional(),
-                  }),
-            bodies_fields().optional(),
-            magnetic_field_fields().optional(),
-            group("gravity", "Weight of the bodies; in a fluid, less their buoyancy.",
-                  {
-                      quantity("acceleration", "m/s2", "Strength.").at_least(0),
-                      number("direction", "Where it pulls; any length.")
-                          .vector(3)
-                          .or_default("[0, 0, -1]"),
-                  })
-                .optional(),
-            group("damping", "Drag on every node of the bodies.",
-                  {
-                      quantity("rate", "1/s", "Force = -rate * mass * velocity.")
-                          .at_least(0),
-                  })
-                .optional(),
-            fluid_fields().optional(),
-            coupling_fields().optional(),
-            probes_fields().optional(),
-            output_fields().optional(),
-        });
+    static const Field scene = group("", "A scene: what is there, and for how long.", {
+        text("name", "Name of the scene, in the summary and the log.").or_default("scene"),
+        group("time", "Length of the run and its step.", {
+            quantity("end", "s", "End of the run; it starts at 0.").above(0),
+            quantity("step", "s", "Coupled step; without it, from the fluid's lattice "
+                     "speed, or without a fluid from the bodies' stable step.")
+                .above(0).optional(),
+        }),
+        bodies_fields().optional(),
+        magnetic_field_fields().optional(),
+        group("gravity", "Weight of the bodies; in a fluid, less their buoyancy.", {
+            quantity("acceleration", "m/s2", "Strength.").at_least(0),
+            number("direction", "Where it pulls; any length.").vector(3)
+                .or_default("[0, 0, -1]"),
+        }).optional(),
+        group("damping", "Drag on every node of the bodies.", {
+            quantity("rate", "1/s", "Force = -rate * mass * velocity.").at_least(0),
+        }).optional(),
+        fluid_fields().optional(),
+        coupling_fields().optional(),
+        probes_fields().optional(),
+        output_fields().optional(),
+    });
     return scene;
 }
 
 Field magnetic_field_fields() {
     const auto magnitude = [] {
-        return quantity("magnitude", "T",
-                        "Flux density; a negative one points backwards.");
+        return quantity("magnitude", "T", "Flux density; a negative one points backwards.");
     };
-    return group(
-        "magnetic_field", "Uniform applied field over time.",
-        {
-            plane("plane",
-                  "Plane of the field; angles run from its first axis to its second.")
-                .or_default("xz"),
-            group("constant", "Held still.",
-                  {
-                      magnitude(),
-                      quantity("direction", "rad", "Angle in the plane."),
-                  })
-                .alternative(),
-            group("table",
-                  "Linear between rows; before the first and after the last, held.",
-                  {
-                      quantity("time", "s", "Times of the rows, ascending.").list(),
-                      quantity("magnitude", "T", "One a row; the sign flips the field.")
-                          .list(),
-                      quantity("direction", "rad",
-                               "Angle in the plane: one for all, or one a row.")
-                          .one_or_list(),
-                      boolean("repeat", "Start again after the last row.")
-                          .or_default("false"),
-                  })
-                .alternative(),
-            group("rotation", "Turns at constant speed.",
-                  {
-                      magnitude(),
-                      quantity("start", "rad", "Angle at time 0.").or_default("0 deg"),
-                      quantity("frequency", "1/s",
-                               "Turns a second; negative turns backwards."),
-                  })
-                .alternative(),
-        });
+    return group("magnetic_field", "Uniform applied field over time.", {
+        plane("plane", "Plane of the field; angles run from its first axis to its second.")
+            .or_default("xz"),
+        group("constant", "Held still.", {
+            magnitude(),
+            quantity("direction", "rad", "Angle in the plane."),
+        }).alternative(),
+        group("table", "Linear between rows; before the first and after the last, held.", {
+            quantity("time", "s", "Times of the rows, ascending.").list(),
+            quantity("magnitude", "T", "One a row; the sign flips the field.").list(),
+            quantity("direction", "rad", "Angle in the plane: one for all, or one a row.")
+                .one_or_list(),
+            boolean("repeat", "Start again after the last row.").or_default("false"),
+        }).alternative(),
+        group("rotation", "Turns at constant speed.", {
+            magnitude(),
+            quantity("start", "rad", "Angle at time 0.").or_default("0 deg"),
+            quantity("frequency", "1/s", "Turns a second; negative turns backwards."),
+        }).alternative(),
+    });
 }
 
 Field coupling_fields() {
-    return group(
-        "coupling", "How bodies and fluid meet; all keys have defaults.",
-        {
-            integer("substeps",
-                    "Structure steps in a coupled step; without it, from the "
-                    "bodies' stable step.")
-                .at_least(1)
-                .at_most(100000)
-                .optional(),
-            quantity("timeout", "s",
-                     "Longest wait for the partner before the run is given up.")
-                .above(0)
-                .or_default("60 s"),
-            group(
-                "immersed_boundary",
-                "Direct forcing between markers and fluid, eq. (13).",
-                {
-                    choice<Kernel>("kernel", "Regularised delta function.")
-                        .or_default("3-point"),
-                    choice<MarkerSurface>("markers",
-                                          "Where markers sit: on the surface midway "
-                                          "between the large faces, or on both of them.")
-                        .or_default("mid_surface"),
-                    number("marker_spacing",
-                           "Distance of markers, in fluid spacings; beyond about "
-                           "1 the surface leaks.")
-                        .above(0)
-                        .at_most(1.5)
-                        .or_default("0.5"),
-                    number("strength",
-                           "beta of eq. (13) as a fraction of 2 rho dV / dt; 1 is "
-                           "direct forcing.")
-                        .above(0)
-                        .at_most(4)
-                        .or_default("1.0"),
-                })
-                .optional(),
-        });
+    return group("coupling", "How bodies and fluid meet; all keys have defaults.", {
+        integer("substeps", "Structure steps in a coupled step; without it, from the "
+                "bodies' stable step.").at_least(1).at_most(100000).optional(),
+        quantity("timeout", "s", "Longest wait for the partner before the run is given up.")
+            .above(0).or_default("60 s"),
+        group("immersed_boundary", "Direct forcing between markers and fluid, eq. (13).", {
+            choice<Kernel>("kernel", "Regularised delta function.").or_default("3-point"),
+            choice<MarkerSurface>("markers", "Where markers sit: on the surface midway "
+                                  "between the large faces, or on both of them.")
+                .or_default("mid_surface"),
+            number("marker_spacing", "Distance of markers, in fluid spacings; beyond about "
+                   "1 the surface leaks.").above(0).at_most(1.5).or_default("0.5"),
+            number("strength", "beta of eq. (13) as a fraction of 2 rho dV / dt; 1 is "
+                   "direct forcing.").above(0).at_most(4).or_default("1.0"),
+        }).optional(),
+    });
 }
 
 }  // namespace magfsi::scene

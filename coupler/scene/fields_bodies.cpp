@@ -1,123 +1,86 @@
 #include "coupler/scene/fields.h"
 
-// clang-format off: the nesting below is that of the file.
+// The nesting below is that of the file.
+// clang-format off
 
 namespace magfsi::scene {
 
 namespace {
 
 Field mesh() {
-    return group(
-        "mesh", "Hexahedra; the frame's origin is the lowest corner.",
-        {
-            group(
-                "box", "A block.",
-                {
-                    quantity("size", "m", "Length along x, y and z.").vector(3).above(0),
-                    integer("elements", "Elements along x, y and z.")
-                        .vector(3)
-                        .at_least(1)
-                        .at_most(100000),
-                }),
-        });
+    return group("mesh", "Hexahedra; the frame's origin is the lowest corner.", {
+        group("box", "A block.", {
+            quantity("size", "m", "Length along x, y and z.").vector(3).above(0),
+            integer("elements", "Elements along x, y and z.").vector(3).at_least(1)
+                .at_most(100000),
+        }),
+    });
 }
 
 Field material() {
-    return group(
-        "material", "Neo-Hookean solid, eq. (1).",
-        {
-            quantity("shear_modulus", "Pa", "G.").above(0),
-            quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.")
-                .at_least(0),
-            quantity("density", "kg/m3", "Mass by volume.").above(0),
-        });
+    return group("material", "Neo-Hookean solid, eq. (1).", {
+        quantity("shear_modulus", "Pa", "G.").above(0),
+        quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.").at_least(0),
+        quantity("density", "kg/m3", "Mass by volume.").above(0),
+    });
 }
 
 Field magnetization() {
     const auto vector = [](std::string_view name) {
         return quantity(name, "A/m", "Magnetization vector.").vector(3);
     };
-    return group(
-        "magnetization", "Remanent magnetization of the undeformed body.",
-        {
-            vector("uniform").alternative(),
-            group("harmonic",
-                  "amplitude [cos(2 pi s / wavelength + phase) along + sin(...) "
-                  "into], s from the lower end.",
-                  {
-                      quantity("amplitude", "A/m", "Strength.").above(0),
-                      quantity("wavelength", "m",
-                               "Length of one turn; without it, the body's length "
-                               "along `along`.")
-                          .above(0)
-                          .optional(),
-                      quantity("phase", "rad", "Angle at s = 0.").or_default("0 deg"),
-                      axis("along", "Axis of s.").or_default("x"),
-                      axis("into", "Second axis of the magnetization's plane.")
-                          .or_default("z"),
-                  })
-                .alternative(),
-            list_of(
-                "domains",
-                "Elements whose centre lies in a domain carry its vector; the "
-                "first domain wins.",
-                {
-                    quantity("box", "m", "Lower and upper corner, in the body's frame.")
-                        .rows(3, 2, 2)
-                        .alternative(),
-                    quantity("polygon", "m",
-                             "Corners in the x-y plane, in the body's frame.")
-                        .rows(2, 3, 10000)
-                        .alternative(),
-                    vector("vector"),
-                })
-                .alternative(),
-        });
+    return group("magnetization", "Remanent magnetization of the undeformed body.", {
+        vector("uniform").alternative(),
+        group("harmonic", "amplitude [cos(2 pi s / wavelength + phase) along + sin(...) "
+              "into], s from the lower end.", {
+            quantity("amplitude", "A/m", "Strength.").above(0),
+            quantity("wavelength", "m", "Length of one turn; without it, the body's length "
+                     "along `along`.").above(0).optional(),
+            quantity("phase", "rad", "Angle at s = 0.").or_default("0 deg"),
+            axis("along", "Axis of s.").or_default("x"),
+            axis("into", "Second axis of the magnetization's plane.").or_default("z"),
+        }).alternative(),
+        list_of("domains", "Elements whose centre lies in a domain carry its vector; the "
+                "first domain wins.", {
+            quantity("box", "m", "Lower and upper corner, in the body's frame.")
+                .rows(3, 2, 2).alternative(),
+            quantity("polygon", "m", "Corners in the x-y plane, in the body's frame.")
+                .rows(2, 3, 10000).alternative(),
+            vector("vector"),
+        }).alternative(),
+    });
 }
 
 Field initial() {
-    return group(
-        "initial", "State at time 0: relaxed first, then rotated, then placed.",
-        {
-            quantity("position", "m",
-                     "Where the centre of volume goes; needed in a fluid.")
-                .vector(3)
-                .optional(),
-            group("rotation", "Turn about the centre of volume.",
-                  {
-                      plane("plane", "The angle runs from its first axis to its second.")
-                          .or_default("xz"),
-                      quantity("angle", "rad", "How far."),
-                  })
-                .optional(),
-            group("relaxed",
-                  "Start from the shape at rest in this constant field, without "
-                  "fluid and gravity.",
-                  {
-                      quantity("magnitude", "T", "Flux density."),
-                      quantity("direction", "rad",
-                               "Angle in the plane of `magnetic_field`."),
-                  })
-                .optional(),
-        });
+    return group("initial", "State at time 0: relaxed first, then rotated, then placed.", {
+        quantity("position", "m", "Where the centre of volume goes; needed in a fluid.")
+            .vector(3).optional(),
+        group("rotation", "Turn about the centre of volume.", {
+            plane("plane", "The angle runs from its first axis to its second.")
+                .or_default("xz"),
+            quantity("angle", "rad", "How far."),
+        }).optional(),
+        group("relaxed", "Start from the shape at rest in this constant field, without "
+              "fluid and gravity.", {
+            quantity("magnitude", "T", "Flux density."),
+            quantity("direction", "rad", "Angle in the plane of `magnetic_field`, before "
+                     "the rotation."),
+        }).optional(),
+    });
 }
 
 }  // namespace
 
 Field bodies_fields() {
-    return named(
-        "bodies", "Soft magnetic bodies by name.",
-        {
-            mesh(),
-            choice<ElementVariant>("element",
-                                   "full: the paper's element; mean_f: accurate in "
-                                   "bending with few layers.")
-                .or_default("full"),
-            material(),
-            magnetization().optional(),
-            choice<Face>("clamps", "Faces held still.").list().optional(),
-            initial().optional(),
-        });
+    return named("bodies", "Soft magnetic bodies by name.", {
+        mesh(),
+        choice<ElementVariant>("element", "full: the paper's element; mean_f: accurate in "
+                               "bending with few layers.").or_default("full"),
+        material(),
+        magnetization().optional(),
+        choice<Face>("clamps", "Faces held still.").list().optional(),
+        initial().optional(),
+    });
 }
 
 }  // namespace magfsi::scene

@@ -84,8 +84,8 @@ class JsonWriter {
         json_ = moving.take();
     }
     template <class T>
-    requires requires(JsonWriter& io, T& value) { bind(io, value); }
-    void write(T& value) { bind(*this, value); }
+    requires requires(JsonWriter& io, T& value) { bind_keys(io, value); }
+    void write(T& value) { bind_keys(*this, value); }
 
     template <class T>
     void append(T& item) {

@@ -65,7 +65,7 @@ Scene read_scene(const std::filesystem::path& path,
 
     Scene scene;
     TreeReader reader(&root, scene_fields());
-    bind(reader, scene);
+    bind_keys(reader, scene);
     complete(scene);
     check_scene(scene, Marks(root));
     scene.hash = scene_hash(scene);

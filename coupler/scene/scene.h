@@ -21,7 +21,8 @@ struct Time {
 
 // --- bodies -------------------------------------------------------------------------
 
-// Block of hexahedra; the body's frame has its origin in the corner (x_min, y_min, z_min).
+// Block of hexahedra; the body's frame has its origin in the corner (x_min, y_min,
+// z_min).
 struct BoxMesh {
     Vec3 size_m{};
     std::array<int, 3> elements{};

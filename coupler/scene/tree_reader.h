@@ -154,7 +154,7 @@ class TreeReader {
         for (const Node& child : node_->children) {
             T item;
             TreeReader inner(&child, *field_);
-            bind(inner, item);
+            bind_keys(inner, item);
             if constexpr (requires { item.name; }) item.name = child.key;
             value.push_back(std::move(item));
         }
@@ -163,8 +163,8 @@ class TreeReader {
             std::ranges::sort(value, {}, &T::name);
     }
     template <class T>
-    requires requires(TreeReader& io, T& value) { bind(io, value); }
-    void read(T& value) { bind(*this, value); }
+    requires requires(TreeReader& io, T& value) { bind_keys(io, value); }
+    void read(T& value) { bind_keys(*this, value); }
 
     const Node* node_;
     const Field* field_;

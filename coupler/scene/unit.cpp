@@ -95,6 +95,13 @@ std::string near_symbol(std::string_view text) {
 Unit parse_factor(std::string_view text) {
     const std::size_t end = text.find_first_of("^-0123456789");
     const std::string_view symbol = text.substr(0, end);
+    const std::optional<Unit> base = find_symbol(symbol);
+    if (!base)
+        throw Complaint(
+            fmt::format("the unknown unit {}", in_quotes(symbol)),
+            "m, g, s, A, T, N, Pa, J, W, Hz, rad, deg, min, h, bar, L with SI "
+            "prefixes",
+            near_symbol(symbol));
     int power = 1;
     if (end != std::string_view::npos) {
         std::string_view digits = text.substr(end);
@@ -106,13 +113,6 @@ Unit parse_factor(std::string_view text) {
                             "powers from -9 to 9 such as m2, m^2 or s^-1");
         power = (digits[0] - '0') * (negative ? -1 : 1);
     }
-    const std::optional<Unit> base = find_symbol(symbol);
-    if (!base)
-        throw Complaint(
-            fmt::format("the unknown unit {}", in_quotes(symbol)),
-            "m, g, s, A, T, N, Pa, J, W, Hz, rad, deg, min, h, bar, L with SI "
-            "prefixes",
-            near_symbol(symbol));
     Unit unit;
     for (std::size_t i = 0; i < unit.dimension.size(); ++i)
         unit.dimension[i] = power * base->dimension[i];

@@ -15,7 +15,7 @@ std::string place(const std::string& name) {
     return name.empty() ? "the scene" : fmt::format("\"{}\"", name);
 }
 
-void check_alternatives(const Node& node, const Field& field) {
+void check_alternatives(const Node& node, const Field& field, const std::string& where) {
     std::vector<std::string> all;
     const Node* first = nullptr;
     for (const Field& child : field.children) {
@@ -26,29 +26,29 @@ void check_alternatives(const Node& node, const Field& field) {
     for (const Node& child : node.children) {
         if (std::ranges::find(all, child.key) == all.end()) continue;
         if (first)
-            refuse(child.key_origin,
-                   fmt::format("both \"{}\" and \"{}\" in {}", first->key, child.key,
-                               place(field.name)),
-                   "exactly one of " + joined(all));
+            refuse(
+                child.key_origin,
+                fmt::format("both \"{}\" and \"{}\" in {}", first->key, child.key, where),
+                "exactly one of " + joined(all));
         first = &child;
     }
     if (!first)
-        refuse(node.origin, fmt::format("no kind of {}", place(field.name)),
+        refuse(node.origin, fmt::format("none of the alternatives in {}", where),
                "exactly one of " + joined(all));
 }
 
-void check_required(const Node& node, const Field& field) {
+void check_required(const Node& node, const Field& field, const std::string& where) {
     for (const Field& child : field.children) {
         if (child.presence != Presence::required || node.find(child.name)) continue;
-        refuse(node.origin,
-               fmt::format("no key \"{}\" in {}", child.name, place(field.name)),
+        refuse(node.origin, fmt::format("no key \"{}\" in {}", child.name, where),
                fmt::format("{}: {}", child.name, expectation(child)));
     }
 }
 
-void check_group(const Node& node, const Field& field) {
+// where: the group as errors call it.
+void check_group(const Node& node, const Field& field, const std::string& where) {
     if (node.type != Node::Type::map)
-        refuse(node.origin, fmt::format("{} as {}", describe(node), place(field.name)),
+        refuse(node.origin, fmt::format("{} as {}", describe(node), where),
                expectation(field));
     for (const Node& child : node.children) {
         if (const Field* known = field.find(child.key)) {
@@ -58,12 +58,11 @@ void check_group(const Node& node, const Field& field) {
         std::vector<std::string> keys;
         for (const Field& known : field.children) keys.push_back(known.name);
         refuse(child.key_origin,
-               fmt::format("the unknown key {} in {}", in_quotes(child.key),
-                           place(field.name)),
+               fmt::format("the unknown key {} in {}", in_quotes(child.key), where),
                joined(keys), did_you_mean(child.key, keys));
     }
-    check_required(node, field);
-    check_alternatives(node, field);
+    check_required(node, field, where);
+    check_alternatives(node, field, where);
 }
 
 void check_named(const Node& node, const Field& field) {
@@ -72,7 +71,7 @@ void check_named(const Node& node, const Field& field) {
                expectation(field));
     for (const Node& child : node.children) {
         check_identifier(child.key, child.key_origin);
-        check_group(child, field);
+        check_group(child, field, place(child.key));
     }
 }
 
@@ -80,7 +79,8 @@ void check_list(const Node& node, const Field& field) {
     if (node.type != Node::Type::sequence || node.children.empty())
         refuse(node.origin, fmt::format("{} as {}", describe(node), place(field.name)),
                expectation(field));
-    for (const Node& child : node.children) check_group(child, field);
+    for (const Node& child : node.children)
+        check_group(child, field, "an item of " + place(field.name));
 }
 
 // "no_slip", or "no_slip: {...}" where the choice may carry a map.
@@ -126,7 +126,7 @@ void check_leaf(const Node& node, const Field& field) {
 void validate(const Node& node, const Field& field) {
     switch (field.kind) {
         case Kind::group:
-            return check_group(node, field);
+            return check_group(node, field, place(field.name));
         case Kind::named:
             return check_named(node, field);
         case Kind::list:

@@ -1,0 +1,36 @@
+// Each effect is either active or absent, in the order of a step.
+#include <gtest/gtest.h>
+
+#include "coupler/scene/effective.h"
+#include "coupler/scene/reader.h"
+#include "tests/unit/scene/scene_files.h"
+
+namespace magfsi::scene {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(Effects, of_everything) {
+    const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
+    EXPECT_EQ(active_effects(s),
+              (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
+                     "immersed boundary", "fluid", "body force", "moving walls"}));
+    EXPECT_EQ(absent_effects(s), Names{});
+}
+
+TEST(Effects, of_a_solid) {
+    const Scene s = read_scene(test_folder / "complete/turning.yaml");
+    EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field"}));
+    EXPECT_EQ(absent_effects(s),
+              (Names{"gravity", "damping", "clamps", "immersed boundary", "fluid",
+                     "body force", "moving walls"}));
+}
+
+TEST(Effects, of_a_fluid) {
+    const Scene s = read_scene(test_folder / "minimal.yaml",
+                               {"bodies=", "magnetic_field=", "gravity="});
+    EXPECT_EQ(active_effects(s), Names{"fluid"});
+}
+
+}  // namespace
+}  // namespace magfsi::scene

@@ -1,0 +1,142 @@
+// A quantity is its number times its unit, in SI, to the last bit; all else is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "coupler/scene/fault.h"
+#include "coupler/scene/quantity.h"
+#include "coupler/scene/unit.h"
+
+namespace magfsi::scene {
+namespace {
+
+struct Right {
+    const char* text;
+    const char* unit;
+    double value;
+};
+
+class Quantity : public testing::TestWithParam<Right> {};
+
+// Equality is exact: a literal of the compiler is the correctly rounded decimal too.
+TEST_P(Quantity, is_read_exactly) {
+    EXPECT_EQ(parse_quantity(GetParam().text, GetParam().unit), GetParam().value)
+        << GetParam().text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    of_scenes, Quantity,
+    testing::Values(
+        Right{"17 mT", "T", 0.017}, Right{"-17 mT", "T", -0.017},
+        Right{"185 um", "m", 185e-6}, Right{"185 \u00b5m", "m", 185e-6},
+        Right{"185 \u03bcm", "m", 185e-6}, Right{"0.185 mm", "m", 185e-6},
+        Right{"33 kPa", "Pa", 33000}, Right{"33kPa", "Pa", 33000},
+        Right{"9.81 m/s2", "m/s2", 9.81}, Right{"9.81 m/s^2", "m/s2", 9.81},
+        Right{"9.81 m s^-2", "m/s2", 9.81}, Right{"9.81 m/s\u00b2", "m/s2", 9.81},
+        Right{"9.81 m/s**2", "m/s2", 9.81}, Right{"1860 kg/m3", "kg/m3", 1860},
+        Right{"1.86 g/cm3", "kg/m3", 1860}, Right{"62 kA/m", "A/m", 62000},
+        Right{"1 mm2/s", "m2/s", 1e-6}, Right{"1 mm\u00b2/s", "m2/s", 1e-6},
+        Right{"25 Hz", "1/s", 25}, Right{"600 1/s", "1/s", 600},
+        Right{"600 s^-1", "1/s", 600}, Right{"10 Pa/m", "N/m3", 10},
+        Right{"10 N/m3", "N/m3", 10}, Right{"1 mN/cm3", "N/m3", 1000},
+        Right{"1 kg/m2/s2", "N/m3", 1}, Right{"1 J/m3", "Pa", 1}, Right{"1 N m", "J", 1},
+        Right{"1 N*m", "J", 1}, Right{"1 N\u00b7m", "J", 1}, Right{"1 kg m2/s2", "J", 1},
+        Right{"1 W s", "J", 1}, Right{"1 N/A/m", "T", 1}, Right{"1 bar", "Pa", 1e5},
+        Right{"2 mL", "m3", 2e-6}, Right{"1 hPa", "Pa", 100}, Right{"1 GPa", "Pa", 1e9},
+        Right{"1 MPa", "Pa", 1e6}, Right{"120 ms", "s", 0.12}, Right{"20 us", "s", 20e-6},
+        Right{"1.5 min", "s", 90}, Right{"0.25 h", "s", 900}, Right{"1 dm", "m", 0.1},
+        Right{"+.5 m", "m", 0.5}, Right{"5. m", "m", 5}, Right{"2e-4 m", "m", 0.0002},
+        Right{"2E+1 m", "m", 20}, Right{"0.5", "", 0.5}, Right{"-3e2", "", -300},
+        Right{"1 mrad", "rad", 0.001}));
+
+TEST(Quantity, of_the_same_length_is_the_same_double_however_it_is_written) {
+    const double reference = parse_quantity("2e-4 m", "m");
+    for (const char* text :
+         {"0.2 mm", "200 um", "0.0002 m", "2e2 um", "200000 nm", "0.02 cm"})
+        EXPECT_EQ(parse_quantity(text, "m"), reference) << text;
+    // The product of a double and a scale would differ: 4.1 * 1e-3 is not 4.1e-3.
+    EXPECT_NE(4.1 * 1e-3, 4.1e-3);
+    EXPECT_EQ(parse_quantity("4.1 mm", "m"), 4.1e-3);
+}
+
+TEST(Quantity, in_degrees_is_the_rounded_multiple_of_pi) {
+    EXPECT_EQ(parse_quantity("180 deg", "rad"), std::numbers::pi);
+    EXPECT_EQ(parse_quantity("90 deg", "rad"), std::numbers::pi / 2);
+    EXPECT_EQ(parse_quantity("45 deg", "rad"), std::numbers::pi / 4);
+    // 60 deg = pi / 3 has its own rounding: one unit in the last place.
+    EXPECT_DOUBLE_EQ(parse_quantity("60 deg", "rad"), std::numbers::pi / 3);
+    EXPECT_DOUBLE_EQ(parse_quantity("90 deg/s", "rad/s"), std::numbers::pi / 2);
+}
+
+TEST(Quantity, of_minus_zero_is_zero) {
+    EXPECT_FALSE(std::signbit(parse_quantity("-0 mm", "m")));
+}
+
+struct Wrong {
+    const char* text;
+    const char* unit;
+    const char* fragment;
+};
+
+class WrongQuantity : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongQuantity, is_refused_with_its_reason) {
+    try {
+        const double value = parse_quantity(GetParam().text, GetParam().unit);
+        FAIL() << GetParam().text << " gave " << value;
+    } catch (const Complaint& complaint) {
+        EXPECT_NE(std::string(complaint.what()).find(GetParam().fragment),
+                  std::string::npos)
+            << complaint.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    of_scenes, WrongQuantity,
+    testing::Values(
+        Wrong{"5", "m", "without a unit; allowed a length such as 0.2 mm; \"5 m\" if SI"},
+        Wrong{"0", "T", "allowed a magnetic flux density such as 17 mT"},
+        Wrong{"5 kg", "m", "\"5 kg\", a mass; allowed a length"},
+        Wrong{"5 mm", "rad", "a length; allowed an angle such as 45 deg"},
+        Wrong{"45 deg", "", "an angle; allowed a plain number"},
+        Wrong{"5 deg", "1/s", "an angle; allowed a rate"},
+        Wrong{"5 kg m", "N", "a quantity in kg^1 m^1; allowed a force"},
+        Wrong{"17 mt", "T", "did you mean \"mT\"?"},
+        Wrong{"33 KPa", "Pa", "did you mean \"kPa\"?"},
+        Wrong{"5 hz", "1/s", "did you mean \"Hz\"?"},
+        Wrong{"5 tesla", "T", "did you mean \"T\"?"},
+        Wrong{"45 degrees", "rad", "did you mean \"deg\"?"},
+        Wrong{"45 \u00b0", "rad", "did you mean \"deg\"?"},
+        Wrong{"1 mmm", "m", "unknown unit \"mmm\""}, Wrong{"1 kmin", "s", "unknown unit"},
+        Wrong{"1 m/s/", "m/s", "incomplete unit"},
+        Wrong{"1 m//s", "m/s", "incomplete unit"}, Wrong{"1 *m", "m", "incomplete unit"},
+        Wrong{"1 kg/m s", "kg/m3", "write N/m/s"},
+        Wrong{"1 m12", "m", "powers from -9 to 9"},
+        Wrong{"1 m^", "m", "powers from -9 to 9"},
+        Wrong{"nan", "", "\"nan\"; allowed a plain number"},
+        Wrong{"nan m", "m", "allowed a length"}, Wrong{"inf m", "m", "allowed a length"},
+        Wrong{".inf", "", "allowed a plain number"},
+        Wrong{"-inf", "", "allowed a plain number"},
+        Wrong{"1e999 m", "m", "a double holds"},
+        Wrong{"1e99999999999 m", "m", "allowed a length"},
+        Wrong{"", "m", "allowed a length"}, Wrong{"mm", "m", "allowed a length"},
+        Wrong{"- 5 mm", "m", "allowed a length"},
+        Wrong{"0x10 m", "m", "unknown unit \"x\""}, Wrong{"1,5 mm", "m", "unknown unit"},
+        Wrong{"1_000 m", "m", "unknown unit"}, Wrong{"5 mm 3", "m", "unknown unit"},
+        Wrong{"1 2 m", "m", "unknown unit"}, Wrong{"5 (m/s)", "m/s", "unknown unit"}));
+
+TEST(Format, picks_the_handy_prefix) {
+    EXPECT_EQ(format_si(2e-4, "m"), "200 um");
+    EXPECT_EQ(format_si(1e-3, "m"), "1 mm");
+    EXPECT_EQ(format_si(0.999e-3, "m"), "999 um");
+    EXPECT_EQ(format_si(-0.017, "T"), "-17 mT");
+    EXPECT_EQ(format_si(33000, "Pa"), "33 kPa");
+    EXPECT_EQ(format_si(0, "m"), "0 m");
+    EXPECT_EQ(format_si(1860, "kg/m3"), "1860 kg/m3");
+    EXPECT_EQ(format_si(1e-12, "s"), "0.001 ns");
+    EXPECT_EQ(format_si(0.5, ""), "0.5");
+}
+
+}  // namespace
+}  // namespace magfsi::scene
