@@ -40,11 +40,11 @@ TEST_P(GalileanInvariance, OfAShearWave) {
     const auto carried = final_wave(GetParam(), wind);
     std::printf("amplitude at rest %.5f, carried %.5f, out of phase %.5f\n", rest[0],
                 carried[0], carried[1]);
-    // D3Q19 lacks part of the third-order moments: the viscosity depends on the wind by
-    // about 3 U^2 = 0.75 %, of an exponent of 0.8; dispersion is of order (k dx)^2 / 12
-    // in the phase 2 pi.
-    EXPECT_NEAR(carried[0] / rest[0], 1, 0.01);
-    EXPECT_NEAR(carried[1] / rest[0], 0, 0.02);
+    // The second-order equilibrium of BGK lacks the third moment: its viscosity falls by
+    // 3 U^2 = 0.75 %, times an exponent of 0.83. The recursive third order restores it
+    // for this flow up to dispersion, of order (k dx)^4.
+    EXPECT_NEAR(carried[0] / rest[0], 1, GetParam() == Collision::bgk ? 0.008 : 1e-3);
+    EXPECT_NEAR(carried[1] / rest[0], 0, 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, GalileanInvariance,

@@ -1,0 +1,124 @@
+// Three-dimensional Taylor-Green vortex at Reynolds number 100 against a pseudo-spectral
+// solution (taylor_green_Re100.txt): kinetic energy and its rate of dissipation up to
+// t = 6, past the peak of dissipation at 4.9. The time step falls with the square of the
+// spacing, so that the compressibility error (Mach number squared) falls like the
+// discretisation error.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "tests/unit/fluid_lbm/lattice_fluid.h"
+#include "tests/validation/fluid_lbm/observed_order.h"
+
+namespace magfsi::fluid {
+namespace {
+
+// Speed, wave number and density are 1, so that viscosity is 1 / Re.
+constexpr double viscosity = 0.01;
+constexpr double interval = 0.2;  // between samples
+constexpr int samples = 31;       // t = 0, 0.2, ..., 6
+
+struct Course {
+    std::vector<double> energy, dissipation;
+};
+
+Course reference() {
+    std::ifstream file(TAYLOR_GREEN_REFERENCE);
+    Course course;
+    std::string line;
+    for (int i = -1; std::getline(file, line); ++i) {  // one line of header
+        constexpr int lines_a_sample = 4;              // a line each 0.05
+        if (i < 0 || i % lines_a_sample != 0) continue;
+        double t = 0, energy = 0, dissipation = 0;
+        std::istringstream(line) >> t >> energy >> dissipation;
+        course.energy.push_back(energy);
+        course.dissipation.push_back(dissipation);
+    }
+    course.energy.resize(samples);
+    course.dissipation.resize(samples);
+    return course;
+}
+
+FluidConfig vortex(int n, int steps_a_sample, Collision collision) {
+    FluidConfig config;
+    config.cells = {n, n, n};
+    config.spacing_m = 2 * std::numbers::pi / n;
+    config.time_step_s = interval / steps_a_sample;
+    config.density_kg_m3 = 1;
+    config.viscosity_m2_s = viscosity;
+    config.collision = collision;
+    config.initial_velocity = [](const Vec3& x) {
+        return Vec3{std::sin(x[0]) * std::cos(x[1]) * std::cos(x[2]),
+                    -std::cos(x[0]) * std::sin(x[1]) * std::cos(x[2]), 0};
+    };
+    config.initial_pressure = [](const Vec3& x) {
+        return (std::cos(2 * x[0]) + std::cos(2 * x[1])) * (std::cos(2 * x[2]) + 2) / 16;
+    };
+    return config;
+}
+
+Course run(int n, int steps_a_sample, Collision collision) {
+    Fluid fluid(MPI_COMM_WORLD, vortex(n, steps_a_sample, collision));
+    Course course;
+    for (int i = 0; i < samples; ++i) {
+        const Totals totals = fluid.totals();
+        course.energy.push_back(totals.kinetic_energy_j / totals.mass_kg);
+        course.dissipation.push_back(2 * viscosity * totals.enstrophy_1_s2);
+        for (int step = 0; step < steps_a_sample; ++step) fluid.step();
+    }
+    return course;
+}
+
+// Mean loss of energy between the samples before and after.
+double loss(const std::vector<double>& energy, int i) {
+    return (energy[i - 1] - energy[i + 1]) / (2 * interval);
+}
+
+struct Errors {  // root mean square, over the largest value
+    double energy = 0, loss = 0, enstrophy = 0;
+};
+
+Errors compare(const Course& computed, const Course& exact) {
+    Errors e;
+    for (int i = 1; i + 1 < samples; ++i) {
+        e.energy += std::pow(computed.energy[i] - exact.energy[i], 2);
+        e.loss += std::pow(loss(computed.energy, i) - loss(exact.energy, i), 2);
+        e.enstrophy += std::pow(computed.dissipation[i] - exact.dissipation[i], 2);
+    }
+    constexpr double initial_energy = 0.125, peak_dissipation = 0.012975;
+    e.energy = std::sqrt(e.energy / (samples - 2)) / initial_energy;
+    e.loss = std::sqrt(e.loss / (samples - 2)) / peak_dissipation;
+    e.enstrophy = std::sqrt(e.enstrophy / (samples - 2)) / peak_dissipation;
+    return e;
+}
+
+class TaylorGreen : public testing::TestWithParam<Collision> {};
+
+TEST_P(TaylorGreen, IsSecondOrderInEnergyAndDissipation) {
+    const Course exact = reference();
+    ASSERT_EQ(exact.energy.back(), 0.061239731) << "reference not read as expected";
+    std::vector<Refinement> energy, loss_rate, enstrophy;
+    // Lattice speed 0.10, 0.05, 0.025; tau 0.5078 throughout.
+    for (const auto& [n, steps] : {std::pair{16, 5}, {32, 20}, {64, 80}}) {
+        const Errors e = compare(run(n, steps, GetParam()), exact);
+        energy.push_back({n, e.energy});
+        loss_rate.push_back({n, e.loss});
+        enstrophy.push_back({n, e.enstrophy});
+    }
+    const std::string name = to_string(GetParam());
+    EXPECT_GE(observed_order((name + " energy").c_str(), energy), 1.9);
+    EXPECT_GE(observed_order((name + " -dE/dt").c_str(), loss_rate), 1.9);
+    EXPECT_GE(observed_order((name + " 2 nu enstrophy").c_str(), enstrophy), 1.9);
+    EXPECT_LT(energy.back().error, 0.01);
+    EXPECT_LT(loss_rate.back().error, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Collisions, TaylorGreen,
+                         testing::Values(Collision::bgk,
+                                         Collision::recursive_regularized));
+
+}  // namespace
+}  // namespace magfsi::fluid
