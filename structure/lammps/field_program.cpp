@@ -86,10 +86,13 @@ Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane) {
     return out;
 }
 
+ConstantField polar_field_at(const FieldProgram& program, double time_s) {
+    return std::visit([time_s](const auto& course) { return polar(course, time_s); },
+                      program.course);
+}
+
 Vec3 field_at(const FieldProgram& program, double time_s) {
-    const ConstantField now = std::visit(
-        [time_s](const auto& course) { return polar(course, time_s); }, program.course);
-    return field_vector(now, program.plane);
+    return field_vector(polar_field_at(program, time_s), program.plane);
 }
 
 }  // namespace magfsi::structure

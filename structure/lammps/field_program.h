@@ -37,6 +37,9 @@ void check_field_program(const FieldProgram& program);
 // Field vector [T] of a checked program.
 Vec3 field_at(const FieldProgram& program, double time_s);
 
+// The same as signed magnitude and direction in the program's plane.
+ConstantField polar_field_at(const FieldProgram& program, double time_s);
+
 Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane);
 
 // The arguments of fix magttice/field, and back:
