@@ -24,6 +24,17 @@ bool is_known(const std::vector<std::string>& block) {
     });
 }
 
+// Open MPI's own lines "[host:pid] ..." about the banners above.
+bool is_echo(const std::string& line) {
+    constexpr const char* known[] = {"more process has sent help message",
+                                     "more processes have sent help message",
+                                     "Set MCA parameter \"orte_base_help_aggregate\"",
+                                     "ORTE_ERROR_LOG"};
+    return line.starts_with('[') && std::ranges::any_of(known, [&](const char* text) {
+               return line.find(text) != std::string::npos;
+           });
+}
+
 }  // namespace
 
 std::vector<std::string> MpirunMessages::take(const std::string& line) {
@@ -40,6 +51,7 @@ std::vector<std::string> MpirunMessages::take(const std::string& line) {
         in_block_ = true;
         return {};
     }
+    if (is_echo(line)) return {};
     if (!in_block_) return {line};
     block_.push_back(line);
     return {};

@@ -127,7 +127,11 @@ int run(const RunOptions& options) {
         write_lost(scene, out, end.lost);
         return coupler::exit_partner;
     }
-    if (end.stopped) fmt::print(stderr, "magfsi: stopped on request; results so far are in {}\n", out.string());
+    if (end.stopped) {
+        fmt::print(stderr, "magfsi: stopped on request; results so far are in {}\n",
+                   out.string());
+        return coupler::exit_error;
+    }
     return end.exit_code;
 }
 

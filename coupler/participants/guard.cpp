@@ -41,6 +41,9 @@ Ending classify(const std::exception_ptr& exception) {
 
 void write_failure(const RunState& state, const Ending& ending) {
     if (!state.started) return;
+    // Told to end because another process failed: that one has named the cause already.
+    const bool told = ending.outcome == output::Outcome::stopped;
+    if (told && std::filesystem::exists(state.out / "summary.json")) return;
     output::Summary summary;
     summary.scene = state.scene.name;
     summary.scene_hash = state.scene.hash;

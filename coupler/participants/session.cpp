@@ -40,6 +40,7 @@ void Session::begin(double step_s) {
         shake_hands(world_, mine, startup_timeout_s);
     }
     if (world_.root()) std::filesystem::create_directories(state_.out / "fields");
+    if (world_.leads()) std::filesystem::remove(state_.out / "summary.json");
     MPI_Barrier(world_.local());
     state_.started = true;
     if (world_.leads()) logger_ = output::open_log(state_.out / "run.log", "magfsi");

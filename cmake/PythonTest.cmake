@@ -1,0 +1,14 @@
+# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s]): a Python script (standard library
+# only) that runs the built programs.
+function(magfsi_python_test name)
+  cmake_parse_arguments(arg "" "SCRIPT;TIMEOUT" "LABELS;ARGUMENTS" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  add_test(NAME ${name} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT}
+           ${arg_ARGUMENTS})
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ON)
+  set_property(TEST ${name} PROPERTY ENVIRONMENT
+    ${MAGFSI_MPI_ENVIRONMENT} MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+endfunction()

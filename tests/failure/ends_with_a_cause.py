@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+"""Whatever goes wrong in a coupled run ends all of it within 10 s, with a named cause and the
+exit code of the command line's contract."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import magfsi_runs as magfsi  # noqa: E402
+
+LIMIT_S = 10  # the contract's bound
+LONG = {"time.end": "10 s"}  # runs until something ends it
+
+
+def mpirun(*programs):
+    words = ["mpirun"]
+    for i, program in enumerate(programs):
+        words += [":"] * (i > 0) + ["-n", "1"] + program
+    return words
+
+
+def structure(folder, settings):
+    return [magfsi.BIN / "magfsi-structure", magfsi.SMALL, "--out", folder,
+            *magfsi.overrides(settings)]
+
+
+def fluid(folder, settings):
+    return [magfsi.BIN / "magfsi-fluid-lbm", magfsi.SMALL, "--out", folder,
+            *magfsi.overrides(settings)]
+
+
+def finish(command, folder):
+    began = time.monotonic()
+    return magfsi.finish(magfsi.start(command), began, folder, LIMIT_S)
+
+
+def wait_for_steps(folder):
+    """Until the run has written probes."""
+    probes = Path(folder) / "probes.csv"
+    for _ in range(400):
+        if probes.exists() and len(probes.read_text().splitlines()) > 3:
+            return
+        time.sleep(0.05)
+    raise AssertionError("the run did not get going")
+
+
+def process_of(folder, name):
+    """Process id of the participant of this run folder."""
+    for line in subprocess.check_output(["ps", "-eo", "pid,args"], text=True).splitlines():
+        pid, _, args = line.strip().partition(" ")
+        if args.strip().startswith(str(magfsi.BIN / name)) and str(folder) in args:
+            return int(pid)
+    raise AssertionError(f"no {name} runs")
+
+
+class Alone(unittest.TestCase):
+    def test_structure_without_fluid(self):
+        run = finish(mpirun(structure("unused", {})), "unused")
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn("structure was started without its partner", run.err)
+
+    def test_fluid_without_structure(self):
+        run = finish(mpirun(fluid("unused", {})), "unused")
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn("fluid was started without its partner", run.err)
+
+
+class Disagreement(unittest.TestCase):
+    def test_two_scenes(self):
+        folder = magfsi.new_folder()
+        run = finish(mpirun(structure(folder, LONG),
+                            fluid(folder, {**LONG, "gravity.acceleration": "1 m/s2"})), folder)
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn("disagree on the scene (hash)", run.err)
+
+    def test_one_scene_has_no_partner(self):
+        folder = magfsi.new_folder()
+        run = finish(mpirun(structure(folder, {"fluid": "null", "probes": "null"}),
+                            fluid(folder, LONG)), folder)
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn("scene", run.err)
+
+
+class Lost(unittest.TestCase):
+    def kill_one(self, name, role):
+        folder = magfsi.new_folder()
+        command = [magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
+                   *magfsi.overrides(LONG)]
+        process = magfsi.start(command)
+        wait_for_steps(folder)
+        began = time.monotonic()
+        os.kill(process_of(folder, name), signal.SIGKILL)
+        run = magfsi.finish(process, began, folder, LIMIT_S)
+        magfsi.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn(f"lost a partner: {role} rank 0 was killed by signal 9", run.err)
+        self.assertEqual(len(run.err.strip().splitlines()), 1, run.err)
+        self.assertEqual(run.summary()["outcome"], "lost_partner")
+        self.assertIn(f"{role} rank 0", run.summary()["cause"])
+
+    def test_fluid_killed(self):
+        self.kill_one("magfsi-fluid-lbm", "fluid")
+
+    def test_structure_killed(self):
+        self.kill_one("magfsi-structure", "structure")
+
+    def test_partner_that_hangs(self):
+        folder = magfsi.new_folder()
+        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
+                                *magfsi.overrides({**LONG, "coupling.timeout": "2 s"})])
+        wait_for_steps(folder)
+        stopped = process_of(folder, "magfsi-structure")
+        began = time.monotonic()
+        os.kill(stopped, signal.SIGSTOP)
+        run = magfsi.finish(process, began, folder, LIMIT_S)
+        magfsi.report(f"structure stopped: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn("within 2 s", run.err)
+
+
+class Stopped(unittest.TestCase):
+    def test_asked_to_end(self):
+        folder = magfsi.new_folder()
+        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
+                                *magfsi.overrides(LONG)])
+        wait_for_steps(folder)
+        process.send_signal(signal.SIGTERM)
+        run = magfsi.finish(process, time.monotonic(), folder, LIMIT_S)
+        self.assertEqual(run.code, 1, run.err)
+        self.assertIn("stopped on request", run.err)
+        self.assertEqual(run.summary()["outcome"], "stopped")
+
+
+class Diverged(unittest.TestCase):
+    def test_inverted_element_is_named(self):
+        run = magfsi.run(magfsi.SMALL, {"magnetic_field.constant.magnitude": "20 T"},
+                         limit_s=60)
+        magfsi.report(f"20 T: {run.err.strip()}")
+        self.assertEqual(run.code, 3, run.err)
+        self.assertRegex(run.err, r"element \d+|node \d+|marker \d+")
+        self.assertRegex(run.err, r"step \d+")
+        self.assertEqual(run.summary()["outcome"], "diverged")
+        self.assertTrue(run.summary()["cause"])
+
+    def test_body_that_leaves_the_box(self):
+        run = magfsi.run(magfsi.SMALL, {"bodies.robot.initial.position": "[4 mm, 2 mm, 0.2 mm]",
+                                        "gravity.acceleration": "900 m/s2",
+                                        "time.end": "100 ms"}, limit_s=120)
+        magfsi.report(f"falls out: {run.err.strip()}")
+        self.assertEqual(run.code, 3, run.err)
+        self.assertIn("left the fluid", run.err)
+
+
+class BadInput(unittest.TestCase):
+    def test_nothing_is_written(self):
+        folder = Path(magfsi.new_folder()) / "run"
+        run = magfsi.run(magfsi.SMALL, {"fluid.spacing": "0.25"}, folder=folder, limit_s=LIMIT_S)
+        self.assertEqual(run.code, 2, run.err)
+        self.assertEqual(len(run.err.strip().splitlines()), 1, run.err)
+        self.assertFalse(folder.exists())
+
+    def test_run_folder_that_cannot_be(self):
+        run = magfsi.run(magfsi.SMALL, folder="/dev/null/run", limit_s=LIMIT_S)
+        self.assertEqual(run.code, 1, run.err)
+        self.assertIn("/dev/null/run", run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
