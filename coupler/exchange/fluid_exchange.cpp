@@ -25,7 +25,8 @@ void FluidExchange::renew(std::int64_t step) {
                   &request);
     wait_all({&request, 1}, step < 0 ? startup_timeout_s : timeout_s_,
              fmt::format("partner table of step {}", step));
-    const auto total = static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
+    const auto total =
+        static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
     batch_.before_m.resize(total);
     batch_.impulse.resize(total);
     batch_.now_m.resize(total);
@@ -71,7 +72,8 @@ void FluidExchange::send(std::int64_t step, std::span<const Vec3> velocity) {
         out_[s].resize(velocity_message_size(count));
         write_header(out_[s], step, count);
         double* at = out_[s].data() + message_header;
-        for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values) put(at, velocity[m]);
+        for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values)
+            put(at, velocity[m]);
         MPI_Request& request = sending_.emplace_back();
         MPI_Isend(out_[s].data(), static_cast<int>(out_[s].size()), MPI_DOUBLE,
                   static_cast<int>(s), velocity_tag, world_.partner(), &request);

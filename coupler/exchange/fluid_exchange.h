@@ -14,9 +14,9 @@ namespace magfsi::coupler {
 
 // The markers that may touch this rank's cells, those of structure rank 0 first.
 struct MarkerBatch {
-    std::vector<Vec3> before_m;   // where the impulse acts
-    std::vector<Vec3> impulse;    // given to the fluid [N s]
-    std::vector<Vec3> now_m;      // where to sample next
+    std::vector<Vec3> before_m;  // where the impulse acts
+    std::vector<Vec3> impulse;   // given to the fluid [N s]
+    std::vector<Vec3> now_m;     // where to sample next
 };
 
 class FluidExchange {

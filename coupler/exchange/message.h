@@ -36,6 +36,8 @@ inline void put(double* at, const Vec3& v) {
     at[1] = v[1];
     at[2] = v[2];
 }
-inline Vec3 get(const double* at) { return {at[0], at[1], at[2]}; }
+inline Vec3 get(const double* at) {
+    return {at[0], at[1], at[2]};
+}
 
 }  // namespace magfsi::coupler

@@ -4,13 +4,16 @@
 
 #include <cmath>
 
+#include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/participants/errors.h"
 
 namespace magfsi::coupler {
 
 namespace {
 
-bool meet(int a_lo, int a_hi, int b_lo, int b_hi) { return a_lo < b_hi && b_lo < a_hi; }
+bool meet(int a_lo, int a_hi, int b_lo, int b_hi) {
+    return a_lo < b_hi && b_lo < a_hi;
+}
 
 }  // namespace
 
@@ -34,6 +37,8 @@ bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& 
 
 std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
                                             std::span<const Vec3> points_m) {
+    // A point far outside would meet no rank, and nobody would notice.
+    for (const Vec3& point : points_m) marker_stencil(grid, kernel, point);
     std::vector<std::vector<int>> table(grid.owned_by_rank.size());
     for (std::size_t rank = 0; rank < table.size(); ++rank) {
         for (std::size_t m = 0; m < points_m.size(); ++m) {
@@ -45,16 +50,18 @@ std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
     return table;
 }
 
-void check_margin(const Grid& grid, std::span<const Vec3> then_m, std::span<const Vec3> now_m,
-                  std::int64_t step) {
+void check_margin(const Grid& grid, std::span<const Vec3> then_m,
+                  std::span<const Vec3> now_m, std::int64_t step) {
     const double margin_m = renew_margin_cells * grid.spacing_m;
     for (std::size_t m = 0; m < now_m.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double moved = std::abs(now_m[m][d] - then_m[m][d]);
             if (moved <= margin_m) continue;
             throw Diverged(fmt::format(
-                "the body moves too fast for the fluid's grid: in coupled step {} marker {} at "
-                "({:.4g}, {:.4g}, {:.4g}) mm has moved {:.3g} cells in at most {} steps (limit "
+                "the body moves too fast for the fluid's grid: in coupled step {} marker "
+                "{} at "
+                "({:.4g}, {:.4g}, {:.4g}) mm has moved {:.3g} cells in at most {} steps "
+                "(limit "
                 "{}); take a smaller time step (fluid.lattice_speed) or check the loads",
                 step, m, now_m[m][0] * 1e3, now_m[m][1] * 1e3, now_m[m][2] * 1e3,
                 moved / grid.spacing_m, renew_every, renew_margin_cells));

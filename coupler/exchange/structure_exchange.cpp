@@ -18,8 +18,8 @@ StructureExchange::StructureExchange(const World& world, const Grid& grid, Kerne
 }
 
 int StructureExchange::partners() const {
-    return static_cast<int>(
-        std::count_if(table_.begin(), table_.end(), [](const auto& m) { return !m.empty(); }));
+    return static_cast<int>(std::count_if(table_.begin(), table_.end(),
+                                          [](const auto& m) { return !m.empty(); }));
 }
 
 void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m) {
@@ -27,7 +27,8 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
     renewed_at_.assign(points_m.begin(), points_m.end());
     std::vector<int> mine(table_.size());
     std::vector<int> theirs(table_.size());  // the fluid sends zeros
-    for (std::size_t f = 0; f < table_.size(); ++f) mine[f] = static_cast<int>(table_[f].size());
+    for (std::size_t f = 0; f < table_.size(); ++f)
+        mine[f] = static_cast<int>(table_[f].size());
     MPI_Request request;
     MPI_Ialltoall(mine.data(), 1, MPI_INT, theirs.data(), 1, MPI_INT, world_.partner(),
                   &request);
@@ -87,7 +88,8 @@ void StructureExchange::receive(std::int64_t step, std::span<Vec3> velocity) {
         check_header(in_[f], step, table_[f].size(), fmt::format("fluid rank {}", f));
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
-            for (std::size_t d = 0; d < 3; ++d) velocity[static_cast<std::size_t>(marker)][d] += at[d];
+            for (std::size_t d = 0; d < 3; ++d)
+                velocity[static_cast<std::size_t>(marker)][d] += at[d];
             at += velocity_values;
         }
     }

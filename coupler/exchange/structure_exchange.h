@@ -14,17 +14,19 @@ namespace magfsi::coupler {
 
 class StructureExchange {
   public:
-    StructureExchange(const World& world, const Grid& grid, Kernel kernel, double timeout_s);
+    StructureExchange(const World& world, const Grid& grid, Kernel kernel,
+                      double timeout_s);
 
-    // What the markers of this rank did in coupled step `step`: where they were (the impulse
-    // acts there), the impulse given to the fluid [N s], where they are now.
-    void send(std::int64_t step, std::span<const Vec3> before_m, std::span<const Vec3> impulse,
-              std::span<const Vec3> now_m);
+    // What the markers of this rank did in coupled step `step`: where they were (the
+    // impulse acts there), the impulse given to the fluid [N s], where they are now.
+    void send(std::int64_t step, std::span<const Vec3> before_m,
+              std::span<const Vec3> impulse, std::span<const Vec3> now_m);
 
     // Before step 0: asks for the velocities at the first positions.
     void send_first(std::span<const Vec3> points_m);
 
-    // The fluid's velocity [m/s] at the positions sent last: the sum of the ranks' shares.
+    // The fluid's velocity [m/s] at the positions sent last: the sum of the ranks'
+    // shares.
     void receive(std::int64_t step, std::span<Vec3> velocity);
 
     // Fluid ranks this rank talks to at present.
@@ -32,8 +34,8 @@ class StructureExchange {
 
   private:
     void renew(std::int64_t step, std::span<const Vec3> points_m);
-    void post(std::int64_t step, std::span<const Vec3> before_m, std::span<const Vec3> impulse,
-              std::span<const Vec3> now_m);
+    void post(std::int64_t step, std::span<const Vec3> before_m,
+              std::span<const Vec3> impulse, std::span<const Vec3> now_m);
 
     const World& world_;
     const Grid& grid_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace magfsi::coupler {
 
@@ -9,7 +10,16 @@ static_assert(sizeof(InterfaceBalance) == balance_values * sizeof(double));
 
 namespace {
 
-double norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
+double norm(double x, double y, double z) {
+    return std::sqrt(x * x + y * y + z * z);
+}
+
+// Without a scale any difference is infinitely large, and so is one that is not a number.
+double relative(double difference, double scale) {
+    if (difference == 0) return 0;
+    const double ratio = difference / scale;
+    return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
+}
 
 }  // namespace
 
@@ -30,21 +40,20 @@ std::vector<double> BalanceRecord::collect(MPI_Comm comm) {
     }
     steps_.clear();
     std::vector<double> all(mine.size());
-    MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM, 0,
-               comm);
+    MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE,
+               MPI_SUM, 0, comm);
     return all;
 }
 
 Mismatch worst_mismatch(std::span<const double> given, std::span<const double> received) {
     Mismatch worst;
     for (std::size_t at = 0; at + balance_values <= given.size(); at += balance_values) {
-        const double momentum = norm(given[at] - received[at], given[at + 1] - received[at + 1],
-                                     given[at + 2] - received[at + 2]);
+        const double momentum =
+            norm(given[at] - received[at], given[at + 1] - received[at + 1],
+                 given[at + 2] - received[at + 2]);
         const double power = std::abs(given[at + 3] - received[at + 3]);
-        const double momentum_scale = given[at + 4];
-        const double power_scale = given[at + 5];
-        if (momentum_scale > 0) worst.momentum = std::max(worst.momentum, momentum / momentum_scale);
-        if (power_scale > 0) worst.power = std::max(worst.power, power / power_scale);
+        worst.momentum = std::max(worst.momentum, relative(momentum, given[at + 4]));
+        worst.power = std::max(worst.power, relative(power, given[at + 5]));
     }
     return worst;
 }

@@ -1,5 +1,6 @@
-// The audit of the interface: what the body gave in a coupled step against what the fluid's
-// cells received. Exists only when the scene asks for it (probes.interface_balance).
+// The audit of the interface: what the body gave in a coupled step against what the
+// fluid's cells received. Exists only when the scene asks for it
+// (probes.interface_balance).
 #pragma once
 
 #include <mpi.h>
@@ -14,8 +15,8 @@ namespace magfsi::coupler {
 // One side's sums over one coupled step.
 struct InterfaceBalance {
     Vec3 impulse_n_s{};
-    double work_j = 0;              // impulse times sampled fluid velocity
-    double impulse_scale_n_s = 0;   // sum of magnitudes: the scale of rounding
+    double work_j = 0;             // impulse times sampled fluid velocity
+    double impulse_scale_n_s = 0;  // sum of magnitudes: the scale of rounding
     double work_scale_j = 0;
 };
 
@@ -41,7 +42,8 @@ struct Mismatch {
     double power = 0;     // |given - received| / sum of |impulse . velocity|
 };
 
-// The worst step. given carries the scales.
+// The worst step. given carries the scales. Infinite where something was received though
+// nothing was given, and where a number is not finite.
 Mismatch worst_mismatch(std::span<const double> given, std::span<const double> received);
 
 }  // namespace magfsi::coupler

@@ -27,9 +27,12 @@ double four_point(double r) {
 double delta(Kernel kernel, double r) {
     const double distance = std::abs(r);
     switch (kernel) {
-        case Kernel::two_point: return std::max(0.0, 1 - distance);
-        case Kernel::three_point: return three_point(distance);
-        case Kernel::four_point: return four_point(distance);
+        case Kernel::two_point:
+            return std::max(0.0, 1 - distance);
+        case Kernel::three_point:
+            return three_point(distance);
+        case Kernel::four_point:
+            return four_point(distance);
     }
     return 0;
 }

@@ -13,7 +13,8 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
     spread_rows_.place(points_m);
     force_.resize(impulse.size());
     for (std::size_t m = 0; m < impulse.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d) force_[m][d] = impulse[m][d] / coupled_step_s_;
+        for (std::size_t d = 0; d < 3; ++d)
+            force_[m][d] = impulse[m][d] / coupled_step_s_;
     }
     density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(force_, density_);

@@ -13,7 +13,8 @@ namespace magfsi::coupler {
 
 class FluidSide {
   public:
-    FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel, double coupled_step_s);
+    FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
+              double coupled_step_s);
 
     // Gives the impulses [N s] of a step to the fluid as forces over that step.
     void spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse);
@@ -21,8 +22,8 @@ class FluidSide {
     // This rank's share of the velocities at the points.
     std::span<const Vec3> sample(std::span<const Vec3> points_m);
 
-    // What this rank's cells received in the last spread: the sums over the cells, not over
-    // the markers. Costs a pass over the touched rows.
+    // What this rank's cells received in the last spread: the sums over the cells, not
+    // over the markers. Costs a pass over the touched rows.
     InterfaceBalance received();
 
   private:

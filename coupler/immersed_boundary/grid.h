@@ -1,5 +1,5 @@
-// What the immersed boundary needs to know of a fluid: a uniform grid of cells with values at
-// the cell centres, cut into one box a rank. SI.
+// What the immersed boundary needs to know of a fluid: a uniform grid of cells with
+// values at the cell centres, cut into one box a rank. SI.
 #pragma once
 
 #include <array>

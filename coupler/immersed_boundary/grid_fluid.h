@@ -1,5 +1,5 @@
-// What a fluid on a uniform grid offers to the coupling. A new fluid backend implements this
-// and joins through the same immersed boundary and exchange as every other.
+// What a fluid on a uniform grid offers to the coupling. A new fluid backend implements
+// this and joins through the same immersed boundary and exchange as every other.
 #pragma once
 
 #include <span>
@@ -20,7 +20,8 @@ class GridFluid {
     virtual void velocity(std::span<const GridRow> rows, std::span<double> out) = 0;
 
     // Force density [N/m3] of the coming step only.
-    virtual void set_force(std::span<const GridRow> rows, std::span<const double> density) = 0;
+    virtual void set_force(std::span<const GridRow> rows,
+                           std::span<const double> density) = 0;
 
     // One coupled step.
     virtual void advance() = 0;

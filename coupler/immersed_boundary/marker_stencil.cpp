@@ -44,7 +44,8 @@ MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_
         if (grid.periodic[d]) position -= n * std::floor(position / n);
         if (!(position >= 0 && position <= n)) left_the_box(grid, point_m);
         stencil[d] = stencil_1d(kernel, position);
-        const bool inside = stencil[d].first >= 0 && stencil[d].first + stencil[d].count <= n;
+        const bool inside =
+            stencil[d].first >= 0 && stencil[d].first + stencil[d].count <= n;
         if (!inside && !grid.periodic[d]) stencil[d] = cut_at_walls(stencil[d], n);
     }
     return stencil;

@@ -1,5 +1,6 @@
-// The cells that a marker reads its velocity from and gives its force to: the same weights
-// both ways, so that power is conserved (interpolation and spreading are adjoint).
+// The cells that a marker reads its velocity from and gives its force to: the same
+// weights both ways, so that power is conserved (interpolation and spreading are
+// adjoint).
 #pragma once
 
 #include <array>
@@ -9,9 +10,9 @@
 
 namespace magfsi::coupler {
 
-// Product of three one-dimensional stencils. Beyond a wall there is no fluid: those weights
-// are dropped and the rest scaled up, which keeps the partition of unity. Across a periodic
-// side the indices wrap when used.
+// Product of three one-dimensional stencils. Beyond a wall there is no fluid: those
+// weights are dropped and the rest scaled up, which keeps the partition of unity. Across
+// a periodic side the indices wrap when used.
 using MarkerStencil = std::array<Stencil1D, 3>;
 
 // Throws Diverged when the point lies outside a box without periodic sides.

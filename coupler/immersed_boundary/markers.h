@@ -10,8 +10,8 @@
 
 namespace magfsi::coupler {
 
-// A marker as one structure rank sees it: eight nodes by local index, their weights (which
-// add up to one) and the Lagrangian volume [m3].
+// A marker as one structure rank sees it: eight nodes by local index, their weights
+// (which add up to one) and the Lagrangian volume [m3].
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};

@@ -1,10 +1,10 @@
-// Eq. (13): the force between a marker and the fluid around it, F = -kappa (V - U), with V the
-// marker's present velocity and U the fluid's velocity sampled at the start of the coupled
-// step. kappa = strength * 2 rho dV / dt: at strength 1 the fluid, given 2 rho / dt of the
-// slip through Guo's forcing, is brought to the marker's velocity in one step.
+// Eq. (13): the force between a marker and the fluid around it, F = -kappa (V - U), with
+// V the marker's present velocity and U the fluid's velocity sampled at the start of the
+// coupled step. kappa = strength * 2 rho dV / dt: at strength 1 the fluid, given 2 rho /
+// dt of the slip through Guo's forcing, is brought to the marker's velocity in one step.
 //
-// The force is evaluated anew in every substep of the structure. Held over the substeps it
-// would sample sheet modes above half the fluid's step rate aliased and pump them.
+// The force is evaluated anew in every substep of the structure. Held over the substeps
+// it would sample sheet modes above half the fluid's step rate aliased and pump them.
 #pragma once
 
 #include <span>

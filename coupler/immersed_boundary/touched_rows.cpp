@@ -29,6 +29,7 @@ void TouchedRows::for_each_cell(const MarkerStencil& stencil, Visit&& visit) con
                                sz.weight[static_cast<std::size_t>(k)];
             for (int i = 0; i < sx.count; ++i) {
                 const int x = wrapped(sx.first + i, grid_.cells[0]);
+                if (x < box_.lo[0] || x >= box_.hi[0]) continue;
                 visit(slot(y, z), x, wyz * sx.weight[static_cast<std::size_t>(i)]);
             }
         }
@@ -71,8 +72,10 @@ void TouchedRows::interpolate(std::span<const double> velocity,
     for (std::size_t m = 0; m < stencils_.size(); ++m) {
         Vec3 sum{};
         for_each_cell(stencils_[m], [&](int at, int x, double weight) {
-            const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
-            const auto cell = offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
+            const auto row =
+                static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
+            const auto cell =
+                offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
             for (std::size_t d = 0; d < 3; ++d) sum[d] += weight * velocity[3 * cell + d];
         });
         markers[m] = sum;
@@ -83,8 +86,10 @@ void TouchedRows::spread(std::span<const Vec3> force_n, std::span<double> densit
     const double per_volume = 1 / (grid_.spacing_m * grid_.spacing_m * grid_.spacing_m);
     for (std::size_t m = 0; m < stencils_.size(); ++m) {
         for_each_cell(stencils_[m], [&](int at, int x, double weight) {
-            const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
-            const auto cell = offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
+            const auto row =
+                static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
+            const auto cell =
+                offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
             for (std::size_t d = 0; d < 3; ++d) {
                 density[3 * cell + d] += weight * per_volume * force_n[m][d];
             }

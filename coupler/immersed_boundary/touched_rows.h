@@ -11,8 +11,8 @@ namespace magfsi::coupler {
 
 class TouchedRows {
   public:
-    // box: the cells of this rank; markers may reach beyond it, what lies there is left to
-    // the rank that owns it.
+    // box: the cells of this rank; markers may reach beyond it, what lies there is left
+    // to the rank that owns it.
     TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel);
 
     // Sets the markers by their positions [m].
@@ -21,8 +21,8 @@ class TouchedRows {
     const std::vector<GridRow>& rows() const { return rows_; }
     std::size_t cells() const { return cells_; }
 
-    // velocity: three values a cell, row after row. Returns this rank's share of each marker's
-    // velocity; the shares of all ranks add up.
+    // velocity: three values a cell, row after row. Returns this rank's share of each
+    // marker's velocity; the shares of all ranks add up.
     void interpolate(std::span<const double> velocity, std::span<Vec3> markers) const;
 
     // Adds each marker's force [N] as a force density [N/m3] to the cells.

@@ -15,26 +15,30 @@ namespace {
 constexpr int swap_tag = 72;
 constexpr int numbers_tag = 73;
 
-void compare(const World& world, const char* item, std::uint64_t mine, std::uint64_t theirs,
-             const char* format) {
+void compare(const World& world, const char* item, std::uint64_t mine,
+             std::uint64_t theirs, const char* format) {
     if (mine == theirs) return;
-    throw PartnerLost(fmt::format(
-        "{} and {} disagree on the {}: {} here, {} there; start both with the same scene file "
-        "and the same --set options, from the same build",
-        to_string(world.self()), to_string(world.other()), item,
-        fmt::format(fmt::runtime(format), mine), fmt::format(fmt::runtime(format), theirs)));
+    throw PartnerLost(
+        fmt::format("{} and {} disagree on the {}: {} here, {} there; start both with "
+                    "the same scene file "
+                    "and the same --set options, from the same build",
+                    to_string(world.self()), to_string(world.other()), item,
+                    fmt::format(fmt::runtime(format), mine),
+                    fmt::format(fmt::runtime(format), theirs)));
 }
 
 }  // namespace
 
-void swap_with_partner(const World& world, const void* send, int send_bytes, void* receive,
-                       int receive_bytes, double timeout_s, const char* what) {
+void swap_with_partner(const World& world, const void* send, int send_bytes,
+                       void* receive, int receive_bytes, double timeout_s,
+                       const char* what) {
     if (world.root()) {
         std::array<MPI_Request, 2> requests;
         MPI_Irecv(receive, receive_bytes, MPI_BYTE, 0, swap_tag, world.partner(),
                   &requests[0]);
         MPI_Isend(send, send_bytes, MPI_BYTE, 0, swap_tag, world.partner(), &requests[1]);
-        wait_all(requests, timeout_s, fmt::format("{} of the {}", what, to_string(world.other())));
+        wait_all(requests, timeout_s,
+                 fmt::format("{} of the {}", what, to_string(world.other())));
     }
     MPI_Bcast(receive, receive_bytes, MPI_BYTE, 0, world.local());
 }
@@ -48,7 +52,8 @@ void shake_hands(const World& world, const Agreement& mine, double timeout_s) {
     compare(world, "scene (hash)", mine.scene_hash, theirs.scene_hash, "{:016x}");
     compare(world, "number of coupled steps", static_cast<std::uint64_t>(mine.steps),
             static_cast<std::uint64_t>(theirs.steps), "{}");
-    compare(world, "coupled step in picoseconds", static_cast<std::uint64_t>(mine.step_ps),
+    compare(world, "coupled step in picoseconds",
+            static_cast<std::uint64_t>(mine.step_ps),
             static_cast<std::uint64_t>(theirs.step_ps), "{}");
 }
 
@@ -56,7 +61,8 @@ std::string swap_text(const World& world, const std::string& mine, double timeou
                       const char* what) {
     const auto my_size = static_cast<std::int64_t>(mine.size());
     std::int64_t size = 0;
-    swap_with_partner(world, &my_size, sizeof my_size, &size, sizeof size, timeout_s, what);
+    swap_with_partner(world, &my_size, sizeof my_size, &size, sizeof size, timeout_s,
+                      what);
     std::string theirs(static_cast<std::size_t>(size), ' ');
     swap_with_partner(world, mine.data(), static_cast<int>(mine.size()), theirs.data(),
                       static_cast<int>(size), timeout_s, what);
@@ -68,20 +74,22 @@ void send_numbers(const World& world, std::int64_t step, std::span<const double>
     std::vector<double> message{static_cast<double>(step)};
     message.insert(message.end(), numbers.begin(), numbers.end());
     MPI_Request request;
-    MPI_Isend(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0, numbers_tag,
-              world.partner(), &request);
-    wait_all({&request, 1}, timeout_s, fmt::format("receiver of the probes of step {}", step));
+    MPI_Isend(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0,
+              numbers_tag, world.partner(), &request);
+    wait_all({&request, 1}, timeout_s,
+             fmt::format("receiver of the probes of step {}", step));
 }
 
 void receive_numbers(const World& world, std::int64_t step, std::span<double> numbers,
                      double timeout_s) {
     std::vector<double> message(numbers.size() + 1);
     MPI_Request request;
-    MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0, numbers_tag,
-              world.partner(), &request);
+    MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0,
+              numbers_tag, world.partner(), &request);
     wait_all({&request, 1}, timeout_s, fmt::format("fluid probes of step {}", step));
     if (static_cast<std::int64_t>(message[0]) != step) {
-        throw PartnerLost(fmt::format("fluid probes of step {} came at step {}", message[0], step));
+        throw PartnerLost(
+            fmt::format("fluid probes of step {} came at step {}", message[0], step));
     }
     std::copy(message.begin() + 1, message.end(), numbers.begin());
 }

@@ -13,18 +13,19 @@ namespace magfsi::coupler {
 struct Agreement {
     std::int64_t protocol = 1;
     std::uint64_t scene_hash = 0;
-    std::int64_t steps = 0;         // coupled steps of the run
-    std::int64_t step_ps = 0;       // the coupled step in picoseconds, rounded
+    std::int64_t steps = 0;    // coupled steps of the run
+    std::int64_t step_ps = 0;  // the coupled step in picoseconds, rounded
 };
 
-// Exchanges the agreements of the two roots and compares. Throws PartnerLost naming the first
-// item that differs and both values. Collective over both sides.
+// Exchanges the agreements of the two roots and compares. Throws PartnerLost naming the
+// first item that differs and both values. Collective over both sides.
 void shake_hands(const World& world, const Agreement& mine, double timeout_s);
 
-// Swaps a block of numbers between the roots and tells it to every local rank; the sizes are
-// known to both sides. For geometry and reports at start-up and at the end.
-void swap_with_partner(const World& world, const void* send, int send_bytes, void* receive,
-                       int receive_bytes, double timeout_s, const char* what);
+// Swaps a block of numbers between the roots and tells it to every local rank; the sizes
+// are known to both sides. For geometry and reports at start-up and at the end.
+void swap_with_partner(const World& world, const void* send, int send_bytes,
+                       void* receive, int receive_bytes, double timeout_s,
+                       const char* what);
 
 // The same for a text of any length.
 std::string swap_text(const World& world, const std::string& mine, double timeout_s,

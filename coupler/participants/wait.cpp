@@ -15,14 +15,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A fluid step takes milliseconds: a look every 50 us costs little of it, and a short spin
-// first keeps the latency of small scenes down.
+// A fluid step takes milliseconds: a look every 50 us costs little of it, and a short
+// spin first keeps the latency of small scenes down.
 constexpr auto spin_time = std::chrono::microseconds(100);
 constexpr auto nap = std::chrono::microseconds(50);
 
 volatile std::sig_atomic_t stop_signal = 0;
 
-extern "C" void remember_signal(int number) { stop_signal = number; }
+extern "C" void remember_signal(int number) {
+    stop_signal = number;
+}
 
 }  // namespace
 
@@ -33,9 +35,12 @@ void catch_stop_signals() {
     sigaction(SIGINT, &action, nullptr);
 }
 
-int stop_requested() { return stop_signal; }
+int stop_requested() {
+    return stop_signal;
+}
 
-void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what) {
+void wait_all(std::span<MPI_Request> requests, double timeout_s,
+              const std::string& what) {
     const auto start = Clock::now();
     while (true) {
         int done = 0;

@@ -11,12 +11,13 @@ namespace magfsi::coupler {
 // Start-up (reading, relaxing the shape) may take far longer than a step.
 constexpr double startup_timeout_s = 900;
 
-// Completes all requests. Spins for a moment, then sleeps between looks. Throws PartnerLost
-// after timeout_s (its text names `what`), and Stopped when the process was told to end.
+// Completes all requests. Spins for a moment, then sleeps between looks. Throws
+// PartnerLost after timeout_s (its text names `what`), and Stopped when the process was
+// told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
 
-// From now on SIGTERM and SIGINT set a flag that stop_requested reports; waits and the step
-// loop look at it.
+// From now on SIGTERM and SIGINT set a flag that stop_requested reports; waits and the
+// step loop look at it.
 void catch_stop_signals();
 int stop_requested();  // the signal's number, 0 if none
 

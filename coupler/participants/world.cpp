@@ -40,16 +40,19 @@ World::World(Role self, bool partner_expected) : self_(self) {
     const int partner = first_rank(roles, other());
     if (partner < 0 && partner_expected) {
         throw PartnerLost(fmt::format(
-            "{0} was started without its partner: the scene couples structure and fluid, and "
+            "{0} was started without its partner: the scene couples structure and fluid, "
+            "and "
             "no {1} process is in this MPI job; start both in one mpirun (mpirun -n 1 "
-            "magfsi-structure SCENE : -n 1 magfsi-fluid-lbm SCENE) or use ./magfsi run SCENE",
+            "magfsi-structure SCENE : -n 1 magfsi-fluid-lbm SCENE) or use ./magfsi run "
+            "SCENE",
             to_string(self_), to_string(other())));
     }
     if (partner >= 0 && !partner_expected) {
-        throw PartnerLost(fmt::format(
-            "a {1} process was started beside the {0}, but the {0}'s scene has no {1}: start "
-            "only magfsi's {0}, or give both sides the same scene",
-            to_string(self_), to_string(other())));
+        throw PartnerLost(
+            fmt::format("a {1} process was started beside the {0}, but the {0}'s scene "
+                        "has no {1}: start "
+                        "only magfsi's {0}, or give both sides the same scene",
+                        to_string(self_), to_string(other())));
     }
     if (partner >= 0) {
         MPI_Intercomm_create(local_, 0, MPI_COMM_WORLD, partner, intercommunicator_tag,

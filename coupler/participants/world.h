@@ -1,5 +1,5 @@
-// The first act of every participant: all world ranks join one split by role, then the two
-// sides are joined by an intercommunicator. After that nobody uses MPI_COMM_WORLD.
+// The first act of every participant: all world ranks join one split by role, then the
+// two sides are joined by an intercommunicator. After that nobody uses MPI_COMM_WORLD.
 #pragma once
 
 #include <mpi.h>
@@ -14,15 +14,17 @@ std::string to_string(Role role);
 
 class World {
   public:
-    // partner_expected: whether the scene has another side. Throws PartnerLost when it was
-    // not started, or when it was started although the scene has none.
+    // partner_expected: whether the scene has another side. Throws PartnerLost when it
+    // was not started, or when it was started although the scene has none.
     World(Role self, bool partner_expected);
     ~World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
     Role self() const { return self_; }
-    Role other() const { return self_ == Role::structure ? Role::fluid : Role::structure; }
+    Role other() const {
+        return self_ == Role::structure ? Role::fluid : Role::structure;
+    }
     MPI_Comm local() const { return local_; }
     MPI_Comm partner() const { return partner_; }  // MPI_COMM_NULL without a partner
     int rank() const { return rank_; }

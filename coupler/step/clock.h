@@ -1,16 +1,19 @@
 // Time as an integer number of coupled steps; seconds are computed, never accumulated.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace magfsi::coupler {
 
 class Clock {
   public:
-    // Runs from 0 to the first step at or after end_s.
+    // Runs from 0 to the first step at or after end_s; 1e-9 of a step counts as none, and
+    // so does the rounding of an end that was meant as a whole number of steps.
     Clock(double step_s, double end_s)
-        : step_s_(step_s), steps_(static_cast<std::int64_t>(std::ceil(end_s / step_s - 1e-9))) {}
+        : step_s_(step_s), steps_(first_at_or_after(end_s / step_s)) {}
 
     double step_s() const { return step_s_; }
     std::int64_t steps() const { return steps_; }
@@ -26,6 +29,13 @@ class Clock {
     }
 
   private:
+    static std::int64_t first_at_or_after(double quotient) {
+        // The quotient and what went into it: a few roundings.
+        constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+        const double tolerance = std::max(1e-9, rounding * quotient);
+        return static_cast<std::int64_t>(std::ceil(quotient - tolerance));
+    }
+
     double step_s_;
     std::int64_t steps_;
     std::int64_t step_ = 0;

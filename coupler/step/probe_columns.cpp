@@ -15,15 +15,23 @@ void add_body(std::vector<std::string>& columns, const std::string& body,
               scene::BodyQuantity quantity) {
     using Q = scene::BodyQuantity;
     switch (quantity) {
-        case Q::com: add_vector(columns, body + ".com", "m"); break;
-        case Q::speed: add_vector(columns, body + ".speed", "m/s"); break;
+        case Q::com:
+            add_vector(columns, body + ".com", "m");
+            break;
+        case Q::speed:
+            add_vector(columns, body + ".speed", "m/s");
+            break;
         case Q::shape:
             columns.push_back(body + ".end_to_end[m]");
             columns.push_back(body + ".mid_rise[m]");
             columns.push_back(body + ".bend[rad]");
             break;
-        case Q::max_displacement: columns.push_back(body + ".max_displacement[m]"); break;
-        case Q::fluid_force: add_vector(columns, body + ".fluid_force", "N"); break;
+        case Q::max_displacement:
+            columns.push_back(body + ".max_displacement[m]");
+            break;
+        case Q::fluid_force:
+            add_vector(columns, body + ".fluid_force", "N");
+            break;
         case Q::energy:
             columns.push_back(body + ".energy_elastic[J]");
             columns.push_back(body + ".energy_kinetic[J]");
@@ -34,10 +42,14 @@ void add_body(std::vector<std::string>& columns, const std::string& body,
 
 const char* column(scene::FluidQuantity quantity) {
     switch (quantity) {
-        case scene::FluidQuantity::kinetic_energy: return "kinetic_energy[J]";
-        case scene::FluidQuantity::enstrophy: return "enstrophy[1/s^2]";
-        case scene::FluidQuantity::mass: return "mass[kg]";
-        case scene::FluidQuantity::max_speed: return "max_speed[m/s]";
+        case scene::FluidQuantity::kinetic_energy:
+            return "kinetic_energy[J]";
+        case scene::FluidQuantity::enstrophy:
+            return "enstrophy[1/s^2]";
+        case scene::FluidQuantity::mass:
+            return "mass[kg]";
+        case scene::FluidQuantity::max_speed:
+            return "max_speed[m/s]";
     }
     return "";
 }
@@ -49,7 +61,8 @@ std::vector<std::string> body_columns(const scene::Scene& scene) {
     if (!scene.probes) return columns;
     if (scene.magnetic_field) columns.emplace_back("field[T]");
     for (const scene::Body& body : scene.bodies) {
-        for (const auto quantity : scene.probes->bodies) add_body(columns, body.name, quantity);
+        for (const auto quantity : scene.probes->bodies)
+            add_body(columns, body.name, quantity);
     }
     for (const scene::PointProbe& point : scene.probes->points) {
         add_vector(columns, point.name, "m");
@@ -63,7 +76,8 @@ std::vector<std::string> body_columns(const scene::Scene& scene) {
 std::vector<std::string> fluid_columns(const scene::Scene& scene) {
     std::vector<std::string> columns;
     if (!scene.probes) return columns;
-    for (const auto quantity : scene.probes->fluid) columns.emplace_back(column(quantity));
+    for (const auto quantity : scene.probes->fluid)
+        columns.emplace_back(column(quantity));
     return columns;
 }
 

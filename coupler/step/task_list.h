@@ -1,5 +1,5 @@
-// A coupled step, readable as a list: the tasks that the scene calls for, in order. An effect
-// that is absent has no task.
+// A coupled step, readable as a list: the tasks that the scene calls for, in order. An
+// effect that is absent has no task.
 #pragma once
 
 #include <functional>
