@@ -1,0 +1,60 @@
+// The coupled step as a list: its order, its names, its times.
+#include "coupler/step/task_list.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace magfsi::coupler {
+namespace {
+
+TEST(TaskList, runs_in_the_order_of_adding_every_time) {
+    TaskList tasks;
+    std::string ran;
+    tasks.add("advance", [&] { ran += 'a'; });
+    tasks.add("send", [&] { ran += 's'; });
+    tasks.add("wait", [&] { ran += 'w'; });
+    tasks.run();
+    tasks.run();
+    EXPECT_EQ(ran, "aswasw");
+    EXPECT_EQ(tasks.names(), "advance, send, wait");
+}
+
+TEST(TaskList, no_task_no_name) {
+    TaskList tasks;
+    tasks.run();
+    EXPECT_EQ(tasks.names(), "");
+    EXPECT_TRUE(tasks.timer().seconds().empty());
+}
+
+TEST(TaskList, times_each_task_under_its_name) {
+    using namespace std::chrono;
+    TaskList tasks;
+    tasks.add("sleep", [] { std::this_thread::sleep_for(milliseconds(10)); });
+    tasks.add("nothing", [] {});
+    const auto start = steady_clock::now();
+    tasks.run();
+    tasks.run();
+    const double wall_s = duration<double>(steady_clock::now() - start).count();
+    const auto& seconds = tasks.timer().seconds();
+    ASSERT_EQ(seconds.size(), 2u);
+    EXPECT_EQ(seconds[0].first, "sleep");
+    EXPECT_EQ(seconds[1].first, "nothing");
+    EXPECT_GE(seconds[0].second, 0.02);  // sleep_for never returns early
+    EXPECT_GT(seconds[0].second, seconds[1].second);
+    EXPECT_LE(seconds[0].second + seconds[1].second, wall_s);
+}
+
+TEST(TaskList, a_task_that_throws_ends_the_step) {
+    TaskList tasks;
+    bool reached = false;
+    tasks.add("fail", [] { throw std::runtime_error("no"); });
+    tasks.add("after", [&] { reached = true; });
+    EXPECT_THROW(tasks.run(), std::runtime_error);
+    EXPECT_FALSE(reached);
+}
+
+}  // namespace
+}  // namespace magfsi::coupler
