@@ -1,11 +1,11 @@
 #include "structure/lammps/fix_magttice.h"
 
-#include <atom.h>
-#include <domain.h>
-#include <error.h>
-#include <force.h>
-#include <update.h>
-#include <utils.h>
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "update.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cmath>

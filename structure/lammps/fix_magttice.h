@@ -2,7 +2,7 @@
 // forces. See docs/fix_magttice.md.
 #pragma once
 
-#include <fix.h>
+#include "fix.h"
 
 #include <array>
 #include <string>

@@ -1,8 +1,8 @@
 #include "structure/lammps/fix_magttice_drag.h"
 
-#include <atom.h>
-#include <error.h>
-#include <utils.h>
+#include "atom.h"
+#include "error.h"
+#include "utils.h"
 
 #include "structure/lammps/failure.h"
 

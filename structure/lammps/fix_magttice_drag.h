@@ -2,7 +2,7 @@
 // group. LAMMPS's fix viscous has one coefficient an atom type, but nodes differ in mass.
 #pragma once
 
-#include <fix.h>
+#include "fix.h"
 
 namespace magfsi::structure {
 

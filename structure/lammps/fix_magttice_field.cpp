@@ -1,11 +1,11 @@
 // The magnetic part of fix magttice: field variables and the work of the field.
-#include <atom.h>
-#include <error.h>
-#include <input.h>
-#include <modify.h>
-#include <update.h>
-#include <utils.h>
-#include <variable.h>
+#include "atom.h"
+#include "error.h"
+#include "input.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+#include "variable.h"
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
 #include "structure/lammps/fix_magttice_field_source.h"
 
-#include <error.h>
-#include <update.h>
+#include "error.h"
+#include "update.h"
 
 #include <exception>
 #include <string>

@@ -3,7 +3,7 @@
 // a table written as one costs more than the forces of a small body.
 #pragma once
 
-#include <fix.h>
+#include "fix.h"
 
 #include "structure/lammps/field_program.h"
 

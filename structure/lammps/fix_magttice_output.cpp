@@ -1,8 +1,8 @@
 // What fix magttice reports and what it keeps over restarts.
-#include <atom.h>
-#include <comm.h>
-#include <error.h>
-#include <utils.h>
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cstring>

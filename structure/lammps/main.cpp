@@ -1,7 +1,7 @@
 // magfsi-lammps: the LAMMPS command line with our styles, for plain input scripts.
-#include <input.h>
-#include <lammps.h>
 #include <mpi.h>
+#include "input.h"
+#include "lammps.h"
 
 #include <cstdio>
 #include <exception>

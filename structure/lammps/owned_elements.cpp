@@ -1,7 +1,7 @@
 #include "structure/lammps/owned_elements.h"
 
-#include <atom.h>
-#include <domain.h>
+#include "atom.h"
+#include "domain.h"
 
 namespace magfsi::structure {
 

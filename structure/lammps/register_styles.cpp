@@ -1,8 +1,8 @@
 #include "structure/lammps/register_styles.h"
 
-#include <error.h>
-#include <lammps.h>
-#include <modify.h>
+#include "error.h"
+#include "lammps.h"
+#include "modify.h"
 
 #include <cstdlib>
 #include <utility>

@@ -1,0 +1,65 @@
+// Elements and states that the tests of the lattice share.
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <random>
+
+#include "structure/body.h"
+#include "structure/lattice/hexahedron.h"
+#include "structure/mesh/box_mesh.h"
+
+namespace magfsi::structure::test {
+
+constexpr std::array<ElementVariant, 2> both_variants{ElementVariant::full,
+                                                      ElementVariant::mean_f};
+
+// The paper's G and K = 20 G, in Pa.
+inline Material soft_material() {
+    return {33e3, 660e3, 1860};
+}
+
+inline Positions8 brick(const Vec3& edges_m) {
+    Positions8 x;
+    for (int a = 0; a < 8; ++a) {
+        for (int d = 0; d < 3; ++d) x(a, d) = 0.5 * edges_m[d] * (1 + node_sign(a, d));
+    }
+    return x;
+}
+
+class Random {
+  public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+    double uniform() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
+    // Every coordinate moved by up to `amplitude_m`.
+    Positions8 moved(Positions8 x, double amplitude_m) {
+        for (int a = 0; a < 8; ++a) {
+            for (int d = 0; d < 3; ++d) x(a, d) += amplitude_m * uniform();
+        }
+        return x;
+    }
+    Eigen::Matrix3d rotation() {
+        Eigen::Quaterniond q(uniform(), uniform(), uniform(), uniform());
+        return q.normalized().toRotationMatrix();
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+// A flat element of about 200 x 200 x 100 um whose corners are off by up to 10 um.
+inline Positions8 distorted_element(Random& random) {
+    return random.moved(brick({2e-4, 2e-4, 1e-4}), 1e-5);
+}
+
+// A block whose inner nodes, or all, are moved by up to `amplitude_m`.
+inline Mesh distorted_block(const Box& box, double amplitude_m, unsigned seed) {
+    Mesh mesh = box_mesh(box);
+    Random random(seed);
+    for (Vec3& node : mesh.nodes) {
+        for (double& coordinate : node) coordinate += amplitude_m * random.uniform();
+    }
+    return mesh;
+}
+
+}  // namespace magfsi::structure::test
