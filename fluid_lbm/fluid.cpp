@@ -4,6 +4,7 @@
 
 #include "fluid_lbm/initial_flow.h"
 #include "fluid_lbm/sampling/totals.h"
+#include "fluid_lbm/sampling/velocity_field.h"
 #include "fluid_lbm/solver.h"
 #include "fluid_lbm/streaming/kernel_choice.h"
 #include "fluid_lbm/units.h"
@@ -61,9 +62,12 @@ class OwnedComm {
 
 std::string to_string(Collision collision) {
     switch (collision) {
-        case Collision::automatic: return "automatic";
-        case Collision::bgk: return "bgk";
-        case Collision::recursive_regularized: return "recursive_regularized";
+        case Collision::automatic:
+            return "automatic";
+        case Collision::bgk:
+            return "bgk";
+        case Collision::recursive_regularized:
+            return "recursive_regularized";
     }
     return "";
 }
@@ -79,6 +83,10 @@ struct Fluid::State {
         set_initial_flow(config, solver);
     }
 
+    std::size_t cells() const {  // of this rank
+        const RowLayout& rows = solver.layout();
+        return static_cast<std::size_t>(rows.nx) * rows.ny * rows.nz;
+    }
     // Throws if the rows leave this rank's box or the values do not match them.
     void check_rows(std::span<const CellRow> rows, std::size_t values) const;
 
@@ -171,8 +179,26 @@ void Fluid::set_force(std::span<const CellRow> rows, std::span<const double> for
 }
 
 void Fluid::vorticity(std::span<float> out) const {
-    fluid::vorticity(state_->comm.get(), state_->solver, units(state_->config),
-                     state_->lattice.wall_velocity, out);
+    const RowLayout& layout = state_->solver.layout();
+    const std::size_t cells = state_->cells();
+    if (out.size() != 3 * cells) {
+        throw std::invalid_argument(
+            "vorticity() needs 3 values for each of this rank's " +
+            std::to_string(cells) + " cells");
+    }
+    const VelocityField field = sample_velocity(state_->comm.get(), state_->solver);
+    const double unit = 1 / state_->config.time_step_s;
+    float* to = out.data();
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            for (int x = 0; x < layout.nx; ++x) {
+                for (const double w :
+                     field.curl(x, y, z, state_->lattice.wall_velocity)) {
+                    *to++ = static_cast<float>(unit * w);
+                }
+            }
+        }
+    }
 }
 
 void Fluid::step() {
@@ -190,7 +216,7 @@ std::optional<Divergence> Fluid::divergence() const {
 
 void Fluid::macroscopic(std::span<float> velocity, std::span<float> density) const {
     const RowLayout& layout = state_->solver.layout();
-    const std::size_t cells = static_cast<std::size_t>(layout.nx) * layout.ny * layout.nz;
+    const std::size_t cells = state_->cells();
     if (velocity.size() != 3 * cells || density.size() != cells) {
         throw std::invalid_argument(
             "macroscopic() needs 3 velocity values and 1 density "

@@ -17,16 +17,12 @@ struct Local {
     double max_speed_squared = 0;
 };
 
-void add_row(const Solver& solver, int y, int z, RowMoments& m, VelocityField& field,
-             Local& local) {
-    const int nx = solver.layout().nx;
-    row_moments(solver.view(), y, z, 0, nx, m);
-    for (int x = 0; x < nx; ++x) {
+void add_row(const RowMoments& m, Local& local) {
+    for (std::size_t x = 0; x < m.excess.size(); ++x) {
         const double density = 1 + m.excess[x];
         double u_squared = 0;
         for (int a = 0; a < 3; ++a) {
             const double u = m.j[a][x] / density;
-            field.at(x, y, z)[a] = u;
             u_squared += u * u;
             local.sum[momentum + a] += m.j[a][x];
         }
@@ -41,13 +37,15 @@ void add_row(const Solver& solver, int y, int z, RowMoments& m, VelocityField& f
 Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
               const std::array<Vec3, 6>& lattice_wall_velocity) {
     const RowLayout& layout = solver.layout();
-    VelocityField field(layout);
+    const VelocityField field = sample_velocity(comm, solver);
     RowMoments m;
     Local local;
     for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) add_row(solver, y, z, m, field, local);
+        for (int y = 0; y < layout.ny; ++y) {
+            row_moments(solver.view(), y, z, 0, layout.nx, m);
+            add_row(m, local);
+        }
     }
-    field.exchange(comm, solver.decomposition(), solver.rank());
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {
             for (int x = 0; x < layout.nx; ++x) {
@@ -71,34 +69,6 @@ Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
         local.sum[enstrophy] / cells / (unit.time_step_s * unit.time_step_s);
     total.max_speed_m_s = speed * std::sqrt(local.max_speed_squared);
     return total;
-}
-
-void vorticity(MPI_Comm comm, const Solver& solver, const Units& unit,
-               const std::array<Vec3, 6>& lattice_wall_velocity, std::span<float> out) {
-    const RowLayout& layout = solver.layout();
-    VelocityField field(layout);
-    RowMoments m;
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            row_moments(solver.view(), y, z, 0, layout.nx, m);
-            for (int x = 0; x < layout.nx; ++x) {
-                for (int a = 0; a < 3; ++a) {
-                    field.at(x, y, z)[a] = m.j[a][x] / (1 + m.excess[x]);
-                }
-            }
-        }
-    }
-    field.exchange(comm, solver.decomposition(), solver.rank());
-    float* to = out.data();
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            for (int x = 0; x < layout.nx; ++x) {
-                for (const double w : field.curl(x, y, z, lattice_wall_velocity)) {
-                    *to++ = static_cast<float>(w / unit.time_step_s);
-                }
-            }
-        }
-    }
 }
 
 std::optional<Divergence> find_divergence(const Solver& solver) {

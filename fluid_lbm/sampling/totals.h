@@ -3,8 +3,6 @@
 
 #include <mpi.h>
 
-#include <span>
-
 #include "fluid_lbm/fluid.h"
 #include "fluid_lbm/solver.h"
 #include "fluid_lbm/units.h"
@@ -14,10 +12,6 @@ namespace magfsi::fluid {
 // Collective.
 Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
               const std::array<Vec3, 6>& lattice_wall_velocity);
-
-// curl u [1/s] of this rank's cells, x fastest, three values a cell. Collective.
-void vorticity(MPI_Comm comm, const Solver& solver, const Units& unit,
-               const std::array<Vec3, 6>& lattice_wall_velocity, std::span<float> out);
 
 // This rank's first cell, in x, y, z order, whose moments are not finite, whose density
 // is not positive or whose speed is above lattice_speed_limit.

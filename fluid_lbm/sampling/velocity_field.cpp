@@ -99,4 +99,22 @@ double VelocityField::enstrophy(int x, int y, int z,
     return 0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
+VelocityField sample_velocity(MPI_Comm comm, const Solver& solver) {
+    const RowLayout& layout = solver.layout();
+    VelocityField field(layout);
+    RowMoments m;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            row_moments(solver.view(), y, z, 0, layout.nx, m);
+            for (int x = 0; x < layout.nx; ++x) {
+                for (int a = 0; a < 3; ++a) {
+                    field.at(x, y, z)[a] = m.j[a][x] / (1 + m.excess[x]);
+                }
+            }
+        }
+    }
+    field.exchange(comm, solver.decomposition(), solver.rank());
+    return field;
+}
+
 }  // namespace magfsi::fluid

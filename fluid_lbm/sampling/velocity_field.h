@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fluid_lbm/parallel/decomposition.h"
+#include "fluid_lbm/solver.h"
 
 namespace magfsi::fluid {
 
@@ -25,8 +26,8 @@ class VelocityField {
     void exchange(MPI_Comm comm, const Decomposition& decomposition, int rank);
 
     // curl u in a cell, central differences; at walls, whose velocity is given by side
-    // (x_min x_max y_min ...), the second-order one-sided difference through the wall half
-    // a cell away. Unit: velocity unit over cells.
+    // (x_min x_max y_min ...), the second-order one-sided difference through the wall
+    // half a cell away. Unit: velocity unit over cells.
     std::array<double, 3> curl(
         int x, int y, int z,
         const std::array<std::array<double, 3>, 6>& wall_velocity) const;
@@ -44,5 +45,8 @@ class VelocityField {
     RowLayout layout_;
     std::vector<double> values_;
 };
+
+// The solver's present velocity, exchanged, lattice units. Collective among neighbours.
+VelocityField sample_velocity(MPI_Comm comm, const Solver& solver);
 
 }  // namespace magfsi::fluid

@@ -19,7 +19,7 @@ TEST_P(VelocityInBothStates, OfUniformFlow) {
             const std::vector<double> u = velocity(fluid);
             for (std::size_t i = 0; i < u.size(); ++i) {
                 // A few roundings of f - w near 1e-2 a step.
-                ASSERT_NEAR(u[i], wind[i % 3], 1e-16 * 20) << "step " << step;
+                ASSERT_NEAR(u[i], wind[i % 3], 2e-15) << "step " << step;
             }
             fluid.step();
         }
