@@ -16,8 +16,8 @@ struct Material {
 };
 
 // full: the paper's element (exact volume, full spring matrix).
-// mean_f: J from the mean deformation gradient and hourglass coefficients 3 min(l_i,l_j)^2:
-// accurate in bending with few layers.
+// mean_f: J from the mean deformation gradient and hourglass coefficients 3
+// min(l_i,l_j)^2: accurate in bending with few layers.
 enum class ElementVariant { full, mean_f };
 
 struct Body {

@@ -39,9 +39,10 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
         session.world(), grid_, coupler::to_kernel(boundary.kernel), session.timeout_s());
-    engine.attach_fluid_force([this](const double* velocity, double* force, double step_s) {
-        force_->apply(velocity, force, step_s);
-    });
+    engine.attach_fluid_force(
+        [this](const double* velocity, double* force, double step_s) {
+            force_->apply(velocity, force, step_s);
+        });
     now_m_ = marker_positions();
 }
 
@@ -55,9 +56,10 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         for (std::size_t a = 0; a < 8; ++a) {
             marker.node[a] = engine_.local_index(p.point.node[a] + shift);
             if (marker.node[a] < 0) {
-                throw std::logic_error(fmt::format(
-                    "atom {} of a marker's element is not on this rank (ghost cutoff too small)",
-                    p.point.node[a] + shift));
+                throw std::logic_error(
+                    fmt::format("atom {} of a marker's element is not on this rank "
+                                "(ghost cutoff too small)",
+                                p.point.node[a] + shift));
             }
         }
         marker.weight = p.point.weight;
@@ -82,7 +84,9 @@ void BodyCoupling::exchange_first() {
     exchange_->receive(-1, fluid_velocity_);
 }
 
-void BodyCoupling::begin_step() { force_->begin_step(fluid_velocity_); }
+void BodyCoupling::begin_step() {
+    force_->begin_step(fluid_velocity_);
+}
 
 void BodyCoupling::send_impulses() {
     before_m_ = std::move(now_m_);
@@ -99,7 +103,8 @@ std::vector<Vec3> BodyCoupling::force_on_bodies() const {
     const auto impulse = force_->impulse();
     for (std::size_t m = 0; m < impulse.size(); ++m) {
         Vec3& force = sum[static_cast<std::size_t>(force_->markers()[m].body)];
-        for (std::size_t d = 0; d < 3; ++d) force[d] -= impulse[m][d] / session_.clock().step_s();
+        for (std::size_t d = 0; d < 3; ++d)
+            force[d] -= impulse[m][d] / session_.clock().step_s();
     }
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
                   MPI_SUM, session_.world().local());

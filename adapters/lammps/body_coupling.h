@@ -1,5 +1,5 @@
-// The structure rank's half of the immersed boundary: its markers, the force inside LAMMPS's
-// steps, and the exchange with the fluid.
+// The structure rank's half of the immersed boundary: its markers, the force inside
+// LAMMPS's steps, and the exchange with the fluid.
 #pragma once
 
 #include <memory>
@@ -21,9 +21,9 @@ class BodyCoupling {
     BodyCoupling(const coupler::Session& session, Engine& engine,
                  const std::vector<int>& first_node);
 
-    void exchange_first();     // velocities for step 0
-    void begin_step();         // the sampled velocities become the step's
-    void send_impulses();      // what was given since, where and where the markers are now
+    void exchange_first();  // velocities for step 0
+    void begin_step();      // the sampled velocities become the step's
+    void send_impulses();   // what was given since, where and where the markers are now
     void receive_velocities();
 
     std::size_t bodies() const { return bodies_; }

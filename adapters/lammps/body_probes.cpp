@@ -15,7 +15,8 @@ double total_mass(const BodyNodes& body, const NodalState& state) {
 }
 
 template <typename Field>
-Vec3 mass_weighted_mean(const BodyNodes& body, const NodalState& state, const Field& field) {
+Vec3 mass_weighted_mean(const BodyNodes& body, const NodalState& state,
+                        const Field& field) {
     Vec3 sum{};
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
         for (std::size_t d = 0; d < 3; ++d) sum[d] += state.mass_kg[i] * field[i][d];
@@ -30,7 +31,9 @@ double distance(const Vec3& a, const Vec3& b) {
 }
 
 // Angle of the way from a to b in the x-z plane, from x towards z.
-double heading(const Vec3& a, const Vec3& b) { return std::atan2(b[2] - a[2], b[0] - a[0]); }
+double heading(const Vec3& a, const Vec3& b) {
+    return std::atan2(b[2] - a[2], b[0] - a[0]);
+}
 
 // Signed turn from one heading to the next, within half a turn.
 double turn(double from, double to) {
@@ -43,7 +46,8 @@ Vec3 position(const structure::MaterialPoint& point, const NodalState& state,
               std::size_t first_node) {
     Vec3 at{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = state.position_m[first_node + static_cast<std::size_t>(point.node[a])];
+        const Vec3& node =
+            state.position_m[first_node + static_cast<std::size_t>(point.node[a])];
         for (std::size_t d = 0; d < 3; ++d) at[d] += point.weight[a] * node[d];
     }
     return at;
@@ -69,8 +73,8 @@ double kinetic_energy_j(const BodyNodes& body, const NodalState& state) {
 double max_displacement_m(const BodyNodes& body, const NodalState& state) {
     double largest = 0;
     for (std::size_t i = 0; i < body.count; ++i) {
-        largest =
-            std::max(largest, distance(state.position_m[body.first + i], body.start_m[i]));
+        largest = std::max(largest,
+                           distance(state.position_m[body.first + i], body.start_m[i]));
     }
     return largest;
 }
@@ -87,7 +91,8 @@ Shape shape(const BodyNodes& body, const NodalState& state) {
     const std::size_t middle = line.size() / 2;
     s.end_to_end_m = distance(left, right);
 
-    const double tangent = heading(line[middle - 1], line[middle + 1 < line.size() ? middle + 1 : middle]);
+    const double tangent =
+        heading(line[middle - 1], line[middle + 1 < line.size() ? middle + 1 : middle]);
     const double dx = line[middle][0] - 0.5 * (left[0] + right[0]);
     const double dz = line[middle][2] - 0.5 * (left[2] + right[2]);
     s.mid_rise_m = -std::sin(tangent) * dx + std::cos(tangent) * dz;

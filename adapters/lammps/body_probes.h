@@ -32,9 +32,10 @@ Vec3 mean_velocity(const BodyNodes& body, const NodalState& state);
 double kinetic_energy_j(const BodyNodes& body, const NodalState& state);
 double max_displacement_m(const BodyNodes& body, const NodalState& state);
 
-// Shape of the centre line. mid_rise: height of the middle over the straight line between the
-// ends, along the middle's normal (positive: C, ends down; negative: V). bend: angle of the
-// right end's tangent against the left end's, in the x-z plane (positive: ends up).
+// Shape of the centre line. mid_rise: height of the middle over the straight line between
+// the ends, along the middle's normal (positive: C, ends down; negative: V). bend: angle
+// of the right end's tangent against the left end's, in the x-z plane (positive: ends
+// up).
 struct Shape {
     double end_to_end_m = 0;
     double mid_rise_m = 0;

@@ -22,7 +22,8 @@ std::unique_ptr<LAMMPS> make_lammps(MPI_Comm comm, const std::string& log) {
     std::vector<std::string> words{"lammps", "-screen", "none", "-log", log, "-nocite"};
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
-    return std::make_unique<LAMMPS>(static_cast<int>(pointers.size()), pointers.data(), comm);
+    return std::make_unique<LAMMPS>(static_cast<int>(pointers.size()), pointers.data(),
+                                    comm);
 }
 
 }  // namespace
@@ -42,22 +43,30 @@ void Engine::command(const std::string& line) {
     lammps_->input->one(line);
 }
 
-void Engine::set_up() { command("run 0"); }
+void Engine::set_up() {
+    command("run 0");
+}
 
 void Engine::advance(int substeps) {
     // pre no: forces and layout of the step before are still valid.
     command("run " + std::to_string(substeps) + " pre no post no");
 }
 
-int Engine::local_index(int atom_id) const { return lammps_->atom->map(atom_id); }
+int Engine::local_index(int atom_id) const {
+    return lammps_->atom->map(atom_id);
+}
 
 bool Engine::owns(int atom_id) const {
     const int local = local_index(atom_id);
     return local >= 0 && local < lammps_->atom->nlocal;
 }
 
-const double* Engine::positions() const { return lammps_->atom->x[0]; }
-const double* Engine::velocities() const { return lammps_->atom->v[0]; }
+const double* Engine::positions() const {
+    return lammps_->atom->x[0];
+}
+const double* Engine::velocities() const {
+    return lammps_->atom->v[0];
+}
 
 void Engine::attach_fluid_force(NodalForce force) {
     command("fix fluid all magfsi/fluid");

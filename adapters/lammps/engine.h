@@ -46,7 +46,8 @@ class Engine {
     const double* velocities() const;
 
     // Called in every substep with the velocities and the force array.
-    using NodalForce = std::function<void(const double* velocity, double* force, double step_s)>;
+    using NodalForce =
+        std::function<void(const double* velocity, double* force, double step_s)>;
     void attach_fluid_force(NodalForce force);
 
     NodalState gather(int atoms) const;  // collective

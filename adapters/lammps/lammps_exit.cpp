@@ -32,10 +32,16 @@ void report() {
 
 }  // namespace
 
-void watch_lammps_exit(const std::filesystem::path& log) { log_file = log; }
+void watch_lammps_exit(const std::filesystem::path& log) {
+    log_file = log;
+}
 
-InsideLammps::InsideLammps() { ++depth; }
-InsideLammps::~InsideLammps() { --depth; }
+InsideLammps::InsideLammps() {
+    ++depth;
+}
+InsideLammps::~InsideLammps() {
+    --depth;
+}
 
 }  // namespace magfsi::lammps
 

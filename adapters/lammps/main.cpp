@@ -6,10 +6,12 @@
 int main(int argc, char** argv) {
     using namespace magfsi;
     return coupler::run_participant(
-        coupler::Role::structure, "The soft bodies of a magfsi scene, in LAMMPS", argc, argv,
+        coupler::Role::structure, "The soft bodies of a magfsi scene, in LAMMPS", argc,
+        argv,
         [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
             coupler::Session session(coupler::Role::structure, arguments, state);
-            if (session.scene().bodies.empty()) throw std::runtime_error("the scene has no bodies");
+            if (session.scene().bodies.empty())
+                throw std::runtime_error("the scene has no bodies");
             const lammps::Substeps substeps = lammps::choose_substeps(session.scene());
             session.begin(substeps.coupled_step_s);
             lammps::Participant(session, substeps, arguments.progress).run();

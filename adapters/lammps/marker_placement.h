@@ -16,9 +16,9 @@ struct PlacedMarker {
     int body = 0;
 };
 
-// Markers on the sheet spanned by the body's two longer edges: on its mid-surface, or half of
-// the volume on each of its two faces. A marker stands for its area times one grid spacing:
-// the thickness of fluid that the smeared kernel moves with it.
+// Markers on the sheet spanned by the body's two longer edges: on its mid-surface, or
+// half of the volume on each of its two faces. A marker stands for its area times one
+// grid spacing: the thickness of fluid that the smeared kernel moves with it.
 std::vector<PlacedMarker> place_markers(const scene::BoxMesh& mesh,
                                         const scene::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int body);

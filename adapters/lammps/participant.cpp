@@ -37,11 +37,12 @@ Participant::Participant(coupler::Session& session, const Substeps& substeps,
 
 void Participant::build() {
     input_ = to_lammps_input(scene(), substeps_.coupled_step_s / substeps_.count);
-    const auto script = generate_input(session_, input_,
-                                       session_.clock().steps() * substeps_.count);
+    const auto script =
+        generate_input(session_, input_, session_.clock().steps() * substeps_.count);
     structure::set_failure_handler(
         [](const std::string& cause) { throw coupler::Diverged(cause); });
-    engine_ = std::make_unique<Engine>(session_.world().local(), session_.out() / "lammps.log");
+    engine_ =
+        std::make_unique<Engine>(session_.world().local(), session_.out() / "lammps.log");
     for (const std::string& line : script.setup) engine_->command(line);
     engine_->set_up();
 
@@ -55,7 +56,8 @@ void Participant::build() {
             body.first = static_cast<std::size_t>(script.first_node[b] - 1);
             body.count = mesh.nodes.size();
             body.centre_line = mesh.centre_line;
-            const auto from = start.position_m.begin() + static_cast<std::ptrdiff_t>(body.first);
+            const auto from =
+                start.position_m.begin() + static_cast<std::ptrdiff_t>(body.first);
             body.start_m.assign(from, from + static_cast<std::ptrdiff_t>(body.count));
             body.elements = static_cast<int>(mesh.elements.size());
             bodies_.push_back(std::move(body));
@@ -96,43 +98,49 @@ void Participant::assemble_output(output::ProgressMode progress) {
                  {coupler::fluid_columns(scene()), coupler::interface_columns(scene())}) {
                 columns.insert(columns.end(), more.begin(), more.end());
             }
-            probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv", columns);
+            probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
+                                                          columns);
         }
-        tasks_.add("probes", [this, every = session_.clock().every(scene().probes->every_s)] {
-            if (session_.clock().step() % every == 0) write_probes();
-        });
+        tasks_.add("probes",
+                   [this, every = session_.clock().every(scene().probes->every_s)] {
+                       if (session_.clock().step() % every == 0) write_probes();
+                   });
     }
     if (scene().output.structure) {
-        tasks_.add("write fields",
-                   [this, every = session_.clock().every(scene().output.structure->every_s)] {
-                       const auto step = session_.clock().step();
-                       if (step % every != 0) return;
-                       const NodalState state = engine_->gather(atoms_);
-                       if (files_) files_->write(step / every, session_.clock().time_s(), state);
-                   });
+        tasks_.add(
+            "write fields",
+            [this, every = session_.clock().every(scene().output.structure->every_s)] {
+                const auto step = session_.clock().step();
+                if (step % every != 0) return;
+                const NodalState state = engine_->gather(atoms_);
+                if (files_) files_->write(step / every, session_.clock().time_s(), state);
+            });
     }
     if (leads) {
         progress_ = std::make_unique<output::Progress>(
-            progress, output::ProgressGoal{session_.clock().steps(), scene().time.end_s, 0},
+            progress,
+            output::ProgressGoal{session_.clock().steps(), scene().time.end_s, 0},
             [progress](std::string_view text) {
-                fmt::print("{}{}", text, progress == output::ProgressMode::plain ? "\n" : "");
+                fmt::print("{}{}", text,
+                           progress == output::ProgressMode::plain ? "\n" : "");
                 std::fflush(stdout);
             });
         tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
     }
 }
 
-// A NaN in one node reaches its neighbours in the next substep: one look a coupled step is
-// enough to name the place.
+// A NaN in one node reaches its neighbours in the next substep: one look a coupled step
+// is enough to name the place.
 void Participant::check_finite() const {
     for (int node = 1; node <= atoms_; ++node) {
         if (!engine_->owns(node)) continue;
         const double* x = engine_->positions() + 3 * engine_->local_index(node);
         if (std::isfinite(x[0] + x[1] + x[2])) continue;
-        throw coupler::Diverged(fmt::format(
-            "the structure diverged: node {} has no finite position at step {}; take more "
-            "coupling.substeps, a finer mesh or a weaker field",
-            node, session_.clock().step()));
+        throw coupler::Diverged(
+            fmt::format("the structure diverged: node {} has no finite position at step "
+                        "{}; take more "
+                        "coupling.substeps, a finer mesh or a weaker field",
+                        node, session_.clock().step()));
     }
 }
 
@@ -159,8 +167,12 @@ void Participant::add_body_values(std::vector<double>& row, const NodalState& st
         const BodyNodes& body = bodies_[b];
         for (const auto quantity : wanted) {
             switch (quantity) {
-                case scene::BodyQuantity::com: add(centre_of_mass(body, state)); break;
-                case scene::BodyQuantity::speed: add(mean_velocity(body, state)); break;
+                case scene::BodyQuantity::com:
+                    add(centre_of_mass(body, state));
+                    break;
+                case scene::BodyQuantity::speed:
+                    add(mean_velocity(body, state));
+                    break;
                 case scene::BodyQuantity::shape: {
                     const Shape s = shape(body, state);
                     add({s.end_to_end_m, s.mid_rise_m, s.bend_rad});
@@ -169,7 +181,9 @@ void Participant::add_body_values(std::vector<double>& row, const NodalState& st
                 case scene::BodyQuantity::max_displacement:
                     row.push_back(max_displacement_m(body, state));
                     break;
-                case scene::BodyQuantity::fluid_force: add(forces[b]); break;
+                case scene::BodyQuantity::fluid_force:
+                    add(forces[b]);
+                    break;
                 case scene::BodyQuantity::energy:
                     add({energies[b].elastic_j, kinetic_energy_j(body, state),
                          energies[b].work_magnetic_j});
@@ -179,7 +193,8 @@ void Participant::add_body_values(std::vector<double>& row, const NodalState& st
     }
 }
 
-void Participant::add_point_values(std::vector<double>& row, const NodalState& state) const {
+void Participant::add_point_values(std::vector<double>& row,
+                                   const NodalState& state) const {
     for (const scene::PointProbe& probe : scene().probes->points) {
         std::size_t b = 0;
         while (scene().bodies[b].name != probe.body) ++b;
@@ -202,7 +217,8 @@ void Participant::add_partner_values(std::vector<double>& row) {
     coupler::receive_numbers(session_.world(), session_.clock().step(), numbers,
                              session_.timeout_s());
     const std::span<const double> all(numbers);
-    row.insert(row.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(fluid_values));
+    row.insert(row.end(), all.begin(),
+               all.begin() + static_cast<std::ptrdiff_t>(fluid_values));
     if (!balance_) return;
     const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
     row.push_back(mismatch.momentum);
@@ -213,8 +229,8 @@ void Participant::write_probes() {
     const NodalState state = engine_->gather(atoms_);
     std::vector<double> row;
     if (input_.field) {
-        row.push_back(
-            structure::polar_field_at(*input_.field, session_.clock().time_s()).magnitude_t);
+        row.push_back(structure::polar_field_at(*input_.field, session_.clock().time_s())
+                          .magnitude_t);
     }
     add_body_values(row, state);
     if (session_.world().root()) add_point_values(row, state);
@@ -225,11 +241,11 @@ void Participant::write_probes() {
 }
 
 void Participant::run() {
-    session_.log(fmt::format("scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of {} "
-                             "LAMMPS steps",
-                             scene().name, joined(scene::active_effects(scene())),
-                             scene().time.end_s, session_.clock().steps(),
-                             substeps_.coupled_step_s * 1e6, substeps_.count));
+    session_.log(fmt::format(
+        "scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of {} "
+        "LAMMPS steps",
+        scene().name, joined(scene::active_effects(scene())), scene().time.end_s,
+        session_.clock().steps(), substeps_.coupled_step_s * 1e6, substeps_.count));
     session_.log("absent: " + joined(scene::absent_effects(scene())));
     session_.log("structure step: " + tasks_.names());
     if (coupling_) coupling_->exchange_first();
@@ -247,10 +263,10 @@ coupler::ParticipantReport Participant::make_report() const {
     structure.substeps_per_step = substeps_.count;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task != advance_task) continue;
-        structure.ns_per_element_step = 1e9 * seconds /
-                                        (static_cast<double>(session_.clock().step()) *
-                                         substeps_.count *
-                                         static_cast<double>(structure.elements));
+        structure.ns_per_element_step =
+            1e9 * seconds /
+            (static_cast<double>(session_.clock().step()) * substeps_.count *
+             static_cast<double>(structure.elements));
     }
     report.structure = structure;
     return report;

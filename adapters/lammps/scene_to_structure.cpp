@@ -28,7 +28,8 @@ std::vector<structure::Vec3> magnetization(const scene::Magnetization& wanted,
 }
 
 std::string face_name(scene::Face face) {
-    static const char* const names[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+    static const char* const names[] = {"x_min", "x_max", "y_min",
+                                        "y_max", "z_min", "z_max"};
     return names[static_cast<std::size_t>(face)];
 }
 
@@ -48,7 +49,9 @@ structure::Placement to_placement(const scene::InitialState& initial) {
 
 }  // namespace
 
-structure::Box to_box(const scene::BoxMesh& mesh) { return {mesh.size_m, mesh.elements}; }
+structure::Box to_box(const scene::BoxMesh& mesh) {
+    return {mesh.size_m, mesh.elements};
+}
 
 structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
     structure::Body out;
@@ -62,7 +65,8 @@ structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
     out.element = body.element == scene::ElementVariant::full
                       ? structure::ElementVariant::full
                       : structure::ElementVariant::mean_f;
-    if (body.magnetization) out.magnetization_a_m = magnetization(*body.magnetization, out.mesh);
+    if (body.magnetization)
+        out.magnetization_a_m = magnetization(*body.magnetization, out.mesh);
     for (const scene::Face face : body.clamps) out.clamps.push_back(face_name(face));
     return out;
 }

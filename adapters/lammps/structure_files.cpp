@@ -6,7 +6,8 @@
 
 namespace magfsi::lammps {
 
-StructureFiles::StructureFiles(const structure::LammpsInput& input, const NodalState& start,
+StructureFiles::StructureFiles(const structure::LammpsInput& input,
+                               const NodalState& start,
                                const std::filesystem::path& run_folder)
     : start_m_(start.position_m),
       folder_(run_folder / "fields"),

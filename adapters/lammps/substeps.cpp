@@ -20,8 +20,8 @@ namespace {
 constexpr double elastic_margin = 0.9;
 constexpr double drag_margin = 0.5;
 
-// The largest drag rate of a node: sum over its markers of N_a kappa over its mass. kappa is
-// that of penalty_force.h, inversely proportional to the coupled step.
+// The largest drag rate of a node: sum over its markers of N_a kappa over its mass. kappa
+// is that of penalty_force.h, inversely proportional to the coupled step.
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
     for (const scene::Body& body : scene.bodies) {
@@ -35,7 +35,8 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
             const double kappa = boundary.strength * 2 * scene.fluid->density_kg_m3 *
                                  m.volume_m3 / coupled_step_s;
             for (std::size_t a = 0; a < 8; ++a) {
-                drag[static_cast<std::size_t>(m.point.node[a])] += m.point.weight[a] * kappa;
+                drag[static_cast<std::size_t>(m.point.node[a])] +=
+                    m.point.weight[a] * kappa;
             }
         }
         for (std::size_t n = 0; n < mass.size(); ++n) {
@@ -62,10 +63,13 @@ Substeps choose_substeps(const scene::Scene& scene) {
         const int asked = *scene.coupling->substeps;
         const double step = s.coupled_step_s / asked;
         if (step > s.elastic_limit_s || (s.drag_limit_s > 0 && step > s.drag_limit_s)) {
-            throw std::invalid_argument(fmt::format(
-                "coupling.substeps: {} makes a structure step of {:.3g} us; the lattice is stable "
-                "up to {:.3g} us and the immersed boundary up to {:.3g} us; use {} or more",
-                asked, step * 1e6, s.elastic_limit_s * 1e6, s.drag_limit_s * 1e6, s.count));
+            throw std::invalid_argument(
+                fmt::format("coupling.substeps: {} makes a structure step of {:.3g} us; "
+                            "the lattice is stable "
+                            "up to {:.3g} us and the immersed boundary up to {:.3g} us; "
+                            "use {} or more",
+                            asked, step * 1e6, s.elastic_limit_s * 1e6,
+                            s.drag_limit_s * 1e6, s.count));
         }
         s.count = asked;
     }

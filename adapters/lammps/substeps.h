@@ -12,9 +12,9 @@ struct Substeps {
     double drag_limit_s = 0;     // of the immersed-boundary force; 0 without fluid
 };
 
-// Without a coupled step in the scene (no fluid, no time.step) one coupled step is one LAMMPS
-// step. Throws scene::SceneError-like std::invalid_argument when coupling.substeps asks for
-// fewer than are stable, naming both.
+// Without a coupled step in the scene (no fluid, no time.step) one coupled step is one
+// LAMMPS step. Throws scene::SceneError-like std::invalid_argument when coupling.substeps
+// asks for fewer than are stable, naming both.
 Substeps choose_substeps(const scene::Scene& scene);
 
 }  // namespace magfsi::lammps

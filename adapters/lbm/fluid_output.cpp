@@ -7,17 +7,20 @@
 namespace magfsi::lbm {
 
 FluidFiles::FluidFiles(MPI_Comm comm, const fluid::Fluid& fluid,
-                       const scene::FluidOutput& wanted, const std::filesystem::path& run_folder)
+                       const scene::FluidOutput& wanted,
+                       const std::filesystem::path& run_folder)
     : comm_(comm), fluid_(fluid), fields_(wanted.fields), folder_(run_folder / "fields") {
     MPI_Comm_rank(comm, &rank_);
     const double h = fluid.config().spacing_m;
     grid_.spacing_m = {h, h, h};
-    for (const fluid::CellBox& box : fluid.owned_by_rank()) extents_.push_back({box.lo, box.hi});
+    for (const fluid::CellBox& box : fluid.owned_by_rank())
+        extents_.push_back({box.lo, box.hi});
     const std::size_t cells = extents_[static_cast<std::size_t>(rank_)].cells();
     velocity_.resize(3 * cells);
     density_.resize(cells);
     if (wants(scene::FluidField::vorticity)) vorticity_.resize(3 * cells);
-    if (rank_ == 0) series_ = std::make_unique<output::PvdSeries>(run_folder / "fluid.pvd");
+    if (rank_ == 0)
+        series_ = std::make_unique<output::PvdSeries>(run_folder / "fluid.pvd");
 }
 
 bool FluidFiles::wants(scene::FluidField field) const {
@@ -41,8 +44,8 @@ void FluidFiles::write(std::int64_t index, double time_s) {
         fluid_.vorticity(vorticity_);
         fields.push_back({"vorticity", 3, std::span<const float>(vorticity_)});
     }
-    output::write_vti(piece(index, rank_), grid_, extents_[static_cast<std::size_t>(rank_)],
-                      fields);
+    output::write_vti(piece(index, rank_), grid_,
+                      extents_[static_cast<std::size_t>(rank_)], fields);
     MPI_Barrier(comm_);
     if (rank_ == 0) write_index(index, time_s);
 }

@@ -7,16 +7,19 @@ LbmFluid::LbmFluid(fluid::Fluid& fluid) : fluid_(fluid) {
     grid_.spacing_m = config.spacing_m;
     grid_.cells = config.cells;
     for (std::size_t d = 0; d < 3; ++d) {
-        grid_.periodic[d] = config.boundaries[2 * d].kind == fluid::BoundaryKind::periodic;
+        grid_.periodic[d] =
+            config.boundaries[2 * d].kind == fluid::BoundaryKind::periodic;
     }
     for (const fluid::CellBox& box : fluid.owned_by_rank()) {
         grid_.owned_by_rank.push_back({box.lo, box.hi});
     }
 }
 
-std::span<const fluid::CellRow> LbmFluid::convert(std::span<const coupler::GridRow> rows) {
+std::span<const fluid::CellRow> LbmFluid::convert(
+    std::span<const coupler::GridRow> rows) {
     rows_.clear();
-    for (const coupler::GridRow& r : rows) rows_.push_back({r.y, r.z, r.x_begin, r.x_end});
+    for (const coupler::GridRow& r : rows)
+        rows_.push_back({r.y, r.z, r.x_begin, r.x_end});
     return rows_;
 }
 
@@ -29,6 +32,8 @@ void LbmFluid::set_force(std::span<const coupler::GridRow> rows,
     fluid_.set_force(convert(rows), density);
 }
 
-void LbmFluid::advance() { fluid_.step(); }
+void LbmFluid::advance() {
+    fluid_.step();
+}
 
 }  // namespace magfsi::lbm

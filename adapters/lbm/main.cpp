@@ -1,4 +1,5 @@
-// magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside magfsi-structure.
+// magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside
+// magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
 #include "adapters/lbm/participant.h"
 #include "coupler/participants/errors.h"
@@ -11,7 +12,8 @@ int main(int argc, char** argv) {
         coupler::Role::fluid, "The lattice-Boltzmann fluid of a magfsi scene", argc, argv,
         [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
             coupler::Session session(coupler::Role::fluid, arguments, state);
-            if (!session.scene().fluid) throw std::runtime_error("the scene has no fluid");
+            if (!session.scene().fluid)
+                throw std::runtime_error("the scene has no fluid");
             session.begin(*scene::coupled_step_s(session.scene()));
             lbm::Participant(session, arguments.progress).run();
         });

@@ -6,12 +6,12 @@
 
 #include "adapters/lbm/fluid_probes.h"
 #include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/participants/errors.h"
-#include "coupler/participants/wait.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
-#include "coupler/step/report.h"
+#include "coupler/participants/errors.h"
+#include "coupler/participants/wait.h"
 #include "coupler/step/probe_columns.h"
+#include "coupler/step/report.h"
 
 namespace magfsi::lbm {
 
@@ -36,9 +36,11 @@ Participant::Participant(coupler::Session& session, output::ProgressMode progres
 
 void Participant::join_structure() {
     const scene::Coupling& coupling = *session_.scene().coupling;
-    exchange_ = std::make_unique<coupler::FluidExchange>(session_.world(), session_.timeout_s());
+    exchange_ =
+        std::make_unique<coupler::FluidExchange>(session_.world(), session_.timeout_s());
     immersed_boundary_ = std::make_unique<coupler::FluidSide>(
-        lbm_, lbm_.grid().owned_by_rank[static_cast<std::size_t>(session_.world().rank())],
+        lbm_,
+        lbm_.grid().owned_by_rank[static_cast<std::size_t>(session_.world().rank())],
         coupler::to_kernel(coupling.immersed_boundary.kernel), session_.clock().step_s());
     if (session_.scene().probes && session_.scene().probes->interface_balance) {
         balance_ = std::make_unique<coupler::BalanceRecord>();
@@ -64,11 +66,11 @@ void Participant::assemble() {
 void Participant::assemble_coupling() {
     tasks_.add("wait for structure",
                [this] { batch_ = &exchange_->receive(session_.clock().step()); });
-    tasks_.add("spread impulses", [this] {
-        immersed_boundary_->spread(batch_->before_m, batch_->impulse);
-    });
+    tasks_.add("spread impulses",
+               [this] { immersed_boundary_->spread(batch_->before_m, batch_->impulse); });
     if (balance_) {
-        tasks_.add("audit interface", [this] { balance_->add(immersed_boundary_->received()); });
+        tasks_.add("audit interface",
+                   [this] { balance_->add(immersed_boundary_->received()); });
     }
 }
 
@@ -80,18 +82,20 @@ void Participant::assemble_output() {
             probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
                                                           coupler::fluid_columns(scene));
         }
-        tasks_.add("probes", [this, every = session_.clock().every(scene.probes->every_s)] {
-            if (session_.clock().step() % every == 0) write_probes();
-        });
+        tasks_.add("probes",
+                   [this, every = session_.clock().every(scene.probes->every_s)] {
+                       if (session_.clock().step() % every == 0) write_probes();
+                   });
     }
     if (scene.output.fluid) {
         files_ = std::make_unique<FluidFiles>(session_.world().local(), fluid_,
                                               *scene.output.fluid, session_.out());
-        tasks_.add("write fields", [this, every = session_.clock().every(
-                                              scene.output.fluid->every_s)] {
-            const auto step = session_.clock().step();
-            if (step % every == 0) files_->write(step / every, session_.clock().time_s());
-        });
+        tasks_.add("write fields",
+                   [this, every = session_.clock().every(scene.output.fluid->every_s)] {
+                       const auto step = session_.clock().step();
+                       if (step % every == 0)
+                           files_->write(step / every, session_.clock().time_s());
+                   });
     }
     if (leads) {
         progress_ = std::make_unique<output::Progress>(
@@ -134,8 +138,10 @@ void Participant::check_divergence() {
     if (!fault) return;
     const double h = fluid_.config().spacing_m * 1e3;
     throw coupler::Diverged(fmt::format(
-        "the fluid diverged: cell ({}, {}, {}) at ({:.4g}, {:.4g}, {:.4g}) mm has lattice speed "
-        "{:.3g} (limit 0.4) at step {}; lower fluid.lattice_speed, refine fluid.spacing, or "
+        "the fluid diverged: cell ({}, {}, {}) at ({:.4g}, {:.4g}, {:.4g}) mm has "
+        "lattice speed "
+        "{:.3g} (limit 0.4) at step {}; lower fluid.lattice_speed, refine fluid.spacing, "
+        "or "
         "raise the viscosity (relaxation time is {:.5g})",
         fault->cell[0], fault->cell[1], fault->cell[2], (fault->cell[0] + 0.5) * h,
         (fault->cell[1] + 0.5) * h, (fault->cell[2] + 0.5) * h, fault->lattice_speed,
@@ -146,11 +152,12 @@ void Participant::run() {
     if (session_.world().root()) {
         const auto& c = fluid_.config();
         fmt::print(
-            "fluid: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time {:.5g}, {} "
+            "fluid: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time "
+            "{:.5g}, {} "
             "collision, {} kernels, {} rank(s)\nfluid step: {}\n",
             c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
-            fluid_.relaxation_time(), fluid::to_string(fluid_.collision()), fluid_.kernel(),
-            session_.world().size(), tasks_.names());
+            fluid_.relaxation_time(), fluid::to_string(fluid_.collision()),
+            fluid_.kernel(), session_.world().size(), tasks_.names());
         std::fflush(stdout);
     }
     if (exchange_) begin_coupling();
@@ -181,8 +188,8 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
 void Participant::finish(double wall_s) {
     const auto report = make_report(wall_s);
     if (session_.world().coupled()) {
-        coupler::swap_text(session_.world(), coupler::to_text(report), session_.timeout_s(),
-                           "final report");
+        coupler::swap_text(session_.world(), coupler::to_text(report),
+                           session_.timeout_s(), "final report");
         return;
     }
     if (!session_.world().leads()) return;

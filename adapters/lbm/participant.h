@@ -1,4 +1,5 @@
-// The lattice-Boltzmann fluid as a participant: its coupled step, assembled from the scene.
+// The lattice-Boltzmann fluid as a participant: its coupled step, assembled from the
+// scene.
 #pragma once
 
 #include <memory>

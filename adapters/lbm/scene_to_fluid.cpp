@@ -8,8 +8,10 @@ namespace {
 
 fluid::Collision to_collision(scene::Collision collision) {
     switch (collision) {
-        case scene::Collision::automatic: return fluid::Collision::automatic;
-        case scene::Collision::bgk: return fluid::Collision::bgk;
+        case scene::Collision::automatic:
+            return fluid::Collision::automatic;
+        case scene::Collision::bgk:
+            return fluid::Collision::bgk;
         case scene::Collision::recursive_regularized:
             return fluid::Collision::recursive_regularized;
     }

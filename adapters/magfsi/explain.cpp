@@ -21,8 +21,8 @@ std::string explain_structure(const scene::Scene& scene) {
     std::string text = "\nstructure (LAMMPS, fix magttice)\n";
     for (const scene::Body& body : scene.bodies) {
         const auto& n = body.mesh.elements;
-        text += fmt::format("  body '{}': {} x {} x {} = {} elements\n", body.name, n[0], n[1],
-                            n[2], n[0] * n[1] * n[2]);
+        text += fmt::format("  body '{}': {} x {} x {} = {} elements\n", body.name, n[0],
+                            n[1], n[2], n[0] * n[1] * n[2]);
         if (scene.coupling) {
             text += fmt::format(
                 "    {} markers\n",
@@ -31,11 +31,14 @@ std::string explain_structure(const scene::Scene& scene) {
                     .size());
         }
     }
-    text += fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
-                        s.coupled_step_s * 1e6, s.count, s.coupled_step_s / s.count * 1e6);
-    text += fmt::format("    stable step of the lattice        {:.4g} us\n", s.elastic_limit_s * 1e6);
+    text +=
+        fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
+                    s.coupled_step_s * 1e6, s.count, s.coupled_step_s / s.count * 1e6);
+    text += fmt::format("    stable step of the lattice        {:.4g} us\n",
+                        s.elastic_limit_s * 1e6);
     if (s.drag_limit_s > 0) {
-        text += fmt::format("    stable step of the fluid's force  {:.4g} us\n", s.drag_limit_s * 1e6);
+        text += fmt::format("    stable step of the fluid's force  {:.4g} us\n",
+                            s.drag_limit_s * 1e6);
     }
     return text;
 }
@@ -48,30 +51,33 @@ std::string explain_fluid(const scene::Scene& scene) {
     std::array<long, 3> n{};
     for (std::size_t d = 0; d < 3; ++d) n[d] = std::lround(fluid.box_m[d] / h);
     const double cells = static_cast<double>(n[0] * n[1] * n[2]);
-    std::string text = "\nfluid (lattice-Boltzmann, D3Q19)           SI            lattice\n";
+    std::string text =
+        "\nfluid (lattice-Boltzmann, D3Q19)           SI            lattice\n";
     const auto row = [&](const char* name, const std::string& si, double lattice) {
         text += fmt::format("  {:<34} {:>14} {:>12.5g}\n", name, si, lattice);
     };
     row("spacing", fmt::format("{:.4g} mm", h * 1e3), 1);
     row("time step", fmt::format("{:.4g} us", dt * 1e6), 1);
-    row("viscosity", fmt::format("{:.4g} mm2/s", fluid.viscosity_m2_s * 1e6), (tau - 0.5) / 3);
+    row("viscosity", fmt::format("{:.4g} mm2/s", fluid.viscosity_m2_s * 1e6),
+        (tau - 0.5) / 3);
     if (fluid.expected_speed_m_s > 0) {
         row("expected speed", fmt::format("{:.4g} m/s", fluid.expected_speed_m_s),
             fluid.expected_speed_m_s * dt / h);
     }
-    row("speed of sound", fmt::format("{:.4g} m/s", h / dt / std::sqrt(3.0)), 1 / std::sqrt(3.0));
+    row("speed of sound", fmt::format("{:.4g} m/s", h / dt / std::sqrt(3.0)),
+        1 / std::sqrt(3.0));
     row("relaxation time", "", tau);
-    text += fmt::format("  {} x {} x {} = {:.0f} cells, {:.0f} MB of populations\n", n[0], n[1],
-                        n[2], cells, cells * 19 * 8 / 1e6);
+    text += fmt::format("  {} x {} x {} = {:.0f} cells, {:.0f} MB of populations\n", n[0],
+                        n[1], n[2], cells, cells * 19 * 8 / 1e6);
     return text;
 }
 
 }  // namespace
 
 std::string explain(const scene::Scene& scene) {
-    std::string text = fmt::format("scene '{}'\n  active, in step order: {}\n  absent: {}\n",
-                                   scene.name, join(scene::active_effects(scene)),
-                                   join(scene::absent_effects(scene)));
+    std::string text = fmt::format(
+        "scene '{}'\n  active, in step order: {}\n  absent: {}\n", scene.name,
+        join(scene::active_effects(scene)), join(scene::absent_effects(scene)));
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.fluid) text += explain_fluid(scene);
     return text;

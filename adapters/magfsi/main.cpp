@@ -19,7 +19,8 @@ struct Options {
 };
 
 void add_scene_options(CLI::App& command, Options& options) {
-    command.add_option("scene", options.run.scene, "Scene file or tutorial folder")->required();
+    command.add_option("scene", options.run.scene, "Scene file or tutorial folder")
+        ->required();
     command
         .add_option("--set", options.run.overrides,
                     "Override a value: path.to.key=value, e.g. fluid.spacing='0.1 mm'")
@@ -46,8 +47,8 @@ int execute(CLI::App& app, Options& options) {
     }
     if (command == "check") return check(options);
     if (command == "explain") {
-        fmt::print("{}", launch::explain(
-                             scene::read_scene(options.run.scene, options.run.overrides)));
+        fmt::print("{}", launch::explain(scene::read_scene(options.run.scene,
+                                                           options.run.overrides)));
         return coupler::exit_done;
     }
     return launch::run(options.run);
@@ -63,9 +64,11 @@ int main(int argc, char** argv) {
     add_scene_options(run, options);
     run.add_option("--out", options.run.out, "Run folder (default: runs/NAME)");
     run.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
-    add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"), options);
+    add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"),
+                      options);
     add_scene_options(
-        *app.add_subcommand("explain", "Effects, steps, lattice values and memory of a scene"),
+        *app.add_subcommand("explain",
+                            "Effects, steps, lattice values and memory of a scene"),
         options);
     app.add_subcommand("schema", "JSON Schema of the scene file");
     try {

@@ -44,7 +44,8 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     dup2(error_pipe, STDERR_FILENO);
     setenv("OMP_NUM_THREADS", "1", 0);
     std::vector<char*> words;
-    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : command)
+        words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     execvp(words[0], words.data());
     std::fprintf(stderr, "magfsi: cannot start %s: %s\n", words[0], std::strerror(errno));
@@ -55,7 +56,8 @@ void show(const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
         // Survivors that mpirun ends when another process was lost say so; the cause is
         // named once, at the end.
-        if (told_to_end == 0 && line.find("told to end by signal") != std::string::npos) continue;
+        if (told_to_end == 0 && line.find("told to end by signal") != std::string::npos)
+            continue;
         std::fprintf(stderr, "%s\n", line.c_str());
     }
 }
@@ -128,9 +130,10 @@ JobEnd run_job(const std::vector<Program>& programs) {
     end.stopped = told_to_end != 0;
     end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     if (messages.lost() && !end.stopped) {
-        end.lost = fmt::format("{} was killed by signal {} ({})",
-                               name_of(programs, messages.lost()->world_rank),
-                               messages.lost()->signal, strsignal(messages.lost()->signal));
+        end.lost =
+            fmt::format("{} was killed by signal {} ({})",
+                        name_of(programs, messages.lost()->world_rank),
+                        messages.lost()->signal, strsignal(messages.lost()->signal));
     }
     return end;
 }

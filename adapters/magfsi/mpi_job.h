@@ -1,5 +1,5 @@
-// One MPMD job under mpirun, watched: what it prints as errors is passed on without mpirun's
-// own banners, and a process that was killed is named.
+// One MPMD job under mpirun, watched: what it prints as errors is passed on without
+// mpirun's own banners, and a process that was killed is named.
 #pragma once
 
 #include <optional>

@@ -15,21 +15,22 @@ bool is_rule(const std::string& line) {
 
 // Banners that say in other words what magfsi says itself.
 bool is_known(const std::vector<std::string>& block) {
-    constexpr const char* known[] = {"MPI_ABORT was invoked", "Primary job  terminated normally",
-                                     "mpirun noticed that process", "mpirun detected that one",
-                                     "mpirun has exited due to process rank"};
+    constexpr const char* known[] = {
+        "MPI_ABORT was invoked", "Primary job  terminated normally",
+        "mpirun noticed that process", "mpirun detected that one",
+        "mpirun has exited due to process rank"};
     return std::ranges::any_of(block, [&](const std::string& line) {
-        return std::ranges::any_of(
-            known, [&](const char* text) { return line.find(text) != std::string::npos; });
+        return std::ranges::any_of(known, [&](const char* text) {
+            return line.find(text) != std::string::npos;
+        });
     });
 }
 
 // Open MPI's own lines "[host:pid] ..." about the banners above.
 bool is_echo(const std::string& line) {
-    constexpr const char* known[] = {"more process has sent help message",
-                                     "more processes have sent help message",
-                                     "Set MCA parameter \"orte_base_help_aggregate\"",
-                                     "ORTE_ERROR_LOG"};
+    constexpr const char* known[] = {
+        "more process has sent help message", "more processes have sent help message",
+        "Set MCA parameter \"orte_base_help_aggregate\"", "ORTE_ERROR_LOG"};
     return line.starts_with('[') && std::ranges::any_of(known, [&](const char* text) {
                return line.find(text) != std::string::npos;
            });
@@ -65,6 +66,8 @@ std::vector<std::string> MpirunMessages::close_block() {
     return shown;
 }
 
-std::vector<std::string> MpirunMessages::rest() { return close_block(); }
+std::vector<std::string> MpirunMessages::rest() {
+    return close_block();
+}
 
 }  // namespace magfsi::launch

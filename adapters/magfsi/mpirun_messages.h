@@ -1,5 +1,5 @@
-// mpirun's error output, line by line: its banners are kept from the user, and what they tell
-// about a killed process is kept.
+// mpirun's error output, line by line: its banners are kept from the user, and what they
+// tell about a killed process is kept.
 #pragma once
 
 #include <optional>

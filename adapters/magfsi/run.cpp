@@ -22,11 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path program(const char* name) { return fs::read_symlink("/proc/self/exe").parent_path() / name; }
+fs::path program(const char* name) {
+    return fs::read_symlink("/proc/self/exe").parent_path() / name;
+}
 
 // What an earlier run left: its series would mix with the new one's.
 void clear_run_folder(const fs::path& out) {
-    for (const char* name : {"summary.json", "probes.csv", "structure.pvd", "fluid.pvd"}) {
+    for (const char* name :
+         {"summary.json", "probes.csv", "structure.pvd", "fluid.pvd"}) {
         fs::remove(out / name);
     }
     fs::remove_all(out / "fields");
@@ -35,25 +38,30 @@ void clear_run_folder(const fs::path& out) {
 
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    // Structure and fluid take turns: the fluid may have every core, as long as each rank has
-    // enough cells to be worth its messages.
+    // Structure and fluid take turns: the fluid may have every core, as long as each rank
+    // has enough cells to be worth its messages.
     constexpr double fewest_cells_a_rank = 20000;
     double cells = 1;
-    for (const double length : scene.fluid->box_m) cells *= length / scene.fluid->spacing_m;
-    return std::clamp(static_cast<int>(cells / fewest_cells_a_rank), 1, available_cores());
+    for (const double length : scene.fluid->box_m)
+        cells *= length / scene.fluid->spacing_m;
+    return std::clamp(static_cast<int>(cells / fewest_cells_a_rank), 1,
+                      available_cores());
 }
 
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,
                                   const fs::path& out) {
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),
-                                       "--progress", isatty(STDOUT_FILENO) ? "terminal" : "plain"};
-    for (const std::string& o : options.overrides) arguments.insert(arguments.end(), {"--set", o});
+                                       "--progress",
+                                       isatty(STDOUT_FILENO) ? "terminal" : "plain"};
+    for (const std::string& o : options.overrides)
+        arguments.insert(arguments.end(), {"--set", o});
     std::vector<Program> programs;
     const auto add = [&](const std::string& role, const char* name) {
         Program p;
         p.role = role;
         const auto given = options.ranks.find(role);
-        p.ranks = given != options.ranks.end() ? given->second : default_ranks(scene, role);
+        p.ranks =
+            given != options.ranks.end() ? given->second : default_ranks(scene, role);
         p.command = {program(name).string()};
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
         programs.push_back(std::move(p));
@@ -61,7 +69,8 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     if (!scene.bodies.empty()) add("structure", "magfsi-structure");
     if (scene.fluid) add("fluid", "magfsi-fluid-lbm");
     for (const auto& [role, ranks] : options.ranks) {
-        if (std::ranges::none_of(programs, [&](const Program& p) { return p.role == role; })) {
+        if (std::ranges::none_of(programs,
+                                 [&](const Program& p) { return p.role == role; })) {
             throw std::invalid_argument(
                 fmt::format("--ranks {}={}: the scene has no {}", role, ranks, role));
         }
@@ -70,7 +79,8 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
 }
 
 // The survivors of a lost process may have had no time to say how it ended.
-void write_lost(const scene::Scene& scene, const fs::path& out, const std::string& cause) {
+void write_lost(const scene::Scene& scene, const fs::path& out,
+                const std::string& cause) {
     nlohmann::ordered_json json;
     std::ifstream in(out / "summary.json");
     if (in) json = nlohmann::ordered_json::parse(in, nullptr, false);
@@ -95,13 +105,16 @@ std::map<std::string, int> parse_ranks(const std::string& text) {
     for (std::string part; std::getline(in, part, ',');) {
         const auto equals = part.find('=');
         const std::string role = part.substr(0, equals);
-        const std::string number = equals == std::string::npos ? "" : part.substr(equals + 1);
+        const std::string number =
+            equals == std::string::npos ? "" : part.substr(equals + 1);
         const bool digits = !number.empty() && number.size() < 6 &&
                             number.find_first_not_of("0123456789") == std::string::npos;
-        if ((role != "structure" && role != "fluid") || !digits || std::stoi(number) < 1) {
-            throw std::invalid_argument(fmt::format(
-                "--ranks: found '{}'; allowed is structure=N,fluid=M with N and M of 1 or more",
-                part));
+        if ((role != "structure" && role != "fluid") || !digits ||
+            std::stoi(number) < 1) {
+            throw std::invalid_argument(
+                fmt::format("--ranks: found '{}'; allowed is structure=N,fluid=M with N "
+                            "and M of 1 or more",
+                            part));
         }
         ranks[role] = std::stoi(number);
     }
@@ -115,7 +128,8 @@ int run(const RunOptions& options) {
             "fluid.solver: this build has no OpenFOAM participant; use lbm");
     }
     if (!scene.bodies.empty()) lammps::choose_substeps(scene);  // refuses what cannot run
-    const fs::path out = options.out.empty() ? coupler::default_out(scene.name) : options.out;
+    const fs::path out =
+        options.out.empty() ? coupler::default_out(scene.name) : options.out;
     const auto programs = participants(scene, options, out);
     clear_run_folder(out);
     fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));

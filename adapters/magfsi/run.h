@@ -1,4 +1,5 @@
-// magfsi run: checks the scene, starts its participants as one MPI job, names how it ended.
+// magfsi run: checks the scene, starts its participants as one MPI job, names how it
+// ended.
 #pragma once
 
 #include <filesystem>

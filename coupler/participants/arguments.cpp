@@ -6,14 +6,16 @@
 
 namespace magfsi::coupler {
 
-ParticipantArguments parse_arguments(int argc, char** argv, const std::string& description) {
+ParticipantArguments parse_arguments(int argc, char** argv,
+                                     const std::string& description) {
     ParticipantArguments a;
     CLI::App app{description};
     const std::map<std::string, output::ProgressMode> modes{
         {"terminal", output::ProgressMode::terminal},
         {"plain", output::ProgressMode::plain},
         {"off", output::ProgressMode::off}};
-    app.add_option("scene", a.scene, "Scene file, or a folder with a scene.yaml")->required();
+    app.add_option("scene", a.scene, "Scene file, or a folder with a scene.yaml")
+        ->required();
     app.add_option("--out", a.out, "Run folder (default: runs/NAME)");
     app.add_option("--set", a.overrides, "Override: path.to.key=value; may be repeated")
         ->allow_extra_args(false);

@@ -19,7 +19,8 @@ struct ParticipantArguments {
 };
 
 // Throws std::invalid_argument naming the option.
-ParticipantArguments parse_arguments(int argc, char** argv, const std::string& description);
+ParticipantArguments parse_arguments(int argc, char** argv,
+                                     const std::string& description);
 
 // The run folder when none was given.
 std::filesystem::path default_out(const std::string& scene_name);

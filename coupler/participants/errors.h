@@ -6,7 +6,13 @@
 
 namespace magfsi::coupler {
 
-enum ExitCode { exit_done = 0, exit_error = 1, exit_input = 2, exit_diverged = 3, exit_partner = 4 };
+enum ExitCode {
+    exit_done = 0,
+    exit_error = 1,
+    exit_input = 2,
+    exit_diverged = 3,
+    exit_partner = 4
+};
 
 // The numbers left the range in which they mean anything: names what, where and when.
 class Diverged : public std::runtime_error {

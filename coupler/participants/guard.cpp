@@ -85,7 +85,8 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         write_failure(state, ending);
         const std::string where =
             state.started && state.step > 0
-                ? fmt::format(" (after coupled step {}, t = {:.6g} s)", state.step, state.time_s)
+                ? fmt::format(" (after coupled step {}, t = {:.6g} s)", state.step,
+                              state.time_s)
                 : "";
         fmt::print(stderr, "magfsi {}: {}{}\n", to_string(role), ending.cause, where);
         std::fflush(nullptr);

@@ -22,8 +22,8 @@ struct RunState {
 using ParticipantBody = std::function<void(const ParticipantArguments&, RunState&)>;
 
 // Runs body between MPI_Init and MPI_Finalize. On an exception: one message on stderr, a
-// summary.json that says how it ended, and MPI_Abort of the whole job with the exit code of
-// errors.h, so that no partner waits.
+// summary.json that says how it ended, and MPI_Abort of the whole job with the exit code
+// of errors.h, so that no partner waits.
 int run_participant(Role role, const std::string& description, int argc, char** argv,
                     const ParticipantBody& body);
 

@@ -19,7 +19,9 @@ const scene::Scene& read(const ParticipantArguments& arguments, RunState& state)
     return state.scene;
 }
 
-bool coupled(const scene::Scene& scene) { return scene.fluid && !scene.bodies.empty(); }
+bool coupled(const scene::Scene& scene) {
+    return scene.fluid && !scene.bodies.empty();
+}
 
 }  // namespace
 

@@ -1,9 +1,9 @@
-// What both participants do alike before the first step: read the scene, meet the partner,
-// agree, claim the run folder.
+// What both participants do alike before the first step: read the scene, meet the
+// partner, agree, claim the run folder.
 #pragma once
 
-#include <memory>
 #include <spdlog/logger.h>
+#include <memory>
 
 #include "coupler/participants/guard.h"
 #include "coupler/participants/handshake.h"
@@ -13,11 +13,12 @@ namespace magfsi::coupler {
 
 class Session {
   public:
-    // Reads the scene named by the arguments into state, joins the world. Throws SceneError,
-    // PartnerLost.
+    // Reads the scene named by the arguments into state, joins the world. Throws
+    // SceneError, PartnerLost.
     Session(Role role, const ParticipantArguments& arguments, RunState& state);
 
-    // step_s: the coupled step. Shakes hands, makes the run folder and, on the lead, its log.
+    // step_s: the coupled step. Shakes hands, makes the run folder and, on the lead, its
+    // log.
     void begin(double step_s);
 
     const World& world() const { return world_; }

@@ -10,9 +10,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const output::FluidSummary& f) {
-    return {{"cells", f.cells},           {"mlups", f.mlups},
-            {"tau", f.relaxation_time},   {"spacing_m", f.spacing_m},
-            {"collision", f.collision},   {"kernel", f.kernel}};
+    return {{"cells", f.cells},         {"mlups", f.mlups},
+            {"tau", f.relaxation_time}, {"spacing_m", f.spacing_m},
+            {"collision", f.collision}, {"kernel", f.kernel}};
 }
 
 output::FluidSummary fluid_from(const Json& json) {
@@ -36,7 +36,8 @@ ParticipantReport basic_report(const World& world, const output::TaskTimer& time
     ParticipantReport report;
     report.name = to_string(world.self());
     report.ranks = world.size();
-    for (const auto& [task, seconds] : timer.seconds()) report.tasks.emplace_back(task, seconds);
+    for (const auto& [task, seconds] : timer.seconds())
+        report.tasks.emplace_back(task, seconds);
     const std::int64_t mine = output::peak_resident_bytes();
     MPI_Reduce(&mine, &report.memory_bytes, 1, MPI_INT64_T, MPI_SUM, 0, world.local());
     return report;
@@ -62,7 +63,8 @@ ParticipantReport report_from_text(const std::string& text) {
     report.memory_bytes = json.at("memory_bytes");
     report.versions = json.at("versions").get<output::Named<std::string>>();
     if (json.contains("fluid")) report.fluid = fluid_from(json.at("fluid"));
-    if (json.contains("structure")) report.structure = structure_from(json.at("structure"));
+    if (json.contains("structure"))
+        report.structure = structure_from(json.at("structure"));
     return report;
 }
 

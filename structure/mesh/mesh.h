@@ -10,7 +10,8 @@ namespace magfsi::structure {
 
 using Vec3 = std::array<double, 3>;
 
-// Node numbers of one hexahedron in lexicographic order: a = i + 2 j + 4 k, i, j, k in {0,1}.
+// Node numbers of one hexahedron in lexicographic order: a = i + 2 j + 4 k, i, j, k in
+// {0,1}.
 using Hexahedron = std::array<int, 8>;
 
 // A point carried by an element: position = sum of weight[a] * x[node[a]].
