@@ -46,7 +46,7 @@ void complete(Scene& scene) {
 
 std::filesystem::path scene_file(const std::filesystem::path& path) {
     const bool folder = std::filesystem::is_directory(path);
-    const std::filesystem::path file = folder ? path / "scene.yaml" : path;
+    std::filesystem::path file = folder ? path / "scene.yaml" : path;
     if (!std::filesystem::exists(file))
         refuse({file.string()}, "no such file",
                "a scene file, or a folder with a scene.yaml");

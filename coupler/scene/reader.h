@@ -16,9 +16,8 @@ class SceneError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// path: a scene file, or a tutorial folder (its scene.yaml). overrides:
-// "path.to.key=value" as given to --set; a fault in one is reported as "--set
-// path.to.key: ...".
+// path: a scene file, or a tutorial folder (its scene.yaml). overrides: as given to
+// --set, "path.to.key=value"; a fault in one is reported as "--set path.to.key: ...".
 Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides = {});
 

@@ -21,8 +21,7 @@ struct Time {
 
 // --- bodies -------------------------------------------------------------------------
 
-// Block of hexahedra; the body's frame has its origin in the corner (x_min, y_min,
-// z_min).
+// Block of hexahedra; the body's frame has its origin in its lowest corner.
 struct BoxMesh {
     Vec3 size_m{};
     std::array<int, 3> elements{};
@@ -68,7 +67,8 @@ struct PlaneRotation {
     double angle_rad = 0;
 };
 
-// The static shape in a constant field, found before the run without fluid and gravity.
+// The static shape in a constant field of the magnetic field's plane (xz without one),
+// found before the run without fluid and gravity.
 struct RelaxedShape {
     double magnitude_t = 0;
     double direction_rad = 0;
@@ -140,9 +140,10 @@ struct Fluid {
     Vec3 box_m{};
     double spacing_m = 0;
     double density_kg_m3 = 0;
-    double viscosity_m2_s = 0;      // kinematic
-    double expected_speed_m_s = 0;  // largest speed that the run should resolve
-    double lattice_speed = 0.05;    // that speed in lattice units (Mach limit)
+    double viscosity_m2_s = 0;  // kinematic
+    double expected_speed_m_s =
+        0;                        // largest speed to resolve; 0: not given (time.step is)
+    double lattice_speed = 0.05;  // that speed in lattice units (Mach limit)
     Collision collision = Collision::automatic;
     std::array<Boundary, 6> boundaries{};  // by Face
     std::optional<Vec3> initial_velocity_m_s;
@@ -181,7 +182,7 @@ struct PointProbe {
 struct Probes {
     double every_s = 0;
     std::vector<BodyQuantity> bodies;
-    std::vector<PointProbe> points;
+    std::vector<PointProbe> points;  // by name
     std::vector<FluidQuantity> fluid;
     bool interface_balance = false;  // momentum and power given and received, each step
 };
@@ -203,12 +204,12 @@ struct Output {
 struct Scene {
     std::string name;
     Time time;
-    std::vector<Body> bodies;
+    std::vector<Body> bodies;  // by name, whatever their order in the file
     std::optional<MagneticField> magnetic_field;
     std::optional<Gravity> gravity;
     std::optional<Damping> damping;
     std::optional<Fluid> fluid;
-    std::optional<Coupling> coupling;
+    std::optional<Coupling> coupling;  // always there with both bodies and a fluid
     std::optional<Probes> probes;
     Output output;
 

@@ -76,7 +76,7 @@ Json array_of(const Json& items, std::size_t least, std::size_t most) {
 }
 
 Json leaf_schema(const Field& field) {
-    const Json value = value_schema(field);
+    Json value = value_schema(field);
     const std::size_t least = field.count_min, most = field.count_max;
     switch (field.layout) {
         case Layout::vector:
