@@ -1,0 +1,54 @@
+// The paper's strip as the structure tests run it.
+#pragma once
+
+#include <numbers>
+
+#include "structure/lammps/script.h"
+#include "structure/lattice/lattice.h"
+#include "structure/lattice/stable_step.h"
+#include "structure/magnetics/magnetization.h"
+#include "structure/mesh/box_mesh.h"
+
+namespace magfsi::structure::test {
+
+inline Body strip(ElementVariant element = ElementVariant::mean_f) {
+    Body body;
+    body.name = "strip";
+    body.mesh = box_mesh({{3.7e-3, 1.5e-3, 0.185e-3}, {20, 8, 2}});
+    body.material = {33e3, 660e3, 1860};
+    body.element = element;
+    body.magnetization_a_m =
+        harmonic_magnetization(body.mesh, {62e3, 3.7e-3, std::numbers::pi / 4, 0, 2});
+    return body;
+}
+
+// At 0.9 of the stable step, in the field of one swimming stroke.
+inline LammpsInput strip_in_field(ElementVariant element = ElementVariant::mean_f) {
+    LammpsInput input;
+    input.bodies = {strip(element)};
+    input.field = FieldProgram{
+        {0, 2},
+        FieldTable{
+            {0, 0.0195, 0.032, 0.04}, {-0.017, 0.017, -0.017, -0.017}, {0.8}, true}};
+    input.time_step_s = 0.9 * stable_step_s(input.bodies[0]);
+    return input;
+}
+
+inline LammpsInput bare_strip() {
+    LammpsInput input = strip_in_field();
+    input.field.reset();
+    return input;
+}
+
+// Kinetic energy [J] of a scene's only body, from velocities by atom ID.
+inline double kinetic_energy(const Body& body, const std::vector<double>& velocity) {
+    const auto mass = node_masses(
+        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    double out = 0;
+    for (std::size_t q = 0; q < velocity.size(); ++q) {
+        out += 0.5 * mass[q / 3] * velocity[q] * velocity[q];
+    }
+    return out;
+}
+
+}  // namespace magfsi::structure::test
