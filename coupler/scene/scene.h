@@ -140,10 +140,9 @@ struct Fluid {
     Vec3 box_m{};
     double spacing_m = 0;
     double density_kg_m3 = 0;
-    double viscosity_m2_s = 0;  // kinematic
-    double expected_speed_m_s =
-        0;                        // largest speed to resolve; 0: not given (time.step is)
-    double lattice_speed = 0.05;  // that speed in lattice units (Mach limit)
+    double viscosity_m2_s = 0;      // kinematic
+    double expected_speed_m_s = 0;  // largest to resolve; 0: not given, time.step is
+    double lattice_speed = 0.05;    // that speed in lattice units (Mach limit)
     Collision collision = Collision::automatic;
     std::array<Boundary, 6> boundaries{};  // by Face
     std::optional<Vec3> initial_velocity_m_s;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -31,7 +32,8 @@ inline int accepting(const Json& schemas, const Json& value) {
 }
 
 inline bool object_keys_accepted(const Json& schema, const Json& value) {
-    const Json properties = schema.value("properties", Json::object());
+    static const Json none = Json::object();
+    const Json& properties = schema.contains("properties") ? schema["properties"] : none;
     for (const auto& [key, inner] : value.items()) {
         if (schema.contains("propertyNames") &&
             !accepts(schema["propertyNames"], Json(key)))
@@ -71,9 +73,12 @@ inline bool rule_holds(const std::string& rule, const Json& bound, const Json& s
     if (rule == "minimum") return value >= bound;
     if (rule == "maximum") return value <= bound;
     if (rule == "exclusiveMinimum") return value > bound;
-    if (rule == "pattern")
-        return std::regex_search(value.get<std::string>(),
-                                 std::regex(bound.get<std::string>()));
+    if (rule == "pattern") {
+        static std::map<std::string, std::regex> compiled;  // compiling is slow
+        const std::string pattern = bound;
+        const auto regex = compiled.try_emplace(pattern, pattern).first;
+        return std::regex_search(value.get<std::string>(), regex->second);
+    }
     static const std::set<std::string> notes = {"$schema", "title", "description",
                                                 "default"};
     if (notes.contains(rule)) return true;
