@@ -68,11 +68,12 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     };
     if (!scene.bodies.empty()) add("structure", "magfsi-structure");
     if (scene.fluid) add("fluid", "magfsi-fluid-lbm");
-    for (const auto& [role, ranks] : options.ranks) {
+    for (const auto& given : options.ranks) {
+        const std::string& role = given.first;
         if (std::ranges::none_of(programs,
                                  [&](const Program& p) { return p.role == role; })) {
             throw std::invalid_argument(
-                fmt::format("--ranks {}={}: the scene has no {}", role, ranks, role));
+                fmt::format("--ranks {}={}: the scene has no {}", role, given.second, role));
         }
     }
     return programs;
