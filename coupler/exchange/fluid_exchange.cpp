@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <numeric>
 
 #include "coupler/exchange/message.h"
@@ -16,6 +17,15 @@ FluidExchange::FluidExchange(const World& world, double timeout_s)
     count_.assign(ranks, 0);
     in_.resize(ranks);
     out_.resize(ranks);
+}
+
+FluidExchange::~FluidExchange() {
+    if (std::uncaught_exceptions() > 0) return;
+    try {
+        wait_all(sending_, timeout_s_, "receiver of the last velocities");
+    } catch (const std::exception&) {
+        // The structure waits for these velocities no more; it has said why.
+    }
 }
 
 void FluidExchange::renew(std::int64_t step) {

@@ -23,6 +23,12 @@ class FluidExchange {
   public:
     FluidExchange(const World& world, double timeout_s);
 
+    // Waits until the last velocities are taken: MPI reads them from here. Not when an
+    // exception ends the run, which the partner may have left already.
+    ~FluidExchange();
+    FluidExchange(const FluidExchange&) = delete;
+    FluidExchange& operator=(const FluidExchange&) = delete;
+
     // The structure's message of a coupled step; -1 is the one before step 0.
     const MarkerBatch& receive(std::int64_t step);
 
