@@ -11,7 +11,10 @@ class LAMMPS;
 namespace magfsi::structure {
 
 // Call after the constructor of LAMMPS and before its first input line. Adds
-//   fix ID group magttice FILE G K [field Bx By Bz] ...   (see docs/fix_magttice.md)
+//   fix ID group magttice FILE first_atom_id G K [element full|mean_f] [field Bx By Bz]
+//   fix ID group magttice/field PLANE COURSE ...
+//   fix ID group magttice/drag RATE
+// (see docs/fix_magttice.md).
 void register_styles(LAMMPS_NS::LAMMPS& lammps);
 
 // What a failing style calls in place of LAMMPS's own error exit (which ends the process
