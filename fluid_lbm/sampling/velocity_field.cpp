@@ -55,7 +55,8 @@ Vec3 VelocityField::derivative(const std::array<int, 3>& cell, int axis,
     const std::array<Beyond, 2>& sides = axis == 0   ? x_sides
                                          : axis == 1 ? layout_.beyond_y
                                                      : layout_.beyond_z;
-    const double* value[2] = {nullptr, nullptr};
+    const double* here = at(cell[0], cell[1], cell[2]);
+    const double* value[2] = {here, here};
     int wall_side = -1;
     for (int side = 0; side < 2; ++side) {
         std::array<int, 3> next = cell;
@@ -69,7 +70,6 @@ Vec3 VelocityField::derivative(const std::array<int, 3>& cell, int axis,
         }
     }
     Vec3 slope{};
-    const double* here = at(cell[0], cell[1], cell[2]);
     for (int a = 0; a < 3; ++a) {
         if (wall_side < 0) {
             slope[a] = 0.5 * (value[1][a] - value[0][a]);
