@@ -72,8 +72,8 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         const std::string& role = given.first;
         if (std::ranges::none_of(programs,
                                  [&](const Program& p) { return p.role == role; })) {
-            throw std::invalid_argument(
-                fmt::format("--ranks {}={}: the scene has no {}", role, given.second, role));
+            throw std::invalid_argument(fmt::format("--ranks {}={}: the scene has no {}",
+                                                    role, given.second, role));
         }
     }
     return programs;
