@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/mpi/structure/lammps_run.h"
+#include "tests/mpi/structure/strip.h"
+
+namespace magfsi::structure {
+namespace {
+
+// The script's lines for a start from a restart file, which brings the atoms, the box and
+// the step number along.
+std::vector<std::string> restarted(const std::vector<std::string>& lines,
+                                   const std::string& file) {
+    std::vector<std::string> out;
+    for (const std::string& line : lines) {
+        if (line.starts_with("read_data")) {
+            out.push_back("read_restart " + file);
+        } else if (!line.starts_with("group") && !line.starts_with("balance")) {
+            out.push_back(line);
+        }
+    }
+    return out;
+}
+
+TEST(Restart, KeepsTheWorkOfTheFieldAndTheMotion) {
+    const LammpsInput input = test::strip_in_field();
+    const test::SharedFolder folder;
+    const LammpsScript script = folder.write(input);
+    const std::string file = (folder.path() / "half.restart").string();
+    test::LammpsRun whole(MPI_COMM_WORLD, script.setup);
+    whole.command("run 300");
+    whole.command("write_restart " + file);
+    const double half = whole.fix_value("magttice_strip", 2);
+    whole.command("run 300");
+
+    test::LammpsRun second(MPI_COMM_WORLD, restarted(script.setup, file));
+    second.command("run 0");
+    EXPECT_EQ(second.fix_value("magttice_strip", 2), half);
+    second.command("run 300");
+    // The sum starts anew from its total on one rank: rounding.
+    const double work = whole.fix_value("magttice_strip", 2);
+    EXPECT_NEAR(second.fix_value("magttice_strip", 2), work, 1e-11 * std::abs(work));
+    const auto a = whole.gather("x");
+    const auto b = second.gather("x");
+    // Atoms may be stored in another order, which reorders sums: rounding over 300 steps.
+    for (std::size_t q = 0; q < a.size(); ++q) EXPECT_NEAR(a[q], b[q], 1e-15);
+}
+
+TEST(FixModify, SetsTheWork) {
+    const test::SharedFolder folder;
+    const LammpsScript script = folder.write(test::strip_in_field());
+    test::LammpsRun run(MPI_COMM_WORLD, script.setup);
+    run.command("fix_modify magttice_strip work 1.25e-7");
+    run.command("run 0");
+    EXPECT_EQ(run.fix_value("magttice_strip", 2), 1.25e-7);
+}
+
+}  // namespace
+}  // namespace magfsi::structure
