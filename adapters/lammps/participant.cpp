@@ -249,6 +249,7 @@ void Participant::run() {
     session_.log("absent: " + joined(scene::absent_effects(scene())));
     session_.log("structure step: " + tasks_.names());
     if (coupling_) coupling_->exchange_first();
+    if (scene().probes) write_probes();
     const double start = output::steady_seconds();
     while (!session_.clock().done()) tasks_.run();
     finish(output::steady_seconds() - start);

@@ -77,7 +77,8 @@ void Participant::assemble_coupling() {
 void Participant::assemble_output() {
     const scene::Scene& scene = session_.scene();
     const bool leads = session_.world().leads();
-    if (scene.probes && (balance_ || !scene.probes->fluid.empty())) {
+    writes_probes_ = scene.probes && (balance_ || !scene.probes->fluid.empty());
+    if (writes_probes_) {
         if (leads) {
             probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
                                                           coupler::fluid_columns(scene));
@@ -161,6 +162,7 @@ void Participant::run() {
         std::fflush(stdout);
     }
     if (exchange_) begin_coupling();
+    if (writes_probes_) write_probes();
     const double start = output::steady_seconds();
     while (!session_.clock().done()) tasks_.run();
     finish(output::steady_seconds() - start);

@@ -46,6 +46,7 @@ class Participant {
     std::unique_ptr<FluidFiles> files_;
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<output::Progress> progress_;
+    bool writes_probes_ = false;
     std::vector<double> last_probes_;
 };
 
