@@ -57,7 +57,7 @@ int execute(CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"magfsi: hard-magnetic soft robots in a fluid"};
+    CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");

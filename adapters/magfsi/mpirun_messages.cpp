@@ -26,11 +26,13 @@ bool is_known(const std::vector<std::string>& block) {
     });
 }
 
-// Open MPI's own lines "[host:pid] ..." about the banners above.
+// Open MPI's own lines "[host:pid] ..." about the banners above, and about a read of
+// shared memory that a killed partner had offered.
 bool is_echo(const std::string& line) {
-    constexpr const char* known[] = {
-        "more process has sent help message", "more processes have sent help message",
-        "Set MCA parameter \"orte_base_help_aggregate\"", "ORTE_ERROR_LOG"};
+    constexpr const char* known[] = {"more process has sent help message",
+                                     "more processes have sent help message",
+                                     "Set MCA parameter \"orte_base_help_aggregate\"",
+                                     "ORTE_ERROR_LOG", "Read -1, expected"};
     return line.starts_with('[') && std::ranges::any_of(known, [&](const char* text) {
                return line.find(text) != std::string::npos;
            });
