@@ -18,7 +18,10 @@ struct Material {
 // full: the paper's element (exact volume, full spring matrix).
 // mean_f: J from the mean deformation gradient and hourglass coefficients 3
 // min(l_i,l_j)^2: accurate in bending with few layers.
-enum class ElementVariant { full, mean_f };
+// assumed_strain: all of the energy from the mean deformation gradient, and a hourglass
+// energy that is exact for linear bending and twist (lattice/hourglass.h): accurate in
+// every mode with one layer, for edges of any ratio.
+enum class ElementVariant { full, mean_f, assumed_strain };
 
 struct Body {
     std::string name;

@@ -6,7 +6,29 @@ namespace magfsi::structure {
 
 inline constexpr int batch_lanes = 8;
 
-enum class KernelKind { brick_full, brick_mean_f, general_full, general_mean_f };
+enum class KernelKind {
+    brick_full,
+    brick_mean_f,
+    brick_assumed_strain,
+    general_full,
+    general_mean_f,
+    general_assumed_strain
+};
+
+constexpr bool is_brick(KernelKind kind) {
+    return kind == KernelKind::brick_full || kind == KernelKind::brick_mean_f ||
+           kind == KernelKind::brick_assumed_strain;
+}
+
+// Entries an element of ElementBatches::gradient and ::hourglass.
+constexpr int gradient_entries(KernelKind kind) {
+    return is_brick(kind) || kind == KernelKind::general_full ? 0 : 21;
+}
+constexpr int hourglass_entries(KernelKind kind) {
+    return kind == KernelKind::brick_assumed_strain     ? 3
+           : kind == KernelKind::general_assumed_strain ? 18
+                                                        : 0;
+}
 
 // All arrays are 64-byte aligned, [batch][entry][lane]. Lanes past the last element
 // repeat it.
@@ -15,8 +37,11 @@ struct ElementBatches {
     int element_count = 0;
     const int* node = nullptr;         // 8 entries: index of node a in x and f
     const double* spring = nullptr;    // 7 entries for bricks, 28 in general [N/m]
-    const double* gradient = nullptr;  // 21 entries, general_mean_f only [1/m]
-    const double* volume = nullptr;    // 1 entry: V0 [m3]
+    const double* gradient = nullptr;  // mean F of a general element [1/m]
+    // brick: inverse squares of the half edges [1/m2]; general: ElementModes' metric and
+    // offset.
+    const double* hourglass = nullptr;
+    const double* volume = nullptr;  // 1 entry: V0 [m3]
     double shear_modulus_pa = 0;
     double lame_lambda_pa = 0;
 };

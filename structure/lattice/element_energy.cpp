@@ -3,15 +3,29 @@
 #include <cmath>
 
 #include "structure/lattice/springs.h"
-#include "structure/lattice/volume.h"
 
 namespace magfsi::structure {
 
 ElementReference element_reference(const Positions8& nodes_m, ElementVariant variant,
                                    int element_number) {
     const HexahedronIntegrals integrals = integrate_hexahedron(nodes_m, element_number);
-    return {variant, spring_matrix(nodes_m, integrals, variant), integrals.gradient,
-            integrals.volume, integrals.node_volume};
+    ElementReference out{variant,
+                         spring_matrix(nodes_m, integrals, variant),
+                         integrals.gradient,
+                         integrals.volume,
+                         integrals.node_volume,
+                         {}};
+    if (variant == ElementVariant::assumed_strain) {
+        out.hourglass = hourglass_reference(nodes_m, integrals);
+    }
+    return out;
+}
+
+VolumeAndGradient element_volume(const ElementReference& reference,
+                                 const Positions8& x_m) {
+    return reference.variant == ElementVariant::full
+               ? exact_volume(x_m)
+               : mean_volume(x_m, reference.gradient, reference.volume);
 }
 
 ElementState element_energy(const ElementReference& reference, const Material& material,
@@ -23,9 +37,7 @@ ElementState element_energy(const ElementReference& reference, const Material& m
     // is far from the origin out of them.
     const Positions8 x = x_m.rowwise() - x_m.colwise().mean();
     const Positions8 spring_force = -g * reference.spring_matrix * x;
-    const VolumeAndGradient v = reference.variant == ElementVariant::full
-                                    ? exact_volume(x)
-                                    : mean_volume(x, reference.gradient, v0);
+    const VolumeAndGradient v = element_volume(reference, x);
     ElementState out;
     out.volume_ratio = v.volume_m3 / v0;
     const double log_j = std::log(out.volume_ratio);
@@ -33,6 +45,12 @@ ElementState element_energy(const ElementReference& reference, const Material& m
     out.energy_j = -0.5 * spring_force.cwiseProduct(x).sum() - 1.5 * g * v0 +
                    v0 * log_j * (0.5 * k * log_j - g);
     out.force_n = spring_force - pressure * v.gradient_m2;
+    if (reference.variant == ElementVariant::assumed_strain) {
+        const HourglassState hourglass =
+            hourglass_energy(reference.hourglass, material, x);
+        out.energy_j += hourglass.energy_j;
+        out.force_n -= hourglass.gradient_n;
+    }
     return out;
 }
 

@@ -45,15 +45,17 @@ Isa choose_isa() {
     return chosen;
 }
 
-bool is_brick(KernelKind kind) {
-    return kind == KernelKind::brick_full || kind == KernelKind::brick_mean_f;
-}
-
 KernelKind kind_of(const Lattice& lattice) {
-    if (lattice.variant == ElementVariant::full) {
-        return lattice.bricks ? KernelKind::brick_full : KernelKind::general_full;
+    switch (lattice.variant) {
+        case ElementVariant::full:
+            return lattice.bricks ? KernelKind::brick_full : KernelKind::general_full;
+        case ElementVariant::mean_f:
+            return lattice.bricks ? KernelKind::brick_mean_f : KernelKind::general_mean_f;
+        case ElementVariant::assumed_strain:
+            break;
     }
-    return lattice.bricks ? KernelKind::brick_mean_f : KernelKind::general_mean_f;
+    return lattice.bricks ? KernelKind::brick_assumed_strain
+                          : KernelKind::general_assumed_strain;
 }
 
 }  // namespace
@@ -78,7 +80,8 @@ void ElementKernel::assign(const Lattice& lattice, std::span<const int> elements
     const std::size_t batches = (elements.size() + batch_lanes - 1) / batch_lanes;
     nodes_.assign(batches * 4, {});
     spring_.assign(batches * (is_brick(kind_) ? 7 : 28), {});
-    gradient_.assign(kind_ == KernelKind::general_mean_f ? batches * 21 : 0, {});
+    gradient_.assign(batches * static_cast<std::size_t>(gradient_entries(kind_)), {});
+    hourglass_.assign(batches * static_cast<std::size_t>(hourglass_entries(kind_)), {});
     volume_.assign(batches, {});
     for (std::size_t position = 0; position < batches * batch_lanes; ++position) {
         const std::size_t source = std::min(position, elements.size() - 1);
@@ -95,20 +98,26 @@ void ElementKernel::assign(const Lattice& lattice, std::span<const int> elements
 void ElementKernel::pack(const ElementModes& modes, std::size_t position) {
     const std::size_t batch = position / batch_lanes;
     const std::size_t lane = position % batch_lanes;
+    const auto put = [batch, lane](std::vector<Lanes>& lanes, std::size_t entries,
+                                   const auto& value) {
+        for (std::size_t k = 0; k < entries; ++k) {
+            lanes[batch * entries + k].lane[lane] = value(k);
+        }
+    };
     volume_[batch].lane[lane] = modes.volume;
     if (is_brick(kind_)) {
-        for (std::size_t k = 0; k < 7; ++k) {
-            spring_[batch * 7 + k].lane[lane] = modes.spring[diagonal_entries[k]];
-        }
+        put(spring_, 7, [&](std::size_t k) { return modes.spring[diagonal_entries[k]]; });
+        if (hourglass_.empty()) return;
+        put(hourglass_, 3,
+            [&](std::size_t k) { return modes.metric[brick_metric_entries[k]]; });
         return;
     }
-    for (std::size_t k = 0; k < 28; ++k) {
-        spring_[batch * 28 + k].lane[lane] = modes.spring[k];
-    }
+    put(spring_, 28, [&](std::size_t k) { return modes.spring[k]; });
     if (gradient_.empty()) return;
-    for (std::size_t k = 0; k < 21; ++k) {
-        gradient_[batch * 21 + k].lane[lane] = modes.gradient[k];
-    }
+    put(gradient_, 21, [&](std::size_t k) { return modes.gradient[k]; });
+    if (hourglass_.empty()) return;
+    put(hourglass_, 18,
+        [&](std::size_t k) { return k < 9 ? modes.metric[k] : modes.offset[k - 9]; });
 }
 
 KernelResult ElementKernel::run(const double* x, double* f, bool energy) const {
@@ -119,6 +128,7 @@ KernelResult ElementKernel::run(const double* x, double* f, bool energy) const {
     batches.node = nodes_.front().lane;
     batches.spring = spring_.front().lane;
     batches.gradient = gradient_.empty() ? nullptr : gradient_.front().lane;
+    batches.hourglass = hourglass_.empty() ? nullptr : hourglass_.front().lane;
     batches.volume = volume_.front().lane;
     batches.shear_modulus_pa = material_.shear_modulus_pa;
     batches.lame_lambda_pa = material_.lame_lambda_pa;

@@ -52,7 +52,7 @@ class ElementKernel {
     Material material_;
     std::vector<int> elements_;
     std::vector<NodeLanes> nodes_;
-    std::vector<Lanes> spring_, gradient_, volume_;
+    std::vector<Lanes> spring_, gradient_, hourglass_, volume_;
 };
 
 }  // namespace magfsi::structure

@@ -1,6 +1,7 @@
 // The element of eqs. (2) to (6) in Hadamard mode space, `width` elements at a time. See
 // element_modes.h for the coefficients and element_energy.cpp for the same in plain form.
 #include "structure/lattice/element_batches.h"
+#include "structure/lattice/hourglass_lanes.h"
 #include "structure/lattice/simd_lanes.h"
 
 namespace magfsi::structure::MAGFSI_ISA {
@@ -69,24 +70,74 @@ MAGFSI_INLINE VolumeTerm mean_volume_of_brick(const ElementBatches& b, const Rea
     return term;
 }
 
-// F = sum_m u_m B_m^T; 1/8 dJ/du_m V0 = V0/8 cof(F) B_m.
-MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const double* gradient,
-                                     const Real& v0, const Vec (&u)[8], Vec (&g)[8]) {
-    Vec f[3] = {};
+// Columns of F = sum_m u_m B_m^T.
+MAGFSI_INLINE void mean_gradient(const double* gradient, const Vec (&u)[8], Vec (&f)[3]) {
+    for (Vec& column : f) column = {Real{}, Real{}, Real{}};
     for (int m = 1; m < 8; ++m) {
         for (int d = 0; d < 3; ++d) {
             f[d] = f[d] + load(gradient + (3 * (m - 1) + d) * batch_lanes) * u[m];
         }
     }
+}
+
+// 1/8 dJ/dF V0 = V0/8 cof(F), added to `stress`.
+MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const Real& v0,
+                                     const Vec (&f)[3], Vec (&stress)[3]) {
     const Vec cofactor[3] = {cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])};
     const VolumeTerm term = volume_term(b, dot(f[0], cofactor[0]));
     const Real scale = 0.125 * v0 * term.slope;
+    for (int d = 0; d < 3; ++d) stress[d] = stress[d] + scale * cofactor[d];
+    return term;
+}
+
+MAGFSI_INLINE void add_stress(const double* gradient, const Vec (&stress)[3],
+                              Vec (&g)[8]) {
     for (int m = 1; m < 8; ++m) {
         for (int d = 0; d < 3; ++d) {
-            const Real entry = load(gradient + (3 * (m - 1) + d) * batch_lanes);
-            g[m] = g[m] + (scale * entry) * cofactor[d];
+            g[m] = g[m] + load(gradient + (3 * (m - 1) + d) * batch_lanes) * stress[d];
         }
     }
+}
+
+// `springs` grows by a quarter of the hourglass energy.
+MAGFSI_INLINE VolumeTerm assumed_strain_of_brick(const ElementBatches& b,
+                                                 const double* data, const Real& v0,
+                                                 const Vec (&u)[8], Vec (&g)[8],
+                                                 Real& springs) {
+    Vec w[3];
+    springs += hourglass<true>(b, data, v0, u[3], u[5], u[6], u, g, w);
+    g[3] = g[3] + w[0];
+    g[5] = g[5] + w[1];
+    g[6] = g[6] + w[2];
+    return mean_volume_of_brick(b, v0, u, g);
+}
+
+// Hourglass vectors less what a homogeneous deformation makes of them, v_j = u_j - F X_j.
+MAGFSI_INLINE VolumeTerm assumed_strain(const ElementBatches& b, const double* gradient,
+                                        const double* data, const Real& v0,
+                                        const Vec (&u)[8], Vec (&g)[8], Real& springs) {
+    Vec f[3];
+    mean_gradient(gradient, u, f);
+    const double* offset = data + 9 * batch_lanes;
+    Vec v[3] = {u[3], u[5], u[6]};
+    for (int j = 0; j < 3; ++j) {
+        for (int d = 0; d < 3; ++d) {
+            v[j] = v[j] - load(offset + (3 * j + d) * batch_lanes) * f[d];
+        }
+    }
+    Vec w[3];
+    springs += hourglass<false>(b, data, v0, v[0], v[1], v[2], u, g, w);
+    g[3] = g[3] + w[0];
+    g[5] = g[5] + w[1];
+    g[6] = g[6] + w[2];
+    Vec stress[3] = {};
+    for (int j = 0; j < 3; ++j) {
+        for (int d = 0; d < 3; ++d) {
+            stress[d] = stress[d] - load(offset + (3 * j + d) * batch_lanes) * w[j];
+        }
+    }
+    const VolumeTerm term = mean_volume(b, v0, f, stress);
+    add_stress(gradient, stress, g);
     return term;
 }
 
@@ -102,38 +153,61 @@ MAGFSI_INLINE void note_smallest(Smallest& smallest, const Real& j, double batch
     smallest.batch = less ? splat(batch) : smallest.batch;
 }
 
-MAGFSI_INLINE Real energy_of(const ElementBatches& b, const Real& v0, const Vec (&u)[8],
-                             const Vec (&spring)[8], const VolumeTerm& term) {
-    Real springs = {};
-    for (int m = 1; m < 8; ++m) springs += dot(spring[m], u[m]);
+// springs: a quarter of what the springs and the hourglass vectors hold.
+MAGFSI_INLINE Real energy_of(const ElementBatches& b, const Real& v0, const Real& springs,
+                             const VolumeTerm& term) {
     return 4.0 * springs - 1.5 * b.shear_modulus_pa * v0 +
            v0 * term.log_j * (0.5 * b.lame_lambda_pa * term.log_j - b.shear_modulus_pa);
 }
 
+template <KernelKind kind>
+MAGFSI_INLINE VolumeTerm beyond_springs(const ElementBatches& b, long batch, int lane,
+                                        const Real& v0, const Vec (&u)[8], Vec (&g)[8],
+                                        Real& springs) {
+    const auto of_batch = [batch, lane](const double* data, int entries) {
+        return data + batch * entries * batch_lanes + lane;
+    };
+    if constexpr (kind == KernelKind::brick_full || kind == KernelKind::general_full) {
+        return exact_volume(b, v0, u, g);
+    } else if constexpr (kind == KernelKind::brick_mean_f) {
+        return mean_volume_of_brick(b, v0, u, g);
+    } else if constexpr (kind == KernelKind::general_mean_f) {
+        Vec f[3];
+        Vec stress[3] = {};
+        const double* gradient = of_batch(b.gradient, gradient_entries(kind));
+        mean_gradient(gradient, u, f);
+        const VolumeTerm term = mean_volume(b, v0, f, stress);
+        add_stress(gradient, stress, g);
+        return term;
+    } else {
+        const double* data = of_batch(b.hourglass, hourglass_entries(kind));
+        if constexpr (is_brick(kind)) {
+            return assumed_strain_of_brick(b, data, v0, u, g, springs);
+        } else {
+            return assumed_strain(b, of_batch(b.gradient, gradient_entries(kind)), data,
+                                  v0, u, g, springs);
+        }
+    }
+}
+
 // Positions u in, forces on the nodes out.
-template <bool brick, bool mean_f, bool want_energy>
+template <KernelKind kind, bool want_energy>
 MAGFSI_INLINE Real element(const ElementBatches& b, long batch, int lane, Vec (&u)[8],
                            Real& energy) {
-    constexpr int springs = brick ? 7 : 28;
-    const double* spring = b.spring + batch * springs * batch_lanes + lane;
+    constexpr bool brick = is_brick(kind);
+    constexpr int entries = brick ? 7 : 28;
+    const double* spring = b.spring + batch * entries * batch_lanes + lane;
     const Real v0 = load(b.volume + batch * batch_lanes + lane);
     to_modes(u);
     for (int m = 1; m < 8; ++m) u[m] = splat(0.125) * u[m];
     Vec g[8];
     spring_modes<brick>(spring, u, g);
-    Vec spring_part[8];
+    Real springs = {};
     if constexpr (want_energy) {
-        for (int m = 1; m < 8; ++m) spring_part[m] = g[m];
+        for (int m = 1; m < 8; ++m) springs += dot(g[m], u[m]);
     }
-    VolumeTerm term;
-    if constexpr (!mean_f) {
-        term = exact_volume(b, v0, u, g);
-    } else if constexpr (brick) {
-        term = mean_volume_of_brick(b, v0, u, g);
-    } else {
-        term = mean_volume(b, b.gradient + batch * 21 * batch_lanes + lane, v0, u, g);
-    }
-    if constexpr (want_energy) energy = energy_of(b, v0, u, spring_part, term);
+    const VolumeTerm term = beyond_springs<kind>(b, batch, lane, v0, u, g, springs);
+    if constexpr (want_energy) energy = energy_of(b, v0, springs, term);
     u[0] = {Real{}, Real{}, Real{}};
     for (int m = 1; m < 8; ++m) u[m] = splat(-1.0) * g[m];
     to_nodes(u);
@@ -154,7 +228,7 @@ KernelResult first_smallest(const Smallest (&smallest)[batch_lanes / width]) {
     return out;
 }
 
-template <bool brick, bool mean_f, bool want_energy>
+template <KernelKind kind, bool want_energy>
 KernelResult run(const ElementBatches& b, const double* x, double* f) {
     Smallest smallest[batch_lanes / width];
     for (Smallest& s : smallest) s = {splat(__builtin_inf()), Real{}};
@@ -168,7 +242,7 @@ KernelResult run(const ElementBatches& b, const double* x, double* f) {
             Vec u[8];
             for (int a = 0; a < 8; ++a) u[a] = gather_node(x, node + a * batch_lanes);
             Real energy = {};
-            const Real j = element<brick, mean_f, want_energy>(b, batch, lane, u, energy);
+            const Real j = element<kind, want_energy>(b, batch, lane, u, energy);
             note_smallest(smallest[part], j, static_cast<double>(batch));
             const int left = filled - lane;
             if (left >= width) {
@@ -191,10 +265,9 @@ KernelResult run(const ElementBatches& b, const double* x, double* f) {
     return out;
 }
 
-template <bool brick, bool mean_f>
+template <KernelKind kind>
 KernelResult run(const ElementBatches& b, const double* x, double* f, bool energy) {
-    return energy ? run<brick, mean_f, true>(b, x, f)
-                  : run<brick, mean_f, false>(b, x, f);
+    return energy ? run<kind, true>(b, x, f) : run<kind, false>(b, x, f);
 }
 
 }  // namespace
@@ -203,13 +276,17 @@ KernelResult run_elements(const ElementBatches& b, const double* x, double* f,
                           bool energy) {
     switch (b.kind) {
         case KernelKind::brick_full:
-            return run<true, false>(b, x, f, energy);
+            return run<KernelKind::brick_full>(b, x, f, energy);
         case KernelKind::brick_mean_f:
-            return run<true, true>(b, x, f, energy);
+            return run<KernelKind::brick_mean_f>(b, x, f, energy);
+        case KernelKind::brick_assumed_strain:
+            return run<KernelKind::brick_assumed_strain>(b, x, f, energy);
         case KernelKind::general_full:
-            return run<false, false>(b, x, f, energy);
+            return run<KernelKind::general_full>(b, x, f, energy);
         case KernelKind::general_mean_f:
-            return run<false, true>(b, x, f, energy);
+            return run<KernelKind::general_mean_f>(b, x, f, energy);
+        case KernelKind::general_assumed_strain:
+            return run<KernelKind::general_assumed_strain>(b, x, f, energy);
     }
     return {};
 }

@@ -48,6 +48,15 @@ ElementModes element_modes(const ElementReference& reference, double shear_modul
         for (int d = 0; d < 3; ++d) out.gradient[3 * (m - 1) + d] = gradient(m, d);
     }
     out.brick = out.brick && gradient_of_brick(out.gradient);
+    for (int d = 0; d < 3; ++d) {
+        const Eigen::Matrix2d& metric = reference.hourglass.metric[d];
+        out.metric[3 * d] = metric(0, 0);
+        out.metric[3 * d + 1] = metric(1, 1);
+        out.metric[3 * d + 2] = metric(0, 1);
+        for (int j = 0; j < 3; ++j) {
+            out.offset[3 * j + d] = reference.hourglass.offset_m(j, d);
+        }
+    }
     return out;
 }
 

@@ -12,13 +12,22 @@ namespace magfsi::structure {
 struct ElementModes {
     std::array<double, 28> spring{};    // G/8 H^T L H, upper triangle row by row [N/m]
     std::array<double, 21> gradient{};  // sum_a h_m(a) b_a / V0, three a mode [1/m]
-    double volume = 0;                  // [m3]
-    bool brick = false;                 // spring is diagonal, gradient that of a brick
+    // assumed_strain only: hourglass.h's inverse metrics (11, 22, 12 of each group)
+    // [1/m2] and the reference vectors X_j of the hourglass modes, three values a mode
+    // [m].
+    std::array<double, 9> metric{};
+    std::array<double, 9> offset{};
+    double volume = 0;   // [m3]
+    bool brick = false;  // spring is diagonal, gradient that of a brick
 };
 
 ElementModes element_modes(const ElementReference& reference, double shear_modulus_pa);
 
 // Positions of the seven diagonal entries within ElementModes::spring.
 inline constexpr std::array<int, 7> diagonal_entries{0, 7, 13, 18, 22, 25, 27};
+
+// Positions within ElementModes::metric of the inverse squares of a brick's half edges
+// along x, y, z.
+inline constexpr std::array<int, 3> brick_metric_entries{3, 0, 1};
 
 }  // namespace magfsi::structure

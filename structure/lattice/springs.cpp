@@ -21,6 +21,23 @@ Hourglass hourglass_vectors(const Positions8& nodes_m, const HexahedronIntegrals
     return gamma;
 }
 
+// Square roots of the factors on the entries of C of the element full.
+Eigen::Vector4d hourglass_scale(const Vec3& length, ElementVariant variant) {
+    Eigen::Vector4d scale = Eigen::Vector4d::Ones();
+    double smallest = INFINITY;
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double li = length[mode_axes[k][0]];
+        const double lj = length[mode_axes[k][1]];
+        const double shorter = std::min(li, lj);
+        scale(k) = std::sqrt(3 * shorter * shorter / (li * li + lj * lj));
+        smallest = std::min(smallest, li * li * lj * lj);
+        sum += li * li * lj * lj;
+    }
+    if (variant == ElementVariant::mean_f) return scale;
+    return {0, 0, 0, std::sqrt(3 * smallest / sum)};
+}
+
 }  // namespace
 
 ElementEdges element_edges(const Positions8& nodes_m) {
@@ -45,14 +62,8 @@ Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& in,
     const Eigen::Matrix4d inverse = (gamma.transpose() * gamma).inverse();
     Eigen::Matrix4d c =
         inverse * (gamma.transpose() * (in.laplacian - mean) * gamma) * inverse;
-    const Vec3 length = element_edges(nodes_m).length_m;
-    Eigen::Vector4d scale = Eigen::Vector4d::Ones();
-    for (int k = 0; k < 3; ++k) {
-        const double li = length[mode_axes[k][0]];
-        const double lj = length[mode_axes[k][1]];
-        const double shorter = std::min(li, lj);
-        scale(k) = std::sqrt(3 * shorter * shorter / (li * li + lj * lj));
-    }
+    const Eigen::Vector4d scale =
+        hourglass_scale(element_edges(nodes_m).length_m, variant);
     c = scale.asDiagonal() * c * scale.asDiagonal();
     return mean + gamma * c * gamma.transpose();
 }

@@ -15,6 +15,8 @@ namespace magfsi::structure {
 // mean_f: L = b b^T / V0 + Gamma C Gamma^T, the family of matrices that reproduces linear
 // fields. C is that of full with the entries of the three bending modes scaled, so that a
 // brick of edges l has 3 min(l_i, l_j)^2 where full has l_i^2 + l_j^2.
+// assumed_strain: of C only the entry of the mode xyz, scaled so that a brick has 3 times
+// the smallest of the (l_i l_j)^2 where full has their sum; hourglass.h has the rest.
 Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& integrals,
                       ElementVariant variant);
 

@@ -11,8 +11,8 @@
 
 namespace magfsi::structure::test {
 
-constexpr std::array<ElementVariant, 2> both_variants{ElementVariant::full,
-                                                      ElementVariant::mean_f};
+inline constexpr std::array all_variants{ElementVariant::full, ElementVariant::mean_f,
+                                         ElementVariant::assumed_strain};
 
 // The paper's G and K = 20 G, in Pa.
 inline Material soft_material() {

@@ -11,7 +11,7 @@ TEST(Force, IsMinusTheEnergyGradientInRandomStatesOfDistortedElements) {
     const double h = 1e-9;  // of 1e-4: truncation (h/l)^2 = 1e-10, rounding about 1e-9
     const double tolerance = 1e-7;  // both, times the stiffening in the most bent states
     test::Random random(7);
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         for (int trial = 0; trial < 10; ++trial) {
             const Positions8 reference_x = test::distorted_element(random);
             const ElementReference reference = element_reference(reference_x, variant, 0);

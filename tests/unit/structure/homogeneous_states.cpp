@@ -70,7 +70,7 @@ TEST(HomogeneousStates, StressAndEnergyAreThoseOfEquationOne) {
     ASSERT_GE(states.size(), 20U);
     test::Random random(11);
     const Positions8 x0 = test::distorted_element(random);
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         const ElementReference reference = element_reference(x0, variant, 0);
         for (const State& state : states) {
             const Eigen::Matrix3d f = deformation(state);

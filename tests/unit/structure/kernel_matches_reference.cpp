@@ -86,14 +86,14 @@ class Kernel : public ::testing::TestWithParam<const char*> {
 const Box box{{10e-4, 6e-4, 1.5e-4}, {5, 3, 3}};
 
 TEST_P(Kernel, MatchesThePlainElementOnBricks) {
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         expect_same(box_mesh(box), variant, true);
     }
 }
 
 TEST_P(Kernel, MatchesThePlainElementOnDistortedElements) {
     const Mesh mesh = test::distorted_block(box, 3e-6, 14);
-    for (ElementVariant variant : test::both_variants) expect_same(mesh, variant, false);
+    for (ElementVariant variant : test::all_variants) expect_same(mesh, variant, false);
 }
 
 TEST_P(Kernel, NamesTheElementThatIsInvertedOrNotANumber) {

@@ -9,7 +9,7 @@
 namespace magfsi::structure {
 namespace {
 
-using test::both_variants;
+using test::all_variants;
 
 Eigen::Matrix3d some_deformation() {
     Eigen::Matrix3d f;
@@ -19,7 +19,7 @@ Eigen::Matrix3d some_deformation() {
 
 TEST(LinearFields, SpringMatrixTurnsPositionsIntoGradientIntegrals) {
     test::Random random(3);
-    for (ElementVariant variant : both_variants) {
+    for (ElementVariant variant : all_variants) {
         for (int trial = 0; trial < 20; ++trial) {
             const Positions8 x = test::distorted_element(random);
             const HexahedronIntegrals in = integrate_hexahedron(x, 0);
@@ -33,7 +33,7 @@ TEST(LinearFields, SpringMatrixTurnsPositionsIntoGradientIntegrals) {
 TEST(LinearFields, PairSpringsGiveTheEnergyOfTheHomogeneousState) {
     test::Random random(4);
     const Eigen::Matrix3d f = some_deformation();
-    for (ElementVariant variant : both_variants) {
+    for (ElementVariant variant : all_variants) {
         const Positions8 reference = test::distorted_element(random);
         const HexahedronIntegrals in = integrate_hexahedron(reference, 0);
         const auto springs = pair_springs(spring_matrix(reference, in, variant));
@@ -54,7 +54,7 @@ TEST(LinearFields, InnerNodesOfADistortedPatchFeelNoForce) {
     const Mesh mesh = test::distorted_block({{6e-4, 6e-4, 3e-4}, {3, 3, 3}}, 8e-6, 5);
     const Eigen::Matrix3d f = some_deformation();
     const Material material = test::soft_material();
-    for (ElementVariant variant : both_variants) {
+    for (ElementVariant variant : all_variants) {
         std::vector<Eigen::Vector3d> force(mesh.nodes.size(), Eigen::Vector3d::Zero());
         double largest = 0;
         for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

@@ -18,7 +18,7 @@ double energy_scale(const ElementReference& reference, const Material& material)
 TEST(Rest, HasNoForceAndNoEnergy) {
     const Material material = test::soft_material();
     test::Random random(8);
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         const Positions8 x = test::distorted_element(random);
         const ElementReference reference = element_reference(x, variant, 0);
         const ElementState state = element_energy(reference, material, x);
@@ -31,7 +31,7 @@ TEST(Rest, HasNoForceAndNoEnergy) {
 TEST(Rotation, ChangesNoEnergyAndTurnsTheForces) {
     const Material material = test::soft_material();
     test::Random random(9);
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         for (int trial = 0; trial < 20; ++trial) {
             const Positions8 x0 = test::distorted_element(random);
             const ElementReference reference = element_reference(x0, variant, 0);
@@ -54,7 +54,7 @@ TEST(Rotation, ChangesNoEnergyAndTurnsTheForces) {
 TEST(Element, ExertsNoNetForceAndNoNetTorque) {
     const Material material = test::soft_material();
     test::Random random(10);
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         for (int trial = 0; trial < 20; ++trial) {
             const Positions8 x0 = test::distorted_element(random);
             const Positions8 x = random.moved(x0, 1.5e-5);

@@ -29,7 +29,7 @@ TEST(StableStep, IsThatOfMeasuredPlates) {
     const double h = 1e-4;
     const double expected[4][2] = {
         {1, 0.59}, {std::sqrt(2.0), 0.72}, {2, 0.82}, {4, 0.94}};
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         for (const auto& [r, factor] : expected) {
             const Body body = block({{6 * r * h, 6 * r * h, 2 * h}, {6, 6, 2}}, variant);
             EXPECT_NEAR(stable_step_s(body) * c / h, factor, 0.006) << "r = " << r;
@@ -67,7 +67,7 @@ double growth(const Body& body, double dt) {
 }
 
 TEST(StableStep, IsExactForOneElementAndSafeForABlock) {
-    for (ElementVariant variant : test::both_variants) {
+    for (ElementVariant variant : test::all_variants) {
         const Body one = block({{2e-4, 2e-4, 1e-4}, {1, 1, 1}}, variant);
         const double step = stable_step_s(one);
         // A velocity of 1e-9 m/s over 4000 steps of 6e-7 s drifts by 3e-12 m.
