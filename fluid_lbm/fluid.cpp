@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/initial_flow.h"
 #include "fluid_lbm/sampling/totals.h"
 #include "fluid_lbm/sampling/velocity_field.h"
@@ -26,9 +27,11 @@ SolverConfig in_lattice_units(const FluidConfig& config, const KernelSet& kernel
     const Units unit = units(config);
     SolverConfig lattice;
     lattice.cells = config.cells;
-    lattice.relaxation_time = relaxation_time(config);
-    lattice.kernels = row_kernels(kernels, config.collision);
-    lattice.moments_kernel = kernels.moments;
+    lattice.collision.omega = 1 / relaxation_time(config);
+    lattice.collision.magic = config.magic_number;
+    lattice.collision.eddy_constant = config.smagorinsky_constant;
+    lattice.kernels = run_kernels(kernels, config.precision, choose_collision(config),
+                                  config.smagorinsky_constant > 0);
     for (int side = 0; side < 6; ++side) {
         const Boundary& boundary = config.boundaries[side];
         lattice.periodic[side / 2] = boundary.kind == BoundaryKind::periodic;
@@ -60,14 +63,14 @@ class OwnedComm {
 
 }  // namespace
 
-std::string to_string(Collision collision) {
-    switch (collision) {
-        case Collision::automatic:
-            return "automatic";
-        case Collision::bgk:
-            return "bgk";
-        case Collision::recursive_regularized:
-            return "recursive_regularized";
+std::string to_string(Precision precision) {
+    switch (precision) {
+        case Precision::double_:
+            return "double";
+        case Precision::float_:
+            return "float";
+        case Precision::float_double:
+            return "float_double";
     }
     return "";
 }
@@ -75,7 +78,7 @@ std::string to_string(Collision collision) {
 struct Fluid::State {
     State(MPI_Comm parent, const FluidConfig& fluid_config)
         : config(checked(fluid_config)),
-          collision(choose_collision(config.collision)),
+          collision(choose_collision(config)),
           kernels(choose_kernels()),
           lattice(in_lattice_units(config, kernels.kernels)),
           comm(parent),
@@ -129,7 +132,7 @@ const FluidConfig& Fluid::config() const {
     return state_->config;
 }
 double Fluid::relaxation_time() const {
-    return state_->lattice.relaxation_time;
+    return fluid::relaxation_time(state_->config);
 }
 Collision Fluid::collision() const {
     return state_->collision;

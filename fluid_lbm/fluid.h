@@ -12,12 +12,18 @@
 #include <string>
 #include <vector>
 
+#include "fluid_lbm/collision/collision.h"
+
 namespace magfsi::fluid {
 
 using Vec3 = std::array<double, 3>;
 
-enum class Collision { automatic, bgk, recursive_regularized };
 std::string to_string(Collision collision);
+
+// What populations are stored as, and computed with. float halves memory and time;
+// float_double costs little more than float and leaves only the rounding of storage.
+enum class Precision { double_, float_, float_double };
+std::string to_string(Precision precision);
 
 enum class BoundaryKind { periodic, no_slip };
 
@@ -33,12 +39,18 @@ struct FluidConfig {
     double density_kg_m3 = 0;
     double viscosity_m2_s = 0;  // kinematic
     Collision collision = Collision::automatic;
+    Precision precision = Precision::double_;
+    double magic_number = 3.0 / 16;        // Lambda of two-relaxation-time collision
+    double smagorinsky_constant = 0;       // of the eddy viscosity; 0: none
     std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
     std::optional<Vec3> body_force_n_m3;
     // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
     std::function<Vec3(const Vec3&)> initial_velocity;
     std::function<double(const Vec3&)> initial_pressure;
 };
+
+// The collision that a run of this configuration uses, and why: one line for a log.
+std::string collision_reason(const FluidConfig& config);
 
 // Half-open box of cells in global indices.
 struct CellBox {

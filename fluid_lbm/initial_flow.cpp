@@ -29,10 +29,9 @@ LocalFlow flow_at(const FluidConfig& config, const Vec3& centre_m) {
     return flow;
 }
 
-}  // namespace
-
-void set_initial_flow(const FluidConfig& config, const Solver& solver) {
-    if (!config.initial_velocity && !config.initial_pressure) return;
+template <class Real>
+void set_populations(const FluidConfig& config, const Solver& solver,
+                     const PopulationRows<Real>& rows) {
     const RowLayout& layout = solver.layout();
     const CellBox& box = solver.owned();
     const double tau = relaxation_time(config);
@@ -45,11 +44,20 @@ void set_initial_flow(const FluidConfig& config, const Solver& solver) {
                                      (box.lo[1] + y + 0.5) * config.spacing_m,
                                      (box.lo[2] + z + 0.5) * config.spacing_m});
                 for (int q = 0; q < d3q19::directions; ++q) {
-                    solver.populations().row(q, row)[x] = flow_population(q, flow, tau);
+                    rows.row(q, row)[x] =
+                        static_cast<Real>(flow_population(q, flow, tau));
                 }
             }
         }
     }
+}
+
+}  // namespace
+
+void set_initial_flow(const FluidConfig& config, const Solver& solver) {
+    if (!config.initial_velocity && !config.initial_pressure) return;
+    solver.populations().visit(
+        [&](const auto& rows) { set_populations(config, solver, rows); });
 }
 
 }  // namespace magfsi::fluid

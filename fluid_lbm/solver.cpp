@@ -18,6 +18,11 @@ int comm_size(MPI_Comm comm) {
     return size;
 }
 
+Storage storage(const AnyKernels& kernels) {
+    return std::holds_alternative<ChosenKernels<float>>(kernels) ? Storage::float_
+                                                                 : Storage::double_;
+}
+
 // Those that move and that this rank's box touches.
 std::vector<MovingWall> moving_walls(const SolverConfig& config, const CellBox& box) {
     std::vector<MovingWall> walls;
@@ -39,16 +44,15 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
     : decomposition_(decompose(config.cells, config.periodic, comm_size(comm))),
       rank_(comm_rank(comm)),
       layout_(decomposition_.layout(rank_)),
-      populations_(layout_.nx, layout_.row_count()),
+      populations_(layout_.nx, layout_.row_count(), storage(config.kernels)),
       forces_(layout_.nx, layout_.ny, layout_.nz, config.body_force),
       halo_(comm, decomposition_, rank_),
       moving_walls_(moving_walls(config, decomposition_.boxes[rank_])),
       kernels_(config.kernels),
-      moments_kernel_(config.moments_kernel),
-      omega_(1 / config.relaxation_time) {}
+      collision_(config.collision) {}
 
 void Solver::step() {
-    sweep(populations_, layout_, arrangement_, forces_, kernels_, omega_);
+    sweep(populations_, layout_, arrangement_, forces_, kernels_, collision_);
     if (arrangement_ == Arrangement::natural) {
         halo_.fill(populations_);
         arrangement_ = Arrangement::swapped;

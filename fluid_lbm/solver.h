@@ -13,7 +13,7 @@
 #include "fluid_lbm/parallel/decomposition.h"
 #include "fluid_lbm/parallel/halo.h"
 #include "fluid_lbm/sampling/macroscopic.h"
-#include "fluid_lbm/streaming/kernels.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
 
 namespace magfsi::fluid {
 
@@ -22,9 +22,8 @@ struct SolverConfig {
     std::array<bool, 3> periodic{};
     std::array<std::array<double, 3>, 6> wall_velocity{};  // x_min x_max y_min ...
     std::optional<std::array<double, 3>> body_force;
-    double relaxation_time = 0;
-    RowKernels kernels;
-    MomentsKernel moments_kernel = nullptr;
+    CollisionParameters collision;
+    AnyKernels kernels;  // decide what populations are stored as
 };
 
 class Solver {
@@ -39,7 +38,7 @@ class Solver {
 
     // The state before collision, complete between steps whatever its arrangement: ghost
     // rows filled, walls applied.
-    View view() const { return {populations_, layout_, arrangement_, moments_kernel_}; }
+    View view() const { return {populations_, layout_, arrangement_, kernels_}; }
     Arrangement arrangement() const { return arrangement_; }
     const Populations& populations() const { return populations_; }
 
@@ -58,9 +57,8 @@ class Solver {
     ForcedRows forces_;
     Halo halo_;
     std::vector<MovingWall> moving_walls_;
-    RowKernels kernels_;
-    MomentsKernel moments_kernel_;
-    double omega_;
+    AnyKernels kernels_;
+    CollisionParameters collision_;
     Arrangement arrangement_ = Arrangement::natural;
 };
 

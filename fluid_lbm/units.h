@@ -1,6 +1,7 @@
 // SI to lattice units and back: length in cells, time in steps, density 1 at rest.
 #pragma once
 
+#include "fluid_lbm/collision/watch.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi::fluid {
@@ -28,10 +29,6 @@ Units units(const FluidConfig& config);
 
 // tau = 3 nu dt / dx^2 + 1/2.
 double relaxation_time(const FluidConfig& config);
-
-// Speed that no cell may reach: above it the lattice's equilibria go negative and its
-// compressibility error is of order one.
-inline constexpr double lattice_speed_limit = 0.4;
 
 // Throws std::invalid_argument with a sentence on the first value that cannot run.
 void check(const FluidConfig& config);

@@ -21,12 +21,15 @@ Touching cells_at(const MovingWall& wall, const RowLayout& layout) {
     return cells;
 }
 
-void add_to_cells(const Populations& populations, const RowLayout& layout, int q,
+template <class Real>
+void add_to_cells(const PopulationRows<Real>& rows, const RowLayout& layout, int q,
                   const Touching& cells, double term) {
     for (int z = cells.lo[2]; z < cells.hi[2]; ++z) {
         for (int y = cells.lo[1]; y < cells.hi[1]; ++y) {
-            double* row = populations.row(q, layout.row(y, z));
-            for (int x = cells.lo[0]; x < cells.hi[0]; ++x) row[x] += term;
+            Real* row = rows.row(q, layout.row(y, z));
+            for (int x = cells.lo[0]; x < cells.hi[0]; ++x) {
+                row[x] = static_cast<Real>(row[x] + term);
+            }
         }
     }
 }
@@ -41,7 +44,10 @@ void move_walls(const Populations& populations, const RowLayout& layout,
             if (c[q][wall.axis] != (wall.side == 0 ? 1 : -1)) continue;
             const double cu = c[q][0] * wall.velocity[0] + c[q][1] * wall.velocity[1] +
                               c[q][2] * wall.velocity[2];
-            if (cu != 0) add_to_cells(populations, layout, q, cells, 6 * weight(q) * cu);
+            if (cu == 0) continue;
+            populations.visit([&](const auto& rows) {
+                add_to_cells(rows, layout, q, cells, 6 * weight(q) * cu);
+            });
         }
     }
 }

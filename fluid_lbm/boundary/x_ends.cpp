@@ -8,7 +8,8 @@ namespace {
 
 // The partner of population q's ghost, or null if q has none: no velocity along x, or
 // bounced at a wall along y or z.
-double* x_end_partner(const RowPointers& p, const RowLayout& layout, int q) {
+template <class Real>
+Real* x_end_partner(const RowPointers<Real>& p, const RowLayout& layout, int q) {
     if (c[q][0] == 0 || p.bounced[q]) return nullptr;
     const bool low = c[q][0] > 0;  // enters at the low end
     if (layout.beyond_x == Beyond::wall) return p.own[q] + (low ? 0 : layout.nx - 1);
@@ -17,18 +18,25 @@ double* x_end_partner(const RowPointers& p, const RowLayout& layout, int q) {
 
 }  // namespace
 
-void open_x_ends(const RowPointers& p, const RowLayout& layout) {
+template <class Real>
+void open_x_ends(const RowPointers<Real>& p, const RowLayout& layout) {
     for (int q = 1; q < directions; ++q) {
-        const double* partner = x_end_partner(p, layout, q);
+        const Real* partner = x_end_partner(p, layout, q);
         if (partner != nullptr) p.at[q][c[q][0] > 0 ? 0 : layout.nx - 1] = *partner;
     }
 }
 
-void close_x_ends(const RowPointers& p, const RowLayout& layout) {
+template <class Real>
+void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout) {
     for (int q = 1; q < directions; ++q) {
-        double* partner = x_end_partner(p, layout, q);
+        Real* partner = x_end_partner(p, layout, q);
         if (partner != nullptr) *partner = p.at[q][c[q][0] > 0 ? 0 : layout.nx - 1];
     }
 }
+
+template void open_x_ends(const RowPointers<double>&, const RowLayout&);
+template void open_x_ends(const RowPointers<float>&, const RowLayout&);
+template void close_x_ends(const RowPointers<double>&, const RowLayout&);
+template void close_x_ends(const RowPointers<float>&, const RowLayout&);
 
 }  // namespace magfsi::fluid

@@ -9,9 +9,12 @@
 
 namespace magfsi::fluid {
 
+// Real: float or double.
 // The partner's value into the ghost element, before the kernel.
-void open_x_ends(const RowPointers& p, const RowLayout& layout);
+template <class Real>
+void open_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
 // The ghost element's value back to its partner, after the kernel.
-void close_x_ends(const RowPointers& p, const RowLayout& layout);
+template <class Real>
+void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
 
 }  // namespace magfsi::fluid

@@ -9,65 +9,23 @@
 //   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz.
 #pragma once
 
-#include "fluid_lbm/collision/simd.h"
+#include "fluid_lbm/collision/collision.h"
+#include "fluid_lbm/collision/rates.h"
+#include "fluid_lbm/collision/stress.h"
+#include "fluid_lbm/collision/watch.h"
 #include "fluid_lbm/forcing/guo.h"
 
 namespace magfsi::fluid {
 
 struct RecursiveRegularized {
+    static constexpr Collision kind = Collision::recursive_regularized;
+    static constexpr const char* name = "recursive_regularized";
+
     // f: populations minus weights, in place; force: read only if Forced.
     template <bool Forced, class V>
     MAGFSI_INLINE static void collide(V (&f)[d3q19::directions], const V (&force)[3],
-                                      double omega);
+                                      const Rates<V>& rates, Watch<V>& watch);
 };
-
-// Symmetric tensor; off-diagonal entries in the order xy, xz, yz.
-template <class V>
-struct Symmetric {
-    V xx, yy, zz, xy, xz, yz;
-};
-
-template <class V>
-MAGFSI_INLINE Symmetric<V> outer(const V (&a)[3], const V (&b)[3]) {
-    return {a[0] * b[0], a[1] * b[1], a[2] * b[2], a[0] * b[1], a[0] * b[2], a[1] * b[2]};
-}
-
-// Half of u F + F u.
-template <class V>
-MAGFSI_INLINE Symmetric<V> half_force_stress(const V (&u)[3], const V (&force)[3]) {
-    return {u[0] * force[0],
-            u[1] * force[1],
-            u[2] * force[2],
-            0.5 * (u[0] * force[1] + u[1] * force[0]),
-            0.5 * (u[0] * force[2] + u[2] * force[0]),
-            0.5 * (u[1] * force[2] + u[2] * force[1])};
-}
-
-template <class V>
-MAGFSI_INLINE Symmetric<V> add(const Symmetric<V>& a, const Symmetric<V>& b) {
-    return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
-}
-
-template <class V>
-MAGFSI_INLINE Symmetric<V> scaled(double s, const Symmetric<V>& a) {
-    return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
-}
-
-// Sum of c c f minus its equilibrium, rho u u + excess / 3.
-template <class V>
-MAGFSI_INLINE Symmetric<V> nonequilibrium(const V (&f)[d3q19::directions],
-                                          const V& excess, const Symmetric<V>& ruu) {
-    const V s7 = f[7] + f[8], s9 = f[9] + f[10], s11 = f[11] + f[12];
-    const V s13 = f[13] + f[14], s15 = f[15] + f[16], s17 = f[17] + f[18];
-    const V xy = s7 + s9, xz = s11 + s13, yz = s15 + s17;
-    const V pressure = excess * d3q19::cs2;
-    return {(f[1] + f[2]) + (xy + xz) - pressure - ruu.xx,
-            (f[3] + f[4]) + (xy + yz) - pressure - ruu.yy,
-            (f[5] + f[6]) + (xz + yz) - pressure - ruu.zz,
-            s7 - s9 - ruu.xy,
-            s11 - s13 - ruu.xz,
-            s15 - s17 - ruu.yz};
-}
 
 // The third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz;
 // [2] a_yyz, a_xxz. n is already multiplied by 1 - omega.
@@ -90,20 +48,19 @@ MAGFSI_INLINE ThirdOrder<V> third_order(const V (&u)[3], const Symmetric<V>& ruu
 
 template <int Q, class V>
 MAGFSI_INLINE void rebuild_pair(V (&f)[d3q19::directions], const V& even, const V& odd) {
-    constexpr double w = d3q19::weight(Q);
+    constexpr Lane<V> w = constant<V>(d3q19::weight(Q));
     f[Q] = w * (even + odd);
     f[Q + 1] = w * (even - odd);
 }
 
-// f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a') + (H - H')(a -
-// a')
-// + ...]}, with the Hermite polynomials evaluated for each direction.
+// f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a') + (H - H')
+// (a - a') + ...]}, with the Hermite polynomials evaluated for each direction.
 template <class V>
 MAGFSI_INLINE void rebuild(V (&f)[d3q19::directions], const V& excess, const V (&j)[3],
                            const Symmetric<V>& a, const ThirdOrder<V>& t) {
     const V base = excess - 1.5 * (a.xx + a.yy + a.zz);
     const V x = 3.0 * j[0], y = 3.0 * j[1], z = 3.0 * j[2];
-    f[0] = d3q19::weight_rest * base;
+    f[0] = constant<V>(d3q19::weight_rest) * base;
     rebuild_pair<1>(f, base + 4.5 * a.xx, x - 9.0 * t.sum[0]);
     rebuild_pair<3>(f, base + 4.5 * a.yy, y - 9.0 * t.sum[1]);
     rebuild_pair<5>(f, base + 4.5 * a.zz, z - 9.0 * t.sum[2]);
@@ -125,11 +82,14 @@ MAGFSI_INLINE void rebuild(V (&f)[d3q19::directions], const V& excess, const V (
 
 template <bool Forced, class V>
 MAGFSI_INLINE void RecursiveRegularized::collide(V (&f)[d3q19::directions],
-                                                 const V (&force)[3], double omega) {
+                                                 const V (&force)[3],
+                                                 const Rates<V>& rates, Watch<V>& watch) {
     Moments<V> m = moments(f);
     if constexpr (Forced) shift_momentum(m, force);
     const V per_density = 1.0 / (1.0 + m.excess);
     const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
+    watch.see(u, per_density);
+    const V keep = 1.0 - rates.even;
     const Symmetric<V> ruu = outer(m.j, u);
     Symmetric<V> n = nonequilibrium(f, m.excess, ruu);
     if constexpr (Forced) {
@@ -137,12 +97,12 @@ MAGFSI_INLINE void RecursiveRegularized::collide(V (&f)[d3q19::directions],
         // the raw n. Adding half of uF + Fu to n first makes n the viscous stress itself,
         // which is what the recursion wants, and leaves another half to add.
         const Symmetric<V> g = half_force_stress(u, force);
-        n = scaled(1 - omega, add(n, g));
+        n = scaled(keep, add(n, g));
         const ThirdOrder<V> t = third_order(u, ruu, n);
         shift_momentum(m, force);  // sum c f + F
         rebuild(f, m.excess, m.j, add(add(ruu, n), g), t);
     } else {
-        n = scaled(1 - omega, n);
+        n = scaled(keep, n);
         rebuild(f, m.excess, m.j, add(ruu, n), third_order(u, ruu, n));
     }
 }

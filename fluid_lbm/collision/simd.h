@@ -1,29 +1,65 @@
 // What collision kernels are written in: GCC vector extensions, one source for every
-// instruction set. Everything here is always inlined into the functions of a variant's
-// namespace, so that no symbol compiled for AVX-512 can be picked by another variant.
+// instruction set and both precisions. Everything here is always inlined into the
+// functions of a variant's namespace, so that no symbol compiled for AVX-512 can be
+// picked by another variant.
+//
+// Factors such as 4.5 in kernels are doubles that float holds exactly; all others are
+// made with constant<V>(...), rounded once from double.
 #pragma once
 
 #include "fluid_lbm/lattice/d3q19.h"
 
 #define MAGFSI_INLINE [[gnu::always_inline]] inline
+#define MAGFSI_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace magfsi::fluid {
 
-template <int Width>
+template <class T, int Width>
 struct Simd {
-    using Vector [[gnu::vector_size(Width * sizeof(double))]] = double;
+    using Vector [[gnu::vector_size(Width * sizeof(T))]] = T;
 };
 
+template <class T>
+struct ValueOf {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<T&> {
+    using Type = T;
+};
+// float or double of a vector V.
 template <class V>
-MAGFSI_INLINE V load(const double* from) {
-    V value;
-    __builtin_memcpy(&value, from, sizeof value);
-    return value;
+using Lane = typename ValueOf<decltype(V{}[0])>::Type;
+
+template <class V>
+constexpr Lane<V> constant(double value) {
+    return static_cast<Lane<V>>(value);
 }
 
 template <class V>
-MAGFSI_INLINE void store(double* to, const V& value) {
-    __builtin_memcpy(to, &value, sizeof value);
+inline constexpr int lanes = sizeof(V) / sizeof(Lane<V>);
+
+// Real may be narrower or wider than the lanes of V.
+template <class V, class Real>
+MAGFSI_INLINE V load(const Real* from) {
+    typename Simd<Real, lanes<V>>::Vector value;
+    __builtin_memcpy(&value, from, sizeof value);
+    if constexpr (sizeof(Real) == sizeof(Lane<V>)) {
+        return value;
+    } else {
+        return __builtin_convertvector(value, V);
+    }
+}
+
+template <class V, class Real>
+MAGFSI_INLINE void store(Real* to, const V& value) {
+    if constexpr (sizeof(Real) == sizeof(Lane<V>)) {
+        __builtin_memcpy(to, &value, sizeof value);
+    } else {
+        using Stored = typename Simd<Real, lanes<V>>::Vector;
+        const Stored stored = __builtin_convertvector(value, Stored);
+        __builtin_memcpy(to, &stored, sizeof stored);
+    }
 }
 
 // c_q . a for the first direction of a pair, without multiplications.

@@ -8,22 +8,23 @@
 
 namespace magfsi::fluid {
 
+// Of a pair of opposite directions: even part, the same for both, and odd part.
+template <class V>
+struct EvenOdd {
+    V even, odd;
+};
+
 template <class V>
 MAGFSI_INLINE void shift_momentum(Moments<V>& m, const V (&force)[3]) {
     for (int a = 0; a < 3; ++a) m.j[a] += 0.5 * force[a];
 }
 
-// S over its weight for a pair of directions: even part, the same for both, and odd part.
-template <class V>
-struct PairSource {
-    V even, odd;
-};
-
+// S of a pair; uf = u . F.
 template <int Q, class V>
-MAGFSI_INLINE PairSource<V> guo_source(const V (&u)[3], const V (&force)[3],
-                                       const V& uf) {
+MAGFSI_INLINE EvenOdd<V> guo_source(const V (&u)[3], const V (&force)[3], const V& uf) {
+    constexpr Lane<V> w3 = constant<V>(3 * d3q19::weight(Q));
     const V cf = along<Q>(force);
-    return {9.0 * along<Q>(u) * cf - 3.0 * uf, 3.0 * cf};
+    return {w3 * (3.0 * along<Q>(u) * cf - uf), w3 * cf};
 }
 
 }  // namespace magfsi::fluid

@@ -10,10 +10,8 @@ namespace magfsi::fluid {
 
 namespace {
 
-using namespace d3q19;
-
-constexpr std::ptrdiff_t line = 8;        // doubles in a cache line of 64 bytes
-constexpr std::ptrdiff_t page = 512;      // doubles in 4 KiB
+constexpr std::ptrdiff_t line = 64;  // bytes
+constexpr std::ptrdiff_t page = 4096;
 constexpr std::ptrdiff_t array_skew = 5;  // cache lines between arrays modulo the page
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 
@@ -23,50 +21,33 @@ std::ptrdiff_t round_up(std::ptrdiff_t value, std::ptrdiff_t unit) {
 
 }  // namespace
 
-void Populations::Free::operator()(double* memory) const {
+void Populations::Free::operator()(void* memory) const {
     std::free(memory);
 }
 
-Populations::Populations(int row_length, int row_count)
-    : row_stride_(round_up(row_length + 1, line)),
-      array_stride_(round_up(row_count * row_stride_, page) + array_skew * line) {
-    const std::size_t doubles = directions * array_stride_ + line;
-    bytes_ = round_up(doubles * sizeof(double), huge_page);
+Populations::Populations(int row_length, int row_count, Storage storage)
+    : storage_(storage) {
+    const std::ptrdiff_t size =
+        storage == Storage::float_ ? sizeof(float) : sizeof(double);
+    const std::ptrdiff_t row_bytes = round_up((row_length + 1) * size, line);
+    const std::ptrdiff_t array_bytes =
+        round_up(row_count * row_bytes, page) + array_skew * line;
+    row_stride_ = row_bytes / size;
+    array_stride_ = array_bytes / size;
+    bytes_ = round_up(d3q19::directions * array_bytes + line, huge_page);
     void* memory = nullptr;
     if (posix_memalign(&memory, huge_page, bytes_) != 0) throw std::bad_alloc();
-    memory_.reset(static_cast<double*>(memory));
-    madvise(memory, bytes_, MADV_HUGEPAGE);  // advice: no harm if refused
-    std::memset(memory, 0, bytes_);
-    first_ = memory_.get() + line;  // row 0 has an element -1 too
-}
-
-RowPointers natural_pointers(const Populations& populations, const RowLayout& layout,
-                             int y, int z) {
-    RowPointers p{};
-    const int row = layout.row(y, z);
-    for (int q = 0; q < directions; ++q) p.at[q] = p.own[q] = populations.row(q, row);
-    return p;
-}
-
-RowPointers swapped_pointers(const Populations& populations, const RowLayout& layout,
-                             int y, int z) {
-    RowPointers p{};
-    const int row = layout.row(y, z);
-    const UpstreamRows upstream = layout.upstream(y, z);
-    for (int q = 0; q < directions; ++q) {
-        const int from = upstream.at[c[q][1] + 1][c[q][2] + 1];
-        p.own[q] = populations.row(q, row);
-        p.bounced[q] = from < 0;
-        p.at[q] = from < 0 ? p.own[q] : populations.row(opposite(q), from) - c[q][0];
+    memory_.reset(memory);
+    madvise(memory, bytes_, MADV_HUGEPAGE);                 // advice: no harm if refused
+    char* const first = static_cast<char*>(memory) + line;  // row 0 has an element -1 too
+    first_ = first;
+    std::memset(memory, 0, line);
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < row_count; ++row) {
+        for (int q = 0; q < d3q19::directions; ++q) {
+            std::memset(first + q * array_bytes + row * row_bytes, 0, row_bytes);
+        }
     }
-    return p;
-}
-
-RowPointers pointers(const Populations& populations, const RowLayout& layout,
-                     Arrangement arrangement, int y, int z) {
-    return arrangement == Arrangement::natural
-               ? natural_pointers(populations, layout, y, z)
-               : swapped_pointers(populations, layout, y, z);
 }
 
 }  // namespace magfsi::fluid

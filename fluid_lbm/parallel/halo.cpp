@@ -1,6 +1,6 @@
 #include "fluid_lbm/parallel/halo.h"
 
-#include <algorithm>
+#include <cstring>
 
 namespace magfsi::fluid {
 
@@ -46,9 +46,6 @@ Halo::Halo(MPI_Comm comm, const Decomposition& decomposition, int rank)
             const int outward = side == 0 ? -1 : 1;
             face.borrowed = slots(layout, axis, outward, side == 0 ? -1 : count);
             face.lent = slots(layout, axis, -outward, side == 0 ? 0 : count - 1);
-            const std::size_t most = std::max(face.borrowed.size(), face.lent.size());
-            face.sent.resize(most * row_length_);
-            face.received.resize(most * row_length_);
             faces_.push_back(std::move(face));
         }
     }
@@ -62,6 +59,29 @@ int Halo::lent_length(int q) const {
     return x_walls_ && c[q][0] != 0 ? row_length_ - 1 : row_length_;
 }
 
+template <class Real>
+void Halo::pack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
+                std::vector<std::byte>& to) const {
+    to.resize(slots.size() * row_length_ * sizeof(Real));
+    std::byte* next = to.data();
+    for (const Slot& slot : slots) {
+        const std::size_t bytes = lent_length(slot.q) * sizeof(Real);
+        std::memcpy(next, rows.row(slot.q, slot.row) + first_lent(slot.q), bytes);
+        next += bytes;
+    }
+}
+
+template <class Real>
+void Halo::unpack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
+                  const std::vector<std::byte>& from) const {
+    const std::byte* next = from.data();
+    for (const Slot& slot : slots) {
+        const std::size_t bytes = lent_length(slot.q) * sizeof(Real);
+        std::memcpy(rows.row(slot.q, slot.row) + first_lent(slot.q), next, bytes);
+        next += bytes;
+    }
+}
+
 void Halo::exchange(int axis, const Populations& populations,
                     std::vector<Slot> Face::*sending,
                     std::vector<Slot> Face::*receiving) {
@@ -70,29 +90,23 @@ void Halo::exchange(int axis, const Populations& populations,
     // sides have the same neighbour.
     for (Face& face : faces_) {
         if (face.axis != axis) continue;
-        const std::size_t size = (face.*receiving).size() * row_length_;
-        MPI_Irecv(face.received.data(), static_cast<int>(size), MPI_DOUBLE, face.rank,
-                  1 - face.side, comm_, &requests.emplace_back());
+        face.received.resize((face.*receiving).size() * row_length_ *
+                             populations.element_bytes());
+        MPI_Irecv(face.received.data(), static_cast<int>(face.received.size()), MPI_BYTE,
+                  face.rank, 1 - face.side, comm_, &requests.emplace_back());
     }
     for (Face& face : faces_) {
         if (face.axis != axis) continue;
-        double* to = face.sent.data();
-        for (const Slot& slot : face.*sending) {
-            const double* row = populations.row(slot.q, slot.row) + first_lent(slot.q);
-            to = std::copy_n(row, lent_length(slot.q), to);
-        }
-        MPI_Isend(face.sent.data(), static_cast<int>(to - face.sent.data()), MPI_DOUBLE,
+        populations.visit(
+            [&](const auto& rows) { pack(rows, face.*sending, face.sent); });
+        MPI_Isend(face.sent.data(), static_cast<int>(face.sent.size()), MPI_BYTE,
                   face.rank, face.side, comm_, &requests.emplace_back());
     }
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
     for (const Face& face : faces_) {
         if (face.axis != axis) continue;
-        const double* from = face.received.data();
-        for (const Slot& slot : face.*receiving) {
-            double* row = populations.row(slot.q, slot.row) + first_lent(slot.q);
-            std::copy_n(from, lent_length(slot.q), row);
-            from += lent_length(slot.q);
-        }
+        populations.visit(
+            [&](const auto& rows) { unpack(rows, face.*receiving, face.received); });
     }
 }
 

@@ -10,7 +10,7 @@
 
 #include <mpi.h>
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "fluid_lbm/lattice/populations.h"
@@ -35,13 +35,19 @@ class Halo {
         int rank = no_rank, axis = 0, side = 0;
         std::vector<Slot> borrowed;  // in my ghost rows
         std::vector<Slot> lent;      // in my rows
-        std::vector<double> sent, received;
+        std::vector<std::byte> sent, received;
     };
 
     static std::vector<Slot> slots(const RowLayout& layout, int axis, int sign, int row);
     // Cells of a row whose slot q is lent: all but the one at a wall across x.
     int first_lent(int q) const;
     int lent_length(int q) const;
+    template <class Real>
+    void pack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
+              std::vector<std::byte>& to) const;
+    template <class Real>
+    void unpack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
+                const std::vector<std::byte>& from) const;
     void exchange(int axis, const Populations& populations,
                   std::vector<Slot> Face::*sending, std::vector<Slot> Face::*receiving);
 

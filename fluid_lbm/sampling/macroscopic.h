@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fluid_lbm/lattice/populations.h"
-#include "fluid_lbm/streaming/kernels.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
 
 namespace magfsi::fluid {
 
@@ -20,7 +20,7 @@ struct View {
     const Populations& populations;
     const RowLayout& layout;
     Arrangement arrangement;
-    MomentsKernel kernel;
+    const AnyKernels& kernels;
 };
 
 // Cells x_begin <= x < x_end of an owned row. In the swapped arrangement the ghost rows

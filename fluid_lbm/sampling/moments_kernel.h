@@ -1,4 +1,4 @@
-// Moments of a row without a collision.
+// Moments of a row without a collision, in double whatever is stored.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace magfsi::fluid {
 
-template <class V>
-MAGFSI_INLINE void sample_block(const double* const* at, std::ptrdiff_t x,
+template <class V, class Real>
+MAGFSI_INLINE void sample_block(const Real* const* at, std::ptrdiff_t x,
                                 double* const* out) {
     V f[d3q19::directions];
 #pragma GCC unroll 19
@@ -19,19 +19,22 @@ MAGFSI_INLINE void sample_block(const double* const* at, std::ptrdiff_t x,
 }
 
 // out: density - 1 and the three components of sum c f, four arrays of the same length.
-template <int Width>
-MAGFSI_INLINE void sample_row(const double* const* at, std::ptrdiff_t length,
+template <int Width, class Real>
+MAGFSI_INLINE void sample_row(const Real* const* at, std::ptrdiff_t length,
                               double* const* out) {
+    constexpr std::ptrdiff_t line = 64 / sizeof(Real);
     std::ptrdiff_t x = 0;
     for (; x + Width <= length; x += Width) {
-        if (x % 8 == 0) {
+        if (x % line == 0) {
             for (int q = 0; q < d3q19::directions; ++q) {
-                __builtin_prefetch(at[q] + x + 5 * 8, 0, 3);  // five cache lines ahead
+                __builtin_prefetch(at[q] + x + 5 * line, 0, 3);  // five lines ahead
             }
         }
-        sample_block<typename Simd<Width>::Vector>(at, x, out);
+        sample_block<typename Simd<double, Width>::Vector>(at, x, out);
     }
-    for (; x < length; ++x) sample_block<typename Simd<1>::Vector>(at, x, out);
+    for (; x < length; ++x) {
+        sample_block<typename Simd<double, 1>::Vector>(at, x, out);
+    }
 }
 
 }  // namespace magfsi::fluid

@@ -5,15 +5,33 @@
 
 namespace magfsi::fluid {
 
-namespace sse2 {
-extern const KernelSet kernels;
+#define MAGFSI_KERNELS_OF(isa)                                              \
+    namespace isa {                                                         \
+    extern const KernelTable<double> on_double;                             \
+    extern const KernelTable<float> on_float;                               \
+    extern const KernelTable<float> on_float_in_double;                     \
+    const KernelSet kernels = {&on_double, &on_float, &on_float_in_double}; \
+    }
+MAGFSI_KERNELS_OF(sse2)
+MAGFSI_KERNELS_OF(avx2)
+MAGFSI_KERNELS_OF(avx512)
+#undef MAGFSI_KERNELS_OF
+
+namespace {
+
+template <class Real>
+ChosenKernels<Real> choose(const KernelTable<Real>& table, Collision collision,
+                           bool eddy_viscosity) {
+    for (const CollisionKernels<Real>& kernels : table.collisions) {
+        if (kernels.kind != collision) continue;
+        return {eddy_viscosity ? kernels.with_eddy_viscosity : kernels.laminar,
+                table.moments};
+    }
+    throw std::invalid_argument("no kernel is registered for collision " +
+                                to_string(collision));
 }
-namespace avx2 {
-extern const KernelSet kernels;
-}
-namespace avx512 {
-extern const KernelSet kernels;
-}
+
+}  // namespace
 
 std::vector<NamedKernels> available_kernels() {
     std::vector<NamedKernels> available{{"sse2", sse2::kernels}};
@@ -40,13 +58,17 @@ NamedKernels choose_kernels() {
                                 "\"; this machine can run: " + names);
 }
 
-Collision choose_collision(Collision wanted) {
-    return wanted == Collision::automatic ? Collision::recursive_regularized : wanted;
-}
-
-RowKernels row_kernels(const KernelSet& kernels, Collision collision) {
-    return choose_collision(collision) == Collision::bgk ? kernels.bgk
-                                                         : kernels.recursive_regularized;
+AnyKernels run_kernels(const KernelSet& kernels, Precision precision, Collision collision,
+                       bool eddy_viscosity) {
+    switch (precision) {
+        case Precision::float_:
+            return choose(*kernels.on_float, collision, eddy_viscosity);
+        case Precision::float_double:
+            return choose(*kernels.on_float_in_double, collision, eddy_viscosity);
+        case Precision::double_:
+            break;
+    }
+    return choose(*kernels.on_double, collision, eddy_viscosity);
 }
 
 }  // namespace magfsi::fluid

@@ -1,7 +1,8 @@
-// Which instruction set the row kernels use on this machine.
+// Which row kernels a run uses: instruction set, precision, collision.
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "fluid_lbm/fluid.h"
@@ -21,13 +22,16 @@ std::vector<NamedKernels> available_kernels();
 // std::invalid_argument if that is unknown or this machine cannot run it.
 NamedKernels choose_kernels();
 
-// automatic becomes recursive_regularized. Robots of millimetres in water need a
-// relaxation time of 0.501 to 0.51; there two-relaxation-time collision with its usual
-// magic numbers diverges within milliseconds (its odd rate falls to 0.01), BGK runs but
-// carries ghost modes, and the recursive-regularised one runs and costs 5 % more than
-// BGK.
-Collision choose_collision(Collision wanted);
+// The kernels of one run; Real is what its populations are stored as.
+template <class Real>
+struct ChosenKernels {
+    RowKernels<Real> rows;
+    MomentsKernel<Real> moments = nullptr;
+};
+using AnyKernels = std::variant<ChosenKernels<double>, ChosenKernels<float>>;
 
-RowKernels row_kernels(const KernelSet& kernels, Collision collision);
+// collision: not automatic.
+AnyKernels run_kernels(const KernelSet& kernels, Precision precision, Collision collision,
+                       bool eddy_viscosity);
 
 }  // namespace magfsi::fluid

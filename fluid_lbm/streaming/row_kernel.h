@@ -6,17 +6,22 @@
 
 #include <cstddef>
 
-#include "fluid_lbm/collision/simd.h"
+#include "fluid_lbm/collision/rates.h"
+#include "fluid_lbm/collision/watch.h"
+#include "fluid_lbm/streaming/kernels.h"
 
 namespace magfsi::fluid {
 
-// Doubles between the prefetched and the current cell: five cache lines. Asking for the
-// line with write intent was the largest single gain measured (1.3 to 1.5 times a core).
-inline constexpr std::ptrdiff_t prefetch_ahead = 5 * 8;
+// Cache lines between the prefetched and the current cell. Asking for the line with write
+// intent was the largest single gain measured (1.3 to 1.5 times a core).
+inline constexpr std::ptrdiff_t lines_ahead = 5;
+template <class Real>
+inline constexpr std::ptrdiff_t cells_a_line = 64 / sizeof(Real);
 
-template <class Collision, bool Forced, class V>
-MAGFSI_INLINE void collide_block(double* const* at, const double* const* force,
-                                 std::ptrdiff_t x, double omega) {
+template <class C, bool Forced, class V, class Real>
+MAGFSI_INLINE void collide_block(Real* const* at, const double* const* force,
+                                 std::ptrdiff_t x, const Rates<V>& rates,
+                                 Watch<V>& watch) {
     using namespace d3q19;
     V f[directions], local_force[3] = {};
 // Unrolled, or the compiler keeps f in memory.
@@ -25,27 +30,32 @@ MAGFSI_INLINE void collide_block(double* const* at, const double* const* force,
     if constexpr (Forced) {
         for (int a = 0; a < 3; ++a) local_force[a] = load<V>(force[a] + x);
     }
-    Collision::template collide<Forced>(f, local_force, omega);
+    C::template collide<Forced>(f, local_force, rates, watch);
 #pragma GCC unroll 19
     for (int q = 0; q < directions; ++q) store(at[opposite(q)] + x, f[q]);
 }
 
-MAGFSI_INLINE void prefetch_for_write(double* const* at, std::ptrdiff_t x) {
+template <class Real>
+MAGFSI_INLINE void prefetch_for_write(Real* const* at, std::ptrdiff_t x) {
 #pragma GCC unroll 19
     for (int q = 0; q < d3q19::directions; ++q) {
-        __builtin_prefetch(at[q] + x + prefetch_ahead, 1, 3);
+        __builtin_prefetch(at[q] + x + lines_ahead * cells_a_line<Real>, 1, 3);
     }
 }
 
 // The last cells of a row whose length is no multiple of the vector width: through a
-// buffer, because the elements behind the row belong to other rows.
-template <class Collision, bool Forced, int Width>
-MAGFSI_INLINE void collide_tail(double* const* at, const double* const* force,
-                                std::ptrdiff_t x, std::ptrdiff_t length, double omega) {
+// buffer, because the elements behind the row belong to other rows. The buffer's surplus
+// cells are at rest.
+template <bool Forced, int Width, class Real>
+MAGFSI_INLINE bool collide_tail(Real* const* at, const double* const* force,
+                                std::ptrdiff_t x, std::ptrdiff_t length,
+                                const CollisionParameters& parameters,
+                                RowKernel<Real> whole_block) {
     using namespace d3q19;
     const std::ptrdiff_t count = length - x;
-    alignas(64) double f[directions][Width] = {}, local_force[3][Width] = {};
-    double* f_at[directions];
+    alignas(64) Real f[directions][Width] = {};
+    alignas(64) double local_force[3][Width] = {};
+    Real* f_at[directions];
     const double* force_at[3];
     for (int q = 0; q < directions; ++q) {
         f_at[q] = f[q];
@@ -58,25 +68,32 @@ MAGFSI_INLINE void collide_tail(double* const* at, const double* const* force,
                 local_force[a][i] = force[a][x + i];
         }
     }
-    using V = typename Simd<Width>::Vector;
-    collide_block<Collision, Forced, V>(f_at, force_at, 0, omega);
+    const bool sound = whole_block(f_at, force_at, Width, parameters);
     for (int q = 0; q < directions; ++q) {
         for (std::ptrdiff_t i = 0; i < count; ++i) at[q][x + i] = f[q][i];
     }
+    return sound;
 }
 
 // at: 19 pointers; force: three pointers, force density in lattice units, unused if not
-// Forced; omega = 1 / tau.
-template <class Collision, bool Forced, int Width>
-MAGFSI_INLINE void collide_row(double* const* at, const double* const* force,
-                               std::ptrdiff_t length, double omega) {
-    using V = typename Simd<Width>::Vector;
+// Forced. V: the vector computed with. itself: the function that this is inlined into.
+template <class C, bool Forced, class V, class Real>
+MAGFSI_INLINE bool collide_row(Real* const* at, const double* const* force,
+                               std::ptrdiff_t length,
+                               const CollisionParameters& parameters,
+                               RowKernel<Real> itself) {
+    const Rates<V> r = rates<V>(parameters);
+    Watch<V> watch;
     std::ptrdiff_t x = 0;
-    for (; x + Width <= length; x += Width) {
-        if (x % 8 == 0) prefetch_for_write(at, x);  // once a cache line
-        collide_block<Collision, Forced, V>(at, force, x, omega);
+    for (; x + lanes<V> <= length; x += lanes<V>) {
+        if (x % cells_a_line<Real> == 0) prefetch_for_write(at, x);
+        collide_block<C, Forced, V>(at, force, x, r, watch);
     }
-    if (x < length) collide_tail<Collision, Forced, Width>(at, force, x, length, omega);
+    bool sound = watch.all_sound();
+    if (x < length) {
+        sound &= collide_tail<Forced, lanes<V>>(at, force, x, length, parameters, itself);
+    }
+    return sound;
 }
 
 }  // namespace magfsi::fluid

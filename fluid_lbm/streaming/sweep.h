@@ -4,14 +4,14 @@
 #include "fluid_lbm/forcing/forced_rows.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/lattice/row_layout.h"
-#include "fluid_lbm/streaming/kernels.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
 
 namespace magfsi::fluid {
 
 // Turns the given arrangement into the other one. Every slot is touched by one row only:
-// the loop may be split among threads anywhere.
+// threads share the rows, and any number of them gives the same bits.
 void sweep(const Populations& populations, const RowLayout& layout,
-           Arrangement arrangement, const ForcedRows& forces, const RowKernels& kernels,
-           double omega);
+           Arrangement arrangement, const ForcedRows& forces, const AnyKernels& kernels,
+           const CollisionParameters& parameters);
 
 }  // namespace magfsi::fluid

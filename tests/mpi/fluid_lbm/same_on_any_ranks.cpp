@@ -23,10 +23,9 @@ SolverConfig solver_config(const Case& c) {
     SolverConfig config;
     config.cells = c.cells;
     config.periodic = c.periodic;
-    config.relaxation_time = 0.52;
-    const KernelSet kernels = choose_kernels().kernels;
-    config.kernels = kernels.recursive_regularized;
-    config.moments_kernel = kernels.moments;
+    config.collision.omega = 1 / 0.52;
+    config.kernels = run_kernels(choose_kernels().kernels, Precision::double_,
+                                 Collision::recursive_regularized, false);
     if (c.body_force) config.body_force = {1e-4, -2e-4, 3e-4};
     for (int side = 0; side < 6 && c.moving; ++side) {
         if (c.periodic[side / 2]) continue;
@@ -43,7 +42,7 @@ void set_populations(const Solver& solver) {
     for (int z = 0; z < rows.nz; ++z) {
         for (int y = 0; y < rows.ny; ++y) {
             for (int q = 0; q < d3q19::directions; ++q) {
-                double* row = solver.populations().row(q, rows.row(y, z));
+                double* row = solver.populations().rows<double>().row(q, rows.row(y, z));
                 for (int x = 0; x < rows.nx; ++x) {
                     const double phase =
                         1.1 * x + 2.3 * (y + box.lo[1]) + 3.7 * (z + box.lo[2]) + 0.9 * q;

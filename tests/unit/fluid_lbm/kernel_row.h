@@ -9,18 +9,20 @@
 namespace magfsi::fluid {
 
 // Populations after collision, each under its own direction.
-inline std::vector<reference::Cell> collide(RowKernel kernel,
-                                            const std::vector<reference::Cell>& cells,
-                                            const std::vector<reference::Vec3>& force,
-                                            double omega) {
+template <class Real>
+std::vector<reference::Cell> collide(RowKernel<Real> kernel,
+                                     const std::vector<reference::Cell>& cells,
+                                     const std::vector<reference::Vec3>& force,
+                                     const CollisionParameters& parameters) {
     using namespace d3q19;
     const std::size_t n = cells.size();
-    std::vector<double> rows[directions], force_rows[3];
-    double* at[directions];
+    std::vector<Real> rows[directions];
+    std::vector<double> force_rows[3];
+    Real* at[directions];
     const double* force_at[3];
     for (int q = 0; q < directions; ++q) {
         rows[q].resize(n);
-        for (std::size_t x = 0; x < n; ++x) rows[q][x] = cells[x][q];
+        for (std::size_t x = 0; x < n; ++x) rows[q][x] = static_cast<Real>(cells[x][q]);
         at[q] = rows[q].data();
     }
     for (int a = 0; a < 3; ++a) {
@@ -28,7 +30,7 @@ inline std::vector<reference::Cell> collide(RowKernel kernel,
         for (std::size_t x = 0; x < n; ++x) force_rows[a][x] = force[x][a];
         force_at[a] = force_rows[a].data();
     }
-    kernel(at, force_at, static_cast<std::ptrdiff_t>(n), omega);
+    kernel(at, force_at, static_cast<std::ptrdiff_t>(n), parameters);
     std::vector<reference::Cell> out(n);
     for (int q = 0; q < directions; ++q) {
         for (std::size_t x = 0; x < n; ++x) out[x][q] = rows[opposite(q)][x];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "fluid_lbm/lattice/d3q19.h"
@@ -53,7 +54,53 @@ inline Cell bgk(const Cell& f, const Vec3& force, double omega) {
     return out;
 }
 
+inline Cell trt(const Cell& f, const Vec3& force, double omega, double magic) {
+    const double odd_rate = 1 / (0.5 + magic / (1 / omega - 0.5));
+    const Cell target = bgk(f, force, 1);  // equilibrium and half of the source
+    const Flow s = flow(f, force);
+    Cell out;
+    for (int q = 0; q < directions; ++q) {
+        const int r = opposite(q);
+        const double source = guo(q, s.u, force), source_r = guo(r, s.u, force);
+        const double eq = target[q] - 0.5 * source, eq_r = target[r] - 0.5 * source_r;
+        const double even = (f[q] + f[r] - eq - eq_r) / 2;
+        const double odd = (f[q] - f[r] - eq + eq_r) / 2;
+        out[q] = f[q] - omega * even - odd_rate * odd +
+                 (1 - 0.5 * omega) * (source + source_r) / 2 +
+                 (1 - 0.5 * odd_rate) * (source - source_r) / 2;
+    }
+    return out;
+}
+
 using Tensor = std::array<Vec3, 3>;
+
+// Non-equilibrium stress with half of the force's.
+inline Tensor viscous_stress(const Cell& f, const Vec3& force) {
+    const Flow s = flow(f, force);
+    Tensor n{};
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+            for (int q = 0; q < directions; ++q) {
+                n[a][b] += c[q][a] * c[q][b] * (f[q] + weight(q));
+            }
+            n[a][b] -= s.density * (s.u[a] * s.u[b] + (a == b ? cs2 : 0));
+            n[a][b] += 0.5 * (s.u[a] * force[b] + s.u[b] * force[a]);
+        }
+    }
+    return n;
+}
+
+// 1 / tau of the relaxation time with Smagorinsky's eddy viscosity (Hou et al. 1996).
+inline double eddy_rate(const Cell& f, const Vec3& force, double omega, double constant) {
+    const Tensor n = viscous_stress(f, force);
+    double norm = 0;
+    for (const Vec3& row : n) {
+        for (const double entry : row) norm += entry * entry;
+    }
+    const double tau = 1 / omega;
+    const double eddies = 18 * std::sqrt(2.0) * constant * constant * std::sqrt(norm);
+    return 2 / (tau + std::sqrt(tau * tau + eddies / flow(f, force).density));
+}
 
 // Sum over Hermite polynomials of order 3 that D3Q19 supports, coefficients rho u u u
 // plus what the recursion gives for the non-equilibrium stress n.
@@ -76,16 +123,11 @@ inline double third_order(int q, const Flow& s, const Tensor& n) {
 
 inline Cell recursive_regularized(const Cell& f, const Vec3& force, double omega) {
     const Flow s = flow(f, force);
-    Tensor n{}, second{};
+    Tensor n = viscous_stress(f, force), second{};
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
-            double raw = 0;
-            for (int q = 0; q < directions; ++q) {
-                raw += c[q][a] * c[q][b] * (f[q] + weight(q));
-            }
-            const double equilibrium = s.density * (s.u[a] * s.u[b] + (a == b ? cs2 : 0));
             const double uf = s.u[a] * force[b] + s.u[b] * force[a];
-            n[a][b] = (1 - omega) * (raw - equilibrium + 0.5 * uf);
+            n[a][b] *= 1 - omega;
             second[a][b] = s.density * s.u[a] * s.u[b] + n[a][b] + 0.5 * uf;
         }
     }

@@ -16,13 +16,17 @@ using namespace d3q19;
 
 struct NoCollision {
     template <bool Forced, class V>
-    MAGFSI_INLINE static void collide(V (&)[directions], const V (&)[3], double) {}
+    MAGFSI_INLINE static void collide(V (&)[directions], const V (&)[3], const Rates<V>&,
+                                      Watch<V>&) {}
 };
 
 // Two lanes, which every x86-64 has; odd lengths leave a tail.
-void stream_row(double* const* at, const double* const* force, std::ptrdiff_t length,
-                double omega) {
-    collide_row<NoCollision, false, 2>(at, force, length, omega);
+template <class Real>
+bool stream_row(Real* const* at, const double* const* force, std::ptrdiff_t length,
+                const CollisionParameters& parameters) {
+    using V = typename Simd<Real, 2>::Vector;
+    return collide_row<NoCollision, false, V>(at, force, length, parameters,
+                                              stream_row<Real>);
 }
 
 struct Box {
@@ -65,31 +69,38 @@ class Streaming : public testing::TestWithParam<Box> {
         });
         return out;
     }
+    template <class Real>
+    void expect_two_grids(Storage storage) const;
 };
 
-TEST_P(Streaming, EqualsTwoGrids) {
+template <class Real>
+void Streaming::expect_two_grids(Storage storage) const {
     const auto& [n, periodic] = GetParam();
+    const AnyKernels kernels =
+        ChosenKernels<Real>{{stream_row<Real>, stream_row<Real>}, nullptr};
     const auto side = [](bool p) { return p ? Beyond::wrap : Beyond::wall; };
     RowLayout layout{n[0], n[1], n[2], side(periodic[0]), {}, {}};
     layout.beyond_y.fill(side(periodic[1]));
     layout.beyond_z.fill(side(periodic[2]));
-    const Populations populations(n[0], layout.row_count());
+    const Populations populations(n[0], layout.row_count(), storage);
     const ForcedRows no_force(n[0], n[1], n[2], std::nullopt);
     Field field(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
     for_each_cell([&](std::array<int, 3> x) {
         for (int q = 0; q < directions; ++q) {
-            const double value = 19.0 * index(x) + q;  // every population its own number
+            // Every population its own number, small enough for float.
+            const double value = 19.0 * index(x) + q;
             field[index(x)][q] = value;
-            populations.row(q, layout.row(x[1], x[2]))[x[0]] = value;
+            Real* row = populations.rows<Real>().row(q, layout.row(x[1], x[2]));
+            row[x[0]] = static_cast<Real>(value);
         }
     });
     Arrangement arrangement = Arrangement::natural;
     for (int step = 0; step < 7; ++step) {
-        sweep(populations, layout, arrangement, no_force, {stream_row, stream_row}, 1);
+        sweep(populations, layout, arrangement, no_force, kernels, {});
         arrangement = arrangement == Arrangement::natural ? Arrangement::swapped
                                                           : Arrangement::natural;
         field = streamed(field);
-        const View view{populations, layout, arrangement, nullptr};
+        const View view{populations, layout, arrangement, kernels};
         for_each_cell([&](std::array<int, 3> x) {
             for (int q = 0; q < directions; ++q) {
                 ASSERT_EQ(population(view, q, x[0], x[1], x[2]), field[index(x)][q])
@@ -98,6 +109,13 @@ TEST_P(Streaming, EqualsTwoGrids) {
             }
         });
     }
+}
+
+TEST_P(Streaming, OfDoubleEqualsTwoGrids) {
+    expect_two_grids<double>(Storage::double_);
+}
+TEST_P(Streaming, OfFloatEqualsTwoGrids) {
+    expect_two_grids<float>(Storage::float_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, Streaming,

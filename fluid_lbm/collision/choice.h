@@ -1,0 +1,13 @@
+// Which collision a configuration runs with, and why.
+#pragma once
+
+#include <string>
+
+#include "fluid_lbm/fluid.h"
+
+namespace magfsi::fluid {
+
+// config.collision, or for automatic the choice by relaxation time.
+Collision choose_collision(const FluidConfig& config);
+
+}  // namespace magfsi::fluid

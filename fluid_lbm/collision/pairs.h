@@ -1,0 +1,69 @@
+// What collisions that relax populations pair by pair share: the second-order equilibrium
+// and Guo's source as even and odd parts of each pair of opposite directions.
+#pragma once
+
+#include "fluid_lbm/collision/rates.h"
+#include "fluid_lbm/collision/watch.h"
+#include "fluid_lbm/forcing/guo.h"
+
+namespace magfsi::fluid {
+
+template <class V>
+struct CellState {
+    V base;  // density excess - 1.5 j.u
+    V per_density;
+    V j[3], u[3], force[3], uf;
+};
+
+template <bool Forced, class V>
+MAGFSI_INLINE CellState<V> cell_state(const V (&f)[d3q19::directions],
+                                      const V (&force)[3]) {
+    Moments<V> m = moments(f);
+    if constexpr (Forced) shift_momentum(m, force);
+    CellState<V> s;
+    s.per_density = 1.0 / (1.0 + m.excess);
+    for (int a = 0; a < 3; ++a) {
+        s.j[a] = m.j[a];
+        s.u[a] = m.j[a] * s.per_density;
+        s.force[a] = force[a];
+    }
+    s.base = m.excess - 1.5 * (s.j[0] * s.u[0] + s.j[1] * s.u[1] + s.j[2] * s.u[2]);
+    if constexpr (Forced) {
+        s.uf = s.u[0] * force[0] + s.u[1] * force[1] + s.u[2] * force[2];
+    }
+    return s;
+}
+
+template <class V>
+MAGFSI_INLINE V rest_equilibrium(const CellState<V>& s) {
+    return constant<V>(d3q19::weight_rest) * s.base;
+}
+template <class V>
+MAGFSI_INLINE V rest_source(const CellState<V>& s) {
+    return constant<V>(-3 * d3q19::weight_rest) * s.uf;
+}
+
+template <int Q, class V>
+MAGFSI_INLINE EvenOdd<V> equilibrium(const CellState<V>& s) {
+    constexpr Lane<V> w = constant<V>(d3q19::weight(Q));
+    constexpr Lane<V> w3 = constant<V>(3 * d3q19::weight(Q));
+    const V cj = along<Q>(s.j), cu = along<Q>(s.u);
+    return {w * (s.base + 4.5 * cj * cu), w3 * cj};
+}
+
+template <int Q, class V>
+MAGFSI_INLINE EvenOdd<V> guo_source(const CellState<V>& s) {
+    return guo_source<Q>(s.u, s.force, s.uf);
+}
+
+template <int Q>
+struct Pair {};
+
+// visit(Pair<1>{}), visit(Pair<3>{}), ...: the nine pairs of opposite directions.
+template <int Q = 1, class Visit>
+MAGFSI_INLINE void for_each_pair(const Visit& visit) {
+    visit(Pair<Q>{});
+    if constexpr (Q + 2 < d3q19::directions) for_each_pair<Q + 2>(visit);
+}
+
+}  // namespace magfsi::fluid

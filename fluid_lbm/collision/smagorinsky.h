@@ -1,0 +1,62 @@
+// Smagorinsky's eddy viscosity on top of any collision (Hou, Sterling, Chen, Doolen
+// 1996): the rate of strain follows from the non-equilibrium stress Pi of the cell
+// itself, |S| = 3 |Pi| / (sqrt(2) rho tau), and with nu_t = C^2 |S| the relaxation time
+// becomes
+//   tau = (tau_0 + sqrt(tau_0^2 + 18 sqrt(2) C^2 |Pi| / rho)) / 2,
+// |Pi| the square root of the sum over all entries squared, filter width one cell.
+#pragma once
+
+#include "fluid_lbm/collision/rates.h"
+#include "fluid_lbm/collision/stress.h"
+#include "fluid_lbm/collision/watch.h"
+#include "fluid_lbm/forcing/guo.h"
+
+namespace magfsi::fluid {
+
+template <class V>
+MAGFSI_INLINE V square_root(const V& a) {
+    V root;
+    for (int i = 0; i < lanes<V>; ++i) {
+        if constexpr (sizeof(Lane<V>) == sizeof(float)) {
+            root[i] = __builtin_sqrtf(a[i]);
+        } else {
+            root[i] = __builtin_sqrt(a[i]);
+        }
+    }
+    return root;
+}
+
+// Non-equilibrium stress, with half of the force's own part so that it is the viscous
+// one.
+template <bool Forced, class V>
+MAGFSI_INLINE Symmetric<V> viscous_stress(const V (&f)[d3q19::directions],
+                                          const V (&force)[3], V& per_density) {
+    Moments<V> m = moments(f);
+    if constexpr (Forced) shift_momentum(m, force);
+    per_density = 1.0 / (1.0 + m.excess);
+    const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
+    const Symmetric<V> n = nonequilibrium(f, m.excess, outer(m.j, u));
+    if constexpr (Forced) return add(n, half_force_stress(u, force));
+    return n;
+}
+
+template <class Base>
+struct Smagorinsky {
+    // f: populations minus weights, in place; force: read only if Forced.
+    template <bool Forced, class V>
+    MAGFSI_INLINE static void collide(V (&f)[d3q19::directions], const V (&force)[3],
+                                      const Rates<V>& rates, Watch<V>& watch) {
+        constexpr double sqrt_2 = 1.4142135623730951;
+        V per_density;
+        const Symmetric<V> stress = viscous_stress<Forced>(f, force, per_density);
+        const V c2 = rates.eddy_constant * rates.eddy_constant;
+        // Multiplied by even^2, so that one division gives the new rate.
+        const V root =
+            square_root<V>(1.0 + constant<V>(18 * sqrt_2) * c2 * rates.even * rates.even *
+                                     per_density * square_root(squared_norm(stress)));
+        const V even = 2.0 * rates.even / (1.0 + root);
+        Base::template collide<Forced>(f, force, with_even_rate(rates, even), watch);
+    }
+};
+
+}  // namespace magfsi::fluid

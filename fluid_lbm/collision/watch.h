@@ -1,0 +1,35 @@
+// Whether every cell that a kernel touched is still sound: a density above 0 and below
+// infinity and a speed within the lattice's limit. NaN fails both comparisons.
+//
+// A population that is not finite makes the density so; thus a cell that passes had 19
+// finite populations and leaves finite ones.
+#pragma once
+
+#include "fluid_lbm/collision/simd.h"
+
+namespace magfsi::fluid {
+
+// Cells a step that no cell may reach: above it the lattice's equilibria go negative and
+// its compressibility error is of order one.
+inline constexpr double lattice_speed_limit = 0.4;
+
+template <class V>
+class Watch {
+  public:
+    MAGFSI_INLINE void see(const V (&u)[3], const V& per_density) {
+        const V squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+        constexpr Lane<V> limit = constant<V>(lattice_speed_limit * lattice_speed_limit);
+        sound_ &= (squared <= limit) & (per_density > 0.0);
+    }
+    MAGFSI_INLINE bool all_sound() const {
+        bool sound = true;
+        for (int i = 0; i < lanes<V>; ++i) sound = sound && sound_[i] != 0;
+        return sound;
+    }
+
+  private:
+    using Mask = decltype(V{} <= V{});
+    Mask sound_ = V{} <= V{};
+};
+
+}  // namespace magfsi::fluid
