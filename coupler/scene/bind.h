@@ -15,9 +15,16 @@ struct PlaneRef {
 };
 
 template <class Io>
+void bind_keys(Io& io, Equilibrium& equilibrium) {
+    io("method", equilibrium.method);
+    io("tolerance", equilibrium.tolerance);
+}
+
+template <class Io>
 void bind_keys(Io& io, Time& time) {
     io("end", time.end_s);
     io("step", time.step_s);
+    io("equilibrium", time.equilibrium);
 }
 
 template <class Io>
@@ -31,6 +38,7 @@ void bind_keys(Io& io, Material& material) {
     io("shear_modulus", material.shear_modulus_pa);
     io("lame_lambda", material.lame_lambda_pa);
     io("density", material.density_kg_m3);
+    io("viscosity", material.viscosity_pa_s);
 }
 
 template <class Io>
@@ -60,8 +68,13 @@ void bind_keys(Io& io, DomainMagnetization& magnetization) {
 }
 
 template <class Io>
+void bind_keys(Io& io, TableMagnetization& table) {
+    io("file", table.file);
+}
+
+template <class Io>
 void bind_keys(Io& io, Magnetization& magnetization) {
-    io.alternatives(magnetization, {"uniform", "harmonic", "domains"});
+    io.alternatives(magnetization, {"uniform", "harmonic", "domains", "table"});
 }
 
 template <class Io>
@@ -115,9 +128,16 @@ void bind_keys(Io& io, RotatingField& rotating) {
 }
 
 template <class Io>
+void bind_keys(Io& io, FieldGradient& gradient) {
+    io("matrix", gradient.matrix_t_m);
+    io("origin", gradient.origin_m);
+}
+
+template <class Io>
 void bind_keys(Io& io, MagneticField& field) {
     io("plane", PlaneRef{field.plane});
     io.alternatives(field.course, {"constant", "table", "rotation"});
+    io("gradient", field.gradient);
 }
 
 template <class Io>
@@ -129,6 +149,20 @@ void bind_keys(Io& io, Gravity& gravity) {
 template <class Io>
 void bind_keys(Io& io, Damping& damping) {
     io("rate", damping.rate_1_s);
+}
+
+template <class Io>
+void bind_keys(Io& io, Platform& platform) {
+    io("point", platform.point_m);
+    io("normal", platform.normal);
+    io("stiffness", platform.stiffness_pa_m);
+    io("friction", platform.friction);
+}
+
+template <class Io>
+void bind_keys(Io& io, Contact& contact) {
+    io("distance", contact.distance_m);
+    io("stiffness", contact.stiffness_pa_m);
 }
 
 template <class Io>
@@ -201,6 +235,8 @@ void bind_keys(Io& io, Scene& scene) {
     io("magnetic_field", scene.magnetic_field);
     io("gravity", scene.gravity);
     io("damping", scene.damping);
+    io("platform", scene.platform);
+    io("contact", scene.contact);
     io("fluid", scene.fluid);
     io("coupling", scene.coupling);
     io("probes", scene.probes);

@@ -40,6 +40,23 @@ void check_table(const FieldTable& table, const Marks& marks) {
                "it with at least 2 rows");
 }
 
+// curl B = 0 and div B = 0 where no current flows.
+void check_gradient(const FieldGradient& gradient, const Marks& marks) {
+    const auto& g = gradient.matrix_t_m;
+    double largest = 0, fault = std::abs(g[0][0] + g[1][1] + g[2][2]);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            largest = std::max(largest, std::abs(g[i][j]));
+            fault = std::max(fault, std::abs(g[i][j] - g[j][i]));
+        }
+    }
+    if (fault <= 1e-9 * largest) return;  // rounding of typed numbers is no fault
+    refuse(
+        marks.value({"magnetic_field", "gradient", "matrix"}),
+        "a gradient that is not symmetric and traceless",
+        "dB_i/dx_j = dB_j/dx_i with a sum of 0 on the diagonal (no current flows here)");
+}
+
 void check_magnetic_field(const Scene& scene, const Marks& marks) {
     if (!scene.magnetic_field) return;
     const auto magnetized = [](const Body& body) {
@@ -51,6 +68,35 @@ void check_magnetic_field(const Scene& scene, const Marks& marks) {
                "add a magnetization or remove this key");
     if (const auto* table = std::get_if<FieldTable>(&scene.magnetic_field->course))
         check_table(*table, marks);
+    if (scene.magnetic_field->gradient)
+        check_gradient(*scene.magnetic_field->gradient, marks);
+}
+
+void check_equilibrium(const Scene& scene, const Marks& marks) {
+    if (!scene.time.equilibrium) return;
+    const Origin& here = marks.key({"time", "equilibrium"});
+    if (scene.fluid)
+        refuse(here, "an equilibrium in a scene with a fluid", "it without a fluid",
+               "remove the key \"fluid\" (fluid= on the command line)");
+    check_has_bodies(scene, marks, "time");
+    if (scene.time.equilibrium->method != EquilibriumMethod::newton) return;
+    for (const auto& [present, name] :
+         {std::pair{scene.platform.has_value(), "platform"},
+          std::pair{scene.contact.has_value(), "contact"}}) {
+        if (present)
+            refuse(marks.key({name}),
+                   fmt::format("{} with the equilibrium method newton", name),
+                   "it with the method dynamics",
+                   "take time.equilibrium.method: dynamics");
+    }
+}
+
+void check_platform(const Scene& scene, const Marks& marks) {
+    if (!scene.platform) return;
+    check_has_bodies(scene, marks, "platform");
+    if (scene.platform->normal == Vec3{})
+        refuse(marks.value({"platform", "normal"}), "a normal of length 0",
+               "any other vector such as [0, 0, 1]");
 }
 
 void check_gravity(const Scene& scene, const Marks& marks) {
@@ -76,6 +122,9 @@ void check_loads(const Scene& scene, const Marks& marks) {
     check_magnetic_field(scene, marks);
     check_gravity(scene, marks);
     if (scene.damping) check_has_bodies(scene, marks, "damping");
+    check_platform(scene, marks);
+    if (scene.contact) check_has_bodies(scene, marks, "contact");
+    check_equilibrium(scene, marks);
     check_coupling(scene, marks);
 }
 

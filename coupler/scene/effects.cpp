@@ -25,9 +25,19 @@ bool has_moving_wall(const Scene& scene) {
 // the fluid.
 constexpr Effect effects[] = {
     {"elasticity", [](const Scene& s) { return !s.bodies.empty(); }},
+    {"viscosity",
+     [](const Scene& s) {
+         return any_body(
+             s, [](const Body& b) { return b.material.viscosity_pa_s.has_value(); });
+     }},
     {"magnetic field", [](const Scene& s) { return s.magnetic_field.has_value(); }},
+    {"field gradient",
+     [](const Scene& s) { return s.magnetic_field && s.magnetic_field->gradient; }},
     {"gravity", [](const Scene& s) { return s.gravity.has_value(); }},
     {"damping", [](const Scene& s) { return s.damping.has_value(); }},
+    {"platform", [](const Scene& s) { return s.platform.has_value(); }},
+    {"friction", [](const Scene& s) { return s.platform && s.platform->friction; }},
+    {"contact", [](const Scene& s) { return s.contact.has_value(); }},
     {"clamps",
      [](const Scene& s) {
          return any_body(s, [](const Body& b) { return !b.clamps.empty(); });

@@ -13,6 +13,14 @@ const Field& scene_fields() {
             quantity("step", "s", "Coupled step; without it, from the fluid's lattice "
                      "speed, or without a fluid from the bodies' stable step.")
                 .above(0).optional(),
+            group("equilibrium", "No motion: time is the parameter of a path of loads, and "
+                  "each probe row an equilibrium on it.", {
+                choice<EquilibriumMethod>("method", "newton: Newton's method on the sparse "
+                                          "tangent; dynamics: damped motion in LAMMPS, also "
+                                          "with contact.").or_default("newton"),
+                number("tolerance", "Largest nodal force over the largest nodal load.")
+                    .above(0).at_most(0.01).or_default("1e-6"),
+            }).optional(),
         }),
         bodies_fields().optional(),
         magnetic_field_fields().optional(),
@@ -23,6 +31,23 @@ const Field& scene_fields() {
         }).optional(),
         group("damping", "Drag on every node of the bodies.", {
             quantity("rate", "1/s", "Force = -rate * mass * velocity.").at_least(0),
+        }).optional(),
+        group("platform", "Plane that bodies cannot pass and may leave freely.", {
+            quantity("point", "m", "A point of it.").vector(3)
+                .or_default("[0 m, 0 m, 0 m]"),
+            number("normal", "Towards the bodies; any length.").vector(3)
+                .or_default("[0, 0, 1]"),
+            quantity("stiffness", "Pa/m", "Pressure over penetration; without it, so "
+                     "that bodies sink in by far less than their thickness.")
+                .above(0).optional(),
+            number("friction", "Coulomb's coefficient; without it, none.").above(0)
+                .at_most(10).optional(),
+        }).optional(),
+        group("contact", "Between the surfaces of bodies, and of a body with itself.", {
+            quantity("distance", "m", "Where surfaces of nodes begin to repel; without it, "
+                     "the thickness of the thinnest body.").above(0).optional(),
+            quantity("stiffness", "Pa/m", "Pressure over approach; without it, from the "
+                     "bodies.").above(0).optional(),
         }).optional(),
         fluid_fields().optional(),
         coupling_fields().optional(),
@@ -55,6 +80,12 @@ Field magnetic_field_fields() {
             quantity("start", "rad", "Angle at time 0.").or_default("0 deg"),
             quantity("frequency", "1/s", "Turns a second; negative turns backwards."),
         }).alternative(),
+        group("gradient", "Adds a field that is linear in space and constant in time.", {
+            quantity("matrix", "T/m", "Rows of dB_i / dx_j; symmetric and traceless.")
+                .rows(3, 3, 3),
+            quantity("origin", "m", "Where it adds nothing.").vector(3)
+                .or_default("[0 m, 0 m, 0 m]"),
+        }).optional(),
     });
 }
 

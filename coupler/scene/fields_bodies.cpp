@@ -22,6 +22,8 @@ Field material() {
         quantity("shear_modulus", "Pa", "G.").above(0),
         quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.").at_least(0),
         quantity("density", "kg/m3", "Mass by volume.").above(0),
+        quantity("viscosity", "Pa s", "Kelvin-Voigt damping: viscous stress over rate of "
+                 "strain is twice this.").above(0).optional(),
     });
 }
 
@@ -47,6 +49,10 @@ Field magnetization() {
             quantity("polygon", "m", "Corners in the x-y plane, in the body's frame.")
                 .rows(2, 3, 10000).alternative(),
             vector("vector"),
+        }).alternative(),
+        group("table", "Each element takes the vector of the nearest point.", {
+            text("file", "CSV with the columns x[m], y[m], z[m], Mx[A/m], My[A/m], "
+                 "Mz[A/m]; its path counts from the scene's folder."),
         }).alternative(),
     });
 }

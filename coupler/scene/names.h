@@ -13,6 +13,9 @@ template <class E>
 inline constexpr std::nullptr_t names = nullptr;
 
 template <>
+inline constexpr std::array names<EquilibriumMethod> =
+    std::to_array<std::string_view>({"newton", "dynamics"});
+template <>
 inline constexpr std::array names<ElementVariant> =
     std::to_array<std::string_view>({"full", "mean_f"});
 template <>

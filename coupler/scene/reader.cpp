@@ -26,19 +26,24 @@ std::string file_text(const std::filesystem::path& file) {
     return text.str();
 }
 
-// Defaults that depend on other keys.
-void complete(Scene& scene) {
+// A vector of length 0 is left for the checks to refuse.
+void normalise(Vec3& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (double& component : v) component /= length > 0 ? length : 1;
+}
+
+// Defaults that depend on other keys; files of the scene count from its folder.
+void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
         if (!body.magnetization) continue;
+        if (auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
+            table->file = (folder / table->file).string();
         auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
         if (harmonic && harmonic->wavelength_m == 0)
             harmonic->wavelength_m = body.mesh.size_m[harmonic->along];
     }
-    if (scene.gravity) {
-        Vec3& d = scene.gravity->direction;
-        const double length = std::hypot(d[0], d[1], d[2]);
-        for (double& component : d) component /= length > 0 ? length : 1;
-    }
+    if (scene.gravity) normalise(scene.gravity->direction);
+    if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
 }
 
@@ -66,7 +71,7 @@ Scene read_scene(const std::filesystem::path& path,
     Scene scene;
     TreeReader reader(&root, scene_fields());
     bind_keys(reader, scene);
-    complete(scene);
+    complete(scene, file.parent_path());
     check_scene(scene, Marks(root));
     scene.hash = scene_hash(scene);
     return scene;

@@ -14,9 +14,17 @@ namespace magfsi::scene {
 
 using Vec3 = std::array<double, 3>;
 
+// Time is then the parameter of a path of loads, and each probe row an equilibrium.
+enum class EquilibriumMethod { newton, dynamics };
+struct Equilibrium {
+    EquilibriumMethod method = EquilibriumMethod::newton;
+    double tolerance = 1e-6;  // largest nodal force over the largest nodal load
+};
+
 struct Time {
     double end_s = 0;
     std::optional<double> step_s;  // coupled step; absent: from the lattice speed
+    std::optional<Equilibrium> equilibrium;
 };
 
 // --- bodies -------------------------------------------------------------------------
@@ -32,6 +40,7 @@ struct Material {
     double shear_modulus_pa = 0;
     double lame_lambda_pa = 0;
     double density_kg_m3 = 0;
+    std::optional<double> viscosity_pa_s;  // Kelvin-Voigt
 };
 
 enum class ElementVariant { full, mean_f };
@@ -58,8 +67,12 @@ struct MagneticDomain {
 struct DomainMagnetization {
     std::vector<MagneticDomain> domains;
 };
-using Magnetization =
-    std::variant<UniformMagnetization, HarmonicMagnetization, DomainMagnetization>;
+// A CSV file of points and vectors; each element takes the vector of the nearest point.
+struct TableMagnetization {
+    std::string file;
+};
+using Magnetization = std::variant<UniformMagnetization, HarmonicMagnetization,
+                                   DomainMagnetization, TableMagnetization>;
 
 // Rotation by an angle from the first axis of the plane towards the second.
 struct PlaneRotation {
@@ -110,9 +123,16 @@ struct RotatingField {
     double start_rad = 0;
     double frequency_hz = 0;  // turns a second, from the plane's first axis to its second
 };
+// Of the flux density; symmetric and traceless, as Maxwell's equations ask without
+// currents. It is constant in time and adds to the course.
+struct FieldGradient {
+    std::array<Vec3, 3> matrix_t_m{};  // row i, column j: dB_i / dx_j
+    Vec3 origin_m{};                   // where the course's field is the whole field
+};
 struct MagneticField {
     std::array<int, 2> plane{0, 2};
     std::variant<ConstantField, FieldTable, RotatingField> course;
+    std::optional<FieldGradient> gradient;
 };
 
 struct Gravity {
@@ -122,6 +142,21 @@ struct Gravity {
 
 struct Damping {
     double rate_1_s = 0;  // force = -rate * mass * velocity, on every node
+};
+
+// A plane that bodies cannot pass; they may leave it freely.
+struct Platform {
+    Vec3 point_m{};
+    Vec3 normal{0, 0, 1};                  // unit vector, towards the bodies
+    std::optional<double> stiffness_pa_m;  // pressure over penetration; absent: from the
+                                           // bodies
+    std::optional<double> friction;        // Coulomb's coefficient
+};
+
+// Between the surfaces of bodies, and of a body with itself.
+struct Contact {
+    std::optional<double> distance_m;      // absent: the thickness of the thinnest body
+    std::optional<double> stiffness_pa_m;  // absent: from the bodies
 };
 
 // --- fluid --------------------------------------------------------------------------
@@ -207,6 +242,8 @@ struct Scene {
     std::optional<MagneticField> magnetic_field;
     std::optional<Gravity> gravity;
     std::optional<Damping> damping;
+    std::optional<Platform> platform;
+    std::optional<Contact> contact;
     std::optional<Fluid> fluid;
     std::optional<Coupling> coupling;  // always there with both bodies and a fluid
     std::optional<Probes> probes;

@@ -35,10 +35,11 @@ constexpr Named named[] = {
     {"kg/m3", "a density", "1000 kg/m3"},
     {"Pa", "a pressure", "33 kPa"},
     {"N", "a force", "1 mN"},
-    {"N/m3", "a force density", "10 N/m3"},
+    {"N/m3", "a force density or pressure by length", "10 N/m3"},
     {"J", "an energy", "1 uJ"},
     {"W", "a power", "1 mW"},
     {"T", "a magnetic flux density", "17 mT"},
+    {"T/m", "a field gradient", "0.5 T/m"},
     {"A/m", "a magnetization", "62 kA/m"},
 };
 

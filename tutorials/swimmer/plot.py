@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Draws the swimmer's figure from a run folder.
 
-    plot.py RUN_FOLDER [--out figure.png] [--period "40 ms"] [--body robot]
+    plot.py RUN_FOLDER [--out figure.png] [--period "40 ms"] [--body robot] [--reference CSV]
 
 (a) side views of the robot at even instants of the last full period, to scale, under the
-    course of the field; (b) the height of its centre of mass, and the rise a period.
+    course of the field; (b) the height of its centre of mass, and the rise a period, beside
+    that of a finer run (reference.csv of this folder, given with --reference).
 """
 import argparse
 import csv
@@ -36,9 +37,9 @@ def seconds(text):
 
 
 def read_probes(path):
-    """Columns by name, as arrays."""
+    """Columns by name, as arrays; lines of comment begin with #."""
     with open(path, newline="") as file:
-        names, *rows = list(csv.reader(file))
+        names, *rows = list(csv.reader(line for line in file if not line.startswith("#")))
     values = np.array(rows, dtype=float).reshape(-1, len(names))
     return dict(zip(names, values.T))
 
@@ -154,7 +155,7 @@ def draw_views(axes, probes, body, row):
     clean(axes, "bottom")
 
 
-def draw_height(axes, probes, body, row):
+def draw_height(axes, probes, body, row, reference):
     time_ms = 1e3 * probes["t[s]"]
     height = 1e3 * column(probes, f"{body}.com_z[m]")
     period_ms = 1e3 * row.period_s
@@ -167,6 +168,12 @@ def draw_height(axes, probes, body, row):
               "shown in (a)", ha="center", va="bottom", fontsize=7, color=GREY)
     for mark in marks:
         axes.axvline(mark, color="0.75", lw=0.6)
+    if reference:
+        fine_ms, fine = 1e3 * reference["t[s]"], 1e3 * column(reference, f"{body}.com_z[m]")
+        inside = fine_ms <= time_ms[-1] + 1e-6 * period_ms
+        axes.plot(fine_ms[inside], fine[inside], color=GREY, lw=0.9, ls="--")
+        axes.text(0.99, 0.04, "dashed: reference, 0.1 mm cells", transform=axes.transAxes,
+                  fontsize=7, color=GREY, ha="right", va="bottom")
     axes.plot(time_ms, height, color=INK, lw=1.2)
     axes.plot(marks, at_marks, "o", ms=4, color=INK, clip_on=False)
     for left, rise in zip(marks, np.diff(at_marks)):
@@ -179,7 +186,7 @@ def draw_height(axes, probes, body, row):
     clean(axes)
 
 
-def draw(probes, body, row, out):
+def draw(probes, body, row, out, reference):
     plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans",
                          "axes.linewidth": 0.6, "xtick.major.width": 0.6,
                          "ytick.major.width": 0.6})
@@ -196,7 +203,7 @@ def draw(probes, body, row, out):
     field_axes = room(views_at + views_in + gaps["field"], field_in)
     draw_field(field_axes, probes, row)
     draw_views(room(views_at, views_in), probes, body, row)
-    draw_height(room(gaps["bottom"], height_in), probes, body, row)
+    draw_height(room(gaps["bottom"], height_in), probes, body, row, reference)
     letters = {"(a)": total - 0.14, "(b)": gaps["bottom"] + height_in + 0.14}
     for letter, top in letters.items():
         figure.text(0.01, top / total, letter, weight="bold", fontsize=9, va="center")
@@ -210,13 +217,15 @@ def main():
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
     options.add_argument("--period", type=seconds, default="40 ms")
     options.add_argument("--body", default="robot")
+    options.add_argument("--reference", type=pathlib.Path)
     chosen = options.parse_args()
     probes = read_probes(chosen.run_folder / "probes.csv")
     start_s = last_period(column(probes, "t[s]"), chosen.period)
     instants = start_s + np.linspace(0, chosen.period, INSTANTS)
     frames = nearest_frames(read_series(chosen.run_folder / "structure.pvd"), instants)
     row = Row(probes, chosen.body, frames, start_s, chosen.period)
-    draw(probes, chosen.body, row, chosen.out)
+    reference = read_probes(chosen.reference) if chosen.reference else None
+    draw(probes, chosen.body, row, chosen.out, reference)
     print(chosen.out)
 
 

@@ -10,19 +10,28 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-TEST(Effects, of_everything) {
+TEST(Effects, of_a_swimmer) {
     const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
     EXPECT_EQ(active_effects(s),
               (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
                      "immersed boundary", "fluid", "body force", "moving walls"}));
-    EXPECT_EQ(absent_effects(s), Names{});
+    EXPECT_EQ(absent_effects(s),
+              (Names{"viscosity", "field gradient", "platform", "friction", "contact"}));
+}
+
+TEST(Effects, of_a_strip_on_a_platform) {
+    const Scene s = read_scene(test_folder / "complete/platform.yaml");
+    EXPECT_EQ(active_effects(s),
+              (Names{"elasticity", "viscosity", "magnetic field", "field gradient",
+                     "platform", "friction", "contact"}));
 }
 
 TEST(Effects, of_a_solid) {
     const Scene s = read_scene(test_folder / "complete/turning.yaml");
     EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field"}));
     EXPECT_EQ(absent_effects(s),
-              (Names{"gravity", "damping", "clamps", "immersed boundary", "fluid",
+              (Names{"viscosity", "field gradient", "gravity", "damping", "platform",
+                     "friction", "contact", "clamps", "immersed boundary", "fluid",
                      "body force", "moving walls"}));
 }
 

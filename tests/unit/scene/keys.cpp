@@ -129,6 +129,23 @@ TEST(Keys, of_the_other_alternatives) {
     EXPECT_EQ(rotation.frequency_hz, 5);
 }
 
+TEST(Keys, of_platform_contact_and_equilibrium) {
+    const Scene s = complete("platform.yaml");
+    EXPECT_EQ(s.time.equilibrium->method, EquilibriumMethod::dynamics);
+    EXPECT_EQ(s.time.equilibrium->tolerance, 1e-5);
+    EXPECT_EQ(s.bodies[0].material.viscosity_pa_s, 2);
+    EXPECT_EQ(std::get<TableMagnetization>(*s.bodies[0].magnetization).file,
+              (test_folder / "complete/profile.csv").string());
+    EXPECT_EQ(s.magnetic_field->gradient->matrix_t_m[2], (Vec3{0.5, 0, -2}));
+    EXPECT_EQ(s.magnetic_field->gradient->origin_m, (Vec3{1e-3, 0, 2e-3}));
+    EXPECT_EQ(s.platform->point_m, (Vec3{0, 0, -1e-3}));
+    EXPECT_EQ(s.platform->normal, (Vec3{0, 0.6, 0.8}));  // normalised
+    EXPECT_EQ(s.platform->stiffness_pa_m, 20e6);
+    EXPECT_EQ(s.platform->friction, 0.3);
+    EXPECT_EQ(s.contact->distance_m, 0.2e-3);
+    EXPECT_EQ(s.contact->stiffness_pa_m, 30e6);
+}
+
 // True if the effective scene has a value for each leaf of the table; adds those it
 // lacks.
 void missing_leaves(const Field& field, const std::string& path,
@@ -155,7 +172,7 @@ void missing_leaves(const Field& field, const std::string& path,
 // A key that the table has but bind.h forgot would be accepted and ignored.
 TEST(Keys, of_the_table_are_all_stored) {
     std::vector<nlohmann::json> scenes;
-    for (const char* name : {"swimmer.yaml", "elastic.yaml", "turning.yaml"})
+    for (const char* name : {"swimmer.yaml", "elastic.yaml", "turning.yaml", "platform.yaml"})
         scenes.push_back(effective_scene(complete(name)));
     std::vector<std::string> missing;
     missing_leaves(scene_fields(), "", scenes, missing);
