@@ -12,6 +12,7 @@
 #include <exception>
 #include <string>
 
+#include "structure/lammps/element_name.h"
 #include "structure/lammps/failure.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/magnetics/nodal_charge.h"
@@ -22,15 +23,9 @@ namespace {
 // ID group style, then the file, the first atom, G and K.
 constexpr int first_keyword = 7;
 
-ElementVariant parse_variant(LAMMPS_NS::Error& error, const std::string& word) {
-    if (word == "full") return ElementVariant::full;
-    if (word == "mean_f") return ElementVariant::mean_f;
-    fail(error, "fix magttice: element " + word + " found, full and mean_f are allowed");
-}
-
 }  // namespace
 
-// fix ID group magttice FILE first_atom_id G K [element full|mean_f] [field Bx By Bz]
+// fix ID group magttice FILE first_atom_id G K [element VARIANT] [field Bx By Bz]
 FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg) {
     if (narg < first_keyword) {
@@ -45,7 +40,11 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     for (int i = first_keyword; i < narg;) {
         const std::string keyword = arg[i];
         if (keyword == "element" && i + 1 < narg) {
-            variant = parse_variant(*error, arg[i + 1]);
+            try {
+                variant = parse_element_name(arg[i + 1]);
+            } catch (const std::exception& cause) {
+                fail(*error, std::string("fix ") + id + " magttice: " + cause.what());
+            }
             i += 2;
         } else if (keyword == "field" && i + 3 < narg) {
             parse_field(arg + i + 1);
@@ -85,6 +84,7 @@ void FixMagttice::read_body(const std::string& file, const Material& material,
                             ElementVariant variant) {
     const LatticeFile read = read_lattice_file(file);
     lattice_ = build_lattice(read.nodes_m, read.elements, material, variant);
+    nodes_m_ = read.nodes_m;
     range_.count = static_cast<int>(read.nodes_m.size());
     by_first_.resize(read.nodes_m.size());
     for (std::size_t e = 0; e < read.elements.size(); ++e) {

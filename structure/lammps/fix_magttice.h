@@ -35,6 +35,13 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void restart(char* buffer) override;
     double memory_usage() override;
 
+    const NodeRange& range() const { return range_; }
+    const Lattice& lattice() const { return lattice_; }
+    const std::vector<Vec3>& nodes_m() const { return nodes_m_; }  // at rest
+    // Adds this rank's elastic forces at the present positions to f, three values a local
+    // or ghost atom.
+    void add_elastic_forces(double* f) const;
+
   private:
     struct FieldComponent {
         std::string name;  // of the LAMMPS variable; empty: constant
@@ -57,6 +64,7 @@ class FixMagttice : public LAMMPS_NS::Fix {
 
     NodeRange range_;
     Lattice lattice_;
+    std::vector<Vec3> nodes_m_;
     std::vector<double> charge_a_m_;          // by node of the body
     std::vector<std::vector<int>> by_first_;  // elements by their first node
     ElementKernel kernel_;

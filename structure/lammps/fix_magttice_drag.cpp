@@ -2,7 +2,10 @@
 
 #include "atom.h"
 #include "error.h"
+#include "update.h"
 #include "utils.h"
+
+#include <cmath>
 
 #include "structure/lammps/failure.h"
 
@@ -23,17 +26,21 @@ FixMagtticeDrag::FixMagtticeDrag(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg
 }
 
 int FixMagtticeDrag::setmask() {
-    return LAMMPS_NS::FixConst::POST_FORCE;
+    return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE;
 }
 
-void FixMagtticeDrag::post_force(int) {
+void FixMagtticeDrag::reset_dt() {
+    half_step_factor_ = std::exp(-0.5 * rate_1_s_ * update->dt);
+}
+
+// The velocity decays exactly, at any rate and step, half a step at a time. As a force it
+// would need the velocity of the half step, which a restart from positions and velocities
+// does not have: the motion would not go on as it was.
+void FixMagtticeDrag::slow_down() {
     double* const* const v = atom->v;
-    double* const* const f = atom->f;
     for (int i = 0; i < atom->nlocal; ++i) {
         if ((atom->mask[i] & groupbit) == 0) continue;
-        const double mass =
-            atom->rmass != nullptr ? atom->rmass[i] : atom->mass[atom->type[i]];
-        for (int d = 0; d < 3; ++d) f[i][d] -= rate_1_s_ * mass * v[i][d];
+        for (int d = 0; d < 3; ++d) v[i][d] *= half_step_factor_;
     }
 }
 

@@ -30,6 +30,10 @@ void FixMagttice::compute_energies() {
     }
 }
 
+void FixMagttice::add_elastic_forces(double* f) const {
+    if (kernel_.size() > 0) kernel_.add_forces(atom->x[0], f);
+}
+
 double FixMagttice::compute_scalar() {
     compute_energies();
     const double mine = energy_j_[0] + energy_j_[1];

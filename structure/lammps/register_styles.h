@@ -11,9 +11,13 @@ class LAMMPS;
 namespace magfsi::structure {
 
 // Call after the constructor of LAMMPS and before its first input line. Adds
-//   fix ID group magttice FILE first_atom_id G K [element full|mean_f] [field Bx By Bz]
+//   fix ID group magttice FILE first_atom_id G K [element VARIANT] [field Bx By Bz] ...
 //   fix ID group magttice/field PLANE COURSE ...
 //   fix ID group magttice/drag RATE
+//   fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU] [damping C]
+//   fix ID group magttice/quiet
+//   pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR]
+//   compute ID group magttice/contact
 // (see docs/fix_magttice.md).
 void register_styles(LAMMPS_NS::LAMMPS& lammps);
 

@@ -1,0 +1,15 @@
+// The words of `fix magttice ... element WORD`.
+#pragma once
+
+#include <string>
+
+#include "structure/body.h"
+
+namespace magfsi::structure {
+
+const char* element_name(ElementVariant variant);
+
+// Throws std::invalid_argument on another word than those of element_name.
+ElementVariant parse_element_name(const std::string& word);
+
+}  // namespace magfsi::structure

@@ -1,0 +1,24 @@
+#include "structure/lammps/step_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "structure/lammps/contact_area.h"
+#include "structure/lattice/lattice.h"
+#include "structure/lattice/stable_step.h"
+
+namespace magfsi::structure {
+
+double step_limit_s(const Body& body, double stiffness_pa_m) {
+    const double own = 2 / stable_step_s(body);
+    const auto area = contact_areas(body.mesh.nodes, body.mesh.elements);
+    const auto mass = node_masses(
+        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    double most = 0;
+    for (std::size_t a = 0; a < area.size(); ++a) {
+        most = std::max(most, stiffness_pa_m * area[a] / mass[a]);
+    }
+    return 2 / std::sqrt(own * own + most);
+}
+
+}  // namespace magfsi::structure
