@@ -2,8 +2,11 @@
 
 #include <stdexcept>
 
+#include "fluid_lbm/boundary/opening.h"
 #include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/initial_flow.h"
+#include "fluid_lbm/obstacle/check_obstacles.h"
+#include "fluid_lbm/sampling/divergence.h"
 #include "fluid_lbm/sampling/totals.h"
 #include "fluid_lbm/sampling/velocity_field.h"
 #include "fluid_lbm/solver.h"
@@ -37,7 +40,10 @@ SolverConfig in_lattice_units(const FluidConfig& config, const KernelSet& kernel
         lattice.periodic[side / 2] = boundary.kind == BoundaryKind::periodic;
         lattice.wall_velocity[side] =
             scaled(boundary.wall_velocity_m_s, 1 / unit.velocity_m_s());
+        lattice.sides[side] = lattice_side(config, side);
     }
+    lattice.solids = make_solids(config);
+    lattice.obstacle_wall = config.obstacle_wall;
     if (config.body_force_n_m3) {
         lattice.body_force = scaled(*config.body_force_n_m3, 1 / unit.force_n_m3());
     }
@@ -84,6 +90,7 @@ struct Fluid::State {
           comm(parent),
           solver(comm.get(), lattice) {
         set_initial_flow(config, solver);
+        solver.settle_obstacles();
     }
 
     std::size_t cells() const {  // of this rank
@@ -213,8 +220,26 @@ Totals Fluid::totals() const {
                          state_->lattice.wall_velocity);
 }
 
+std::vector<Vec3> Fluid::obstacle_forces() const {
+    std::vector<Vec3> forces(state_->config.obstacles.size());
+    if (forces.empty()) return forces;
+    forces = state_->solver.obstacles()->impulses();
+    const double dx = state_->config.spacing_m;
+    const double unit = units(state_->config).force_n_m3() * dx * dx * dx;
+    for (Vec3& force : forces) force = scaled(force, unit);
+    MPI_Allreduce(MPI_IN_PLACE, forces.data(), static_cast<int>(3 * forces.size()),
+                  MPI_DOUBLE, MPI_SUM, state_->comm.get());
+    return forces;
+}
+
 std::optional<Divergence> Fluid::divergence() const {
-    return find_divergence(state_->solver);
+    return find_divergence(state_->solver, state_->config);
+}
+
+std::optional<Divergence> Fluid::diverged() const {
+    const auto& found = state_->solver.unsound();
+    if (!found) return std::nullopt;
+    return describe(*found, state_->solver, state_->config);
 }
 
 void Fluid::macroscopic(std::span<float> velocity, std::span<float> density) const {

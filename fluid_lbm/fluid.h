@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "fluid_lbm/boundary/boundary.h"
 #include "fluid_lbm/collision/collision.h"
+#include "fluid_lbm/obstacle/obstacle.h"
 
 namespace magfsi::fluid {
 
@@ -25,13 +28,6 @@ std::string to_string(Collision collision);
 enum class Precision { double_, float_, float_double };
 std::string to_string(Precision precision);
 
-enum class BoundaryKind { periodic, no_slip };
-
-struct Boundary {
-    BoundaryKind kind = BoundaryKind::periodic;
-    Vec3 wall_velocity_m_s{};
-};
-
 struct FluidConfig {
     std::array<int, 3> cells{};
     double spacing_m = 0;
@@ -43,6 +39,8 @@ struct FluidConfig {
     double magic_number = 3.0 / 16;        // Lambda of two-relaxation-time collision
     double smagorinsky_constant = 0;       // of the eddy viscosity; 0: none
     std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
+    std::vector<Obstacle> obstacles;
+    ObstacleWall obstacle_wall = ObstacleWall::interpolated;
     std::optional<Vec3> body_force_n_m3;
     // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
     std::function<Vec3(const Vec3&)> initial_velocity;
@@ -71,12 +69,23 @@ struct Totals {  // over all ranks
     double max_speed_m_s = 0;
 };
 
-// The first cell found with a distribution function that is not finite, or a speed above
-// the lattice's limit.
+// What most likely made a cell diverge.
+enum class DivergenceCause { not_finite, force, relaxation_time, speed };
+
+// A cell with a density that is not finite or not positive, or a speed above the
+// lattice's limit.
 struct Divergence {
     std::array<int, 3> cell{};
-    double lattice_speed = 0;
+    double lattice_speed = 0;  // cells a step
+    Vec3 position_m{};         // of the cell's centre
+    double density = 0;        // over the density at rest
+    double lattice_force = 0;  // change of speed in one step by the force, cells a step
+    double relaxation_time = 0;
+    std::int64_t step = 0;  // steps done when the cell was in this state
+    DivergenceCause cause = DivergenceCause::speed;
 };
+// One sentence: where, what, the likely cause, and what to change.
+std::string to_string(const Divergence& divergence);
 
 class Fluid {
   public:
@@ -104,8 +113,18 @@ class Fluid {
 
     void step();
 
-    Totals totals() const;                         // collective
-    std::optional<Divergence> divergence() const;  // local look, costs one sweep
+    Totals totals() const;  // collective
+    // Force [N] of the fluid on each obstacle during the last step, in the order of the
+    // configuration; zero before the first. By gauge pressure: an obstacle that touches a
+    // wall feels none of the rest pressure. Collective.
+    std::vector<Vec3> obstacle_forces() const;
+    // This rank's present state, whatever it is; costs a sweep.
+    std::optional<Divergence> divergence() const;
+    // The first cell of this rank that a step found diverged: every step looks at every
+    // cell in passing, before its collision (with the step's force), so that a state that
+    // went wrong is named by the very next step at the latest and never spreads values
+    // that are not finite. Costs nothing to ask.
+    std::optional<Divergence> diverged() const;
     // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest.
     void macroscopic(std::span<float> velocity, std::span<float> density) const;
     // curl u [1/s] of the owned cells, 3 a cell, x fastest. Collective.

@@ -23,19 +23,17 @@ Storage storage(const AnyKernels& kernels) {
                                                                  : Storage::double_;
 }
 
-// Those that move and that this rank's box touches.
-std::vector<MovingWall> moving_walls(const SolverConfig& config, const CellBox& box) {
-    std::vector<MovingWall> walls;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int side = 0; side < 2; ++side) {
-            const auto& velocity = config.wall_velocity[2 * axis + side];
-            const bool here =
-                side == 0 ? box.lo[axis] == 0 : box.hi[axis] == config.cells[axis];
-            if (!here || velocity == std::array<double, 3>{}) continue;
-            walls.push_back({axis, side, velocity});
-        }
+std::optional<Obstacles> make_obstacles(const SolverConfig& config, const CellBox& box,
+                                        const Populations& populations,
+                                        const RowLayout& layout) {
+    if (config.solids.empty()) return {};
+    LinkOptions options;
+    options.wall = config.obstacle_wall;
+    for (int side = 0; side < 6; ++side) {
+        options.free_slip[side] = config.sides[side].kind == BoundaryKind::free_slip;
     }
-    return walls;
+    return std::optional<Obstacles>(std::in_place, config.solids, box, config.cells,
+                                    config.periodic, options, populations, layout);
 }
 
 }  // namespace
@@ -47,21 +45,52 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       populations_(layout_.nx, layout_.row_count(), storage(config.kernels)),
       forces_(layout_.nx, layout_.ny, layout_.nz, config.body_force),
       halo_(comm, decomposition_, rank_),
-      moving_walls_(moving_walls(config, decomposition_.boxes[rank_])),
+      rows_at_cuts_(fluid::rows_at_cuts(layout_)),
+      inner_rows_(fluid::inner_rows(layout_)),
+      boundaries_(comm, decomposition_, rank_, config.sides, config.wall_velocity,
+                  populations_, layout_),
+      obstacles_(
+          make_obstacles(config, decomposition_.boxes[rank_], populations_, layout_)),
       kernels_(config.kernels),
       collision_(config.collision) {}
 
-void Solver::step() {
-    sweep(populations_, layout_, arrangement_, forces_, kernels_, collision_);
-    if (arrangement_ == Arrangement::natural) {
-        halo_.fill(populations_);
-        arrangement_ = Arrangement::swapped;
-    } else {
-        halo_.give_back(populations_);
-        arrangement_ = Arrangement::natural;
+void Solver::sweep_boxes(std::span<const RowBox> boxes) {
+    const SweepInput in{populations_, layout_,  arrangement_,
+                        forces_,      kernels_, collision_};
+    for (const RowBox& box : boxes) {
+        const auto found = sweep(in, box);
+        if (found && !unsound_) unsound_ = Unsound{*found, steps_done_};
     }
-    move_walls(populations_, layout_, moving_walls_);
+}
+
+// A link crosses a side or a wall in the middle of the step.
+void Solver::apply_boundaries() {
+    if (obstacles_) obstacles_->look(populations_, arrangement_);
+    boundaries_.enter(populations_, layout_, static_cast<double>(steps_done_) + 0.5);
+    if (obstacles_) obstacles_->bounce(populations_, arrangement_);
+    boundaries_.rebuild_outlets(populations_, arrangement_);
+    settle_obstacles();
+}
+
+void Solver::settle_obstacles() {
+    if (obstacles_) obstacles_->settle(populations_, layout_, arrangement_);
+}
+
+void Solver::step() {
+    const bool natural = arrangement_ == Arrangement::natural;
+    const std::span<const RowBox> inner = inner_rows_;
+    const std::size_t half = inner.size() / 2;
+    boundaries_.look_at_outlets(populations_, arrangement_);
+    sweep_boxes(rows_at_cuts_);
+    halo_.start(natural ? Exchange::fill : Exchange::give_back, populations_);
+    sweep_boxes(inner.first(half));
+    halo_.advance(populations_);
+    sweep_boxes(inner.subspan(half));
+    halo_.finish(populations_);
+    arrangement_ = natural ? Arrangement::swapped : Arrangement::natural;
+    apply_boundaries();
     forces_.clear();
+    ++steps_done_;
 }
 
 }  // namespace magfsi::fluid

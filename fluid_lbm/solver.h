@@ -4,16 +4,21 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "fluid_lbm/boundary/moving_wall.h"
+#include "fluid_lbm/boundary/boundaries.h"
 #include "fluid_lbm/forcing/forced_rows.h"
 #include "fluid_lbm/lattice/populations.h"
+#include "fluid_lbm/obstacle/obstacles.h"
 #include "fluid_lbm/parallel/decomposition.h"
 #include "fluid_lbm/parallel/halo.h"
+#include "fluid_lbm/parallel/row_boxes.h"
 #include "fluid_lbm/sampling/macroscopic.h"
 #include "fluid_lbm/streaming/kernel_choice.h"
+#include "fluid_lbm/streaming/unsound.h"
 
 namespace magfsi::fluid {
 
@@ -21,9 +26,17 @@ struct SolverConfig {
     std::array<int, 3> cells{};
     std::array<bool, 3> periodic{};
     std::array<std::array<double, 3>, 6> wall_velocity{};  // x_min x_max y_min ...
+    std::array<LatticeSide, 6> sides{};                    // of axes that are not periodic
+    Solids solids;                                         // obstacles
+    ObstacleWall obstacle_wall = ObstacleWall::interpolated;
     std::optional<std::array<double, 3>> body_force;
     CollisionParameters collision;
     AnyKernels kernels;  // decide what populations are stored as
+};
+
+struct Unsound {
+    UnsoundCell cell;       // indices within the rank
+    std::int64_t step = 0;  // steps done before the one that found it
 };
 
 class Solver {
@@ -46,20 +59,37 @@ class Solver {
     ForcedRows& forces() { return forces_; }
     const ForcedRows& forces() const { return forces_; }
 
+    // Null without obstacles.
+    const Obstacles* obstacles() const { return obstacles_ ? &*obstacles_ : nullptr; }
+    // After the populations have been set from outside: solid cells back to rest.
+    void settle_obstacles();
+
     // Collective.
     void step();
+    std::int64_t steps_done() const { return steps_done_; }
+
+    // The first cell of this rank that a step found no longer sound, lattice units; found
+    // in passing by the step whose collision acts on it.
+    const std::optional<Unsound>& unsound() const { return unsound_; }
 
   private:
+    void sweep_boxes(std::span<const RowBox> boxes);
+    void apply_boundaries();
+
     Decomposition decomposition_;
     int rank_;
     RowLayout layout_;
     Populations populations_;
     ForcedRows forces_;
     Halo halo_;
-    std::vector<MovingWall> moving_walls_;
+    std::vector<RowBox> rows_at_cuts_, inner_rows_;
+    Boundaries boundaries_;
+    std::optional<Obstacles> obstacles_;
     AnyKernels kernels_;
     CollisionParameters collision_;
     Arrangement arrangement_ = Arrangement::natural;
+    std::int64_t steps_done_ = 0;
+    std::optional<Unsound> unsound_;
 };
 
 }  // namespace magfsi::fluid

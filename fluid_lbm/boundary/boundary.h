@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <variant>
 
 namespace magfsi::fluid {
@@ -17,6 +18,8 @@ enum class BoundaryKind {
     velocity_inlet,   // prescribed velocity, in or out
     pressure_outlet,  // lets flow and sound out
 };
+
+std::string to_string(BoundaryKind kind);
 
 // How an inlet's velocity varies over its opening. Along an axis that is periodic or has
 // free slip at an end it does not fall there. With s the distance from the middle over

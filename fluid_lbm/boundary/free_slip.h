@@ -1,7 +1,8 @@
 // Sides without shear: specular reflection half a cell outside the cells at the side. The
 // population that enters a cell is the mirror image of the one that left a neighbour
-// along the side. After the sweep both are bounced back, so that reflection is an exchange
-// of two values between neighbours: mass and tangential momentum are kept to the bit.
+// along the side. After the sweep both are bounced back, so that reflection is an
+// exchange of two values between neighbours: mass and tangential momentum are kept to the
+// bit.
 #pragma once
 
 #include <mpi.h>
@@ -30,7 +31,7 @@ class FreeSlip {
     // end, with `down` of the cell below.
     struct Lean {
         int axis, up, down;
-        bool wraps;            // periodic and not cut
+        bool wraps;               // periodic and not cut
         int low_rank, high_rank;  // beyond the ends, no_rank if none
     };
 

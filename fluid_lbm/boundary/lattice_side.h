@@ -26,9 +26,13 @@ struct LatticeSide {
 };
 
 // Of side 2 * axis (low) or 2 * axis + 1.
-inline int axis_of(int side) { return side / 2; }
+inline int axis_of(int side) {
+    return side / 2;
+}
 // Component along the axis of populations that enter by the side.
-inline int inward(int side) { return side % 2 == 0 ? 1 : -1; }
+inline int inward(int side) {
+    return side % 2 == 0 ? 1 : -1;
+}
 
 // This rank's cells at a side, in local indices; none if its box does not reach there.
 inline std::optional<CellBox> cells_at_side(const CellBox& owned,

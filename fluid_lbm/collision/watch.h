@@ -13,6 +13,11 @@ namespace magfsi::fluid {
 // its compressibility error is of order one.
 inline constexpr double lattice_speed_limit = 0.4;
 
+// The same for one cell outside the kernels.
+inline bool is_sound(double density, double speed) {
+    return density > 0 && density < __builtin_inf() && speed <= lattice_speed_limit;
+}
+
 template <class V>
 class Watch {
   public:

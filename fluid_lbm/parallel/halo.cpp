@@ -1,5 +1,6 @@
 #include "fluid_lbm/parallel/halo.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace magfsi::fluid {
@@ -82,42 +83,62 @@ void Halo::unpack(const PopulationRows<Real>& rows, const std::vector<Slot>& slo
     }
 }
 
-void Halo::exchange(int axis, const Populations& populations,
-                    std::vector<Slot> Face::*sending,
-                    std::vector<Slot> Face::*receiving) {
-    std::vector<MPI_Request> requests;
+void Halo::send(int axis, const Populations& populations) {
+    under_way_ = axis;
     // The tag is the side the message leaves by: with two ranks on a periodic axis both
     // sides have the same neighbour.
     for (Face& face : faces_) {
         if (face.axis != axis) continue;
-        face.received.resize((face.*receiving).size() * row_length_ *
+        const auto& receiving = exchange_ == Exchange::fill ? face.borrowed : face.lent;
+        face.received.resize(receiving.size() * row_length_ *
                              populations.element_bytes());
         MPI_Irecv(face.received.data(), static_cast<int>(face.received.size()), MPI_BYTE,
-                  face.rank, 1 - face.side, comm_, &requests.emplace_back());
+                  face.rank, 1 - face.side, comm_, &requests_.emplace_back());
     }
     for (Face& face : faces_) {
         if (face.axis != axis) continue;
-        populations.visit(
-            [&](const auto& rows) { pack(rows, face.*sending, face.sent); });
+        const auto& sending = exchange_ == Exchange::fill ? face.lent : face.borrowed;
+        populations.visit([&](const auto& rows) { pack(rows, sending, face.sent); });
         MPI_Isend(face.sent.data(), static_cast<int>(face.sent.size()), MPI_BYTE,
-                  face.rank, face.side, comm_, &requests.emplace_back());
+                  face.rank, face.side, comm_, &requests_.emplace_back());
     }
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+}
+
+void Halo::receive(const Populations& populations) {
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(),
+                MPI_STATUSES_IGNORE);
+    requests_.clear();
     for (const Face& face : faces_) {
-        if (face.axis != axis) continue;
+        if (face.axis != under_way_) continue;
+        const auto& receiving = exchange_ == Exchange::fill ? face.borrowed : face.lent;
         populations.visit(
-            [&](const auto& rows) { unpack(rows, face.*receiving, face.received); });
+            [&](const auto& rows) { unpack(rows, receiving, face.received); });
     }
+    under_way_ = 0;
 }
 
-void Halo::fill(const Populations& populations) {
-    exchange(1, populations, &Face::lent, &Face::borrowed);
-    exchange(2, populations, &Face::lent, &Face::borrowed);
+void Halo::start(Exchange exchange, const Populations& populations) {
+    exchange_ = exchange;
+    axes_left_ = exchange == Exchange::fill ? std::vector{2, 1} : std::vector{1, 2};
+    std::erase_if(axes_left_, [&](int axis) {
+        return std::none_of(faces_.begin(), faces_.end(),
+                            [&](const Face& face) { return face.axis == axis; });
+    });
+    if (axes_left_.empty()) return;
+    send(axes_left_.back(), populations);
+    axes_left_.pop_back();
 }
 
-void Halo::give_back(const Populations& populations) {
-    exchange(2, populations, &Face::borrowed, &Face::lent);
-    exchange(1, populations, &Face::borrowed, &Face::lent);
+void Halo::advance(const Populations& populations) {
+    if (axes_left_.empty()) return;
+    receive(populations);
+    send(axes_left_.back(), populations);
+    axes_left_.pop_back();
+}
+
+void Halo::finish(const Populations& populations) {
+    advance(populations);
+    if (under_way_ != 0) receive(populations);
 }
 
 }  // namespace magfsi::fluid

@@ -18,14 +18,19 @@
 
 namespace magfsi::fluid {
 
+enum class Exchange { fill, give_back };
+
 class Halo {
   public:
     // comm must outlive the object; its ranks are those of the decomposition.
     Halo(MPI_Comm comm, const Decomposition& decomposition, int rank);
 
-    // Collective among neighbours.
-    void fill(const Populations& populations);
-    void give_back(const Populations& populations);
+    // Collective among neighbours, in this order, with computation between: the rows at
+    // cut sides must be done before start() and no other row touches what travels.
+    // advance() ends the first axis and starts the second; finish() ends all.
+    void start(Exchange exchange, const Populations& populations);
+    void advance(const Populations& populations);
+    void finish(const Populations& populations);
 
   private:
     struct Slot {
@@ -48,13 +53,17 @@ class Halo {
     template <class Real>
     void unpack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
                 const std::vector<std::byte>& from) const;
-    void exchange(int axis, const Populations& populations,
-                  std::vector<Slot> Face::*sending, std::vector<Slot> Face::*receiving);
+    void send(int axis, const Populations& populations);
+    void receive(const Populations& populations);
 
     MPI_Comm comm_;
     int row_length_;
     bool x_walls_;
     std::vector<Face> faces_;
+    Exchange exchange_ = Exchange::fill;
+    int under_way_ = 0;  // axis; 0: none
+    std::vector<int> axes_left_;
+    std::vector<MPI_Request> requests_;
 };
 
 }  // namespace magfsi::fluid

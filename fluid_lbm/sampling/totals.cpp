@@ -71,27 +71,4 @@ Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
     return total;
 }
 
-std::optional<Divergence> find_divergence(const Solver& solver) {
-    const RowLayout& layout = solver.layout();
-    const CellBox& box = solver.owned();
-    RowMoments m;
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            row_moments(solver.view(), y, z, 0, layout.nx, m);
-            for (int x = 0; x < layout.nx; ++x) {
-                const double density = 1 + m.excess[x];
-                const double speed =
-                    std::hypot(m.j[0][x], m.j[1][x], m.j[2][x]) / density;
-                // Written so that a NaN does not pass.
-                if (density > 0 && std::isfinite(density) &&
-                    speed <= lattice_speed_limit) {
-                    continue;
-                }
-                return Divergence{{box.lo[0] + x, box.lo[1] + y, box.lo[2] + z}, speed};
-            }
-        }
-    }
-    return std::nullopt;
-}
-
 }  // namespace magfsi::fluid

@@ -6,35 +6,52 @@ namespace magfsi::fluid {
 
 namespace {
 
+void keep_first(std::optional<UnsoundCell>& kept, const UnsoundCell& found) {
+    if (!kept || found.before(*kept)) kept = found;
+}
+
 template <class Real>
-void sweep_rows(const PopulationRows<Real>& populations, const RowLayout& layout,
-                Arrangement arrangement, const ForcedRows& forces,
-                const RowKernels<Real>& kernels, const CollisionParameters& parameters) {
-    const bool swapped = arrangement == Arrangement::swapped;
-    const int rows = layout.ny * layout.nz;
-#pragma omp parallel for schedule(static)
-    for (int row = 0; row < rows; ++row) {
-        const int y = row % layout.ny, z = row / layout.ny;
-        const RowPointers<Real> p = pointers(populations, layout, arrangement, y, z);
-        const ForcePointers force = forces.row(y, z);
-        const auto kernel = force.at[0] != nullptr ? kernels.forced : kernels.plain;
-        if (swapped) open_x_ends(p, layout);
-        kernel(p.at, force.at, layout.nx, parameters);
-        if (swapped) close_x_ends(p, layout);
+std::optional<UnsoundCell> step_row(const SweepInput& in,
+                                    const ChosenKernels<Real>& kernels, int y, int z) {
+    const bool swapped = in.arrangement == Arrangement::swapped;
+    const RowPointers<Real> p =
+        pointers(in.populations.rows<Real>(), in.layout, in.arrangement, y, z);
+    const ForcePointers force = in.forces.row(y, z);
+    const auto kernel = force.at[0] != nullptr ? kernels.rows.forced : kernels.rows.plain;
+    if (swapped) open_x_ends(p, in.layout);
+    const bool sound = kernel(p.at, force.at, in.layout.nx, in.parameters);
+    std::optional<UnsoundCell> unsound;
+    if (!sound) unsound = find_unsound(p, force, in.layout.nx, kernels.moments, y, z);
+    if (swapped) close_x_ends(p, in.layout);
+    return unsound;
+}
+
+template <class Real>
+std::optional<UnsoundCell> sweep_rows(const SweepInput& in,
+                                      const ChosenKernels<Real>& kernels,
+                                      const RowBox& box) {
+    const int count = box.size(), length = box.y_end - box.y_begin;
+    std::optional<UnsoundCell> first;
+#pragma omp parallel
+    {
+        std::optional<UnsoundCell> mine;
+#pragma omp for schedule(static)
+        for (int i = 0; i < count; ++i) {
+            const auto found =
+                step_row(in, kernels, box.y_begin + i % length, box.z_begin + i / length);
+            if (found) keep_first(mine, *found);
+        }
+#pragma omp critical
+        if (mine) keep_first(first, *mine);
     }
+    return first;
 }
 
 }  // namespace
 
-void sweep(const Populations& populations, const RowLayout& layout,
-           Arrangement arrangement, const ForcedRows& forces, const AnyKernels& kernels,
-           const CollisionParameters& parameters) {
-    std::visit(
-        [&]<class Real>(const ChosenKernels<Real>& chosen) {
-            sweep_rows(populations.rows<Real>(), layout, arrangement, forces, chosen.rows,
-                       parameters);
-        },
-        kernels);
+std::optional<UnsoundCell> sweep(const SweepInput& in, const RowBox& box) {
+    return std::visit([&](const auto& kernels) { return sweep_rows(in, kernels, box); },
+                      in.kernels);
 }
 
 }  // namespace magfsi::fluid

@@ -94,9 +94,11 @@ void Streaming::expect_two_grids(Storage storage) const {
             row[x[0]] = static_cast<Real>(value);
         }
     });
+    const CollisionParameters parameters;
     Arrangement arrangement = Arrangement::natural;
     for (int step = 0; step < 7; ++step) {
-        sweep(populations, layout, arrangement, no_force, kernels, {});
+        const RowBox all{0, n[1], 0, n[2]};
+        sweep({populations, layout, arrangement, no_force, kernels, parameters}, all);
         arrangement = arrangement == Arrangement::natural ? Arrangement::swapped
                                                           : Arrangement::natural;
         field = streamed(field);

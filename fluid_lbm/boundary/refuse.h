@@ -1,0 +1,20 @@
+// Refusal of a configuration: a sentence from its parts.
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+
+namespace magfsi::fluid {
+
+inline constexpr const char* axis_name[3] = {"x", "y", "z"};
+inline constexpr const char* side_name[6] = {"x_min", "x_max", "y_min",
+                                             "y_max", "z_min", "z_max"};
+
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    throw std::invalid_argument(text.str());
+}
+
+}  // namespace magfsi::fluid

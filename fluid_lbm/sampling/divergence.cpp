@@ -1,0 +1,108 @@
+#include "fluid_lbm/sampling/divergence.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "fluid_lbm/units.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+// A force that alone brings a cell to a quarter of the limit in one step is not that of a
+// resolved flow.
+constexpr double hard_push = lattice_speed_limit / 4;
+
+// Below this, collisions that keep ghost modes damp them by less than a tenth a step.
+constexpr double low_relaxation_time = 0.51;
+
+DivergenceCause likely_cause(const Divergence& d) {
+    // Order: the first is certain, the force acts directly, a low relaxation time blows
+    // up speeds that were sound before.
+    if (!std::isfinite(d.lattice_force) || !(d.lattice_force <= hard_push)) {
+        return DivergenceCause::force;
+    }
+    if (!std::isfinite(d.density) || !std::isfinite(d.lattice_speed)) {
+        return DivergenceCause::not_finite;
+    }
+    return d.relaxation_time < low_relaxation_time ? DivergenceCause::relaxation_time
+                                                   : DivergenceCause::speed;
+}
+
+std::string advice(const Divergence& d) {
+    std::ostringstream text;
+    text.precision(3);
+    switch (d.cause) {
+        case DivergenceCause::force:
+            text << "the force changes its speed by " << d.lattice_force
+                 << " cells in one step: use a softer coupling, more substeps or a "
+                    "shorter time step";
+            break;
+        case DivergenceCause::not_finite:
+            text << "a value was not finite when it entered: look at the initial flow, "
+                    "the "
+                    "boundaries and the forces";
+            break;
+        case DivergenceCause::relaxation_time:
+            text << "relaxation time " << d.relaxation_time
+                 << " damps little: use the recursive_regularized collision, an eddy "
+                    "viscosity, finer spacing or a higher viscosity";
+            break;
+        case DivergenceCause::speed:
+            text << "Mach number " << std::sqrt(3.0) * d.lattice_speed
+                 << " is too high for the lattice: use a shorter time step";
+            break;
+    }
+    return text.str();
+}
+
+}  // namespace
+
+Divergence describe(const Unsound& unsound, const Solver& solver,
+                    const FluidConfig& config) {
+    const CellBox& box = solver.owned();
+    const UnsoundCell& cell = unsound.cell;
+    Divergence d;
+    d.cell = {box.lo[0] + cell.x, box.lo[1] + cell.y, box.lo[2] + cell.z};
+    for (int a = 0; a < 3; ++a) d.position_m[a] = (d.cell[a] + 0.5) * config.spacing_m;
+    d.lattice_speed = cell.speed;
+    d.density = cell.density;
+    d.lattice_force = cell.force;
+    d.relaxation_time = relaxation_time(config);
+    d.step = unsound.step;
+    d.cause = likely_cause(d);
+    return d;
+}
+
+std::optional<Divergence> find_divergence(const Solver& solver,
+                                          const FluidConfig& config) {
+    const RowLayout& layout = solver.layout();
+    RowMoments m;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            row_moments(solver.view(), y, z, 0, layout.nx, m);
+            for (int x = 0; x < layout.nx; ++x) {
+                const double density = 1 + m.excess[x];
+                const double speed =
+                    std::hypot(m.j[0][x], m.j[1][x], m.j[2][x]) / density;
+                if (is_sound(density, speed)) continue;
+                const Unsound unsound{{z, y, x, density, speed, 0}, solver.steps_done()};
+                return describe(unsound, solver, config);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::string to_string(const Divergence& d) {
+    std::ostringstream text;
+    text.precision(4);
+    text << "the fluid diverged after step " << d.step << " in cell (" << d.cell[0]
+         << ", " << d.cell[1] << ", " << d.cell[2] << ") at (" << d.position_m[0] << ", "
+         << d.position_m[1] << ", " << d.position_m[2] << ") m: speed " << d.lattice_speed
+         << " cells a step, of which the lattice allows " << lattice_speed_limit
+         << ", density " << d.density << " of that at rest; " << advice(d);
+    return text.str();
+}
+
+}  // namespace magfsi::fluid
