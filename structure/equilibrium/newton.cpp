@@ -1,0 +1,205 @@
+#include "structure/equilibrium/newton.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "structure/equilibrium/energy_descent.h"
+#include "structure/equilibrium/mixed_iteration.h"
+#include "structure/equilibrium/stability.h"
+
+namespace magfsi::structure {
+namespace {
+
+// Within a load step the mixed iteration needs 4 to 8 steps or it does not converge.
+constexpr int most_mixed = 12;
+constexpr int most_descent = 400;
+// Residual of the equilibria that a load step only passes through.
+constexpr double passing_tolerance = 1e-4;
+
+double now_s() {
+    return std::chrono::duration<double>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
+
+struct NewtonSolver::Progress {
+    Eigen::VectorXd x;
+    int load_steps = 0, iterations = 0, releases = 0;
+    double start_s = now_s();
+    double load_factor = 0;  // of the way to the point ahead
+
+    void take(const Correction& correction) {
+        x = correction.x;
+        ++load_steps;
+    }
+};
+
+NewtonSolver::NewtonSolver(const Body& body, const EquilibriumOptions& options)
+    : options_(options), problem_(body) {}
+
+Equilibrium NewtonSolver::solve(const StaticLoads& loads) {
+    return follow(problem_.body().mesh.nodes, {}, {&loads, 1}).front();
+}
+
+std::vector<Equilibrium> NewtonSolver::follow(const std::vector<Vec3>& start,
+                                              const StaticLoads& from,
+                                              std::span<const StaticLoads> path) {
+    Progress state;
+    state.x = checked_start(start);
+    Eigen::VectorXd load = problem_.load(from);
+    const auto response = problem_.response(state.x, load);
+    if (!(problem_.relative_residual(response, load) < passing_tolerance)) {
+        release_at(state, load);
+    }
+    std::vector<Equilibrium> out;
+    for (const StaticLoads& point : path) {
+        const Eigen::VectorXd ahead = problem_.load(point);
+        advance(state, load, ahead);
+        load = ahead;
+        out.push_back(finish(state, point));
+        Progress next;
+        next.x = std::move(state.x);
+        state = std::move(next);
+    }
+    return out;
+}
+
+Equilibrium NewtonSolver::release(const std::vector<Vec3>& start,
+                                  const StaticLoads& loads) {
+    Progress state;
+    state.x = checked_start(start);
+    state.load_factor = 1;
+    release_at(state, problem_.load(loads));
+    return finish(state, loads);
+}
+
+void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
+                           const Eigen::VectorXd& to) {
+    const double largest_move = options_.largest_move * problem_.longest_side_m();
+    double reached = 0;
+    double step = 1;
+    while (reached < 1) {
+        const double ahead = std::min(reached + step, 1.0);
+        const Eigen::VectorXd load = (1 - ahead) * from + ahead * to;
+        state.load_factor = ahead;
+        const Correction correction =
+            mixed_iteration(problem_, state.x, load,
+                            ahead < 1 ? passing_tolerance : options_.force_tolerance,
+                            most_mixed, largest_move);
+        state.iterations += correction.iterations;
+        // The first step is linear in the load step: it tells how far to go.
+        const double room = 0.7 * largest_move / correction.first_step_m;
+        if (correction.converged) {
+            state.take(correction);
+        } else if (step > options_.smallest_step) {
+            step = std::max((ahead - reached) * std::clamp(room, 0.02, 0.5),
+                            options_.smallest_step);
+            continue;
+        } else {
+            release_at(state, load);
+        }
+        if (state.load_steps > options_.most_load_steps) {
+            fail(state, load, correction.response.element);
+        }
+        step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
+        reached = ahead;
+    }
+}
+
+void NewtonSolver::release_at(Progress& state, const Eigen::VectorXd& load) {
+    const Correction correction =
+        energy_descent(problem_, state.x, load, options_.force_tolerance, most_descent);
+    state.iterations += correction.iterations;
+    state.take(correction);
+    ++state.releases;
+    if (!correction.converged) fail(state, load, correction.response.element);
+}
+
+void NewtonSolver::leave_unstable(Progress& state, const Eigen::VectorXd& load) {
+    const double push_m = 0.05 * problem_.shortest_side_m();
+    const Eigen::VectorXd mode = lowest_mode(problem_, state.x);
+    const Eigen::VectorXd balanced = state.x;
+    double lowest = INFINITY;
+    for (double sign : {1.0, -1.0}) {
+        const Correction fallen =
+            energy_descent(problem_, balanced + sign * push_m * mode, load,
+                           options_.force_tolerance, most_descent);
+        state.iterations += fallen.iterations;
+        const double energy = fallen.response.elastic_j - load.dot(fallen.x);
+        if (!fallen.converged || !(energy < lowest)) continue;
+        lowest = energy;
+        state.x = fallen.x;
+    }
+    ++state.releases;
+    if (!std::isfinite(lowest)) {
+        fail(state, load, problem_.response(balanced, load).element);
+    }
+}
+
+Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) const {
+    const std::size_t nodes = problem_.body().mesh.nodes.size();
+    if (start.size() != nodes) {
+        throw std::invalid_argument(
+            fmt::format("body {}: {} start positions found for {} nodes",
+                        problem_.body().name, start.size(), nodes));
+    }
+    return flat_positions(start);
+}
+
+Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
+    const Eigen::VectorXd load = problem_.load(loads);
+    Equilibrium out;
+    out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
+    // A second mode may be left after the first; as many pushes as there are modes.
+    const int pushes = options_.leave_unstable ? out.negative_eigenvalues : 0;
+    for (int push = 0; push < pushes && out.negative_eigenvalues > 0; ++push) {
+        leave_unstable(state, load);
+        out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
+    }
+    const auto response = problem_.response(state.x, load);
+    out.residual = problem_.relative_residual(response, load);
+    out.nodes_m = nodes_from(state.x);
+    out.load_steps = state.load_steps;
+    out.iterations = state.iterations;
+    out.releases = state.releases;
+    out.energy_elastic_j = response.elastic_j;
+    const Eigen::VectorXd moved = state.x - flat_positions(problem_.body().mesh.nodes);
+    out.energy_magnetic_j = -problem_.load({loads.field_t, {}}).dot(state.x);
+    out.energy_weight_j = -problem_.load({{}, loads.gravity_m_s2}).dot(moved);
+    out.seconds = now_s() - state.start_s;
+    return out;
+}
+
+void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
+                        int worst_element) const {
+    const auto response = problem_.response(state.x, load);
+    Eigen::Index worst = 0;
+    response.residual_n.cwiseAbs().maxCoeff(&worst);
+    throw std::runtime_error(fmt::format(
+        "body {}: no equilibrium at {:.3g} of the load after {} load steps and {} "
+        "iterations; the residual is {:.2g} of the load, largest at node {}, and the "
+        "smallest J is {:.3g} in element {}: use weaker loads, a finer mesh or more "
+        "points "
+        "on the way",
+        problem_.body().name, state.load_factor, state.load_steps, state.iterations,
+        problem_.relative_residual(response, load), worst / 3, response.smallest_j,
+        worst_element));
+}
+
+std::vector<StaticLoads> turning_field(double magnitude_t, double from_rad, double to_rad,
+                                       int steps, const std::array<int, 2>& plane) {
+    std::vector<StaticLoads> out(static_cast<std::size_t>(steps));
+    for (int i = 0; i < steps; ++i) {
+        const double angle = from_rad + (to_rad - from_rad) * (i + 1) / steps;
+        out[i].field_t[plane[0]] = magnitude_t * std::cos(angle);
+        out[i].field_t[plane[1]] = magnitude_t * std::sin(angle);
+    }
+    return out;
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,91 @@
+// Static equilibrium of one body under a uniform field and its weight, followed along a
+// path of loads.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "structure/equilibrium/static_problem.h"
+
+namespace magfsi::structure {
+
+struct EquilibriumOptions {
+    double force_tolerance = 1e-9;  // largest residual over the largest nodal load
+    // A load step that moves a node further than this share of the longest side is
+    // halved, so that the branch is not lost in a jump.
+    double largest_move = 0.5;
+    // Steps, as shares of the way between two points of the path, are halved down to
+    // this; then the body is released (see below).
+    double smallest_step = 1.0 / 64;
+    int most_load_steps = 500;  // between two points
+    // Pushes the body off an equilibrium that turns out unstable and releases it.
+    bool leave_unstable = false;
+};
+
+struct Equilibrium {
+    std::vector<Vec3> nodes_m;
+    int load_steps = 0;
+    int iterations = 0;  // factorised tangents, those of failed steps included
+    // How often the equilibrium could not be followed and the body was released: from
+    // there on the shape may lie on another branch.
+    int releases = 0;
+    double residual = 0;  // as force_tolerance
+    // Of the tangent: 0 stable, more unstable. Rigid motions that cost no energy do not
+    // count.
+    int negative_eigenvalues = 0;
+    double seconds = 0;
+    double energy_elastic_j = 0;
+    double energy_magnetic_j = 0;  // - integral of (F M) . B
+    double energy_weight_j = 0;    // zero in the undeformed mesh
+};
+
+// Load stepping with a mixed Newton iteration (mixed_iteration.h): steps are halved where
+// it fails and doubled where it succeeds. Where the smallest step fails too (a limit
+// point, or a free body that must turn far at the first touch of the field) the body is
+// released at that load: a damped Newton descent of the energy (energy_descent.h).
+// Without clamps the loads must balance each other; the centre of volume stays, and the
+// turn about the field's axis is that of the start (foundation.h).
+//
+// All throw std::runtime_error that names the body, the load and the worst node or
+// element if no equilibrium is found, and std::invalid_argument on a free body with
+// weight or start positions of another number of nodes.
+class NewtonSolver {
+  public:
+    // Throws as StaticProblem does.
+    explicit NewtonSolver(const Body& body, const EquilibriumOptions& options = {});
+
+    // Loads raised from zero on the undeformed body.
+    Equilibrium solve(const StaticLoads& loads);
+
+    // The equilibrium at each point of the path, each followed from the one before by
+    // loads linear in between: give a turning field in steps of some degrees. `start` is
+    // an equilibrium under `from` (else the body is first released there). Clamped nodes
+    // stay where the start has them.
+    std::vector<Equilibrium> follow(const std::vector<Vec3>& start,
+                                    const StaticLoads& from,
+                                    std::span<const StaticLoads> path);
+
+    // From these positions downhill in energy under the full loads, as a slow, strongly
+    // damped body would go.
+    Equilibrium release(const std::vector<Vec3>& start, const StaticLoads& loads);
+
+  private:
+    struct Progress;
+    void advance(Progress& state, const Eigen::VectorXd& from, const Eigen::VectorXd& to);
+    void release_at(Progress& state, const Eigen::VectorXd& load);
+    void leave_unstable(Progress& state, const Eigen::VectorXd& load);
+    Eigen::VectorXd checked_start(const std::vector<Vec3>& start) const;
+    Equilibrium finish(Progress& state, const StaticLoads& loads);
+    [[noreturn]] void fail(const Progress& state, const Eigen::VectorXd& load,
+                           int worst_element) const;
+
+    EquilibriumOptions options_;
+    StaticProblem problem_;
+};
+
+// Loads of `steps` equal turns of a field from one direction to the other, the first
+// left out; angles [rad] from the first axis of the plane to the second.
+std::vector<StaticLoads> turning_field(double magnitude_t, double from_rad, double to_rad,
+                                       int steps, const std::array<int, 2>& plane);
+
+}  // namespace magfsi::structure

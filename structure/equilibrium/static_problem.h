@@ -1,0 +1,91 @@
+// The static problem of one body: dead loads, internal forces, energy and tangent.
+#pragma once
+
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "structure/body.h"
+#include "structure/equilibrium/block_tridiagonal.h"
+#include "structure/equilibrium/node_levels.h"
+#include "structure/lattice/element_energy.h"
+#include "structure/lattice/element_kernel.h"
+
+namespace magfsi::structure {
+
+// Loads that keep their direction: the force q_a B of a uniform field and the weight.
+struct StaticLoads {
+    Vec3 field_t{};
+    Vec3 gravity_m_s2{};
+};
+
+// Three values a node throughout.
+class StaticProblem {
+  public:
+    // Throws std::invalid_argument on a body without elements, an unknown clamp, or what
+    // build_lattice refuses.
+    explicit StaticProblem(const Body& body);
+
+    const Body& body() const { return body_; }
+    // No face is clamped: translations, and turns about the field, cost no energy.
+    bool free() const { return free_; }
+    bool held(std::size_t node) const { return held_[node]; }
+    const std::vector<ElementReference>& references() const { return references_; }
+    const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
+    double volume_m3() const { return volume_m3_; }
+
+    // Nodal loads [N]. Throws std::invalid_argument where a free body has a net load: it
+    // would fall without end.
+    Eigen::VectorXd load(const StaticLoads& loads) const;
+
+    struct Response {
+        Eigen::VectorXd residual_n;  // load + internal forces, zero at clamped nodes
+        double elastic_j = 0;
+        double smallest_j = 1;
+        int element = -1;  // of smallest J
+    };
+    Response response(const Eigen::VectorXd& x, const Eigen::VectorXd& load) const;
+
+    // Largest component over the largest load. Loads below 1e10 times the rounding of the
+    // internal forces count as that much: a residual of 1e-9 can always be reached.
+    double relative_residual(const Response& response, const Eigen::VectorXd& load) const;
+
+    // The matrix, cleared; then add_element for each, then finish. `foundation` [Pa/m2]
+    // times the volume of each node is added to its diagonal.
+    void clear_matrix() { matrix_.set_zero(); }
+    void add_element(std::size_t element, const Matrix24& tangent);
+    void finish_matrix(double foundation);
+    BlockTridiagonal& matrix() { return matrix_; }
+    // Second derivative of the energy at x.
+    void assemble(const Eigen::VectorXd& x, double foundation);
+    Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+
+    // G h^2 / L^4 of the shortest and longest side: about a hundredth of the stiffness
+    // [Pa/m2] of the lowest bending mode.
+    double bending_stiffness_scale() const { return bending_scale_; }
+    double shortest_side_m() const { return shortest_side_m_; }
+    double longest_side_m() const { return longest_side_m_; }
+
+    Positions8 element_positions(std::size_t element, const Eigen::VectorXd& x) const;
+
+  private:
+    void hold_clamped_nodes();
+    void measure_sides();
+    int row(int node) const { return 3 * levels_.slot[node]; }
+
+    Body body_;
+    NodeLevels levels_;
+    BlockTridiagonal matrix_;
+    std::vector<ElementReference> references_;
+    std::vector<double> node_volume_m3_, charge_;
+    std::vector<bool> held_;
+    ElementKernel kernel_;
+    bool free_ = true;
+    double volume_m3_ = 0;
+    double bending_scale_ = 0, shortest_side_m_ = 0, longest_side_m_ = 0;
+};
+
+Eigen::VectorXd flat_positions(const std::vector<Vec3>& nodes_m);
+std::vector<Vec3> nodes_from(const Eigen::VectorXd& x);
+
+}  // namespace magfsi::structure
