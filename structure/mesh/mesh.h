@@ -26,6 +26,13 @@ struct Mesh {
     std::vector<Hexahedron> elements;
     std::map<std::string, std::vector<int>> faces;  // "x_min" ...: node numbers
     std::vector<MaterialPoint> centre_line;         // left end to right end; may be empty
+
+    // Regions carry materials and magnetisations: region[e] is a place in region_names.
+    // Both are empty for a mesh of one piece.
+    std::vector<int> region;
+    std::vector<std::string> region_names;
+    // Named points and lines for probes: node numbers, ascending.
+    std::map<std::string, std::vector<int>> points;
 };
 
 }  // namespace magfsi::structure

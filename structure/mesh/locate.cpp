@@ -1,0 +1,168 @@
+#include "structure/mesh/locate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "structure/mesh/bounds.h"
+#include "structure/mesh/inverse_map.h"
+
+namespace magfsi::structure {
+namespace {
+
+// A bin a dozen elements at most: about one an element, and never flat.
+std::array<int, 3> bin_counts(const Vec3& extent_m, std::size_t elements) {
+    const double longest = *std::ranges::max_element(extent_m);
+    double volume = 1;
+    for (const double x : extent_m) volume *= std::max(x, 1e-3 * longest);
+    const double edge = std::cbrt(volume / static_cast<double>(elements));
+    std::array<int, 3> counts{};
+    for (int d = 0; d < 3; ++d) {
+        counts[d] = std::clamp(static_cast<int>(extent_m[d] / edge), 1, 1000);
+    }
+    return counts;
+}
+
+// Calls visit(bin) for each bin between two corners, both included.
+template <typename Visit>
+void for_bins(const std::array<int, 3>& from, const std::array<int, 3>& to,
+              const Visit& visit) {
+    for (int k = from[2]; k <= to[2]; ++k) {
+        for (int j = from[1]; j <= to[1]; ++j) {
+            for (int i = from[0]; i <= to[0]; ++i) visit({i, j, k});
+        }
+    }
+}
+
+MaterialPoint material_point(const Mesh& mesh, int element, Vec3 xi) {
+    for (double& x : xi) x = std::clamp(x, -1.0, 1.0);
+    MaterialPoint out;
+    out.node = mesh.elements[element];
+    out.weight = shape_values(xi);
+    out.element = element;
+    return out;
+}
+
+// Room for the rounding of points on the border: local coordinates reach a little out.
+double margin_m(const Bounds& box) {
+    return 1e-9 * box.diagonal_m();
+}
+
+}  // namespace
+
+PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
+    if (mesh.elements.empty()) {
+        throw std::invalid_argument("a mesh without elements holds no point");
+    }
+    surface_ = boundary_quads(mesh);
+    Bounds all;
+    for (const Hexahedron& element : mesh.elements) {
+        for (const int node : element) all.add(mesh.nodes[node]);
+    }
+    low_m_ = all.low_m;
+    high_m_ = all.high_m;
+    Vec3 extent{};
+    for (int d = 0; d < 3; ++d) extent[d] = high_m_[d] - low_m_[d];
+    bins_ = bin_counts(extent, mesh.elements.size());
+    for (int d = 0; d < 3; ++d) bin_size_m_[d] = extent[d] / bins_[d];
+
+    // Count, then fill: elements stay ascending in every bin.
+    const std::size_t total = bin_number({0, 0, bins_[2]});
+    first_.assign(total + 1, 0);
+    const auto visit_elements = [&](const auto& visit) {
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            Bounds box = bounds(mesh.nodes, mesh.elements[e]);
+            const double room = margin_m(box);
+            for (double& x : box.low_m) x -= room;
+            for (double& x : box.high_m) x += room;
+            for_bins(bin_of(box.low_m), bin_of(box.high_m),
+                     [&](const std::array<int, 3>& bin) {
+                         visit(bin_number(bin), static_cast<int>(e));
+                     });
+        }
+    };
+    visit_elements([&](std::size_t bin, int) { ++first_[bin + 1]; });
+    for (std::size_t b = 0; b < total; ++b) first_[b + 1] += first_[b];
+    entries_.resize(first_[total]);
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    visit_elements([&](std::size_t bin, int e) { entries_[next[bin]++] = e; });
+}
+
+std::array<int, 3> PointLocator::bin_of(const Vec3& point_m) const {
+    std::array<int, 3> bin{};
+    for (int d = 0; d < 3; ++d) {
+        const double s = (point_m[d] - low_m_[d]) / bin_size_m_[d];
+        bin[d] = static_cast<int>(std::clamp(s, 0.0, bins_[d] - 1.0));
+    }
+    return bin;
+}
+
+std::size_t PointLocator::bin_number(const std::array<int, 3>& bin) const {
+    const std::size_t row = static_cast<std::size_t>(bins_[1]) * bin[2] + bin[1];
+    return row * bins_[0] + bin[0];
+}
+
+std::optional<MaterialPoint> PointLocator::find(const Vec3& point_m,
+                                                double tolerance) const {
+    const std::size_t bin = bin_number(bin_of(point_m));
+    for (std::size_t i = first_[bin + 1]; i-- > first_[bin];) {
+        const Hexahedron& element = mesh_.elements[entries_[i]];
+        const Bounds box = bounds(mesh_.nodes, element);
+        if (!box.holds(point_m, margin_m(box) + tolerance * box.diagonal_m())) continue;
+        const auto xi = inverse_map(gather(mesh_.nodes, element), point_m);
+        if (!xi) continue;
+        const bool inside = std::ranges::all_of(
+            *xi, [&](double x) { return std::abs(x) <= 1 + tolerance; });
+        if (inside) return material_point(mesh_, entries_[i], *xi);
+    }
+    return std::nullopt;
+}
+
+MaterialPoint PointLocator::on_surface(const Vec3& point_m) const {
+    double least = INFINITY;
+    MaterialPoint best;
+    for (const SurfaceQuad& quad : surface_) {
+        // Strictly farther only: on a border the last element wins, as inside.
+        if (bounds(mesh_.nodes, quad.node).distance_m(point_m) > least) continue;
+        Corners4 corners;
+        for (int a = 0; a < 4; ++a) corners[a] = mesh_.nodes[quad.node[a]];
+        const auto [u, v] = nearest_on_quad(corners, point_m);
+        const auto shape = quad_shape(u, v);
+        Vec3 foot{};
+        MaterialPoint trial;
+        trial.element = quad.element;
+        trial.node = mesh_.elements[quad.element];
+        const auto local = face_corners(quad.face);
+        for (int a = 0; a < 4; ++a) {
+            trial.weight[local[a]] = shape[a];
+            for (int d = 0; d < 3; ++d) foot[d] += shape[a] * corners[a][d];
+        }
+        const double away =
+            std::hypot(foot[0] - point_m[0], foot[1] - point_m[1], foot[2] - point_m[2]);
+        if (away > least) continue;
+        least = away;
+        best = trial;
+    }
+    return best;
+}
+
+MaterialPoint PointLocator::nearest(const Vec3& point_m) const {
+    for (const double x : point_m) {
+        if (!std::isfinite(x)) {
+            throw std::invalid_argument(
+                fmt::format("point ({}, {}, {}) m to be located in a mesh found, its "
+                            "coordinates must be finite",
+                            point_m[0], point_m[1], point_m[2]));
+        }
+    }
+    const auto found = find(point_m);
+    return found ? *found : on_surface(point_m);
+}
+
+MaterialPoint locate(const Mesh& mesh, const Vec3& point_m) {
+    return PointLocator(mesh).nearest(point_m);
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,47 @@
+// The element that holds a point, on any mesh of hexahedra.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "structure/mesh/mesh.h"
+#include "structure/mesh/surface.h"
+
+namespace magfsi::structure {
+
+// Keeps a reference to the mesh, which must outlive it and stay as it is.
+class PointLocator {
+  public:
+    explicit PointLocator(const Mesh& mesh);
+
+    // The element whose inside or border holds the point, and the weights of its nodes
+    // there. On a border between elements the one with the highest number, as on blocks.
+    // Elements are taken to be larger by `tolerance` in local coordinates (2 across an
+    // element). Empty outside.
+    std::optional<MaterialPoint> find(const Vec3& point_m,
+                                      double tolerance = 1e-10) const;
+
+    // As find; points outside are drawn to the nearest point of the surface. Throws
+    // std::invalid_argument for a mesh without elements and for points that are not
+    // finite.
+    MaterialPoint nearest(const Vec3& point_m) const;
+
+  private:
+    std::array<int, 3> bin_of(const Vec3& point_m) const;
+    std::size_t bin_number(const std::array<int, 3>& bin) const;
+    MaterialPoint on_surface(const Vec3& point_m) const;
+
+    const Mesh& mesh_;
+    std::vector<SurfaceQuad> surface_;
+    Vec3 low_m_{}, high_m_{};
+    Vec3 bin_size_m_{};
+    std::array<int, 3> bins_{1, 1, 1};
+    // Elements whose bounding box meets bin b: entries_[first_[b]] to [first_[b + 1]].
+    std::vector<std::size_t> first_;
+    std::vector<int> entries_;
+};
+
+// One look-up; use PointLocator for many. On a block the same as locate(Box, point).
+MaterialPoint locate(const Mesh& mesh, const Vec3& point_m);
+
+}  // namespace magfsi::structure
