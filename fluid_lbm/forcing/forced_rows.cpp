@@ -5,12 +5,11 @@
 namespace magfsi::fluid {
 
 namespace {
-constexpr int no_force = -1;
 constexpr int body_force = 0;
 }  // namespace
 
 ForcedRows::ForcedRows(int nx, int ny, int nz,
-                       const std::optional<std::array<double, 3>>& body)
+                       const std::optional<std::array<double, 3>>& body, Storage storage)
     : nx_(nx),
       ny_(ny),
       everywhere_(body.has_value()),
@@ -18,15 +17,21 @@ ForcedRows::ForcedRows(int nx, int ny, int nz,
       first_slot_(everywhere_ ? 1 : 0),
       slot_of_row_(static_cast<std::size_t>(ny) * nz,
                    everywhere_ ? body_force : no_force) {
+    if (storage == Storage::float_) values_.emplace<std::vector<float>>();
     if (everywhere_) fill(body_force, body_);
 }
 
 void ForcedRows::fill(int slot, const std::array<double, 3>& value) {
-    const std::size_t needed = 3 * (static_cast<std::size_t>(slot) + 1) * nx_;
-    if (storage_.size() < needed) storage_.resize(needed);
-    for (int axis = 0; axis < 3; ++axis) {
-        std::fill_n(slot_component(slot, axis), nx_, value[axis]);
-    }
+    std::visit(
+        [&]<class Real>(std::vector<Real>& values) {
+            const std::size_t needed = offset(slot + 1, 0);
+            if (values.size() < needed) values.resize(needed);
+            for (int a = 0; a < 3; ++a) {
+                std::fill_n(values.data() + offset(slot, a), nx_,
+                            static_cast<Real>(value[a]));
+            }
+        },
+        values_);
 }
 
 void ForcedRows::clear() {
@@ -47,25 +52,25 @@ int ForcedRows::claim(int row) {
 void ForcedRows::add(int y, int z, int x_begin, std::span<const double> force,
                      double factor) {
     const int slot = claim(z * ny_ + y);
-    for (int axis = 0; axis < 3; ++axis) {
-        double* to = slot_component(slot, axis) + x_begin;
-        for (std::size_t i = 0; i < force.size() / 3; ++i) {
-            to[i] += factor * force[3 * i + axis];
-        }
-    }
-}
-
-ForcePointers ForcedRows::row(int y, int z) const {
-    ForcePointers p;
-    const int slot = slot_of_row_[static_cast<std::size_t>(z) * ny_ + y];
-    if (slot == no_force) return p;
-    const double* first = storage_.data() + 3 * static_cast<std::size_t>(slot) * nx_;
-    for (int axis = 0; axis < 3; ++axis) p.at[axis] = first + axis * nx_;
-    return p;
+    std::visit(
+        [&]<class Real>(std::vector<Real>& values) {
+            for (int a = 0; a < 3; ++a) {
+                Real* to = values.data() + offset(slot, a) + x_begin;
+                for (std::size_t i = 0; i < force.size() / 3; ++i) {
+                    to[i] = static_cast<Real>(to[i] + factor * force[3 * i + a]);
+                }
+            }
+        },
+        values_);
 }
 
 std::size_t ForcedRows::bytes() const {
-    return storage_.capacity() * sizeof(double) + slot_of_row_.capacity() * sizeof(int);
+    const std::size_t values = std::visit(
+        []<class Real>(const std::vector<Real>& v) {
+            return v.capacity() * sizeof(Real);
+        },
+        values_);
+    return values + slot_of_row_.capacity() * sizeof(int);
 }
 
 }  // namespace magfsi::fluid

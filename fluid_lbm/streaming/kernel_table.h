@@ -19,7 +19,7 @@ constexpr int vector_bytes = 16;
 
 // Real is stored, T computed with.
 template <class Real, class T, class C, bool Forced>
-static bool collide(Real* const* at, const double* const* force, std::ptrdiff_t length,
+static bool collide(Real* const* at, const Real* const* force, std::ptrdiff_t length,
                     const CollisionParameters& parameters) {
     using V = typename Simd<T, vector_bytes / sizeof(T)>::Vector;
     return collide_row<C, Forced, V>(at, force, length, parameters,

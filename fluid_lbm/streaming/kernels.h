@@ -12,7 +12,7 @@ namespace magfsi::fluid {
 // See collide_row in row_kernel.h. Real: what populations are stored as. False if a cell
 // is no longer sound (collision/watch.h).
 template <class Real>
-using RowKernel = bool (*)(Real* const* at, const double* const* force,
+using RowKernel = bool (*)(Real* const* at, const Real* const* force,
                            std::ptrdiff_t length, const CollisionParameters& parameters);
 
 // Density - 1 and sum of c f of the cells behind the 19 pointers, without collision, in

@@ -19,7 +19,7 @@ template <class Real>
 inline constexpr std::ptrdiff_t cells_a_line = 64 / sizeof(Real);
 
 template <class C, bool Forced, class V, class Real>
-MAGFSI_INLINE void collide_block(Real* const* at, const double* const* force,
+MAGFSI_INLINE void collide_block(Real* const* at, const Real* const* force,
                                  std::ptrdiff_t x, const Rates<V>& rates,
                                  Watch<V>& watch) {
     using namespace d3q19;
@@ -43,20 +43,27 @@ MAGFSI_INLINE void prefetch_for_write(Real* const* at, std::ptrdiff_t x) {
     }
 }
 
+template <class Real>
+MAGFSI_INLINE void prefetch_force(const Real* const* force, std::ptrdiff_t x) {
+    for (int a = 0; a < 3; ++a) {
+        __builtin_prefetch(force[a] + x + lines_ahead * cells_a_line<Real>, 0, 3);
+    }
+}
+
 // The last cells of a row whose length is no multiple of the vector width: through a
 // buffer, because the elements behind the row belong to other rows. The buffer's surplus
 // cells are at rest.
 template <bool Forced, int Width, class Real>
-MAGFSI_INLINE bool collide_tail(Real* const* at, const double* const* force,
+MAGFSI_INLINE bool collide_tail(Real* const* at, const Real* const* force,
                                 std::ptrdiff_t x, std::ptrdiff_t length,
                                 const CollisionParameters& parameters,
                                 RowKernel<Real> whole_block) {
     using namespace d3q19;
     const std::ptrdiff_t count = length - x;
     alignas(64) Real f[directions][Width] = {};
-    alignas(64) double local_force[3][Width] = {};
+    alignas(64) Real local_force[3][Width] = {};
     Real* f_at[directions];
-    const double* force_at[3];
+    const Real* force_at[3];
     for (int q = 0; q < directions; ++q) {
         f_at[q] = f[q];
         for (std::ptrdiff_t i = 0; i < count; ++i) f[q][i] = at[q][x + i];
@@ -78,7 +85,7 @@ MAGFSI_INLINE bool collide_tail(Real* const* at, const double* const* force,
 // at: 19 pointers; force: three pointers, force density in lattice units, unused if not
 // Forced. V: the vector computed with. itself: the function that this is inlined into.
 template <class C, bool Forced, class V, class Real>
-MAGFSI_INLINE bool collide_row(Real* const* at, const double* const* force,
+MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
                                std::ptrdiff_t length,
                                const CollisionParameters& parameters,
                                RowKernel<Real> itself) {
@@ -86,7 +93,10 @@ MAGFSI_INLINE bool collide_row(Real* const* at, const double* const* force,
     Watch<V> watch;
     std::ptrdiff_t x = 0;
     for (; x + lanes<V> <= length; x += lanes<V>) {
-        if (x % cells_a_line<Real> == 0) prefetch_for_write(at, x);
+        if (x % cells_a_line<Real> == 0) {
+            prefetch_for_write(at, x);
+            if constexpr (Forced) prefetch_force(force, x);
+        }
         collide_block<C, Forced, V>(at, force, x, r, watch);
     }
     bool sound = watch.all_sound();

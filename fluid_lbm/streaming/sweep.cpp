@@ -1,6 +1,7 @@
 #include "fluid_lbm/streaming/sweep.h"
 
 #include "fluid_lbm/boundary/x_ends.h"
+#include "fluid_lbm/streaming/row_walk.h"
 
 namespace magfsi::fluid {
 
@@ -12,13 +13,16 @@ void keep_first(std::optional<UnsoundCell>& kept, const UnsoundCell& found) {
 
 template <class Real>
 std::optional<UnsoundCell> step_row(const SweepInput& in,
-                                    const ChosenKernels<Real>& kernels, int y, int z) {
+                                    const ChosenKernels<Real>& kernels,
+                                    const RowWalk<Real>& walk, int y, int z) {
     const bool swapped = in.arrangement == Arrangement::swapped;
-    const RowPointers<Real> p =
-        pointers(in.populations.rows<Real>(), in.layout, in.arrangement, y, z);
-    const ForcePointers force = in.forces.row(y, z);
+    const RowPointers<Real> p = walk.at(y, z);
+    const auto force = in.forces.row<Real>(y, z);
     const auto kernel = force.at[0] != nullptr ? kernels.rows.forced : kernels.rows.plain;
-    if (swapped) open_x_ends(p, in.layout);
+    if (swapped) {
+        prefetch_x_ends(p, in.layout, in.populations.row_stride());
+        open_x_ends(p, in.layout);
+    }
     const bool sound = kernel(p.at, force.at, in.layout.nx, in.parameters);
     std::optional<UnsoundCell> unsound;
     if (!sound) unsound = find_unsound(p, force, in.layout.nx, kernels.moments, y, z);
@@ -31,14 +35,17 @@ std::optional<UnsoundCell> sweep_rows(const SweepInput& in,
                                       const ChosenKernels<Real>& kernels,
                                       const RowBox& box) {
     const int count = box.size(), length = box.y_end - box.y_begin;
+    const PopulationRows<Real> rows = in.populations.rows<Real>();
+    const RowWalk<Real> walk(rows, in.layout, in.arrangement,
+                             in.populations.row_stride());
     std::optional<UnsoundCell> first;
 #pragma omp parallel
     {
         std::optional<UnsoundCell> mine;
 #pragma omp for schedule(static)
         for (int i = 0; i < count; ++i) {
-            const auto found =
-                step_row(in, kernels, box.y_begin + i % length, box.z_begin + i / length);
+            const auto found = step_row(in, kernels, walk, box.y_begin + i % length,
+                                        box.z_begin + i / length);
             if (found) keep_first(mine, *found);
         }
 #pragma omp critical

@@ -8,7 +8,7 @@
 namespace magfsi::fluid {
 
 template <class Real>
-UnsoundCell find_unsound(const RowPointers<Real>& p, const ForcePointers& force,
+UnsoundCell find_unsound(const RowPointers<Real>& p, const ForcePointers<Real>& force,
                          int length, MomentsKernel<Real> moments, int y, int z) {
     std::vector<double> values(4 * static_cast<std::size_t>(length));
     double* const out[4] = {&values[0], &values[length], &values[2 * length],
@@ -33,9 +33,10 @@ UnsoundCell find_unsound(const RowPointers<Real>& p, const ForcePointers& force,
     return worst;
 }
 
-template UnsoundCell find_unsound(const RowPointers<double>&, const ForcePointers&, int,
+template UnsoundCell find_unsound(const RowPointers<double>&,
+                                  const ForcePointers<double>&, int,
                                   MomentsKernel<double>, int, int);
-template UnsoundCell find_unsound(const RowPointers<float>&, const ForcePointers&, int,
-                                  MomentsKernel<float>, int, int);
+template UnsoundCell find_unsound(const RowPointers<float>&, const ForcePointers<float>&,
+                                  int, MomentsKernel<float>, int, int);
 
 }  // namespace magfsi::fluid

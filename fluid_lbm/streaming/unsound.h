@@ -22,7 +22,7 @@ struct UnsoundCell {
 // fastest, should rounding hide it), from the populations that its collision left: it
 // has kept the density and added the force to the momentum.
 template <class Real>
-UnsoundCell find_unsound(const RowPointers<Real>& p, const ForcePointers& force,
+UnsoundCell find_unsound(const RowPointers<Real>& p, const ForcePointers<Real>& force,
                          int length, MomentsKernel<Real> moments, int y, int z);
 
 }  // namespace magfsi::fluid

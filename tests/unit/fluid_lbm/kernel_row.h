@@ -16,10 +16,9 @@ std::vector<reference::Cell> collide(RowKernel<Real> kernel,
                                      const CollisionParameters& parameters) {
     using namespace d3q19;
     const std::size_t n = cells.size();
-    std::vector<Real> rows[directions];
-    std::vector<double> force_rows[3];
+    std::vector<Real> rows[directions], force_rows[3];
     Real* at[directions];
-    const double* force_at[3];
+    const Real* force_at[3];
     for (int q = 0; q < directions; ++q) {
         rows[q].resize(n);
         for (std::size_t x = 0; x < n; ++x) rows[q][x] = static_cast<Real>(cells[x][q]);
@@ -27,7 +26,8 @@ std::vector<reference::Cell> collide(RowKernel<Real> kernel,
     }
     for (int a = 0; a < 3; ++a) {
         force_rows[a].resize(n);
-        for (std::size_t x = 0; x < n; ++x) force_rows[a][x] = force[x][a];
+        for (std::size_t x = 0; x < n; ++x)
+            force_rows[a][x] = static_cast<Real>(force[x][a]);
         force_at[a] = force_rows[a].data();
     }
     kernel(at, force_at, static_cast<std::ptrdiff_t>(n), parameters);

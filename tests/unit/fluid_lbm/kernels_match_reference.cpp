@@ -34,7 +34,10 @@ class Kernels : public testing::TestWithParam<Case> {
             for (double& f : cell) f = static_cast<float>(f);
         }
         if (!forced) return;
-        for (Vec3& f : force_) f = reference::random_force(random);
+        for (Vec3& f : force_) {
+            f = reference::random_force(random);
+            for (double& component : f) component = static_cast<float>(component);
+        }
     }
     std::vector<Cell> run(const NamedKernels& set) const {
         return std::visit(

@@ -22,7 +22,7 @@ struct NoCollision {
 
 // Two lanes, which every x86-64 has; odd lengths leave a tail.
 template <class Real>
-bool stream_row(Real* const* at, const double* const* force, std::ptrdiff_t length,
+bool stream_row(Real* const* at, const Real* const* force, std::ptrdiff_t length,
                 const CollisionParameters& parameters) {
     using V = typename Simd<Real, 2>::Vector;
     return collide_row<NoCollision, false, V>(at, force, length, parameters,
@@ -83,7 +83,7 @@ void Streaming::expect_two_grids(Storage storage) const {
     layout.beyond_y.fill(side(periodic[1]));
     layout.beyond_z.fill(side(periodic[2]));
     const Populations populations(n[0], layout.row_count(), storage);
-    const ForcedRows no_force(n[0], n[1], n[2], std::nullopt);
+    const ForcedRows no_force(n[0], n[1], n[2], std::nullopt, storage);
     Field field(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
     for_each_cell([&](std::array<int, 3> x) {
         for (int q = 0; q < directions; ++q) {
