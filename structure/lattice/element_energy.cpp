@@ -9,16 +9,12 @@ namespace magfsi::structure {
 ElementReference element_reference(const Positions8& nodes_m, ElementVariant variant,
                                    int element_number) {
     const HexahedronIntegrals integrals = integrate_hexahedron(nodes_m, element_number);
-    ElementReference out{variant,
-                         spring_matrix(nodes_m, integrals, variant),
-                         integrals.gradient,
-                         integrals.volume,
-                         integrals.node_volume,
-                         {}};
-    if (variant == ElementVariant::assumed_strain) {
-        out.hourglass = hourglass_reference(nodes_m, integrals);
-    }
-    return out;
+    return {variant,
+            spring_matrix(nodes_m, integrals, variant),
+            integrals.gradient,
+            integrals.volume,
+            integrals.node_volume,
+            hourglass_reference(nodes_m, integrals)};
 }
 
 VolumeAndGradient element_volume(const ElementReference& reference,

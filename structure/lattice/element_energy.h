@@ -16,7 +16,7 @@ struct ElementReference {
     Positions8 gradient;    // b_a [m2]
     double volume = 0;      // V0 [m3]
     std::array<double, 8> node_volume{};
-    HourglassReference hourglass;  // of assumed_strain only
+    HourglassReference hourglass;  // energy of assumed_strain, viscosity of all
 };
 
 // Throws std::invalid_argument on an inverted element.

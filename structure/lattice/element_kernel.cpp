@@ -1,49 +1,14 @@
 #include "structure/lattice/element_kernel.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdlib>
 #include <numeric>
-#include <stdexcept>
+
+#include "structure/lattice/instruction_set.h"
 
 namespace magfsi::structure {
 namespace {
 
-struct Isa {
-    const char* name;
-    ElementKernelFunction function;
-    bool available;
-};
-
-std::array<Isa, 3> instruction_sets() {
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    const bool avx512 =
-        avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-    return {{{"sse2", &sse2::run_elements, true},
-             {"avx2", &avx2::run_elements, avx2},
-             {"avx512", &avx512::run_elements, avx512}}};
-}
-
-Isa choose_isa() {
-    const auto sets = instruction_sets();
-    const char* wish = std::getenv("MAGFSI_ISA");
-    Isa chosen = sets[0];
-    bool known = wish == nullptr;
-    for (const Isa& set : sets) {
-        if (set.available) chosen = set;
-        if (wish != nullptr && std::string(wish) == set.name) {
-            known = true;
-            break;
-        }
-    }
-    if (!known) {
-        throw std::invalid_argument(fmt::format(
-            "MAGFSI_ISA is \"{}\", but only sse2, avx2 and avx512 are known", wish));
-    }
-    return chosen;
-}
+constexpr std::array<ElementKernelFunction, 3> functions{
+    &sse2::run_elements, &avx2::run_elements, &avx512::run_elements};
 
 KernelKind kind_of(const Lattice& lattice) {
     switch (lattice.variant) {
@@ -61,9 +26,9 @@ KernelKind kind_of(const Lattice& lattice) {
 }  // namespace
 
 ElementKernel::ElementKernel() {
-    const Isa isa = choose_isa();
-    isa_ = isa.name;
-    function_ = isa.function;
+    const InstructionSet set = choose_instruction_set();
+    isa_ = name(set);
+    function_ = functions[static_cast<std::size_t>(set)];
 }
 
 void ElementKernel::assign(const Lattice& lattice) {
@@ -77,47 +42,30 @@ void ElementKernel::assign(const Lattice& lattice, std::span<const int> elements
     kind_ = kind_of(lattice);
     material_ = lattice.material;
     elements_.assign(elements.begin(), elements.end());
-    const std::size_t batches = (elements.size() + batch_lanes - 1) / batch_lanes;
-    nodes_.assign(batches * 4, {});
-    spring_.assign(batches * (is_brick(kind_) ? 7 : 28), {});
-    gradient_.assign(batches * static_cast<std::size_t>(gradient_entries(kind_)), {});
-    hourglass_.assign(batches * static_cast<std::size_t>(hourglass_entries(kind_)), {});
-    volume_.assign(batches, {});
-    for (std::size_t position = 0; position < batches * batch_lanes; ++position) {
-        const std::size_t source = std::min(position, elements.size() - 1);
-        pack(lattice.modes[elements[source]], position);
-        const std::size_t batch = position / batch_lanes;
-        const std::size_t lane = position % batch_lanes;
-        for (std::size_t a = 0; a < 8; ++a) {
-            nodes_[batch * 4 + a / 2].lane[(a % 2) * batch_lanes + lane] =
-                nodes[source][a];
-        }
-    }
-}
-
-void ElementKernel::pack(const ElementModes& modes, std::size_t position) {
-    const std::size_t batch = position / batch_lanes;
-    const std::size_t lane = position % batch_lanes;
-    const auto put = [batch, lane](std::vector<Lanes>& lanes, std::size_t entries,
-                                   const auto& value) {
-        for (std::size_t k = 0; k < entries; ++k) {
-            lanes[batch * entries + k].lane[lane] = value(k);
-        }
+    nodes_ = pack_nodes(nodes);
+    const auto pack = [&](int entries, const auto& value) {
+        return pack_lanes(elements, static_cast<std::size_t>(entries),
+                          [&](int element, std::size_t k) {
+                              const auto e = static_cast<std::size_t>(element);
+                              return value(lattice.modes[e], k);
+                          });
     };
-    volume_[batch].lane[lane] = modes.volume;
-    if (is_brick(kind_)) {
-        put(spring_, 7, [&](std::size_t k) { return modes.spring[diagonal_entries[k]]; });
-        if (hourglass_.empty()) return;
-        put(hourglass_, 3,
-            [&](std::size_t k) { return modes.metric[brick_metric_entries[k]]; });
-        return;
-    }
-    put(spring_, 28, [&](std::size_t k) { return modes.spring[k]; });
-    if (gradient_.empty()) return;
-    put(gradient_, 21, [&](std::size_t k) { return modes.gradient[k]; });
-    if (hourglass_.empty()) return;
-    put(hourglass_, 18,
-        [&](std::size_t k) { return k < 9 ? modes.metric[k] : modes.offset[k - 9]; });
+    const bool brick = is_brick(kind_);
+    spring_ = pack(brick ? 7 : 28, [=](const ElementModes& modes, std::size_t k) {
+        return modes.spring[brick ? static_cast<std::size_t>(diagonal_entries[k]) : k];
+    });
+    gradient_ =
+        pack(gradient_entries(kind_),
+             [](const ElementModes& modes, std::size_t k) { return modes.gradient[k]; });
+    hourglass_ =
+        pack(hourglass_entries(kind_), [=](const ElementModes& modes, std::size_t k) {
+            if (brick) {
+                return modes.metric[static_cast<std::size_t>(brick_metric_entries[k])];
+            }
+            return k < 9 ? modes.metric[k] : modes.offset[k - 9];
+        });
+    volume_ =
+        pack(1, [](const ElementModes& modes, std::size_t) { return modes.volume; });
 }
 
 KernelResult ElementKernel::run(const double* x, double* f, bool energy) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "structure/lattice/element_batches.h"
+#include "structure/lattice/lane_packing.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::structure {
@@ -37,14 +38,7 @@ class ElementKernel {
     std::size_t size() const { return elements_.size(); }
 
   private:
-    struct alignas(64) Lanes {
-        double lane[batch_lanes];
-    };
-    struct alignas(64) NodeLanes {
-        int lane[2 * batch_lanes];  // two nodes
-    };
     KernelResult run(const double* x, double* f, bool energy) const;
-    void pack(const ElementModes& modes, std::size_t position);
 
     std::string isa_;
     ElementKernelFunction function_ = nullptr;

@@ -2,6 +2,7 @@
 // element_modes.h for the coefficients and element_energy.cpp for the same in plain form.
 #include "structure/lattice/element_batches.h"
 #include "structure/lattice/hourglass_lanes.h"
+#include "structure/lattice/mean_gradient_lanes.h"
 #include "structure/lattice/simd_lanes.h"
 
 namespace magfsi::structure::MAGFSI_ISA {
@@ -70,16 +71,6 @@ MAGFSI_INLINE VolumeTerm mean_volume_of_brick(const ElementBatches& b, const Rea
     return term;
 }
 
-// Columns of F = sum_m u_m B_m^T.
-MAGFSI_INLINE void mean_gradient(const double* gradient, const Vec (&u)[8], Vec (&f)[3]) {
-    for (Vec& column : f) column = {Real{}, Real{}, Real{}};
-    for (int m = 1; m < 8; ++m) {
-        for (int d = 0; d < 3; ++d) {
-            f[d] = f[d] + load(gradient + (3 * (m - 1) + d) * batch_lanes) * u[m];
-        }
-    }
-}
-
 // 1/8 dJ/dF V0 = V0/8 cof(F), added to `stress`.
 MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const Real& v0,
                                      const Vec (&f)[3], Vec (&stress)[3]) {
@@ -90,13 +81,19 @@ MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const Real& v0,
     return term;
 }
 
-MAGFSI_INLINE void add_stress(const double* gradient, const Vec (&stress)[3],
-                              Vec (&g)[8]) {
-    for (int m = 1; m < 8; ++m) {
-        for (int d = 0; d < 3; ++d) {
-            g[m] = g[m] + load(gradient + (3 * (m - 1) + d) * batch_lanes) * stress[d];
-        }
-    }
+// Adds what hourglass_forces does and returns the energy / 4.
+template <bool brick>
+MAGFSI_INLINE Real hourglass(const ElementBatches& b, const double* metric,
+                             const Real& v0, const Vec (&u)[8], const Vec (&v)[3],
+                             Vec (&g)[8], Vec (&w)[3]) {
+    const double shear = b.shear_modulus_pa;
+    const double lambda =
+        2 * shear * b.lame_lambda_pa / (b.lame_lambda_pa + 2 * shear);  // plane stress
+    const Planes strain = hourglass_strain(u, v);
+    const Planes stress =
+        hourglass_stress<brick>(hourglass_moduli(shear, lambda, v0), metric, strain);
+    hourglass_forces(stress, u, v, g, w);
+    return dot(stress, strain);
 }
 
 // `springs` grows by a quarter of the hourglass energy.
@@ -104,8 +101,9 @@ MAGFSI_INLINE VolumeTerm assumed_strain_of_brick(const ElementBatches& b,
                                                  const double* data, const Real& v0,
                                                  const Vec (&u)[8], Vec (&g)[8],
                                                  Real& springs) {
+    const Vec v[3] = {u[3], u[5], u[6]};
     Vec w[3];
-    springs += hourglass<true>(b, data, v0, u[3], u[5], u[6], u, g, w);
+    springs += hourglass<true>(b, data, v0, u, v, g, w);
     g[3] = g[3] + w[0];
     g[5] = g[5] + w[1];
     g[6] = g[6] + w[2];
@@ -120,22 +118,14 @@ MAGFSI_INLINE VolumeTerm assumed_strain(const ElementBatches& b, const double* g
     mean_gradient(gradient, u, f);
     const double* offset = data + 9 * batch_lanes;
     Vec v[3] = {u[3], u[5], u[6]};
-    for (int j = 0; j < 3; ++j) {
-        for (int d = 0; d < 3; ++d) {
-            v[j] = v[j] - load(offset + (3 * j + d) * batch_lanes) * f[d];
-        }
-    }
+    take_off_linear(offset, f, v);
     Vec w[3];
-    springs += hourglass<false>(b, data, v0, v[0], v[1], v[2], u, g, w);
+    springs += hourglass<false>(b, data, v0, u, v, g, w);
     g[3] = g[3] + w[0];
     g[5] = g[5] + w[1];
     g[6] = g[6] + w[2];
     Vec stress[3] = {};
-    for (int j = 0; j < 3; ++j) {
-        for (int d = 0; d < 3; ++d) {
-            stress[d] = stress[d] - load(offset + (3 * j + d) * batch_lanes) * w[j];
-        }
-    }
+    return_linear(offset, w, stress);
     const VolumeTerm term = mean_volume(b, v0, f, stress);
     add_stress(gradient, stress, g);
     return term;

@@ -53,7 +53,7 @@ ElementModes element_modes(const ElementReference& reference, double shear_modul
         out.metric[3 * d] = metric(0, 0);
         out.metric[3 * d + 1] = metric(1, 1);
         out.metric[3 * d + 2] = metric(0, 1);
-        for (int j = 0; j < 3; ++j) {
+        for (int j = 0; j < 4; ++j) {
             out.offset[3 * j + d] = reference.hourglass.offset_m(j, d);
         }
     }

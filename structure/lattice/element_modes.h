@@ -12,11 +12,10 @@ namespace magfsi::structure {
 struct ElementModes {
     std::array<double, 28> spring{};    // G/8 H^T L H, upper triangle row by row [N/m]
     std::array<double, 21> gradient{};  // sum_a h_m(a) b_a / V0, three a mode [1/m]
-    // assumed_strain only: hourglass.h's inverse metrics (11, 22, 12 of each group)
-    // [1/m2] and the reference vectors X_j of the hourglass modes, three values a mode
-    // [m].
+    // hourglass.h: inverse metrics (11, 22, 12 of each group) [1/m2] and the reference
+    // vectors X_j of the modes xy, xz, yz, xyz, three values a mode [m].
     std::array<double, 9> metric{};
-    std::array<double, 9> offset{};
+    std::array<double, 12> offset{};
     double volume = 0;   // [m3]
     bool brick = false;  // spring is diagonal, gradient that of a brick
 };

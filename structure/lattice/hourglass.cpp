@@ -3,9 +3,6 @@
 namespace magfsi::structure {
 namespace {
 
-// t_ij = u_i . v_j, nine numbers t[3 i + j].
-using Products = Eigen::Matrix<double, 9, 1>;
-
 // Which products make a group's strain (E_11, E_22, 2 E_12). Row j of a hourglass vector:
 // 0 xy, 1 xz, 2 yz.
 struct Group {
@@ -19,8 +16,9 @@ constexpr std::array<Group, 3> groups{{
 }};
 
 struct Vectors {
-    Eigen::Matrix3d edge, hourglass;  // one a column
-    Products product;
+    Eigen::Matrix3d edge;  // one a column
+    Eigen::Matrix<double, 3, 4> hourglass;
+    HourglassProducts product;
 };
 
 Vectors vectors(const HourglassReference& reference, const Positions8& x) {
@@ -35,12 +33,13 @@ Vectors vectors(const HourglassReference& reference, const Positions8& x) {
     return out;
 }
 
-// dE/dt. With E = [[a, s/2], [s/2, b]] covariant and the inverse metric M the stress is
+}  // namespace
+
+// With E = [[a, s/2], [s/2, b]] covariant and the inverse metric M the stress is
 // 2 G M E M + lambda' tr(M E) M.
-Products slopes(const HourglassReference& reference, const Material& material,
-                const Products& t) {
-    const double lambda = plane_stress_lambda_pa(material);
-    Products out = Products::Zero();
+HourglassProducts hourglass_stress(const HourglassReference& reference, double g,
+                                   double lambda, const HourglassProducts& t) {
+    HourglassProducts out = HourglassProducts::Zero();
     for (int k = 0; k < 3; ++k) {
         const Group& group = groups[k];
         const double half_shear = 0.5 * (t(group.shear[0]) + t(group.shear[1]));
@@ -48,17 +47,15 @@ Products slopes(const HourglassReference& reference, const Material& material,
         strain << t(group.first_normal), half_shear, half_shear, t(group.second_normal);
         const Eigen::Matrix2d& metric = reference.metric[k];
         const Eigen::Matrix2d mixed = metric * strain;
-        const Eigen::Matrix2d stress = reference.volume_m3 / 3 *
-                                       (2 * material.shear_modulus_pa * mixed * metric +
-                                        lambda * mixed.trace() * metric);
+        const Eigen::Matrix2d stress =
+            reference.volume_m3 / 3 *
+            (2 * g * mixed * metric + lambda * mixed.trace() * metric);
         out(group.first_normal) += stress(0, 0);
         out(group.second_normal) += stress(1, 1);
         for (int shear : group.shear) out(shear) += stress(0, 1);
     }
     return out;
 }
-
-}  // namespace
 
 HourglassReference hourglass_reference(const Positions8& nodes_m,
                                        const HexahedronIntegrals& integrals) {
@@ -67,7 +64,9 @@ HourglassReference hourglass_reference(const Positions8& nodes_m,
     for (int a = 0; a < 8; ++a) {
         for (int d = 0; d < 3; ++d) {
             out.edge(a, d) = 0.125 * node_sign(a, d);
-            out.hourglass(a, d) = 0.125 * mode_sign(hourglass_vector_modes[d], a);
+        }
+        for (int j = 0; j < 4; ++j) {
+            out.hourglass(a, j) = 0.125 * mode_sign(hourglass_vector_modes[j], a);
         }
     }
     out.offset_m = out.hourglass.transpose() * nodes_m;
@@ -91,7 +90,9 @@ double plane_stress_lambda_pa(const Material& material) {
 HourglassState hourglass_energy(const HourglassReference& reference,
                                 const Material& material, const Positions8& x_m) {
     const Vectors v = vectors(reference, x_m);
-    const Products slope = slopes(reference, material, v.product);
+    const HourglassProducts slope =
+        hourglass_stress(reference, material.shear_modulus_pa,
+                         plane_stress_lambda_pa(material), v.product);
     HourglassState out;
     out.energy_j = 0.5 * slope.dot(v.product);
     out.gradient_n.setZero();
@@ -109,7 +110,9 @@ HourglassState hourglass_energy(const HourglassReference& reference,
 Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& material,
                            const Positions8& x_m) {
     const Vectors v = vectors(reference, x_m);
-    const Products slope = slopes(reference, material, v.product);
+    const HourglassProducts slope =
+        hourglass_stress(reference, material.shear_modulus_pa,
+                         plane_stress_lambda_pa(material), v.product);
     Eigen::Matrix<double, 9, 24> change;
     Matrix8 pairs = Matrix8::Zero();
     for (int i = 0; i < 3; ++i) {
@@ -128,7 +131,8 @@ Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& 
     }
     Eigen::Matrix<double, 9, 24> stress;
     for (int q = 0; q < 24; ++q) {
-        stress.col(q) = slopes(reference, material, change.col(q));
+        stress.col(q) = hourglass_stress(reference, material.shear_modulus_pa,
+                                         plane_stress_lambda_pa(material), change.col(q));
     }
     Matrix24 out = change.transpose() * stress;
     for (int a = 0; a < 8; ++a) {

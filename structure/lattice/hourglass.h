@@ -23,15 +23,16 @@ namespace magfsi::structure {
 
 using Matrix24 = Eigen::Matrix<double, 24, 24>;  // row 3 a + d: node a, direction d
 
-// Modes of the hourglass vectors, in their order here: xy, xz, yz.
-inline constexpr std::array<int, 3> hourglass_vector_modes{3, 5, 6};
+// Modes of the hourglass vectors, in their order here: xy, xz, yz, xyz. The energy is
+// that of the first three.
+inline constexpr std::array<int, 4> hourglass_vector_modes{3, 5, 6, 7};
 
 // u_i = sum_a edge(a, i) x_a, v_j = sum_a hourglass(a, j) x_a; v_j is zero in every
 // homogeneous state: v_j = mode_j - F X_j with the mean deformation gradient F.
 struct HourglassReference {
     Eigen::Matrix<double, 8, 3> edge = Eigen::Matrix<double, 8, 3>::Zero();
-    Eigen::Matrix<double, 8, 3> hourglass = Eigen::Matrix<double, 8, 3>::Zero();
-    Eigen::Matrix3d offset_m = Eigen::Matrix3d::Zero();  // row j: X_j
+    Eigen::Matrix<double, 8, 4> hourglass = Eigen::Matrix<double, 8, 4>::Zero();
+    Eigen::Matrix<double, 4, 3> offset_m = Eigen::Matrix<double, 4, 3>::Zero();  // X_j
     // Inverse of the metric of the half edges (i, k) != the group's direction [1/m2].
     std::array<Eigen::Matrix2d, 3> metric{
         Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};
@@ -43,6 +44,12 @@ HourglassReference hourglass_reference(const Positions8& nodes_m,
 
 // lambda of plane stress: 2 G K / (K + 2 G).
 double plane_stress_lambda_pa(const Material& material);
+
+// Covariant products u_i . v_j (nine numbers, 3 i + j), and what they are worth with
+// shear modulus G and lambda': dE/d(u_i . v_j).
+using HourglassProducts = Eigen::Matrix<double, 9, 1>;
+HourglassProducts hourglass_stress(const HourglassReference& reference, double g,
+                                   double lambda, const HourglassProducts& products);
 
 struct HourglassState {
     double energy_j = 0;

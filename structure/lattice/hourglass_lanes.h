@@ -1,5 +1,5 @@
-// The hourglass energy of hourglass.h, `width` elements at a time. Included by
-// element_kernel_isa.cpp only.
+// Strains and stresses of hourglass.h, `width` elements at a time. For the files of
+// magfsi_isa_variants only.
 #pragma once
 
 #include "structure/lattice/element_batches.h"
@@ -13,15 +13,40 @@ struct Plane {
     Real first, second, shear;
 };
 
-// Factors of the stress, dE / d(8 t) so that it adds to minus the forces on the modes.
+// The groups of hourglass.h: strains that vary along x, y and z.
+struct Planes {
+    Plane x, y, z;
+};
+
+MAGFSI_INLINE Plane operator+(const Plane& a, const Plane& b) {
+    return {a.first + b.first, a.second + b.second, a.shear + b.shear};
+}
+MAGFSI_INLINE Planes operator+(const Planes& a, const Planes& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+MAGFSI_INLINE Real dot(const Plane& a, const Plane& b) {
+    return a.first * b.first + a.second * b.second + a.shear * b.shear;
+}
+MAGFSI_INLINE Real dot(const Planes& a, const Planes& b) {
+    return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
+}
+
+// An eighth of V0 (2 G / 3, lambda' / 3): the stress then adds to minus the forces on the
+// modes.
 struct HourglassModuli {
     Real g, lambda;
 };
 
-MAGFSI_INLINE HourglassModuli hourglass_moduli(const ElementBatches& b, const Real& v0) {
-    const double g = b.shear_modulus_pa;
-    const double lambda = 2 * g * b.lame_lambda_pa / (b.lame_lambda_pa + 2 * g);
+MAGFSI_INLINE HourglassModuli hourglass_moduli(double g, double lambda, const Real& v0) {
     return {v0 * (g / 12), v0 * (lambda / 24)};
+}
+
+// Products of the edge modes of u and the hourglass vectors v = xy, xz, yz.
+MAGFSI_INLINE Planes hourglass_strain(const Vec (&u)[8], const Vec (&v)[3]) {
+    const Vec &u1 = u[1], &u2 = u[2], &u3 = u[4];
+    return {{dot(u2, v[0]), dot(u3, v[1]), dot(u2, v[1]) + dot(u3, v[0])},
+            {dot(u1, v[0]), dot(u3, v[2]), dot(u1, v[2]) + dot(u3, v[0])},
+            {dot(u1, v[1]), dot(u2, v[2]), dot(u1, v[2]) + dot(u2, v[1])}};
 }
 
 // Orthogonal edges: p and q are the inverse squares of the half edges.
@@ -50,40 +75,36 @@ MAGFSI_INLINE Plane plane_stress(const HourglassModuli& c, const double* metric,
             c.g * (m11 * r + m12 * q) + trace * r};
 }
 
-// Adds to the edge modes of g what the hourglass vectors xy, xz, yz of u do, puts minus
-// the forces on these vectors into w, and returns the energy / 4.
+// metric: three entries for bricks (inverse squares of the half edges), nine in general.
 template <bool brick>
-MAGFSI_INLINE Real hourglass(const ElementBatches& b, const double* data, const Real& v0,
-                             const Vec& xy, const Vec& xz, const Vec& yz,
-                             const Vec (&u)[8], Vec (&g)[8], Vec (&w)[3]) {
-    const Vec &u1 = u[1], &u2 = u[2], &u3 = u[4];
-    const Plane along_x{dot(u2, xy), dot(u3, xz), dot(u2, xz) + dot(u3, xy)};
-    const Plane along_y{dot(u1, xy), dot(u3, yz), dot(u1, yz) + dot(u3, xy)};
-    const Plane along_z{dot(u1, xz), dot(u2, yz), dot(u1, yz) + dot(u2, xz)};
-    const HourglassModuli c = hourglass_moduli(b, v0);
-    Plane sx, sy, sz;
+MAGFSI_INLINE Planes hourglass_stress(const HourglassModuli& c, const double* metric,
+                                      const Planes& strain) {
     if constexpr (brick) {
-        const Real ix = load(data);
-        const Real iy = load(data + batch_lanes);
-        const Real iz = load(data + 2 * batch_lanes);
-        sx = plane_stress(c, iy, iz, along_x);
-        sy = plane_stress(c, ix, iz, along_y);
-        sz = plane_stress(c, ix, iy, along_z);
+        const Real ix = load(metric);
+        const Real iy = load(metric + batch_lanes);
+        const Real iz = load(metric + 2 * batch_lanes);
+        return {plane_stress(c, iy, iz, strain.x), plane_stress(c, ix, iz, strain.y),
+                plane_stress(c, ix, iy, strain.z)};
     } else {
-        sx = plane_stress(c, data, along_x);
-        sy = plane_stress(c, data + 3 * batch_lanes, along_y);
-        sz = plane_stress(c, data + 6 * batch_lanes, along_z);
+        return {plane_stress(c, metric, strain.x),
+                plane_stress(c, metric + 3 * batch_lanes, strain.y),
+                plane_stress(c, metric + 6 * batch_lanes, strain.z)};
     }
-    const Real u1_yz = sy.shear + sz.shear;
-    const Real u2_xz = sx.shear + sz.shear;
-    const Real u3_xy = sx.shear + sy.shear;
-    g[1] = g[1] + sy.first * xy + sz.first * xz + u1_yz * yz;
-    g[2] = g[2] + sx.first * xy + u2_xz * xz + sz.second * yz;
-    g[4] = g[4] + u3_xy * xy + sx.second * xz + sy.second * yz;
-    w[0] = sy.first * u1 + sx.first * u2 + u3_xy * u3;
-    w[1] = sz.first * u1 + u2_xz * u2 + sx.second * u3;
-    w[2] = u1_yz * u1 + sz.second * u2 + sy.second * u3;
-    return dot(w[0], xy) + dot(w[1], xz) + dot(w[2], yz);
+}
+
+// Minus the forces: added to the edge modes of g, and put into w for the vectors v.
+MAGFSI_INLINE void hourglass_forces(const Planes& s, const Vec (&u)[8], const Vec (&v)[3],
+                                    Vec (&g)[8], Vec (&w)[3]) {
+    const Vec &u1 = u[1], &u2 = u[2], &u3 = u[4];
+    const Real u1_yz = s.y.shear + s.z.shear;
+    const Real u2_xz = s.x.shear + s.z.shear;
+    const Real u3_xy = s.x.shear + s.y.shear;
+    g[1] = g[1] + s.y.first * v[0] + s.z.first * v[1] + u1_yz * v[2];
+    g[2] = g[2] + s.x.first * v[0] + u2_xz * v[1] + s.z.second * v[2];
+    g[4] = g[4] + u3_xy * v[0] + s.x.second * v[1] + s.y.second * v[2];
+    w[0] = s.y.first * u1 + s.x.first * u2 + u3_xy * u3;
+    w[1] = s.z.first * u1 + u2_xz * u2 + s.x.second * u3;
+    w[2] = u1_yz * u1 + s.z.second * u2 + s.y.second * u3;
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // Vectors of doubles as wide as the instruction set, and what the element kernel does
-// with them. Included by element_kernel_isa.cpp only; everything is internal to that
-// file.
+// with them. For the files of magfsi_isa_variants only; everything is internal to them.
 #pragma once
 
 #if !defined(MAGFSI_ISA)

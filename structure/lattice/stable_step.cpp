@@ -7,29 +7,41 @@
 #include <stdexcept>
 
 #include "structure/lattice/rest_stiffness.h"
+#include "structure/lattice/viscous_element.h"
 
 namespace magfsi::structure {
 namespace {
 
 using Vector24 = Eigen::Matrix<double, 24, 1>;
 
-double largest_frequency_squared(const Positions8& x, const Body& body, int number) {
+double largest_over_mass(const Matrix24& matrix, const Vector24& inverse_root_mass) {
+    const Matrix24 scaled =
+        inverse_root_mass.asDiagonal() * matrix * inverse_root_mass.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Matrix24> solver(scaled, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()(23);
+}
+
+double element_step_s(const Positions8& x, const Body& body, double viscosity,
+                      int number) {
     const ElementReference reference = element_reference(x, body.element, number);
     Vector24 inverse_root_mass;
     for (int q = 0; q < 24; ++q) {
         const double mass = body.material.density_kg_m3 * reference.node_volume[q / 3];
         inverse_root_mass(q) = 1 / std::sqrt(mass);
     }
-    const Matrix24 scaled = inverse_root_mass.asDiagonal() *
-                            stiffness_at_rest(reference, body.material, x) *
-                            inverse_root_mass.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Matrix24> solver(scaled, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues()(23);
+    const double omega = std::sqrt(largest_over_mass(
+        stiffness_at_rest(reference, body.material, x), inverse_root_mass));
+    if (viscosity == 0) return 2 / omega;
+    const double damping =
+        largest_over_mass(viscous_damping_at_rest(reference, body.material, viscosity, x),
+                          inverse_root_mass);
+    const double z = damping / (2 * omega);
+    return 2 / (omega * (std::sqrt(1 + z * z) + z));
 }
 
 }  // namespace
 
-double stable_step_s(const Body& body) {
+double stable_step_s(const Body& body, double viscosity_pa_s) {
     if (!(body.material.density_kg_m3 > 0)) {
         throw std::invalid_argument(
             fmt::format("body {} has an effective density of {:g} kg/m3, it must be "
@@ -37,7 +49,12 @@ double stable_step_s(const Body& body) {
                         "steps cannot carry a body that is lighter than its fluid)",
                         body.name, body.material.density_kg_m3));
     }
-    double largest = 0;
+    if (!(viscosity_pa_s >= 0)) {
+        throw std::invalid_argument(fmt::format(
+            "body {} has a viscosity of {:g} Pa s, it must be zero or positive",
+            body.name, viscosity_pa_s));
+    }
+    double smallest = INFINITY;
     Positions8 solved = Positions8::Zero();  // shape of the element solved last
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         Positions8 x = gather(body.mesh.nodes, body.mesh.elements[e]);
@@ -45,10 +62,10 @@ double stable_step_s(const Body& body) {
         // Neighbours of one shape, as in a block of bricks, need only one solution.
         if ((x - solved).norm() <= 1e-9 * x.norm()) continue;
         solved = x;
-        largest =
-            std::max(largest, largest_frequency_squared(x, body, static_cast<int>(e)));
+        smallest = std::min(smallest,
+                            element_step_s(x, body, viscosity_pa_s, static_cast<int>(e)));
     }
-    return 2 / std::sqrt(largest);
+    return smallest;
 }
 
 }  // namespace magfsi::structure

@@ -10,6 +10,12 @@ namespace magfsi::structure {
 // own lumped masses (the body's masses are their sum); step = 2 / omega_max. Large
 // compression stiffens the material: run at 0.9 of it. Throws std::invalid_argument on a
 // density that is not positive.
-double stable_step_s(const Body& body);
+//
+// With Kelvin-Voigt damping of this viscosity (viscosity.h), whose forces a
+// velocity-Verlet step takes at the velocity of the half step before, the bound is the
+// largest step with step^2 omega^2 + 2 step c <= 4: step = 2 / omega (sqrt(1 + z^2) - z),
+// z = c / (2 omega), with omega^2 and c the largest eigenvalues of stiffness and damping
+// over mass.
+double stable_step_s(const Body& body, double viscosity_pa_s = 0);
 
 }  // namespace magfsi::structure

@@ -1,0 +1,77 @@
+#include "structure/lattice/viscosity.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "structure/lattice/instruction_set.h"
+#include "structure/lattice/viscous_element.h"
+
+namespace magfsi::structure {
+namespace {
+
+constexpr std::array<ViscousKernelFunction, 3> functions{
+    &sse2::run_viscous, &avx2::run_viscous, &avx512::run_viscous};
+
+double brick_entry(const ElementModes& modes, std::size_t k) {
+    // B_x of the mode x, B_y of y, B_z of z: rows 0, 1 and 3 of the gradient.
+    constexpr std::array<std::size_t, 3> diagonal{0, 4, 11};
+    if (k == 0) return modes.volume;
+    if (k < 4) return modes.gradient[diagonal[k - 1]];
+    return modes.metric[static_cast<std::size_t>(brick_metric_entries[k - 4])];
+}
+
+double general_entry(const ElementModes& modes, std::size_t k) {
+    if (k == 0) return modes.volume;
+    if (k < 22) return modes.gradient[k - 1];
+    if (k < 31) return modes.metric[k - 22];
+    return modes.offset[k - 31];
+}
+
+}  // namespace
+
+ViscousKernel::ViscousKernel()
+    : function_(functions[static_cast<std::size_t>(choose_instruction_set())]) {}
+
+void ViscousKernel::assign(const Lattice& lattice, double viscosity_pa_s) {
+    std::vector<int> all(lattice.elements.size());
+    std::iota(all.begin(), all.end(), 0);
+    assign(lattice, viscosity_pa_s, all, lattice.elements);
+}
+
+void ViscousKernel::assign(const Lattice& lattice, double viscosity_pa_s,
+                           std::span<const int> elements,
+                           std::span<const std::array<int, 8>> nodes) {
+    if (!(viscosity_pa_s >= 0) || std::isinf(viscosity_pa_s)) {
+        throw std::invalid_argument(fmt::format(
+            "a solid viscosity of {:g} Pa s found, it must be zero or positive",
+            viscosity_pa_s));
+    }
+    viscosity_pa_s_ = viscosity_pa_s;
+    plate_lambda_pa_s_ = viscous_plate_lambda_pa_s(lattice.material, viscosity_pa_s);
+    bricks_ = lattice.bricks;
+    size_ = elements.size();
+    nodes_ = pack_nodes(nodes);
+    data_ = pack_lanes(
+        elements, static_cast<std::size_t>(viscous_entries(bricks_)),
+        [&](int element, std::size_t k) {
+            const ElementModes& modes = lattice.modes[static_cast<std::size_t>(element)];
+            return bricks_ ? brick_entry(modes, k) : general_entry(modes, k);
+        });
+}
+
+double ViscousKernel::add_forces(const double* x, const double* v, double* f) const {
+    if (size_ == 0) return 0;
+    ViscousBatches batches;
+    batches.bricks = bricks_;
+    batches.element_count = static_cast<int>(size_);
+    batches.node = nodes_.front().lane;
+    batches.data = data_.front().lane;
+    batches.viscosity_pa_s = viscosity_pa_s_;
+    batches.plate_lambda_pa_s = plate_lambda_pa_s_;
+    return function_(batches, x, v, f);
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,160 @@
+// Kelvin-Voigt forces in Hadamard mode space, `width` elements at a time; see
+// viscous_element.cpp for the same in plain form.
+#include "structure/lattice/hourglass_lanes.h"
+#include "structure/lattice/mean_gradient_lanes.h"
+#include "structure/lattice/viscous_batches.h"
+
+namespace magfsi::structure::MAGFSI_ISA {
+namespace {
+
+// Of positions or of velocities: F (or its rate), modes, hourglass vectors xy, xz, yz and
+// xyz.
+struct Motion {
+    Vec mode[8];
+    Vec f[3];
+    Vec v[3];
+    Vec last[1];
+};
+
+template <bool brick>
+MAGFSI_INLINE void complete(const double* data, Motion& m) {
+    to_modes(m.mode);
+    for (int k = 1; k < 8; ++k) m.mode[k] = splat(0.125) * m.mode[k];
+    m.v[0] = m.mode[3];
+    m.v[1] = m.mode[5];
+    m.v[2] = m.mode[6];
+    m.last[0] = m.mode[7];
+    const double* gradient = data + batch_lanes;
+    if constexpr (brick) {
+        for (int d = 0; d < 3; ++d) {
+            m.f[d] = load(gradient + d * batch_lanes) * m.mode[1 << d];
+        }
+    } else {
+        mean_gradient(gradient, m.mode, m.f);
+        take_off_linear(data + 31 * batch_lanes, m.f, m.v);
+        take_off_linear(data + 40 * batch_lanes, m.f, m.last);
+    }
+}
+
+// Minus the forces on F [an eighth of V0 P]; returns an eighth of the dissipation.
+MAGFSI_INLINE Real mean_part(const Real& eighth, double eta, const Motion& x,
+                             const Motion& v, Vec (&stress)[3]) {
+    Real rate[3][3];  // Edot
+    for (int i = 0; i < 3; ++i) {
+        for (int j = i; j < 3; ++j) {
+            rate[i][j] = 0.5 * (dot(x.f[i], v.f[j]) + dot(x.f[j], v.f[i]));
+            rate[j][i] = rate[i][j];
+        }
+    }
+    const Real scale = (2 * eta) * eighth;
+    Real sum = {};
+    for (int j = 0; j < 3; ++j) {
+        stress[j] = {Real{}, Real{}, Real{}};
+        for (int i = 0; i < 3; ++i) {
+            stress[j] = stress[j] + rate[i][j] * x.f[i];
+            sum += rate[i][j] * rate[i][j];
+        }
+        stress[j] = scale * stress[j];
+    }
+    return scale * sum;
+}
+
+// Mode xyz: adds to the edge modes of g, puts minus the force on the vector into w.
+template <bool brick>
+MAGFSI_INLINE Real last_part(const Real& eighth, double eta, const double* metric,
+                             const Motion& x, const Motion& v, Vec (&g)[8], Vec& w) {
+    Real p[3];
+    for (int d = 0; d < 3; ++d) {
+        constexpr int entry[3] = {3, 0, 1};
+        p[d] = load(metric + (brick ? d : entry[d]) * batch_lanes);
+    }
+    Real smallest = p[0] < p[1] ? p[0] : p[1];
+    smallest = smallest < p[2] ? smallest : p[2];
+    const Real scale = (eta / 3) * eighth * smallest;
+    Real sum = {};
+    w = {Real{}, Real{}, Real{}};
+    for (int d = 0; d < 3; ++d) {
+        const int m = 1 << d;
+        const Real rate = dot(v.mode[m], x.last[0]) + dot(x.mode[m], v.last[0]);
+        const Real stress = scale * p[d] * rate;
+        g[m] = g[m] + stress * x.last[0];
+        w = w + stress * x.mode[m];
+        sum += stress * rate;
+    }
+    return sum;
+}
+
+// Positions in x and velocities in v; out: forces in x.mode. Returns the dissipation.
+template <bool brick>
+MAGFSI_INLINE Real element(const ViscousBatches& b, const double* data, Motion& x,
+                           Motion& v) {
+    complete<brick>(data, x);
+    complete<brick>(data, v);
+    const Real v0 = load(data);
+    const Real eighth = 0.125 * v0;
+    const double* gradient = data + batch_lanes;
+    const double* metric = data + (brick ? 4 : 22) * batch_lanes;
+    Vec stress[3];
+    Real dissipation = mean_part(eighth, b.viscosity_pa_s, x, v, stress);
+    Vec g[8] = {};
+    const Planes rate = hourglass_strain(v.mode, x.v) + hourglass_strain(x.mode, v.v);
+    const Planes planes = hourglass_stress<brick>(
+        hourglass_moduli(b.viscosity_pa_s, b.plate_lambda_pa_s, v0), metric, rate);
+    Vec w[3];
+    hourglass_forces(planes, x.mode, x.v, g, w);
+    dissipation += dot(planes, rate);
+    Vec last[1];
+    dissipation += last_part<brick>(eighth, b.viscosity_pa_s, metric, x, v, g, last[0]);
+    g[3] = w[0];
+    g[5] = w[1];
+    g[6] = w[2];
+    g[7] = last[0];
+    if constexpr (brick) {
+        for (int d = 0; d < 3; ++d) {
+            g[1 << d] = g[1 << d] + load(gradient + d * batch_lanes) * stress[d];
+        }
+    } else {
+        return_linear(data + 31 * batch_lanes, w, stress);
+        return_linear(data + 40 * batch_lanes, last, stress);
+        add_stress(gradient, stress, g);
+    }
+    x.mode[0] = {Real{}, Real{}, Real{}};
+    for (int m = 1; m < 8; ++m) x.mode[m] = splat(-1.0) * g[m];
+    to_nodes(x.mode);
+    return 8.0 * dissipation;
+}
+
+template <bool brick>
+double run(const ViscousBatches& b, const double* x, const double* v, double* f) {
+    double sum = 0;
+    const long batches = (b.element_count + batch_lanes - 1) / batch_lanes;
+    for (long batch = 0; batch < batches; ++batch) {
+        const int filled = b.element_count - static_cast<int>(batch) * batch_lanes;
+        for (int lane = 0; lane < batch_lanes && lane < filled; lane += width) {
+            const int* node = b.node + batch * 8 * batch_lanes + lane;
+            const double* data =
+                b.data + batch * viscous_entries(brick) * batch_lanes + lane;
+            Motion position, velocity;
+            for (int a = 0; a < 8; ++a) {
+                position.mode[a] = gather_node(x, node + a * batch_lanes);
+                velocity.mode[a] = gather_node(v, node + a * batch_lanes);
+            }
+            const Real dissipation = element<brick>(b, data, position, velocity);
+            const int left = filled - lane;
+            const int count = left < width ? left : width;
+            for (int a = 0; a < 8; ++a) {
+                scatter_node(f, node + a * batch_lanes, position.mode[a], count);
+            }
+            for (int l = 0; l < count; ++l) sum += dissipation[l];
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+double run_viscous(const ViscousBatches& b, const double* x, const double* v, double* f) {
+    return b.bricks ? run<true>(b, x, v, f) : run<false>(b, x, v, f);
+}
+
+}  // namespace magfsi::structure::MAGFSI_ISA
