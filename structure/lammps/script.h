@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "structure/body.h"
+#include "structure/lammps/contact.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
+#include "structure/lammps/platform.h"
 
 namespace magfsi::structure {
 
@@ -20,8 +22,17 @@ struct LammpsInput {
     std::optional<FieldProgram> field;
     std::optional<Vec3> gravity_m_s2;
     std::optional<double> drag_rate_1_s;
+    std::optional<Platform> platform;   // stiffness 0: that of platform_of
+    std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
+    bool quiet = false;                 // fix quiet: how far from equilibrium
     double time_step_s = 0;
 };
+
+// The platform and the contact of the input with their missing values put in: the largest
+// platform_stiffness_pa_m of the bodies (thickness: the mesh's smallest extent), and
+// contact_distance_m and contact_stiffness_pa_m of all bodies.
+Platform platform_of(const LammpsInput& input);
+ContactLaw contact_law(const LammpsInput& input);
 
 struct LammpsScript {
     std::vector<std::string> setup;  // up to, not including, the run command
@@ -33,11 +44,13 @@ struct LammpsScript {
 // Writes bodies.data and each body's NAME.lattice into folder and returns the script,
 // whose lines name these files as `folder` does. Call it on one rank; every rank runs the
 // lines. Run them, then `run 0`, then `run N pre no post no` as often as needed: with
-// neigh_modify once yes nothing but the forces and the integration is left in a step.
-// A relaxed shape lies in the plane of `field` (x and z where there is none), and is
-// found here, before LAMMPS starts, so that the script holds the run alone. Throws
-// std::invalid_argument on bad input, std::runtime_error if a file cannot be written or a
-// shape not be relaxed.
+// neigh_modify once yes nothing but the forces and the integration is left in a step;
+// with contact atoms change ranks and places within their rank during a run. Besides
+// fix_id there are, where asked for, the fixes platform, quiet, drag, gravity and field
+// and the compute contact. A relaxed shape lies in the plane of `field` (x and z where
+// there is none), and is found here, before LAMMPS starts, so that the script holds the
+// run alone. Throws std::invalid_argument on bad input, std::runtime_error if a file
+// cannot be written or a shape not be relaxed.
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder);
 

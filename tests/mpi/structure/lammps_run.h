@@ -102,6 +102,19 @@ class LammpsRun {
         lammps_free(value);
         return out;
     }
+    // Entry of a compute's global vector. Collective.
+    double compute_value(const std::string& id, int entry) {
+        auto* values = static_cast<double*>(lammps_extract_compute(
+            lammps_.get(), id.c_str(), LMP_STYLE_GLOBAL, LMP_TYPE_VECTOR));
+        if (values == nullptr) throw std::runtime_error("no compute " + id);
+        return values[entry];
+    }
+    // IDs of the atoms that this rank owns.
+    std::vector<int> owned() {
+        const auto* tags = static_cast<const int*>(
+            lammps_extract_atom(lammps_.get(), const_cast<char*>("id")));
+        return {tags, tags + lammps_extract_setting(lammps_.get(), "nlocal")};
+    }
     double variable(const std::string& name) {
         auto* value = static_cast<double*>(
             lammps_extract_variable(lammps_.get(), name.c_str(), nullptr));

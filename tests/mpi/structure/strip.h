@@ -40,6 +40,20 @@ inline LammpsInput bare_strip() {
     return input;
 }
 
+// Sum of mass times v [kg m/s] of a body whose node 0 has the given place in v.
+inline Vec3 momentum(const Body& body, const std::vector<double>& velocity,
+                     std::size_t first = 0) {
+    const auto mass = node_masses(
+        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    Vec3 out{};
+    for (std::size_t a = 0; a < mass.size(); ++a) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            out[d] += mass[a] * velocity[3 * (first + a) + d];
+        }
+    }
+    return out;
+}
+
 // Kinetic energy [J] of a scene's only body, from velocities by atom ID.
 inline double kinetic_energy(const Body& body, const std::vector<double>& velocity) {
     const auto mass = node_masses(

@@ -1,0 +1,99 @@
+#include "structure/lammps/script_lines.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "structure/lammps/element_name.h"
+#include "structure/lammps/lattice_file.h"
+#include "structure/lammps/names.h"
+
+namespace magfsi::structure {
+namespace {
+
+// Along the bodies' length, also where they start rolled up.
+int longest_axis(const Assembly& all) {
+    int longest = 0;
+    for (int d = 1; d < 3; ++d) {
+        if (all.high[d] - all.low[d] > all.high[longest] - all.low[longest]) longest = d;
+    }
+    return longest;
+}
+
+// The nodes that may touch are looked for within the distance and half of it, and again
+// when a node has moved a quarter of the distance.
+std::string contact_skin(const LammpsInput& input) {
+    return fmt::format("neighbor {:.6g} bin", 0.5 * contact_law(input).distance_m);
+}
+
+}  // namespace
+
+// Boundaries are wrapped around the atoms at the start and then no more looked at: a body
+// may travel anywhere. Ranks share the bodies along their longest extent, evenly by
+// nodes.
+void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
+                const std::string& data_file) {
+    const int axis = longest_axis(all);
+    std::array<const char*, 3> ranks{"1", "1", "1"};
+    ranks[axis] = "*";
+    // Ghosts must reach across an element, even one that has been stretched by half.
+    const double cutoff = 1.5 * all.longest_diagonal_m;
+    lines.insert(lines.end(),
+                 {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0",
+                  "newton on", "boundary s s s",
+                  fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
+                  fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
+                  input.contact ? contact_skin(input)
+                                : fmt::format("neighbor {:.6g} bin", 0.1 * cutoff),
+                  input.contact ? "neigh_modify every 1 delay 0 check yes"
+                                : "neigh_modify once yes",
+                  fmt::format("read_data {}", quoted(data_file)),
+                  fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
+}
+
+// Variables, so that a script can put its own course in their place.
+void add_field(Lines& lines, const FieldProgram& field) {
+    lines.push_back(
+        fmt::format("fix field all magttice/field {}", field_arguments(field)));
+    for (int d = 0; d < 3; ++d) {
+        lines.push_back(fmt::format("variable B{} equal f_field[{}]", "xyz"[d], d + 1));
+    }
+}
+
+void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
+                  const Assembly& all, const std::filesystem::path& folder) {
+    for (std::size_t i = 0; i < input.bodies.size(); ++i) {
+        const Body& body = input.bodies[i];
+        const std::string file = (folder / (all.name[i] + ".lattice")).string();
+        write_lattice_file({body.mesh.nodes, body.mesh.elements, body.magnetization_a_m},
+                           file);
+        lines.push_back(fmt::format("group {} id {}:{}", all.name[i], all.first_node[i],
+                                    all.first_node[i + 1] - 1));
+        script.fix_id.push_back(fmt::format("magttice_{}", all.name[i]));
+        const bool magnetic = input.field && !body.magnetization_a_m.empty();
+        lines.push_back(fmt::format(
+            "fix {} {} magttice {} {} {:.17g} {:.17g} element {}{}", script.fix_id.back(),
+            all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
+            body.material.lame_lambda_pa, element_name(body.element),
+            magnetic ? " field v_Bx v_By v_Bz" : ""));
+    }
+}
+
+// Clamped nodes are left out of the integration: they cannot move, and the force on them
+// stays readable as the reaction.
+void add_integration(Lines& lines, const LammpsInput& input, const Assembly& all) {
+    const char* moving = "all";
+    if (!all.clamped_ids.empty()) {
+        lines.push_back(fmt::format("group clamped id {}", id_ranges(all.clamped_ids)));
+        lines.push_back("group moving subtract all clamped");
+        moving = "moving";
+    }
+    if (input.quiet) lines.push_back(fmt::format("fix quiet {} magttice/quiet", moving));
+    lines.push_back(fmt::format("fix integrate {} nve", moving));
+    lines.push_back(fmt::format("timestep {:.17g}", input.time_step_s));
+    lines.push_back("thermo_style custom step");
+    lines.push_back("thermo 0");
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,27 @@
+// The commands of a script, one function for each concern, in the order in which
+// LAMMPS needs them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "structure/lammps/script.h"
+#include "structure/lammps/script_assembly.h"
+
+namespace magfsi::structure {
+
+using Lines = std::vector<std::string>;
+
+void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
+                const std::string& data_file);
+void add_field(Lines& lines, const FieldProgram& field);
+// Writes the lattice files and fills fix_id.
+void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
+                  const Assembly& all, const std::filesystem::path& folder);
+void add_contact(Lines& lines, const LammpsInput& input);
+void add_loads(Lines& lines, const LammpsInput& input);
+void add_platform(Lines& lines, const LammpsInput& input);
+void add_integration(Lines& lines, const LammpsInput& input, const Assembly& all);
+
+}  // namespace magfsi::structure
