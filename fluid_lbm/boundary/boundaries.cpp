@@ -1,8 +1,19 @@
 #include "fluid_lbm/boundary/boundaries.h"
 
+#include "fluid_lbm/boundary/refuse.h"
+
 namespace magfsi::fluid {
 
 namespace {
+
+// An outlet reads the cell inside of each of its own.
+void check_depth(const CellBox& owned, int side) {
+    const int axis = axis_of(side);
+    if (owned.hi[axis] - owned.lo[axis] > 1) return;
+    refuse("fluid box is cut into parts of one cell along ", axis_name[axis],
+           ", and the pressure outlet at ", side_name[side],
+           " needs two; choose fewer fluid ranks");
+}
 
 std::vector<Cell> open_cells(const LatticeSide& side, const CellBox& side_cells,
                              const CellBox& owned) {
@@ -32,6 +43,7 @@ Boundaries::Boundaries(MPI_Comm comm, const Decomposition& decomposition, int ra
             inlets_.emplace_back(lattice, side, *cells, owned, decomposition.cells,
                                  decomposition.periodic);
         } else if (lattice.kind == BoundaryKind::pressure_outlet) {
+            check_depth(owned, side);
             outlets_.emplace_back(lattice, side, open_cells(lattice, *cells, owned),
                                   decomposition.cells[axis_of(side)], populations,
                                   layout);

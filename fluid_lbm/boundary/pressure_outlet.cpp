@@ -28,25 +28,31 @@ double equilibrium(int q, const Flow& flow) {
            (flow.excess + (1 + flow.excess) * (3 * cu + 4.5 * cu * cu - 1.5 * uu));
 }
 
-// Density and velocity of a cell from the populations that do not enter by the side.
-Flow flow_at_outlet(const double (&f)[directions], int axis, int outward,
-                    double entering) {
-    double known = 0, along[3] = {};  // rho' + j_n; tangential momentum
+Flow flow_of(const double (&f)[directions]) {
+    Flow flow;
+    for (int q = 0; q < directions; ++q) {
+        flow.excess += f[q];
+        for (int a = 0; a < 3; ++a) flow.u[a] += c[q][a] * f[q];
+    }
+    for (double& u : flow.u) u /= 1 + flow.excess;
+    return flow;
+}
+
+// Of a cell at the side, from its populations that do not enter there and the flow in the
+// next cell inwards.
+Flow flow_at_outlet(const double (&f)[directions], const Flow& inside, int axis,
+                    int outward, double entering) {
+    double known = 0;  // rho' + rho u_n
     for (int q = 0; q < directions; ++q) {
         const int out = c[q][axis] * outward;
-        if (out < 0) continue;
-        known += out > 0 ? 2 * f[q] : f[q];
-        for (int a = 0; a < 3; ++a) along[a] += c[q][a] * f[q];
+        if (out >= 0) known += out > 0 ? 2 * f[q] : f[q];
     }
-    Flow flow;
-    const double j_n = (cs2 * known - entering) / (cs2 + cs);
-    flow.excess = known - j_n;
-    const double density = 1 + flow.excess, u_n = j_n / density;
-    for (int a = 0; a < 3; ++a) {
-        // At equilibrium the known populations carry rho u_t (2/3 + 1/6 + u_n / 2).
-        flow.u[a] =
-            a == axis ? outward * u_n : along[a] / (density * (5.0 / 6 + 0.5 * u_n));
-    }
+    // rho' + (1 + rho') u_n = known and cs2 rho' - cs u_n = entering: the smaller root.
+    const double b = 0.5 * (cs2 + cs + entering), rest = cs2 * known - entering;
+    const double u_n = rest / (b + std::sqrt(b * b + cs * rest));
+    Flow flow = inside;
+    flow.excess = (known - u_n) / (1 + u_n);
+    flow.u[axis] = outward * u_n;
     return flow;
 }
 
@@ -74,6 +80,11 @@ void rebuild(double (&f)[directions], int axis, int outward, const Flow& flow) {
     }
 }
 
+template <class Real>
+void gather(const Real* base, const CellSlots& slots, double (&f)[directions]) {
+    for (int q = 0; q < directions; ++q) f[q] = base[slots[q]];
+}
+
 }  // namespace
 
 PressureOutlet::PressureOutlet(const LatticeSide& side, int side_index,
@@ -86,9 +97,12 @@ PressureOutlet::PressureOutlet(const LatticeSide& side, int side_index,
     cells_.resize(cells.size());
     populations.visit([&](const auto& rows) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
+            Cell inner = cells[i];
+            inner[axis_] -= outward_;
             for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
-                cells_[i].slots[static_cast<int>(a)] =
-                    cell_slots(rows, layout, a, cells[i]);
+                const int which = static_cast<int>(a);
+                cells_[i].slots[which] = cell_slots(rows, layout, a, cells[i]);
+                cells_[i].inner_slots[which] = cell_slots(rows, layout, a, inner);
             }
         }
     });
@@ -96,17 +110,14 @@ PressureOutlet::PressureOutlet(const LatticeSide& side, int side_index,
 
 void PressureOutlet::look(const Populations& populations, Arrangement arrangement) {
     populations.visit([&](const auto& rows) {
-        const auto* base = rows.row(0, 0);
+        const auto* const base = rows.row(0, 0);
         for (OpenCell& cell : cells_) {
             const CellSlots& slots = cell.slots[static_cast<int>(arrangement)];
-            double excess = 0, j_n = 0;
-            for (int q = 0; q < directions; ++q) {
-                const double f = base[slots[q]];
-                excess += f;
-                j_n += outward_ * c[q][axis_] * f;
-            }
-            const double pressure = cs2 * excess;
-            cell.entering = pressure - cs * j_n - pull_ * (pressure - target_pressure_);
+            double f[directions];
+            gather(base, slots, f);
+            const Flow flow = flow_of(f);
+            const double pressure = cs2 * flow.excess, u_n = outward_ * flow.u[axis_];
+            cell.entering = pressure - cs * u_n - pull_ * (pressure - target_pressure_);
         }
     });
 }
@@ -116,11 +127,13 @@ void PressureOutlet::apply(const Populations& populations,
     populations.visit([&](const auto& rows) {
         auto* base = rows.row(0, 0);
         for (const OpenCell& cell : cells_) {
-            const CellSlots& slots = cell.slots[static_cast<int>(arrangement)];
-            double f[directions];
-            for (int q = 0; q < directions; ++q) f[q] = base[slots[q]];
+            const int now = static_cast<int>(arrangement);
+            const CellSlots& slots = cell.slots[now];
+            double f[directions], inner[directions];
+            gather(base, slots, f);
+            gather(base, cell.inner_slots[now], inner);
             rebuild(f, axis_, outward_,
-                    flow_at_outlet(f, axis_, outward_, cell.entering));
+                    flow_at_outlet(f, flow_of(inner), axis_, outward_, cell.entering));
             for (int q = 0; q < directions; ++q) {
                 base[slots[q]] = static_cast<std::decay_t<decltype(*base)>>(f[q]);
             }

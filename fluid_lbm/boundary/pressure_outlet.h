@@ -1,10 +1,10 @@
 // Sides that let flow and sound out. In one dimension the flow carries two
-// characteristics; p + cs j_n leaves with what streams to the side, p - cs j_n enters.
+// characteristics; p + cs u_n leaves with what streams to the side, p - cs u_n enters.
 // The entering one is kept constant but for a slow pull of the pressure to its target
-// (Poinsot and Lele 1992; j_n momentum along the outward normal, rho0 = 1):
-//   (p - cs j_n)(t + 1) = (p - cs j_n)(t) - k (p(t) - p_target),  k = 0.25 cs / L.
+// (Poinsot and Lele 1992; u_n along the outward normal, rho0 = 1):
+//   (p - cs u_n)(t + 1) = (p - cs u_n)(t) - k (p(t) - p_target),  k = 0.25 cs / L.
 // A fixed pressure would reflect sound fully, a fixed velocity too. The populations that
-// have streamed to a cell know rho + j_n exactly (Zou and He 1997), so both follow. All
+// have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow. All
 // 19 are then rebuilt from rho, u and the stress, with the bounce-back of the
 // non-equilibrium part for the unknown ones (regularised: Latt et al. 2008), which stays
 // stable close to relaxation time 1/2. The tangential velocity is that of no shear across
@@ -33,8 +33,8 @@ class PressureOutlet {
 
   private:
     struct OpenCell {
-        CellSlots slots[2];   // by arrangement
-        double entering = 0;  // p - cs j_n
+        CellSlots slots[2], inner_slots[2];  // by arrangement
+        double entering = 0;                 // p - cs u_n
     };
 
     int axis_, outward_;
