@@ -11,6 +11,13 @@ if(NOT TARGET yaml-cpp::yaml-cpp)  # yaml-cpp before 0.8 exports the bare name
   add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
 endif()
 
+# Reads meshes; Debian ships no CMake package of it.
+find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+add_library(gmsh::gmsh UNKNOWN IMPORTED)
+set_target_properties(gmsh::gmsh PROPERTIES
+  IMPORTED_LOCATION ${GMSH_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${GMSH_INCLUDE_DIR})
+
 # The unmodified LAMMPS library. Its headers include a fmt header that Debian does not
 # ship; structure/lammps/fmt_shim declares the four names they need, and must come first.
 find_path(LAMMPS_INCLUDE_DIR lammps/lammps.h REQUIRED)

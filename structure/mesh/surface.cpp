@@ -35,10 +35,18 @@ std::vector<Face> sorted_faces(const Mesh& mesh) {
     return faces;
 }
 
-SurfaceQuad outward_quad(const Mesh& mesh, const Face& face) {
-    SurfaceQuad quad{{}, face.element, face.face};
-    const auto corners = face_corners(face.face);
-    for (int a = 0; a < 4; ++a) quad.node[a] = mesh.elements[face.element][corners[a]];
+[[noreturn]] void refuse_shared(const Face& a, const Face& b, const Face& c) {
+    throw std::invalid_argument(
+        fmt::format("elements {}, {} and {} share one face (nodes {} {} {} {}); a face "
+                    "belongs to one element or to two",
+                    a.element, b.element, c.element, a.sorted[0], a.sorted[1],
+                    a.sorted[2], a.sorted[3]));
+}
+
+SurfaceQuad outward_quad(const Mesh& mesh, int element, int face) {
+    SurfaceQuad quad{{}, element, face};
+    const auto corners = face_corners(face);
+    for (int a = 0; a < 4; ++a) quad.node[a] = mesh.elements[element][corners[a]];
     return quad;
 }
 
@@ -79,27 +87,32 @@ std::array<int, 4> face_corners(int face) {
     return {base, base | u, base | u | v, base | v};
 }
 
-std::vector<SurfaceQuad> boundary_quads(const Mesh& mesh) {
+std::vector<std::array<FaceOfElement, 6>> face_neighbours(const Mesh& mesh) {
     const std::vector<Face> faces = sorted_faces(mesh);
-    std::vector<SurfaceQuad> surface;
+    std::vector<std::array<FaceOfElement, 6>> behind(mesh.elements.size());
     for (std::size_t i = 0; i < faces.size();) {
         std::size_t end = i;
         while (end < faces.size() && faces[end].sorted == faces[i].sorted) ++end;
-        if (end - i > 2) {
-            throw std::invalid_argument(
-                fmt::format("elements {}, {} and {} share one face (nodes {} {} {} {}); "
-                            "a face belongs "
-                            "to one element or to two",
-                            faces[i].element, faces[i + 1].element, faces[i + 2].element,
-                            faces[i].sorted[0], faces[i].sorted[1], faces[i].sorted[2],
-                            faces[i].sorted[3]));
+        if (end - i > 2) refuse_shared(faces[i], faces[i + 1], faces[i + 2]);
+        if (end - i == 2) {
+            const Face &a = faces[i], &b = faces[i + 1];
+            behind[a.element][a.face] = {b.element, b.face};
+            behind[b.element][b.face] = {a.element, a.face};
         }
-        if (end - i == 1) surface.push_back(outward_quad(mesh, faces[i]));
         i = end;
     }
-    std::ranges::sort(surface, [](const SurfaceQuad& a, const SurfaceQuad& b) {
-        return std::tie(a.element, a.face) < std::tie(b.element, b.face);
-    });
+    return behind;
+}
+
+std::vector<SurfaceQuad> boundary_quads(const Mesh& mesh) {
+    const auto behind = face_neighbours(mesh);
+    std::vector<SurfaceQuad> surface;
+    for (std::size_t e = 0; e < behind.size(); ++e) {
+        for (int f = 0; f < 6; ++f) {
+            if (behind[e][f].element >= 0) continue;
+            surface.push_back(outward_quad(mesh, static_cast<int>(e), f));
+        }
+    }
     return surface;
 }
 

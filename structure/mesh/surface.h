@@ -24,6 +24,16 @@ std::array<int, 4> face_corners(int face);
 // std::invalid_argument that names the elements where a face belongs to more than two.
 std::vector<SurfaceQuad> boundary_quads(const Mesh& mesh);
 
+// A face of an element; element -1: none.
+struct FaceOfElement {
+    int element = -1;
+    int face = -1;
+};
+
+// What lies behind each of an element's six faces: the same face as its neighbour counts
+// it, none at the boundary. Throws as boundary_quads does.
+std::vector<std::array<FaceOfElement, 6>> face_neighbours(const Mesh& mesh);
+
 // Area [m2] of the bilinear quadrilateral and its vector area, half the cross product of
 // the diagonals (exact: it depends on the outline alone).
 double quad_area(const std::vector<Vec3>& nodes_m, const SurfaceQuad& quad);

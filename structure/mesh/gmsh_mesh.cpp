@@ -1,0 +1,216 @@
+#include "structure/mesh/gmsh_mesh.h"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+
+#include "structure/mesh/centre_line.h"
+#include "structure/mesh/mesh_check.h"
+#include "structure/mesh/orientation.h"
+
+namespace magfsi::structure {
+namespace {
+
+constexpr int hexahedron_of_8_nodes = 5;  // Gmsh's number of the element type
+
+using NodeNumbers = std::unordered_map<std::size_t, int>;  // Gmsh's tag: ours
+
+// Gmsh's library has one state for the whole process.
+class GmshSession {
+  public:
+    GmshSession() {
+        gmsh::initialize(0, nullptr, false);
+        gmsh::option::setNumber("General.Terminal", 0);
+    }
+    ~GmshSession() { gmsh::finalize(); }
+    GmshSession(const GmshSession&) = delete;
+    GmshSession& operator=(const GmshSession&) = delete;
+};
+
+// The library would also take geometries and scripts, and run them.
+void check_header(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw std::runtime_error("the file cannot be opened");
+    std::string keyword, version;
+    stream >> keyword >> version;
+    if (keyword != "$MeshFormat") {
+        throw std::runtime_error(
+            "the file does not begin with $MeshFormat; a mesh that Gmsh saved as .msh is "
+            "allowed");
+    }
+    if (version != "2.2" && version != "4.1") {
+        throw std::runtime_error(fmt::format(
+            "version {} of the format found, 2.2 and 4.1 are allowed; save it again with "
+            "Mesh.MshFileVersion = 4.1",
+            version));
+    }
+}
+
+void refuse_other_elements() {
+    std::vector<int> types;
+    gmsh::model::mesh::getElementTypes(types, 3);
+    std::string found;
+    bool other_order = false, other = types.empty();
+    for (const int type : types) {
+        std::string name;
+        int dimension = 0, order = 0, nodes = 0, corners = 0;
+        std::vector<double> local;
+        gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes,
+                                                local, corners);
+        other_order = other_order || order != 1;
+        other = other || type != hexahedron_of_8_nodes;
+        found += (found.empty() ? "" : ", ") + name;
+    }
+    if (!other) return;
+    throw std::runtime_error(fmt::format(
+        "volume elements of the kinds {} found, hexahedra of 8 nodes are allowed; {}",
+        found.empty() ? "(none)" : found,
+        other_order
+            ? "set Mesh.ElementOrder = 1"
+            : "extrude a surface meshed with Mesh.RecombineAll = 1 with Layers and "
+              "Recombine, or use Transfinite Surface, Transfinite Volume and Recombine, "
+              "or Mesh.SubdivisionAlgorithm = 2, and mesh in 3D"));
+}
+
+std::string group_name(int dimension, int tag) {
+    std::string name;
+    gmsh::model::getPhysicalName(dimension, tag, name);
+    return name.empty() ? std::to_string(tag) : name;
+}
+
+NodeNumbers read_nodes(Mesh& mesh, double metres_per_unit) {
+    std::vector<std::size_t> tags;
+    std::vector<double> x, unused;
+    gmsh::model::mesh::getNodes(tags, x, unused, -1, -1, false, false);
+    std::vector<std::size_t> order(tags.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](std::size_t n) { return tags[n]; });
+    NodeNumbers numbers;
+    for (const std::size_t n : order) {
+        numbers[tags[n]] = static_cast<int>(mesh.nodes.size());
+        mesh.nodes.push_back({metres_per_unit * x[3 * n], metres_per_unit * x[3 * n + 1],
+                              metres_per_unit * x[3 * n + 2]});
+    }
+    return numbers;
+}
+
+// Place of the volume's name in region_names, which grows by new ones.
+int region_of(Mesh& mesh, int volume) {
+    std::vector<int> groups;
+    gmsh::model::getPhysicalGroupsForEntity(3, volume, groups);
+    if (groups.size() > 1) {
+        throw std::runtime_error(fmt::format(
+            "volume {} is in the physical groups \"{}\" and \"{}\"; it may be in one",
+            volume, group_name(3, groups[0]), group_name(3, groups[1])));
+    }
+    const std::string name = groups.empty() ? "unnamed" : group_name(3, groups[0]);
+    const auto known = std::ranges::find(mesh.region_names, name);
+    if (known != mesh.region_names.end()) {
+        return static_cast<int>(known - mesh.region_names.begin());
+    }
+    mesh.region_names.push_back(name);
+    return static_cast<int>(mesh.region_names.size()) - 1;
+}
+
+void read_elements(Mesh& mesh, const NodeNumbers& numbers) {
+    gmsh::vectorpair volumes, groups;
+    gmsh::model::getEntities(volumes, 3);
+    gmsh::model::getPhysicalGroups(groups, 3);
+    for (const auto& [dimension, volume] : volumes) {
+        std::vector<std::size_t> tags, nodes;
+        gmsh::model::mesh::getElementsByType(hexahedron_of_8_nodes, tags, nodes, volume);
+        if (tags.empty()) continue;
+        const int region = groups.empty() ? -1 : region_of(mesh, volume);
+        for (std::size_t e = 0; e < tags.size(); ++e) {
+            Hexahedron element{};
+            for (int a = 0; a < 8; ++a) element[a] = numbers.at(nodes[8 * e + a]);
+            mesh.elements.push_back(oriented(mesh.nodes, lexicographic(element)));
+            if (region >= 0) mesh.region.push_back(region);
+        }
+    }
+}
+
+void read_groups(std::map<std::string, std::vector<int>>& out, int dimension,
+                 const NodeNumbers& numbers) {
+    gmsh::vectorpair groups;
+    gmsh::model::getPhysicalGroups(groups, dimension);
+    for (const auto& [unused, tag] : groups) {
+        std::vector<std::size_t> tags;
+        std::vector<double> x;
+        gmsh::model::mesh::getNodesForPhysicalGroup(dimension, tag, tags, x);
+        std::vector<int>& nodes = out[group_name(dimension, tag)];
+        for (const std::size_t node : tags) nodes.push_back(numbers.at(node));
+        std::ranges::sort(nodes);
+        const auto doubled = std::ranges::unique(nodes);
+        nodes.erase(doubled.begin(), doubled.end());
+    }
+}
+
+void refuse_empty_groups(const Mesh& mesh) {
+    for (const auto* groups : {&mesh.faces, &mesh.points}) {
+        for (const auto& [name, nodes] : *groups) {
+            if (!nodes.empty()) continue;
+            throw std::runtime_error(fmt::format(
+                "the physical group \"{}\" has no node of a hexahedron; embed "
+                "its points in the volume's mesh or leave it out",
+                name));
+        }
+    }
+}
+
+GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
+    check_header(file);
+    const GmshSession session;
+    gmsh::open(file.string());
+    refuse_other_elements();
+    GmshMesh out;
+    const NodeNumbers numbers = read_nodes(out.mesh, metres_per_unit);
+    read_elements(out.mesh, numbers);
+    read_groups(out.mesh.faces, 2, numbers);
+    read_groups(out.mesh.points, 1, numbers);
+    read_groups(out.mesh.points, 0, numbers);
+    out.unused_nodes = drop_unused_nodes(out.mesh);
+    refuse_empty_groups(out.mesh);
+    refuse_broken_mesh(out.mesh);
+    for (const int part : connected_parts(out.mesh)) {
+        out.part_elements.resize(
+            std::max(out.part_elements.size(), static_cast<std::size_t>(part) + 1));
+        ++out.part_elements[part];
+    }
+    if (const auto line = out.mesh.points.find("centre_line");
+        line != out.mesh.points.end()) {
+        out.mesh.centre_line = line_through(out.mesh, line->second);
+    }
+    return out;
+}
+
+}  // namespace
+
+GmshMesh read_gmsh_mesh(const std::filesystem::path& file, double metres_per_unit) {
+    if (!(metres_per_unit > 0)) {
+        throw std::invalid_argument(fmt::format(
+            "a mesh unit of {:g} m found, it must be positive", metres_per_unit));
+    }
+    const auto refused = [&](const std::string& why) {
+        return std::runtime_error(fmt::format("mesh {}: {}", file.string(), why));
+    };
+    try {
+        return read(file, metres_per_unit);
+    } catch (const std::exception& error) {
+        throw refused(error.what());
+    } catch (const std::string& error) {  // the kinds that Gmsh's library throws
+        throw refused("Gmsh's library says: " + error);
+    } catch (const char* error) {
+        throw refused(fmt::format("Gmsh's library says: {}", error));
+    } catch (int) {
+        throw refused("Gmsh's library cannot read it");
+    }
+}
+
+}  // namespace magfsi::structure

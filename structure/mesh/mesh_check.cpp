@@ -1,0 +1,169 @@
+#include "structure/mesh/mesh_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "structure/lattice/hexahedron.h"
+
+namespace magfsi::structure {
+namespace {
+
+double distance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+using Cell = std::array<std::int64_t, 3>;
+
+Cell cell_of(const Vec3& x, double edge_m) {
+    Cell out{};
+    for (int d = 0; d < 3; ++d) {
+        out[d] = static_cast<std::int64_t>(std::floor(x[d] / edge_m));
+    }
+    return out;
+}
+
+void keep_only(std::map<std::string, std::vector<int>>& groups,
+               const std::vector<int>& new_number) {
+    for (auto& [name, nodes] : groups) {
+        std::vector<int> kept;
+        for (const int node : nodes) {
+            if (new_number[node] >= 0) kept.push_back(new_number[node]);
+        }
+        nodes = std::move(kept);
+    }
+}
+
+int root_of(std::vector<int>& parent, int node) {
+    while (parent[node] != node) node = parent[node] = parent[parent[node]];
+    return node;
+}
+
+}  // namespace
+
+int drop_unused_nodes(Mesh& mesh) {
+    std::vector<int> new_number(mesh.nodes.size(), -1);
+    for (const Hexahedron& element : mesh.elements) {
+        for (const int node : element) new_number[node] = 0;
+    }
+    std::vector<Vec3> kept;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        if (new_number[n] < 0) continue;
+        new_number[n] = static_cast<int>(kept.size());
+        kept.push_back(mesh.nodes[n]);
+    }
+    const auto dropped = mesh.nodes.size() - kept.size();
+    mesh.nodes = std::move(kept);
+    for (Hexahedron& element : mesh.elements) {
+        for (int& node : element) node = new_number[node];
+    }
+    for (MaterialPoint& point : mesh.centre_line) {
+        for (int& node : point.node) node = new_number[node];
+    }
+    keep_only(mesh.faces, new_number);
+    keep_only(mesh.points, new_number);
+    return static_cast<int>(dropped);
+}
+
+double shortest_edge_m(const Mesh& mesh) {
+    double shortest = INFINITY;
+    for (const Hexahedron& element : mesh.elements) {
+        for (int a = 0; a < 8; ++a) {
+            for (int d = 0; d < 3; ++d) {
+                const int b = a | (1 << d);
+                if (b == a) continue;
+                shortest = std::min(
+                    shortest, distance(mesh.nodes[element[a]], mesh.nodes[element[b]]));
+            }
+        }
+    }
+    return shortest;
+}
+
+std::optional<std::array<int, 2>> coincident_nodes(const Mesh& mesh, double tolerance_m) {
+    std::vector<std::pair<Cell, int>> cells;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        cells.emplace_back(cell_of(mesh.nodes[n], tolerance_m), static_cast<int>(n));
+    }
+    std::ranges::sort(cells);
+    for (const auto& [cell, node] : cells) {
+        for (int c = 0; c < 9; ++c) {
+            // Three cells along z lie together in the sorted list.
+            const Cell from{cell[0] + c / 3 - 1, cell[1] + c % 3 - 1, cell[2] - 1};
+            auto other = std::ranges::lower_bound(cells, std::pair(from, -1));
+            for (; other != cells.end(); ++other) {
+                const Cell& at = other->first;
+                if (at[0] != from[0] || at[1] != from[1] || at[2] > cell[2] + 1) break;
+                const int n = other->second;
+                if (n > node &&
+                    distance(mesh.nodes[n], mesh.nodes[node]) <= tolerance_m) {
+                    return std::array{node, n};
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::array<int, 2>> duplicate_elements(const Mesh& mesh) {
+    std::vector<std::pair<Hexahedron, int>> sorted;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        Hexahedron nodes = mesh.elements[e];
+        std::ranges::sort(nodes);
+        sorted.emplace_back(nodes, static_cast<int>(e));
+    }
+    std::ranges::sort(sorted);
+    const auto twin = std::ranges::adjacent_find(
+        sorted, [](const auto& a, const auto& b) { return a.first == b.first; });
+    if (twin == sorted.end()) return std::nullopt;
+    return std::array{twin->second, std::next(twin)->second};
+}
+
+std::vector<int> connected_parts(const Mesh& mesh) {
+    std::vector<int> parent(mesh.nodes.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (const Hexahedron& element : mesh.elements) {
+        for (const int node : element) {
+            parent[root_of(parent, node)] = root_of(parent, element[0]);
+        }
+    }
+    std::vector<int> number(mesh.nodes.size(), -1);
+    std::vector<int> part;
+    int parts = 0;
+    for (const Hexahedron& element : mesh.elements) {
+        int& its = number[root_of(parent, element[0])];
+        if (its < 0) its = parts++;
+        part.push_back(its);
+    }
+    return part;
+}
+
+void refuse_broken_mesh(const Mesh& mesh) {
+    if (mesh.elements.empty()) throw std::invalid_argument("the mesh has no hexahedra");
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        integrate_hexahedron(gather(mesh.nodes, mesh.elements[e]), static_cast<int>(e));
+    }
+    if (const auto twins = duplicate_elements(mesh)) {
+        throw std::invalid_argument(
+            fmt::format("elements {} and {} of the mesh have the same nodes; put every "
+                        "volume into one physical group only",
+                        (*twins)[0], (*twins)[1]));
+    }
+    if (const auto pair = coincident_nodes(mesh, 1e-3 * shortest_edge_m(mesh))) {
+        const Vec3& x = mesh.nodes[(*pair)[0]];
+        throw std::invalid_argument(fmt::format(
+            "nodes {} and {} of the mesh coincide at ({:.6g}, {:.6g}, {:.6g}) m: the "
+            "parts they belong to touch without being joined; join them (in Gmsh: "
+            "Coherence or BooleanFragments before meshing, or Coherence Mesh after it) "
+            "or "
+            "leave a gap between them",
+            (*pair)[0], (*pair)[1], x[0], x[1], x[2]));
+    }
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,32 @@
+// What can be wrong with a mesh that another program made.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "structure/mesh/mesh.h"
+
+namespace magfsi::structure {
+
+// Removes the nodes of no element and numbers the others anew, in their old order; named
+// faces and points lose them too. Returns how many were removed.
+int drop_unused_nodes(Mesh& mesh);
+
+double shortest_edge_m(const Mesh& mesh);
+
+// Two nodes no further apart than `tolerance_m`: parts that touch without being joined.
+std::optional<std::array<int, 2>> coincident_nodes(const Mesh& mesh, double tolerance_m);
+
+// Two elements of the same eight nodes.
+std::optional<std::array<int, 2>> duplicate_elements(const Mesh& mesh);
+
+// Number of the connected part of each element, from 0 in the order of the elements;
+// elements are connected by any common node.
+std::vector<int> connected_parts(const Mesh& mesh);
+
+// Throws std::invalid_argument with advice on a mesh without elements, an inverted
+// element, elements given twice, or nodes within a thousandth of the shortest edge.
+void refuse_broken_mesh(const Mesh& mesh);
+
+}  // namespace magfsi::structure

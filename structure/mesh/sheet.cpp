@@ -1,0 +1,237 @@
+#include "structure/mesh/sheet.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "structure/mesh/inverse_map.h"
+
+namespace magfsi::structure {
+namespace {
+
+using Neighbours = std::vector<std::array<FaceOfElement, 6>>;
+
+// The elements that follow each other through opposite faces, from surface to surface.
+struct Chord {
+    std::vector<int> elements;
+    FaceOfElement ends[2];  // outer faces; none where the chord is a ring
+    double length_m = 0;
+};
+
+int opposite(int face) {
+    return face ^ 1;
+}
+
+Eigen::Vector3d face_centre(const Mesh& mesh, int element, int face) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int corner : face_corners(face)) {
+        sum += 0.25 * Eigen::Vector3d(mesh.nodes[mesh.elements[element][corner]].data());
+    }
+    return sum;
+}
+
+// From the outer face `start` inwards, or once round a ring from its first element.
+Chord follow(const Mesh& mesh, const Neighbours& behind, const FaceOfElement& start) {
+    Chord chord;
+    FaceOfElement at = start;
+    do {
+        chord.elements.push_back(at.element);
+        const int out = opposite(at.face);
+        chord.length_m +=
+            (face_centre(mesh, at.element, out) - face_centre(mesh, at.element, at.face))
+                .norm();
+        chord.ends[1] = {at.element, out};
+        at = behind[at.element][out];
+    } while (at.element >= 0 && (at.element != start.element || at.face != start.face));
+    if (at.element < 0) {
+        chord.ends[0] = start;
+    } else {
+        chord.ends[1] = {};
+        chord.length_m = INFINITY;
+    }
+    return chord;
+}
+
+// The outer face where the chord through an element begins; the element's own low face
+// along d on a ring.
+FaceOfElement beginning(const Neighbours& behind, int element, int d) {
+    const FaceOfElement first{element, 2 * d};
+    FaceOfElement at = first;
+    while (true) {
+        const FaceOfElement next = behind[at.element][at.face];
+        if (next.element < 0) return at;
+        at = {next.element, opposite(next.face)};
+        if (at.element == element && at.face == first.face) return first;
+    }
+}
+
+struct Chords {
+    std::vector<Chord> all;
+    std::vector<std::array<int, 3>> of_element;  // by local direction
+};
+
+Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
+    Chords out;
+    out.of_element.assign(mesh.elements.size(), {-1, -1, -1});
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        for (int d = 0; d < 3; ++d) {
+            if (out.of_element[e][d] >= 0) continue;
+            const FaceOfElement start = beginning(behind, static_cast<int>(e), d);
+            FaceOfElement at = start;
+            do {
+                out.of_element[at.element][at.face / 2] =
+                    static_cast<int>(out.all.size());
+                at = behind[at.element][opposite(at.face)];
+            } while (at.element >= 0 &&
+                     (at.element != start.element || at.face != start.face));
+            out.all.push_back(follow(mesh, behind, start));
+        }
+    }
+    return out;
+}
+
+// Each element's shortest chord, where it is shorter than three quarters of the others
+// and every element on it agrees. Empty otherwise.
+std::vector<int> columns_across(const Chords& chords) {
+    std::vector<std::size_t> votes(chords.all.size(), 0);
+    for (const auto& mine : chords.of_element) {
+        std::array<std::pair<double, int>, 3> by_length;
+        for (int d = 0; d < 3; ++d)
+            by_length[d] = {chords.all[mine[d]].length_m, mine[d]};
+        std::ranges::sort(by_length);
+        if (!(by_length[0].first < 0.75 * by_length[1].first)) return {};
+        ++votes[by_length[0].second];
+    }
+    std::vector<int> columns;
+    for (std::size_t c = 0; c < votes.size(); ++c) {
+        if (votes[c] == 0) continue;
+        const auto& elements = chords.all[c].elements;
+        if (votes[c] != elements.size()) return {};
+        if (elements.size() !=
+            chords.all[columns.empty() ? c : columns[0]].elements.size())
+            return {};
+        columns.push_back(static_cast<int>(c));
+    }
+    return columns;
+}
+
+SurfaceQuad outer_quad(const Mesh& mesh, const FaceOfElement& at) {
+    SurfaceQuad quad{{}, at.element, at.face};
+    const auto corners = face_corners(at.face);
+    for (int a = 0; a < 4; ++a) quad.node[a] = mesh.elements[at.element][corners[a]];
+    return quad;
+}
+
+int root_of(std::vector<int>& parent, int n) {
+    while (parent[n] != n) n = parent[n] = parent[parent[n]];
+    return n;
+}
+
+// Side (0 or 1) of each quad; quads that share an edge lie on the same side. Empty unless
+// there are two sides and quads 2 c and 2 c + 1 lie on different ones.
+std::vector<int> sides_of(const std::vector<SurfaceQuad>& ends) {
+    std::vector<int> parent(ends.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    std::map<std::pair<int, int>, int> quad_of_edge;
+    for (std::size_t q = 0; q < ends.size(); ++q) {
+        for (int a = 0; a < 4; ++a) {
+            const std::pair<int, int> edge =
+                std::minmax(ends[q].node[a], ends[q].node[(a + 1) % 4]);
+            const auto [first, added] =
+                quad_of_edge.try_emplace(edge, static_cast<int>(q));
+            if (!added) {
+                parent[root_of(parent, static_cast<int>(q))] =
+                    root_of(parent, first->second);
+            }
+        }
+    }
+    std::vector<int> side;
+    for (std::size_t q = 0; q < ends.size(); ++q) {
+        const int root = root_of(parent, static_cast<int>(q));
+        side.push_back(root == root_of(parent, 0) ? 0 : 1);
+        if (side[q] == 1 && root != root_of(parent, 1)) return {};  // a third side
+    }
+    for (std::size_t c = 0; c < ends.size(); c += 2) {
+        if (side[c] == side[c + 1]) return {};
+    }
+    return side;
+}
+
+// Whether side 0 is the top.
+bool first_is_top(const Mesh& mesh, const std::vector<SurfaceQuad>& ends,
+                  const std::vector<int>& side) {
+    Vec3 vector{};
+    double area[2] = {0, 0};
+    for (std::size_t q = 0; q < ends.size(); ++q) {
+        area[side[q]] += quad_area(mesh.nodes, ends[q]);
+        if (side[q] == 1) continue;
+        const Vec3 its = quad_area_vector(mesh.nodes, ends[q]);
+        for (int d = 0; d < 3; ++d) vector[d] += its[d];
+    }
+    for (int d = 2; d >= 0; --d) {
+        if (std::abs(vector[d]) > 1e-9 * area[0]) return vector[d] > 0;
+    }
+    return area[0] >= area[1];
+}
+
+SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
+                         const SurfaceQuad& bottom, const SurfaceQuad& top) {
+    SheetColumn column{{}, {}, bottom, top};
+    const auto& b = bottom.node;
+    column.levels.push_back({b[0], b[3], b[2], b[1]});  // turned towards the top
+    for (FaceOfElement at{bottom.element, bottom.face}; at.element >= 0;
+         at = behind[at.element][opposite(at.face)]) {
+        column.elements.push_back(at.element);
+        const Hexahedron& nodes = mesh.elements[at.element];
+        std::array<int, 4> next{};
+        for (int a = 0; a < 4; ++a) {
+            const auto corner = std::ranges::find(nodes, column.levels.back()[a]);
+            next[a] = nodes[(corner - nodes.begin()) ^ (1 << (at.face / 2))];
+        }
+        column.levels.push_back(next);
+    }
+    return column;
+}
+
+}  // namespace
+
+std::optional<Sheet> find_sheet(const Mesh& mesh) {
+    const Neighbours behind = face_neighbours(mesh);
+    const Chords chords = find_chords(mesh, behind);
+    const std::vector<int> across = columns_across(chords);
+    if (across.empty()) return std::nullopt;
+    std::vector<SurfaceQuad> ends;
+    for (const int c : across) {
+        for (const FaceOfElement& end : chords.all[c].ends) {
+            ends.push_back(outer_quad(mesh, end));
+        }
+    }
+    const std::vector<int> side = sides_of(ends);
+    if (side.empty()) return std::nullopt;
+    const int top = first_is_top(mesh, ends, side) ? 0 : 1;
+    Sheet sheet;
+    sheet.layers = static_cast<int>(chords.all[across[0]].elements.size());
+    for (std::size_t c = 0; c < ends.size(); c += 2) {
+        const std::size_t upper = side[c] == top ? c : c + 1;
+        sheet.columns.push_back(
+            build_column(mesh, behind, ends[c + c + 1 - upper], ends[upper]));
+    }
+    return sheet;
+}
+
+std::vector<SurfaceQuad> bottom_of(const Sheet& sheet) {
+    std::vector<SurfaceQuad> out;
+    for (const SheetColumn& column : sheet.columns) out.push_back(column.bottom);
+    return out;
+}
+
+std::vector<SurfaceQuad> top_of(const Sheet& sheet) {
+    std::vector<SurfaceQuad> out;
+    for (const SheetColumn& column : sheet.columns) out.push_back(column.top);
+    return out;
+}
+
+}  // namespace magfsi::structure

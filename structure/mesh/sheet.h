@@ -1,0 +1,46 @@
+// Sheets: bodies made of columns of elements from one large face to the other.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "structure/mesh/mesh.h"
+#include "structure/mesh/surface.h"
+#include "structure/mesh/surface_points.h"
+
+namespace magfsi::structure {
+
+// One column across the thickness: its elements from bottom to top, and the four nodes of
+// each level (one level more than elements), in the cyclic order that seen from the top
+// is counter-clockwise. bottom and top are its two outer faces.
+struct SheetColumn {
+    std::vector<int> elements;
+    std::vector<std::array<int, 4>> levels;
+    SurfaceQuad bottom, top;
+};
+
+struct Sheet {
+    std::vector<SheetColumn> columns;
+    int layers = 0;  // elements a column
+};
+
+// The sheet that a mesh is, if it is one: each element's thinnest direction, followed
+// through the opposite faces of its neighbours to the surface, gives columns that hold
+// every element once, all with as many layers, and whose ends form two separate sides.
+// The sheet may be curved or folded. Empty for other bodies, for sheets of one side
+// (Moebius) and for cubes of one element. The top is the side whose area vector points
+// towards +z (+y, +x where that vanishes, as on a closed shell).
+std::optional<Sheet> find_sheet(const Mesh& mesh);
+
+// Quads of one side, outward, for surface_points.
+std::vector<SurfaceQuad> bottom_of(const Sheet& sheet);
+std::vector<SurfaceQuad> top_of(const Sheet& sheet);
+
+// Points in the middle of the thickness, cut as surface_points cuts the quad between the
+// middles of the column's edges; normals point to the top.
+std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,
+                                             double spacing_m);
+
+}  // namespace magfsi::structure
