@@ -12,11 +12,11 @@ namespace magfsi::lammps {
 
 namespace {
 
-std::vector<PlacedMarker> place_all(const scene::Scene& scene) {
-    std::vector<PlacedMarker> all;
+std::vector<bodies::PlacedMarker> place_all(const scene::Scene& scene) {
+    std::vector<bodies::PlacedMarker> all;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const auto markers =
-            place_markers(scene.bodies[b].mesh, scene.coupling->immersed_boundary,
+            bodies::place_markers(scene.bodies[b], scene.coupling->immersed_boundary,
                           scene.fluid->spacing_m, static_cast<int>(b));
         all.insert(all.end(), markers.begin(), markers.end());
     }
@@ -47,9 +47,9 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
-    const std::vector<PlacedMarker>& placed, const std::vector<int>& first_node) const {
+    const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) const {
     std::vector<coupler::Marker> mine;
-    for (const PlacedMarker& p : placed) {
+    for (const bodies::PlacedMarker& p : placed) {
         const int shift = first_node[static_cast<std::size_t>(p.body)];
         if (!engine_.owns(p.point.node[0] + shift)) continue;
         coupler::Marker marker;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "adapters/lammps/engine.h"
-#include "adapters/lammps/marker_placement.h"
+#include "adapters/bodies/marker_placement.h"
 #include "coupler/exchange/structure_exchange.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/penalty_force.h"
@@ -33,7 +33,7 @@ class BodyCoupling {
     void audit(coupler::BalanceRecord& record) const;
 
   private:
-    std::vector<coupler::Marker> own_markers(const std::vector<PlacedMarker>& placed,
+    std::vector<coupler::Marker> own_markers(const std::vector<bodies::PlacedMarker>& placed,
                                              const std::vector<int>& first_node) const;
     std::vector<Vec3> marker_positions() const;
 

@@ -112,10 +112,18 @@ NodalState Engine::gather(int atoms) const {
     return state;
 }
 
-double Engine::fix_vector(const std::string& fix_id, int n) const {
+int Engine::fix_number(const std::string& fix_id) const {
     const int at = lammps_->modify->find_fix(fix_id);
     if (at < 0) throw std::logic_error("LAMMPS has no fix '" + fix_id + "'");
-    return lammps_->modify->fix[at]->compute_vector(n - 1);
+    return at;
+}
+
+double Engine::fix_vector(const std::string& fix_id, int n) const {
+    return lammps_->modify->fix[fix_number(fix_id)]->compute_vector(n - 1);
+}
+
+double Engine::fix_scalar(const std::string& fix_id) const {
+    return lammps_->modify->fix[fix_number(fix_id)]->compute_scalar();
 }
 
 }  // namespace magfsi::lammps

@@ -12,19 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "adapters/bodies/nodal_state.h"
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
 
 namespace magfsi::lammps {
 
-using Vec3 = std::array<double, 3>;
-
-// Positions and velocities of all nodes in the order of their ids; on the root only.
-struct NodalState {
-    std::vector<Vec3> position_m, velocity_m_s;
-    std::vector<double> mass_kg;
-};
+using bodies::NodalState;
+using bodies::Vec3;
 
 class Engine {
   public:
@@ -50,12 +47,16 @@ class Engine {
         std::function<void(const double* velocity, double* force, double step_s)>;
     void attach_fluid_force(NodalForce force);
 
-    NodalState gather(int atoms) const;  // collective
+    // In the order of the atoms' ids; empty but on the root. Collective.
+    NodalState gather(int atoms) const;
 
     // Entry n (from 1) of a fix's global vector. Collective.
     double fix_vector(const std::string& fix_id, int n) const;
+    double fix_scalar(const std::string& fix_id) const;  // collective
 
   private:
+    int fix_number(const std::string& fix_id) const;
+
     MPI_Comm comm_;
     std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
 };

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/generated_input.h"
-#include "adapters/lammps/scene_to_structure.h"
+#include "adapters/lammps/scene_to_input.h"
 #include "coupler/participants/errors.h"
 #include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/register_styles.h"
-#include "structure/mesh/box_mesh.h"
 
 namespace magfsi::lammps {
 
@@ -36,7 +36,8 @@ Participant::Participant(coupler::Session& session, const Substeps& substeps,
 }
 
 void Participant::build() {
-    input_ = to_lammps_input(scene(), substeps_.coupled_step_s / substeps_.count);
+    input_ = to_lammps_input(scene(), substeps_.lammps_step_s);
+    if (scene().time.equilibrium) prepare_for_rest(input_, scene());
     const auto script =
         generate_input(session_, input_, session_.clock().steps() * substeps_.count);
     structure::set_failure_handler(
@@ -50,22 +51,16 @@ void Participant::build() {
     atoms_ = script.first_node.back() - 1;
     const NodalState start = engine_->gather(atoms_);
     if (session_.world().root()) {
-        for (std::size_t b = 0; b < input_.bodies.size(); ++b) {
-            const structure::Mesh& mesh = input_.bodies[b].mesh;
-            BodyNodes body;
-            body.first = static_cast<std::size_t>(script.first_node[b] - 1);
-            body.count = mesh.nodes.size();
-            body.centre_line = mesh.centre_line;
-            const auto from =
-                start.position_m.begin() + static_cast<std::ptrdiff_t>(body.first);
-            body.start_m.assign(from, from + static_cast<std::ptrdiff_t>(body.count));
-            body.elements = static_cast<int>(mesh.elements.size());
-            bodies_.push_back(std::move(body));
-        }
+        if (scene().probes)
+            probe_row_ = std::make_unique<bodies::ProbeRow>(scene(), input_.bodies, start);
         if (scene().output.structure) {
-            files_ = std::make_unique<StructureFiles>(input_, start, session_.out());
+            files_ = std::make_unique<bodies::StructureFiles>(input_.bodies, start,
+                                                              session_.out());
             files_->write(0, 0, start);
         }
+    }
+    if (scene().time.equilibrium) {
+        rest_ = std::make_unique<RestFinder>(*engine_, scene(), substeps_.lammps_step_s);
     }
     if (session_.world().coupled()) {
         coupling_ = std::make_unique<BodyCoupling>(session_, *engine_, script.first_node);
@@ -77,7 +72,14 @@ void Participant::build() {
 
 void Participant::assemble() {
     if (coupling_) tasks_.add("take fluid velocity", [this] { coupling_->begin_step(); });
-    tasks_.add(advance_task, [this] { engine_->advance(substeps_.count); });
+    if (rest_) {
+        tasks_.add("come to rest", [this] {
+            rest_->find(static_cast<double>(session_.clock().step() + 1) *
+                        session_.clock().step_s());
+        });
+    } else {
+        tasks_.add(advance_task, [this] { engine_->advance(substeps_.count); });
+    }
     tasks_.add("check finite", [this] { check_finite(); });
     if (coupling_) assemble_coupling();
     tasks_.add("count step", [this] { session_.complete_step(); });
@@ -144,68 +146,19 @@ void Participant::check_finite() const {
     }
 }
 
-void Participant::add_body_values(std::vector<double>& row, const NodalState& state) {
-    std::vector<Vec3> forces(bodies_.size());
-    const auto& wanted = scene().probes->bodies;
-    const auto wants = [&](scene::BodyQuantity q) {
-        return std::find(wanted.begin(), wanted.end(), q) != wanted.end();
-    };
-    // Collective calls first: every rank takes part, only the root goes on.
-    if (coupling_ && wants(scene::BodyQuantity::fluid_force)) {
-        forces = coupling_->force_on_bodies();
+std::vector<bodies::BodyLoads> Participant::collect_loads() {
+    std::vector<bodies::BodyLoads> loads(input_.bodies.size());
+    if (coupling_ && bodies::ProbeRow::wants(scene(), scene::BodyQuantity::fluid_force)) {
+        const auto forces = coupling_->force_on_bodies();
+        for (std::size_t b = 0; b < loads.size(); ++b) loads[b].fluid_force_n = forces[b];
     }
-    std::vector<BodyEnergies> energies(input_.bodies.size());
-    if (wants(scene::BodyQuantity::energy)) {
-        for (std::size_t b = 0; b < energies.size(); ++b) {
-            const std::string& fix = fix_ids_[b];
-            energies[b].elastic_j = engine_->fix_vector(fix, 1);
-            energies[b].work_magnetic_j = engine_->fix_vector(fix, 3);
+    if (bodies::ProbeRow::wants(scene(), scene::BodyQuantity::energy)) {
+        for (std::size_t b = 0; b < loads.size(); ++b) {
+            loads[b].energy_elastic_j = engine_->fix_vector(fix_ids_[b], 1);
+            loads[b].work_magnetic_j = engine_->fix_vector(fix_ids_[b], 3);
         }
     }
-    const auto add = [&](const Vec3& v) { row.insert(row.end(), v.begin(), v.end()); };
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const BodyNodes& body = bodies_[b];
-        for (const auto quantity : wanted) {
-            switch (quantity) {
-                case scene::BodyQuantity::com:
-                    add(centre_of_mass(body, state));
-                    break;
-                case scene::BodyQuantity::speed:
-                    add(mean_velocity(body, state));
-                    break;
-                case scene::BodyQuantity::shape: {
-                    const Shape s = shape(body, state);
-                    add({s.end_to_end_m, s.mid_rise_m, s.bend_rad});
-                    break;
-                }
-                case scene::BodyQuantity::max_displacement:
-                    row.push_back(max_displacement_m(body, state));
-                    break;
-                case scene::BodyQuantity::fluid_force:
-                    add(forces[b]);
-                    break;
-                case scene::BodyQuantity::energy:
-                    add({energies[b].elastic_j, kinetic_energy_j(body, state),
-                         energies[b].work_magnetic_j});
-                    break;
-            }
-        }
-    }
-}
-
-void Participant::add_point_values(std::vector<double>& row,
-                                   const NodalState& state) const {
-    for (const scene::PointProbe& probe : scene().probes->points) {
-        std::size_t b = 0;
-        while (scene().bodies[b].name != probe.body) ++b;
-        const auto point = structure::locate(to_box(scene().bodies[b].mesh), probe.at_m);
-        const Vec3 now = position(point, state, bodies_[b].first);
-        NodalState start;
-        start.position_m = bodies_[b].start_m;
-        const Vec3 then = position(point, start, 0);
-        row.insert(row.end(), now.begin(), now.end());
-        for (std::size_t d = 0; d < 3; ++d) row.push_back(now[d] - then[d]);
-    }
+    return loads;
 }
 
 void Participant::add_partner_values(std::vector<double>& row) {
@@ -225,15 +178,20 @@ void Participant::add_partner_values(std::vector<double>& row) {
     row.push_back(mismatch.power);
 }
 
+// Collective; only the root goes on to the row.
 void Participant::write_probes() {
     const NodalState state = engine_->gather(atoms_);
+    const auto loads = collect_loads();
     std::vector<double> row;
-    if (input_.field) {
-        row.push_back(structure::polar_field_at(*input_.field, session_.clock().time_s())
-                          .magnitude_t);
+    if (scene().magnetic_field) {
+        const auto field = bodies::to_field(*scene().magnetic_field);
+        row.push_back(
+            structure::polar_field_at(field, session_.clock().time_s()).magnitude_t);
     }
-    add_body_values(row, state);
-    if (session_.world().root()) add_point_values(row, state);
+    if (probe_row_) {
+        const auto values = probe_row_->values(state, loads);
+        row.insert(row.end(), values.begin(), values.end());
+    }
     if (coupling_) add_partner_values(row);
     if (!probes_) return;
     probes_->row(session_.clock().time_s(), row);
@@ -241,14 +199,19 @@ void Participant::write_probes() {
 }
 
 void Participant::run() {
-    session_.log(fmt::format(
-        "scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of {} "
-        "LAMMPS steps",
-        scene().name, joined(scene::active_effects(scene())), scene().time.end_s,
-        session_.clock().steps(), substeps_.coupled_step_s * 1e6, substeps_.count));
+    session_.log(
+        rest_ ? fmt::format("scene '{}': {}; equilibria by damped motion at {} points",
+                            scene().name, joined(scene::active_effects(scene())),
+                            session_.clock().steps())
+              : fmt::format("scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of "
+                            "{} LAMMPS steps",
+                            scene().name, joined(scene::active_effects(scene())),
+                            scene().time.end_s, session_.clock().steps(),
+                            substeps_.coupled_step_s * 1e6, substeps_.count));
     session_.log("absent: " + joined(scene::absent_effects(scene())));
     session_.log("structure step: " + tasks_.names());
     if (coupling_) coupling_->exchange_first();
+    if (rest_) rest_->find(0);
     if (scene().probes) write_probes();
     const double start = output::steady_seconds();
     while (!session_.clock().done()) tasks_.run();

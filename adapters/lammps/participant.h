@@ -4,8 +4,9 @@
 #include <memory>
 
 #include "adapters/lammps/body_coupling.h"
-#include "adapters/lammps/body_probes.h"
-#include "adapters/lammps/structure_files.h"
+#include "adapters/bodies/probe_row.h"
+#include "adapters/bodies/structure_files.h"
+#include "adapters/lammps/come_to_rest.h"
 #include "adapters/lammps/substeps.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/output/progress.h"
@@ -27,8 +28,7 @@ class Participant {
     void assemble_coupling();
     void assemble_output(output::ProgressMode progress);
     void write_probes();
-    void add_body_values(std::vector<double>& row, const NodalState& state);
-    void add_point_values(std::vector<double>& row, const NodalState& state) const;
+    std::vector<bodies::BodyLoads> collect_loads();
     void add_partner_values(std::vector<double>& row);
     void check_finite() const;
     coupler::ParticipantReport make_report() const;
@@ -43,12 +43,13 @@ class Participant {
     int atoms_ = 0;
     std::unique_ptr<Engine> engine_;
     coupler::TaskList tasks_;
-    std::vector<BodyNodes> bodies_;  // on the root
+    std::unique_ptr<RestFinder> rest_;  // present only for equilibria
     // Present only with a fluid:
     std::unique_ptr<BodyCoupling> coupling_;
     std::unique_ptr<coupler::BalanceRecord> balance_;
-    // Present only when the scene names them, and only on the lead:
-    std::unique_ptr<StructureFiles> files_;
+    // Present only when the scene names them, and only on the root:
+    std::unique_ptr<bodies::ProbeRow> probe_row_;
+    std::unique_ptr<bodies::StructureFiles> files_;
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<output::Progress> progress_;
     std::vector<double> last_probes_;

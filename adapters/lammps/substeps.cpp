@@ -6,8 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "adapters/lammps/marker_placement.h"
-#include "adapters/lammps/scene_to_structure.h"
+#include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "adapters/lammps/scene_to_input.h"
 #include "coupler/scene/effective.h"
 #include "structure/lattice/lattice.h"
 
@@ -25,13 +26,13 @@ constexpr double drag_margin = 0.5;
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
     for (const scene::Body& body : scene.bodies) {
-        const structure::Body solid = to_body(scene, body);
+        const structure::Body solid = bodies::to_body(scene, body);
         const auto mass = structure::node_masses(structure::build_lattice(
             solid.mesh.nodes, solid.mesh.elements, solid.material, solid.element));
         std::vector<double> drag(mass.size());
         const auto& boundary = scene.coupling->immersed_boundary;
         for (const auto& m :
-             place_markers(body.mesh, boundary, scene.fluid->spacing_m, 0)) {
+             bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0)) {
             const double kappa = boundary.strength * 2 * scene.fluid->density_kg_m3 *
                                  m.volume_m3 / coupled_step_s;
             for (std::size_t a = 0; a < 8; ++a) {
@@ -51,6 +52,12 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
 Substeps choose_substeps(const scene::Scene& scene) {
     Substeps s;
     s.elastic_limit_s = stable_step_s(scene);
+    if (scene.time.equilibrium) {
+        s.count = 0;
+        s.coupled_step_s = scene::path_step_s(scene);
+        s.lammps_step_s = elastic_margin * s.elastic_limit_s;
+        return s;
+    }
     const auto wanted = scene::coupled_step_s(scene);
     s.coupled_step_s = wanted ? *wanted : elastic_margin * s.elastic_limit_s;
     double limit = elastic_margin * s.elastic_limit_s;
@@ -73,6 +80,7 @@ Substeps choose_substeps(const scene::Scene& scene) {
         }
         s.count = asked;
     }
+    s.lammps_step_s = s.coupled_step_s / s.count;
     return s;
 }
 

@@ -4,9 +4,11 @@
 
 #include <cmath>
 
-#include "adapters/lammps/marker_placement.h"
+#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/marker_placement.h"
 #include "adapters/lammps/substeps.h"
 #include "coupler/scene/effective.h"
+#include "coupler/scene/names.h"
 
 namespace magfsi::launch {
 
@@ -16,21 +18,35 @@ std::string join(const std::vector<std::string>& words) {
     return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
+std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
+    std::string text;
+    if (const auto* box = std::get_if<scene::BoxMesh>(&body.mesh)) {
+        const auto& n = box->elements;
+        text = fmt::format("{} x {} x {} = {} elements", n[0], n[1], n[2],
+                           n[0] * n[1] * n[2]);
+    } else {
+        const structure::Mesh mesh = bodies::to_mesh(body);
+        text = fmt::format("{} elements, {} nodes", mesh.elements.size(),
+                           mesh.nodes.size());
+        if (!mesh.region_names.empty())
+            text += fmt::format(", regions {}", join(mesh.region_names));
+    }
+    text = fmt::format("  body '{}': {}, {}\n", body.name, text,
+                       scene::name_of(body.element));
+    if (scene.coupling) {
+        text += fmt::format(
+            "    {} markers\n",
+            bodies::place_markers(body, scene.coupling->immersed_boundary,
+                                  scene.fluid->spacing_m, 0)
+                .size());
+    }
+    return text;
+}
+
 std::string explain_structure(const scene::Scene& scene) {
     const lammps::Substeps s = lammps::choose_substeps(scene);
     std::string text = "\nstructure (LAMMPS, fix magttice)\n";
-    for (const scene::Body& body : scene.bodies) {
-        const auto& n = body.mesh.elements;
-        text += fmt::format("  body '{}': {} x {} x {} = {} elements\n", body.name, n[0],
-                            n[1], n[2], n[0] * n[1] * n[2]);
-        if (scene.coupling) {
-            text += fmt::format(
-                "    {} markers\n",
-                lammps::place_markers(body.mesh, scene.coupling->immersed_boundary,
-                                      scene.fluid->spacing_m, 0)
-                    .size());
-        }
-    }
+    for (const scene::Body& body : scene.bodies) text += explain_body(scene, body);
     text +=
         fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
                     s.coupled_step_s * 1e6, s.count, s.coupled_step_s / s.count * 1e6);

@@ -34,6 +34,28 @@ void bind_keys(Io& io, BoxMesh& box) {
 }
 
 template <class Io>
+void bind_keys(Io& io, ObliqueMesh& plate) {
+    io("cells", plate.cells);
+    io("length_a", plate.length_a_m);
+    io("length_b", plate.length_b_m);
+    io("angle", plate.angle_rad);
+    io("thickness", plate.thickness_m);
+    io("elements", plate.elements);
+    io("zigzag", plate.zigzag);
+}
+
+template <class Io>
+void bind_keys(Io& io, FileMesh& mesh) {
+    io("file", mesh.file);
+    io("unit", mesh.unit_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, BodyMesh& mesh) {
+    io.alternatives(mesh, {"box", "oblique", "gmsh"});
+}
+
+template <class Io>
 void bind_keys(Io& io, Material& material) {
     io("shear_modulus", material.shear_modulus_pa);
     io("lame_lambda", material.lame_lambda_pa);
@@ -68,13 +90,25 @@ void bind_keys(Io& io, DomainMagnetization& magnetization) {
 }
 
 template <class Io>
+void bind_keys(Io& io, RegionVector& region) {
+    io("region", region.regions);
+    io("vector", region.vector_a_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, RegionMagnetization& magnetization) {
+    io.whole(magnetization.regions);
+}
+
+template <class Io>
 void bind_keys(Io& io, TableMagnetization& table) {
     io("file", table.file);
 }
 
 template <class Io>
 void bind_keys(Io& io, Magnetization& magnetization) {
-    io.alternatives(magnetization, {"uniform", "harmonic", "domains", "table"});
+    io.alternatives(magnetization,
+                    {"uniform", "harmonic", "domains", "regions", "table"});
 }
 
 template <class Io>
@@ -98,7 +132,7 @@ void bind_keys(Io& io, InitialState& initial) {
 
 template <class Io>
 void bind_keys(Io& io, Body& body) {
-    io.group("mesh", [&](Io& mesh) { mesh("box", body.mesh); });
+    io("mesh", body.mesh);
     io("element", body.element);
     io("material", body.material);
     io("magnetization", body.magnetization);

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "coupler/scene/checks.h"
+#include "coupler/scene/field.h"
 #include "coupler/scene/names.h"
+#include "coupler/scene/suggestion.h"
 #include "coupler/scene/unit.h"
 
 namespace magfsi::scene {
@@ -18,11 +20,11 @@ constexpr std::string_view axes = "xyz";
 // mean_f takes 3 min(l_i, l_j)^2 for the hourglass stiffness; with an in-plane edge below
 // the edge through the thickness that is the wrong one, and bending several times too
 // soft.
-void check_mean_f(const Body& body, const Marks& marks) {
+void check_mean_f(const Body& body, const BoxMesh& box, const Marks& marks) {
     if (body.element != ElementVariant::mean_f) return;
     Vec3 edge{};
-    for (int i = 0; i < 3; ++i) edge[i] = body.mesh.size_m[i] / body.mesh.elements[i];
-    const auto& size = body.mesh.size_m;
+    for (int i = 0; i < 3; ++i) edge[i] = box.size_m[i] / box.elements[i];
+    const auto& size = box.size_m;
     const auto thickness = std::ranges::min_element(size) - size.begin();
     for (int i = 0; i < 3; ++i) {
         // Rounding of equal edges is no fault.
@@ -40,14 +42,30 @@ void check_mean_f(const Body& body, const Marks& marks) {
     }
 }
 
-void check_node_count(const Body& body, const Marks& marks) {
+void check_node_count(const Body& body, const BoxMesh& box, const Marks& marks) {
     std::int64_t nodes = 1;
-    for (const int n : body.mesh.elements) {
+    for (const int n : box.elements) {
         nodes *= n + 1;
         // Node numbers are int.
         if (nodes <= std::numeric_limits<int>::max()) continue;
         refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
                "a mesh of more than 2147483647 nodes", "fewer elements");
+    }
+}
+
+// The faces of a Gmsh file are known when it is read.
+void check_clamps(const Body& body, const Marks& marks) {
+    if (std::holds_alternative<FileMesh>(body.mesh)) return;
+    const std::vector<std::string> faces = words(names<Face>);
+    for (std::size_t i = 0; i < body.clamps.size(); ++i) {
+        const std::string& clamp = body.clamps[i];
+        const Origin& here = marks.item({"bodies", body.name, "clamps"}, i);
+        if (std::ranges::find(faces, clamp) == faces.end())
+            refuse(here, fmt::format("{} as a face of clamps", in_quotes(clamp)),
+                   joined(faces), did_you_mean(clamp, faces));
+        if (std::count(body.clamps.begin(), body.clamps.end(), clamp) > 1)
+            refuse(here, fmt::format("{} twice in clamps", in_quotes(clamp)),
+                   "each face once");
     }
 }
 
@@ -85,9 +103,9 @@ void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
 }
 
 // Half the extent along each axis of the turned block.
-Vec3 half_extent(const Body& body) {
+Vec3 half_extent(const Body& body, const BoxMesh& box) {
     Vec3 half{};
-    for (int i = 0; i < 3; ++i) half[i] = 0.5 * body.mesh.size_m[i];
+    for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
     if (!body.initial.rotation) return half;
     const auto [a, b] = body.initial.rotation->plane;
     const double c = std::abs(std::cos(body.initial.rotation->angle_rad));
@@ -100,9 +118,10 @@ Vec3 half_extent(const Body& body) {
 
 // Of a body that starts relaxed, the flat block counts: its curled shape is not known
 // yet.
-void check_inside(const Scene& scene, const Body& body, const Marks& marks) {
+void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
+                  const Marks& marks) {
     if (!scene.fluid || !body.initial.position_m) return;
-    const Vec3 half = half_extent(body);
+    const Vec3 half = half_extent(body, box);
     for (int i = 0; i < 3; ++i) {
         const double side = scene.fluid->box_m[i];
         const double centre = (*body.initial.position_m)[i];
@@ -141,12 +160,14 @@ void check_density(const Scene& scene, const Body& body, const Marks& marks) {
 
 void check_bodies(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
-        check_node_count(body, marks);
-        check_mean_f(body, marks);
+        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        if (box) check_node_count(body, *box, marks);
+        if (box) check_mean_f(body, *box, marks);
+        check_clamps(body, marks);
         check_magnetization(body, marks);
         check_initial(scene, body, marks);
         check_density(scene, body, marks);
-        check_inside(scene, body, marks);
+        if (box) check_inside(scene, body, *box, marks);
     }
 }
 

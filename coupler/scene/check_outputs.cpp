@@ -30,8 +30,9 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
                bodies.empty() ? "scenes with bodies" : joined(bodies),
                did_you_mean(point.body, bodies));
     }
-    for (int i = 0; i < 3; ++i) {
-        const double size = body->mesh.size_m[i];
+    const auto* box = std::get_if<BoxMesh>(&body->mesh);
+    for (int i = 0; box && i < 3; ++i) {
+        const double size = box->size_m[i];
         // A point on the surface may round to just outside.
         if (point.at_m[i] >= -1e-9 * size && point.at_m[i] <= size * (1 + 1e-9)) continue;
         refuse(marks.value({"probes", "points", point.name, "at"}),

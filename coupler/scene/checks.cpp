@@ -21,6 +21,13 @@ const Origin& Marks::key(Path path) const {
     return &node == root_ ? node.origin : node.key_origin;
 }
 
+const Origin& Marks::item(Path path, std::size_t i) const {
+    const Node& node = deepest(path);
+    return node.type == Node::Type::sequence && i < node.children.size()
+               ? node.children[i].origin
+               : node.origin;
+}
+
 bool Marks::has(Path path) const {
     const Node* node = root_;
     for (const std::string& part : path) {

@@ -20,6 +20,8 @@ class Marks {
     const Origin& value(Path path) const;
     // The key at the path itself.
     const Origin& key(Path path) const;
+    // Entry i of the list at the path, or the value itself where it is no such list.
+    const Origin& item(Path path, std::size_t i) const;
     bool has(Path path) const;
 
   private:

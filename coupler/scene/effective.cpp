@@ -22,6 +22,10 @@ std::uint64_t scene_hash(const Scene& scene) {
     return hash;
 }
 
+double path_step_s(const Scene& scene) {
+    return scene.probes ? scene.probes->every_s : scene.time.end_s;
+}
+
 std::optional<double> coupled_step_s(const Scene& scene) {
     if (scene.time.step_s) return scene.time.step_s;
     if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;

@@ -19,6 +19,10 @@ std::uint64_t scene_hash(const Scene& scene);
 
 // Coupled step [s]: time.step, or lattice_speed * spacing / expected_speed. Empty without
 // a fluid and time.step, where the bodies' own stable step rules.
+// Distance of the points on the path of equilibria [s]: that of the probe rows, or the
+// whole path.
+double path_step_s(const Scene& scene);
+
 std::optional<double> coupled_step_s(const Scene& scene);
 
 // Names of the effects in the order in which a step evaluates them.

@@ -13,7 +13,23 @@ Field mesh() {
             quantity("size", "m", "Length along x, y and z.").vector(3).above(0),
             integer("elements", "Elements along x, y and z.").vector(3).at_least(1)
                 .at_most(100000),
-        }),
+        }).alternative(),
+        group("oblique", "A plate of parallelogram cells, each a region \"row R column C\".", {
+            integer("cells", "Cells along x and y.").vector(2).at_least(1).at_most(10000),
+            quantity("length_a", "m", "A cell's side along x.").above(0),
+            quantity("length_b", "m", "Its side at the angle.").above(0),
+            quantity("angle", "rad", "Between the two.").above(0).at_most(3.14159),
+            quantity("thickness", "m", "Of the plate.").above(0),
+            integer("elements", "In a cell: along a, along b, layers.").vector(3).at_least(1)
+                .at_most(100000),
+            boolean("zigzag", "Rows lean right and left in turn, as in Miura-ori; else all "
+                    "alike.").or_default("true"),
+        }).alternative(),
+        group("gmsh", "Hexahedra from a Gmsh file; physical volumes are regions, physical "
+              "surfaces faces to clamp.", {
+            text("file", "A .msh file; its path counts from the scene's folder."),
+            quantity("unit", "m", "Length of the file's unit.").above(0).or_default("1 m"),
+        }).alternative(),
     });
 }
 
@@ -50,6 +66,10 @@ Field magnetization() {
                 .rows(2, 3, 10000).alternative(),
             vector("vector"),
         }).alternative(),
+        list_of("regions", "By the mesh's regions; one that is not named carries none.", {
+            text("region", "One name, or a list.").one_or_list(),
+            vector("vector"),
+        }).alternative(),
         group("table", "Each element takes the vector of the nearest point.", {
             text("file", "CSV with the columns x[m], y[m], z[m], Mx[A/m], My[A/m], "
                  "Mz[A/m]; its path counts from the scene's folder."),
@@ -81,10 +101,12 @@ Field bodies_fields() {
     return named("bodies", "Soft magnetic bodies by name.", {
         mesh(),
         choice<ElementVariant>("element", "full: the paper's element; mean_f: accurate in "
-                               "bending with few layers.").or_default("full"),
+                               "bending with few layers; assumed_strain: in every mode, for "
+                               "elements of any proportion.").or_default("full"),
         material(),
         magnetization().optional(),
-        choice<Face>("clamps", "Faces held still.").list().optional(),
+        text("clamps", "Faces held still: x_min to z_max, or names of the Gmsh file.").list()
+            .optional(),
         initial().optional(),
     });
 }

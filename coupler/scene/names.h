@@ -17,7 +17,7 @@ inline constexpr std::array names<EquilibriumMethod> =
     std::to_array<std::string_view>({"newton", "dynamics"});
 template <>
 inline constexpr std::array names<ElementVariant> =
-    std::to_array<std::string_view>({"full", "mean_f"});
+    std::to_array<std::string_view>({"full", "mean_f", "assumed_strain"});
 template <>
 inline constexpr std::array names<Face> = std::to_array<std::string_view>(
     {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});

@@ -35,12 +35,15 @@ void normalise(Vec3& v) {
 // Defaults that depend on other keys; files of the scene count from its folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
+        if (auto* mesh = std::get_if<FileMesh>(&body.mesh))
+            mesh->file = (folder / mesh->file).string();
         if (!body.magnetization) continue;
         if (auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
             table->file = (folder / table->file).string();
         auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
-        if (harmonic && harmonic->wavelength_m == 0)
-            harmonic->wavelength_m = body.mesh.size_m[harmonic->along];
+        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        if (harmonic && box && harmonic->wavelength_m == 0)
+            harmonic->wavelength_m = box->size_m[harmonic->along];
     }
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);

@@ -35,6 +35,25 @@ struct BoxMesh {
     std::array<int, 3> elements{};
 };
 
+// Plate of parallelogram cells, each a region "row R column C": the flat crease pattern
+// of Miura-ori (zigzag), or a sheared block.
+struct ObliqueMesh {
+    std::array<int, 2> cells{};  // along x and y
+    double length_a_m = 0;       // a cell's side along x
+    double length_b_m = 0;       // and the one at the angle
+    double angle_rad = 0;
+    double thickness_m = 0;
+    std::array<int, 3> elements{};  // in a cell: along a, along b, layers
+    bool zigzag = true;
+};
+
+// Hexahedra of a Gmsh file; its physical groups are regions and faces.
+struct FileMesh {
+    std::string file;
+    double unit_m = 1;  // length of the file's unit
+};
+using BodyMesh = std::variant<BoxMesh, ObliqueMesh, FileMesh>;
+
 // Neo-Hookean solid of eq. (1). lame_lambda is the constant called K in the paper.
 struct Material {
     double shear_modulus_pa = 0;
@@ -43,7 +62,7 @@ struct Material {
     std::optional<double> viscosity_pa_s;  // Kelvin-Voigt
 };
 
-enum class ElementVariant { full, mean_f };
+enum class ElementVariant { full, mean_f, assumed_strain };
 
 struct UniformMagnetization {
     Vec3 vector_a_m{};
@@ -67,12 +86,21 @@ struct MagneticDomain {
 struct DomainMagnetization {
     std::vector<MagneticDomain> domains;
 };
+// Regions of the mesh; one that is not named carries none.
+struct RegionVector {
+    std::vector<std::string> regions;
+    Vec3 vector_a_m{};
+};
+struct RegionMagnetization {
+    std::vector<RegionVector> regions;
+};
 // A CSV file of points and vectors; each element takes the vector of the nearest point.
 struct TableMagnetization {
     std::string file;
 };
-using Magnetization = std::variant<UniformMagnetization, HarmonicMagnetization,
-                                   DomainMagnetization, TableMagnetization>;
+using Magnetization =
+    std::variant<UniformMagnetization, HarmonicMagnetization, DomainMagnetization,
+                 RegionMagnetization, TableMagnetization>;
 
 // Rotation by an angle from the first axis of the plane towards the second.
 struct PlaneRotation {
@@ -97,11 +125,11 @@ enum class Face { x_min, x_max, y_min, y_max, z_min, z_max };
 
 struct Body {
     std::string name;
-    BoxMesh mesh;
+    BodyMesh mesh;
     ElementVariant element = ElementVariant::full;
     Material material;
     std::optional<Magnetization> magnetization;
-    std::vector<Face> clamps;
+    std::vector<std::string> clamps;  // faces; of a block x_min to z_max
     InitialState initial;
 };
 

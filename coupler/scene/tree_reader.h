@@ -115,6 +115,9 @@ class TreeReader {
         for (const Node* scalar : nodes())
             value.push_back(static_cast<E>(choice_value(*scalar, *field_)));
     }
+    void read(std::vector<std::string>& value) {
+        for (const Node* scalar : nodes()) value.push_back(text_value(*scalar, *field_));
+    }
     // Rows of vectors.
     template <std::size_t N>
     void read(std::vector<std::array<double, N>>& value) {

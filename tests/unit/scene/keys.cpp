@@ -38,8 +38,9 @@ TEST(Keys, of_a_body) {
     ASSERT_EQ(s.bodies.size(), 1u);
     const Body& b = s.bodies[0];
     EXPECT_EQ(b.name, "robot");
-    EXPECT_EQ(b.mesh.size_m, (Vec3{3.7e-3, 1.5e-3, 0.185e-3}));
-    EXPECT_EQ(b.mesh.elements, (std::array{20, 8, 2}));
+    const auto& box = std::get<BoxMesh>(b.mesh);
+    EXPECT_EQ(box.size_m, (Vec3{3.7e-3, 1.5e-3, 0.185e-3}));
+    EXPECT_EQ(box.elements, (std::array{20, 8, 2}));
     EXPECT_EQ(b.element, ElementVariant::mean_f);
     EXPECT_EQ(b.material.shear_modulus_pa, 33e3);
     EXPECT_EQ(b.material.lame_lambda_pa, 660e3);
@@ -50,7 +51,7 @@ TEST(Keys, of_a_body) {
     EXPECT_EQ(m.phase_rad, pi);
     EXPECT_EQ(m.along, 1);
     EXPECT_EQ(m.into, 0);
-    EXPECT_EQ(b.clamps, (std::vector{Face::x_min, Face::z_max}));
+    EXPECT_EQ(b.clamps, (std::vector<std::string>{"x_min", "z_max"}));
     EXPECT_EQ(b.initial.position_m, (Vec3{8e-3, 4e-3, 4e-3}));
     EXPECT_EQ(b.initial.rotation->plane, (std::array{1, 2}));
     EXPECT_EQ(b.initial.rotation->angle_rad, -pi / 2);
@@ -146,6 +147,29 @@ TEST(Keys, of_platform_contact_and_equilibrium) {
     EXPECT_EQ(s.contact->stiffness_pa_m, 30e6);
 }
 
+TEST(Keys, of_meshes_with_regions) {
+    const Scene s = complete("origami.yaml");
+    const auto& plate = std::get<ObliqueMesh>(s.bodies[1].mesh);
+    EXPECT_EQ(plate.cells, (std::array{4, 3}));
+    EXPECT_EQ(plate.length_a_m, 10e-3);
+    EXPECT_EQ(plate.length_b_m, 12e-3);
+    EXPECT_EQ(plate.angle_rad, pi / 3);
+    EXPECT_EQ(plate.thickness_m, 1e-3);
+    EXPECT_EQ(plate.elements, (std::array{6, 7, 2}));
+    EXPECT_FALSE(plate.zigzag);
+    EXPECT_EQ(s.bodies[1].element, ElementVariant::assumed_strain);
+    const auto& regions =
+        std::get<RegionMagnetization>(*s.bodies[1].magnetization).regions;
+    ASSERT_EQ(regions.size(), 2u);
+    EXPECT_EQ(regions[0].regions,
+              (std::vector<std::string>{"row 0 column 0", "row 1 column 1"}));
+    EXPECT_EQ(regions[1].vector_a_m, (Vec3{0, 81e3, 0}));
+    const auto& file = std::get<FileMesh>(s.bodies[0].mesh);
+    EXPECT_EQ(file.file, (test_folder / "complete/gripper.msh").string());
+    EXPECT_EQ(file.unit_m, 1e-3);
+    EXPECT_EQ(s.bodies[0].clamps, (std::vector<std::string>{"palm"}));
+}
+
 // True if the effective scene has a value for each leaf of the table; adds those it
 // lacks.
 void missing_leaves(const Field& field, const std::string& path,
@@ -172,7 +196,8 @@ void missing_leaves(const Field& field, const std::string& path,
 // A key that the table has but bind.h forgot would be accepted and ignored.
 TEST(Keys, of_the_table_are_all_stored) {
     std::vector<nlohmann::json> scenes;
-    for (const char* name : {"swimmer.yaml", "elastic.yaml", "turning.yaml", "platform.yaml"})
+    for (const char* name : {"swimmer.yaml", "elastic.yaml", "turning.yaml",
+                             "platform.yaml", "origami.yaml"})
         scenes.push_back(effective_scene(complete(name)));
     std::vector<std::string> missing;
     missing_leaves(scene_fields(), "", scenes, missing);

@@ -1,12 +1,12 @@
-#include "adapters/lammps/marker_placement.h"
+#include "adapters/bodies/marker_placement.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "adapters/lammps/scene_to_structure.h"
 #include "structure/mesh/box_mesh.h"
 
-namespace magfsi::lammps {
+namespace magfsi::bodies {
 
 namespace {
 
@@ -27,10 +27,16 @@ int count_along(double length_m, double spacing_m) {
 
 }  // namespace
 
-std::vector<PlacedMarker> place_markers(const scene::BoxMesh& mesh,
+std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const scene::ImmersedBoundary& boundary,
-                                        double grid_spacing_m, int body) {
-    const structure::Box box = to_box(mesh);
+                                        double grid_spacing_m, int number) {
+    const auto* mesh = std::get_if<scene::BoxMesh>(&body.mesh);
+    if (!mesh) {
+        throw std::invalid_argument("body '" + body.name +
+                                    "': in a fluid only a block can carry markers; use "
+                                    "mesh: {box: ...}");
+    }
+    const structure::Box box{mesh->size_m, mesh->elements};
     const SheetAxes axes = sheet_axes(box.size_m);
     const double spacing_m = boundary.marker_spacing * grid_spacing_m;
     const double length_1 = box.size_m[axes.first];
@@ -50,11 +56,11 @@ std::vector<PlacedMarker> place_markers(const scene::BoxMesh& mesh,
                 at[axes.second] = (j + 0.5) / count_2 * length_2;
                 at[axes.across] = height * box.size_m[axes.across];
                 markers.push_back({structure::locate(box, at),
-                                   volume / static_cast<double>(heights.size()), body});
+                                   volume / static_cast<double>(heights.size()), number});
             }
         }
     }
     return markers;
 }
 
-}  // namespace magfsi::lammps
+}  // namespace magfsi::bodies

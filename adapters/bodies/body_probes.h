@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "adapters/lammps/engine.h"
+#include "adapters/bodies/nodal_state.h"
 #include "coupler/scene/scene.h"
 #include "structure/mesh/mesh.h"
 
-namespace magfsi::lammps {
+namespace magfsi::bodies {
 
 // The nodes of one body within the nodal state, and what its probes refer to.
 struct BodyNodes {
@@ -16,12 +16,6 @@ struct BodyNodes {
     std::size_t count = 0;
     std::vector<structure::MaterialPoint> centre_line;
     std::vector<Vec3> start_m;  // positions at step 0
-    int elements = 0;
-};
-
-struct BodyEnergies {
-    double elastic_j = 0;
-    double work_magnetic_j = 0;
 };
 
 Vec3 position(const structure::MaterialPoint& point, const NodalState& state,
@@ -43,4 +37,4 @@ struct Shape {
 };
 Shape shape(const BodyNodes& body, const NodalState& state);
 
-}  // namespace magfsi::lammps
+}  // namespace magfsi::bodies

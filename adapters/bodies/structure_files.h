@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <vector>
 
-#include "adapters/lammps/engine.h"
+#include "adapters/bodies/nodal_state.h"
 #include "coupler/output/pvd.h"
-#include "structure/lammps/script.h"
+#include "structure/body.h"
 
-namespace magfsi::lammps {
+namespace magfsi::bodies {
 
 // On the structure's root only.
 class StructureFiles {
   public:
-    StructureFiles(const structure::LammpsInput& input, const NodalState& start,
+    StructureFiles(const std::vector<structure::Body>& bodies, const NodalState& start,
                    const std::filesystem::path& run_folder);
 
     void write(std::int64_t index, double time_s, const NodalState& state);
@@ -27,4 +27,4 @@ class StructureFiles {
     output::PvdSeries series_;
 };
 
-}  // namespace magfsi::lammps
+}  // namespace magfsi::bodies

@@ -1,10 +1,10 @@
-#include "adapters/lammps/body_probes.h"
+#include "adapters/bodies/body_probes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace magfsi::lammps {
+namespace magfsi::bodies {
 
 namespace {
 
@@ -106,4 +106,4 @@ Shape shape(const BodyNodes& body, const NodalState& state) {
     return s;
 }
 
-}  // namespace magfsi::lammps
+}  // namespace magfsi::bodies

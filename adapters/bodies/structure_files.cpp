@@ -1,20 +1,20 @@
-#include "adapters/lammps/structure_files.h"
+#include "adapters/bodies/structure_files.h"
 
 #include <fmt/format.h>
 
 #include "coupler/output/vtu.h"
 
-namespace magfsi::lammps {
+namespace magfsi::bodies {
 
-StructureFiles::StructureFiles(const structure::LammpsInput& input,
+StructureFiles::StructureFiles(const std::vector<structure::Body>& bodies,
                                const NodalState& start,
                                const std::filesystem::path& run_folder)
     : start_m_(start.position_m),
       folder_(run_folder / "fields"),
       series_(run_folder / "structure.pvd") {
     int first_node = 0;
-    for (std::size_t b = 0; b < input.bodies.size(); ++b) {
-        const structure::Body& body = input.bodies[b];
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const structure::Body& body = bodies[b];
         for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
             auto nodes = body.mesh.elements[e];
             for (int& node : nodes) node += first_node;
@@ -48,4 +48,4 @@ void StructureFiles::write(std::int64_t index, double time_s, const NodalState& 
     series_.add(time_s, file);
 }
 
-}  // namespace magfsi::lammps
+}  // namespace magfsi::bodies

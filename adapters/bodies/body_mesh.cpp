@@ -1,0 +1,68 @@
+#include "adapters/bodies/body_mesh.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "adapters/bodies/converted_mesh.h"
+#include "structure/mesh/bounds.h"
+#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/locate.h"
+#include "structure/mesh/oblique_mesh.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+structure::Mesh build(const scene::BoxMesh& mesh) {
+    return structure::box_mesh({mesh.size_m, mesh.elements});
+}
+
+structure::Mesh build(const scene::ObliqueMesh& mesh) {
+    structure::ObliquePlate plate;
+    plate.columns = mesh.cells[0];
+    plate.rows = mesh.cells[1];
+    plate.length_a_m = mesh.length_a_m;
+    plate.length_b_m = mesh.length_b_m;
+    plate.angle_rad = mesh.angle_rad;
+    plate.thickness_m = mesh.thickness_m;
+    plate.elements_per_cell = mesh.elements;
+    plate.zigzag = mesh.zigzag;
+    return structure::oblique_mesh(plate);
+}
+
+structure::Mesh build(const scene::FileMesh& mesh) {
+    return converted_gmsh_mesh(mesh.file, mesh.unit_m);
+}
+
+}  // namespace
+
+structure::Mesh to_mesh(const scene::Body& body) {
+    try {
+        return std::visit([](const auto& mesh) { return build(mesh); }, body.mesh);
+    } catch (const std::invalid_argument& fault) {
+        throw std::invalid_argument(fmt::format("body '{}': {}", body.name, fault.what()));
+    }
+}
+
+double extent(const structure::Mesh& mesh, int axis) {
+    const structure::Bounds box = structure::bounds(mesh.nodes);
+    const auto d = static_cast<std::size_t>(axis);
+    return box.high_m[d] - box.low_m[d];
+}
+
+structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& mesh,
+                                const structure::Vec3& at_m) {
+    if (const auto* box = std::get_if<scene::BoxMesh>(&body.mesh))
+        return structure::locate(structure::Box{box->size_m, box->elements}, at_m);
+    // A point typed to a few digits may lie just outside of a slanted face.
+    constexpr double tolerance = 1e-3;  // of an element
+    const auto found = structure::PointLocator(mesh).find(at_m, tolerance);
+    if (found) return *found;
+    throw std::invalid_argument(
+        fmt::format("body '{}': the point ({:.6g}, {:.6g}, {:.6g}) mm lies in no element "
+                    "of its mesh",
+                    body.name, at_m[0] * 1e3, at_m[1] * 1e3, at_m[2] * 1e3));
+}
+
+}  // namespace magfsi::bodies

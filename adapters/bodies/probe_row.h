@@ -1,0 +1,43 @@
+// The bodies' part of a row of probes.csv.
+#pragma once
+
+#include <vector>
+
+#include "adapters/bodies/body_probes.h"
+#include "coupler/scene/scene.h"
+#include "structure/body.h"
+
+namespace magfsi::bodies {
+
+// What the nodes alone do not tell, of one body. Zeros where the scene does not ask.
+struct BodyLoads {
+    Vec3 fluid_force_n{};
+    double energy_elastic_j = 0;
+    double work_magnetic_j = 0;
+};
+
+class ProbeRow {
+  public:
+    // bodies: those of the scene, in its order; start: step 0.
+    ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
+             const NodalState& start);
+
+    // Whether the scene has this column for its bodies.
+    static bool wants(const scene::Scene& scene, scene::BodyQuantity quantity);
+
+    // In the order of coupler::body_columns, the field's own column left out.
+    std::vector<double> values(const NodalState& state,
+                               const std::vector<BodyLoads>& loads) const;
+
+  private:
+    struct Point {
+        structure::MaterialPoint at;
+        std::size_t first_node = 0;
+        Vec3 start_m{};
+    };
+    const scene::Scene& scene_;
+    std::vector<BodyNodes> bodies_;
+    std::vector<Point> points_;
+};
+
+}  // namespace magfsi::bodies

@@ -1,0 +1,127 @@
+#include "adapters/bodies/scene_to_body.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "adapters/bodies/body_mesh.h"
+#include "structure/magnetics/magnetization.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+using structure::Mesh;
+using Vectors = std::vector<structure::Vec3>;
+
+Vectors build(const scene::UniformMagnetization& uniform, const Mesh& mesh) {
+    return structure::uniform_magnetization(mesh, uniform.vector_a_m);
+}
+
+Vectors build(const scene::HarmonicMagnetization& wave, const Mesh& mesh) {
+    return structure::harmonic_magnetization(
+        mesh, {wave.amplitude_a_m, wave.wavelength_m > 0 ? wave.wavelength_m
+                                                         : extent(mesh, wave.along),
+               wave.phase_rad, wave.along, wave.into});
+}
+
+Vectors build(const scene::DomainMagnetization& wanted, const Mesh& mesh) {
+    std::vector<structure::Domain> domains;
+    for (const auto& d : wanted.domains)
+        domains.push_back({d.box_m, d.polygon_xy_m, d.vector_a_m});
+    return structure::domain_magnetization(mesh, domains);
+}
+
+Vectors build(const scene::RegionMagnetization& wanted, const Mesh& mesh) {
+    std::map<std::string, structure::Vec3> vectors;
+    for (const std::string& name : mesh.region_names) vectors[name] = {};
+    for (const auto& entry : wanted.regions) {
+        for (const std::string& region : entry.regions)
+            vectors[region] = entry.vector_a_m;
+    }
+    throw std::invalid_argument("by regions is not built yet");
+}
+
+Vectors build(const scene::TableMagnetization& table, const Mesh& mesh) {
+    throw std::invalid_argument(table.file + " is not read yet");
+}
+
+structure::ElementVariant to_element(scene::ElementVariant variant) {
+    switch (variant) {
+        case scene::ElementVariant::full:
+            return structure::ElementVariant::full;
+        case scene::ElementVariant::mean_f:
+            return structure::ElementVariant::mean_f;
+        case scene::ElementVariant::assumed_strain:
+            return structure::ElementVariant::assumed_strain;
+    }
+    throw std::logic_error("an element variant without a name");
+}
+
+}  // namespace
+
+structure::Placement to_placement(const scene::InitialState& initial) {
+    structure::Placement placement;
+    if (initial.relaxed) {
+        placement.relaxed = structure::ConstantField{initial.relaxed->magnitude_t,
+                                                     initial.relaxed->direction_rad};
+    }
+    if (initial.rotation) {
+        placement.rotation_plane = initial.rotation->plane;
+        placement.rotation_rad = initial.rotation->angle_rad;
+    }
+    placement.position_m = initial.position_m;
+    return placement;
+}
+
+structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
+    structure::Body out;
+    out.name = body.name;
+    out.mesh = to_mesh(body);
+    // The fluid that fills the solid's own volume moves with it on the fluid's side: its
+    // inertia and weight must not be counted twice.
+    const double displaced = scene.fluid ? scene.fluid->density_kg_m3 : 0;
+    out.material = {body.material.shear_modulus_pa, body.material.lame_lambda_pa,
+                    body.material.density_kg_m3 - displaced};
+    out.element = to_element(body.element);
+    out.clamps = body.clamps;
+    try {
+        if (body.magnetization) {
+            out.magnetization_a_m = std::visit(
+                [&](const auto& wanted) { return build(wanted, out.mesh); },
+                *body.magnetization);
+        }
+    } catch (const std::invalid_argument& fault) {
+        throw std::invalid_argument(
+            fmt::format("magnetization of body '{}': {}", body.name, fault.what()));
+    }
+    return out;
+}
+
+std::optional<structure::Vec3> to_gravity(const scene::Scene& scene) {
+    if (!scene.gravity) return std::nullopt;
+    structure::Vec3 g{};
+    for (std::size_t d = 0; d < 3; ++d)
+        g[d] = scene.gravity->acceleration_m_s2 * scene.gravity->direction[d];
+    return g;
+}
+
+structure::FieldProgram to_field(const scene::MagneticField& field) {
+    structure::FieldProgram program;
+    program.plane = field.plane;
+    if (const auto* constant = std::get_if<scene::ConstantField>(&field.course)) {
+        program.course =
+            structure::ConstantField{constant->magnitude_t, constant->direction_rad};
+    } else if (const auto* table = std::get_if<scene::FieldTable>(&field.course)) {
+        program.course = structure::FieldTable{table->time_s, table->magnitude_t,
+                                               table->direction_rad, table->repeat};
+    } else {
+        const auto& turning = std::get<scene::RotatingField>(field.course);
+        program.course = structure::RotatingField{turning.magnitude_t, turning.start_rad,
+                                                  turning.frequency_hz};
+    }
+    return program;
+}
+
+}  // namespace magfsi::bodies

@@ -1,0 +1,19 @@
+// The scene's bodies and loads in the terms of structure/.
+#pragma once
+
+#include <optional>
+
+#include "coupler/scene/scene.h"
+#include "structure/body.h"
+#include "structure/lammps/field_program.h"
+#include "structure/lammps/placement.h"
+
+namespace magfsi::bodies {
+
+// Throws std::invalid_argument on what only the mesh can tell, naming the body.
+structure::Body to_body(const scene::Scene& scene, const scene::Body& body);
+structure::Placement to_placement(const scene::InitialState& initial);
+structure::FieldProgram to_field(const scene::MagneticField& field);
+std::optional<structure::Vec3> to_gravity(const scene::Scene& scene);
+
+}  // namespace magfsi::bodies

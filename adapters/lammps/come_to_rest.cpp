@@ -1,0 +1,91 @@
+#include "adapters/lammps/come_to_rest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "coupler/participants/errors.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+constexpr int steps_between_looks = 200;
+// Decay times of the lowest mode within which rest is expected: e^-2000 is far below any
+// tolerance; sliding and rolling on a platform may take many swings.
+constexpr double patience = 2000;
+
+structure::ConstantField field_at_start(const structure::FieldProgram& program) {
+    return structure::polar_field_at(program, 0);
+}
+
+}  // namespace
+
+double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const structure::Body& body : bodies) {
+        const std::array<double, 3> side{bodies::extent(body.mesh, 0),
+                                         bodies::extent(body.mesh, 1),
+                                         bodies::extent(body.mesh, 2)};
+        const double length = *std::ranges::max_element(side);
+        const double thickness = *std::ranges::min_element(side);
+        const auto& m = body.material;
+        const double young = m.shear_modulus_pa *
+                             (3 * m.lame_lambda_pa + 2 * m.shear_modulus_pa) /
+                             (m.lame_lambda_pa + m.shear_modulus_pa);
+        const double b = (body.clamps.empty() ? 4.730 : 1.875) / length;
+        const double omega =
+            b * b * thickness * std::sqrt(young / (12 * m.density_kg_m3));
+        lowest = std::min(lowest, 2 * omega);
+    }
+    return lowest;
+}
+
+void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) {
+    if (!scene.damping) input.drag_rate_1_s = critical_drag_rate_1_s(input.bodies);
+    if (input.field) input.field->course = field_at_start(*input.field);
+    input.quiet = true;
+}
+
+RestFinder::RestFinder(Engine& engine, const scene::Scene& scene, double step_s)
+    : engine_(engine), scene_(scene) {
+    std::vector<structure::Body> bodies;
+    for (const scene::Body& body : scene.bodies)
+        bodies.push_back(bodies::to_body(scene, body));
+    most_steps_ = static_cast<std::int64_t>(
+        patience / (0.5 * critical_drag_rate_1_s(bodies)) / step_s);
+}
+
+void RestFinder::hold_field(double time_s) {
+    const auto program = bodies::to_field(*scene_.magnetic_field);
+    structure::FieldProgram still;
+    still.plane = program.plane;
+    still.course = structure::polar_field_at(program, time_s);
+    // A fix of the same name and style takes the place of the one before.
+    engine_.command(
+        fmt::format("fix field all magttice/field {}", structure::field_arguments(still)));
+}
+
+void RestFinder::find(double time_s) {
+    if (scene_.magnetic_field) hold_field(time_s);
+    engine_.set_up();
+    const double tolerance = scene_.time.equilibrium->tolerance;
+    double ratio = 0;
+    for (std::int64_t step = 0; step < most_steps_; step += steps_between_looks) {
+        engine_.advance(steps_between_looks);
+        steps_ += steps_between_looks;
+        ratio = engine_.fix_scalar("quiet");
+        if (ratio <= tolerance) return;
+    }
+    throw coupler::Diverged(fmt::format(
+        "the bodies did not come to rest within {} steps under the loads of {:.6g} s: the "
+        "largest nodal force is {:.3g} of the largest load, {:.3g} was wanted; take a "
+        "larger time.equilibrium.tolerance or another damping.rate",
+        most_steps_, time_s, ratio, tolerance));
+}
+
+}  // namespace magfsi::lammps
