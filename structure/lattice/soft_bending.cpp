@@ -62,8 +62,7 @@ void refuse_soft_bending(const std::vector<Vec3>& nodes_m,
             throw std::invalid_argument(fmt::format(
                 "element {} has an in-plane edge of {:.4g} m, shorter than its thickness "
                 "of {:.4g} m, where the element mean_f bends too softly: use element "
-                "full, "
-                "more layers or fewer elements in the plane",
+                "assumed_strain, more layers or fewer elements in the plane",
                 e, shortest, thickness));
         }
     }

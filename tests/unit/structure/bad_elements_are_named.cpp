@@ -39,9 +39,10 @@ TEST(BadElements, ANodeThatTheMeshLacksIsNamed) {
 
 TEST(BadElements, MeanFWithAShortInPlaneEdgeIsRefusedWithAdvice) {
     const Mesh mesh = box_mesh({{8e-4, 2e-4, 1e-4}, {16, 2, 1}});
-    EXPECT_NE(message(mesh, ElementVariant::mean_f).find("use element full"),
+    EXPECT_NE(message(mesh, ElementVariant::mean_f).find("use element assumed_strain"),
               std::string::npos);
     EXPECT_EQ(message(mesh, ElementVariant::full), "nothing thrown");
+    EXPECT_EQ(message(mesh, ElementVariant::assumed_strain), "nothing thrown");
 }
 
 TEST(BadElements, MeanFTakesFlatElementsInAnyDirection) {
