@@ -93,4 +93,30 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
     return out;
 }
 
+std::vector<Vec3> region_magnetization(const Mesh& mesh,
+                                       const std::map<std::string, Vec3>& vector_a_m) {
+    if (mesh.region_names.empty()) {
+        throw std::invalid_argument(
+            "a magnetisation by region found for a mesh without regions");
+    }
+    const auto& names = mesh.region_names;
+    for (const auto& [name, unused] : vector_a_m) {
+        if (std::ranges::find(names, name) != names.end()) continue;
+        throw std::invalid_argument(
+            fmt::format("magnetisation of the region \"{}\" found; the mesh has {}", name,
+                        fmt::join(names, ", ")));
+    }
+    for (const std::string& name : names) {
+        if (vector_a_m.contains(name)) continue;
+        throw std::invalid_argument(fmt::format(
+            "no magnetisation of the region \"{}\" found; each of {} needs one", name,
+            fmt::join(names, ", ")));
+    }
+    std::vector<Vec3> out(mesh.elements.size());
+    for (std::size_t e = 0; e < out.size(); ++e) {
+        out[e] = vector_a_m.at(names[mesh.region[e]]);
+    }
+    return out;
+}
+
 }  // namespace magfsi::structure

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "structure/mesh/mesh.h"
@@ -35,6 +37,10 @@ std::vector<Vec3> harmonic_magnetization(const Mesh& mesh, const Harmonic& profi
 // The first domain that holds a centre wins. Throws std::invalid_argument that names the
 // element and its centre where none does.
 std::vector<Vec3> domain_magnetization(const Mesh& mesh, std::span<const Domain> domains);
+// The vector of each element's region. Throws std::invalid_argument that names the
+// regions there are where the mesh has none, one has no vector or a name is not one.
+std::vector<Vec3> region_magnetization(const Mesh& mesh,
+                                       const std::map<std::string, Vec3>& vector_a_m);
 
 Vec3 element_centre(const Mesh& mesh, std::size_t element);
 

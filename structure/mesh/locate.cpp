@@ -120,7 +120,7 @@ std::optional<MaterialPoint> PointLocator::find(const Vec3& point_m,
     return std::nullopt;
 }
 
-MaterialPoint PointLocator::on_surface(const Vec3& point_m) const {
+MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
     double least = INFINITY;
     MaterialPoint best;
     for (const SurfaceQuad& quad : surface_) {
@@ -158,7 +158,7 @@ MaterialPoint PointLocator::nearest(const Vec3& point_m) const {
         }
     }
     const auto found = find(point_m);
-    return found ? *found : on_surface(point_m);
+    return found ? *found : nearest_on_surface(point_m);
 }
 
 MaterialPoint locate(const Mesh& mesh, const Vec3& point_m) {

@@ -26,10 +26,12 @@ class PointLocator {
     // finite.
     MaterialPoint nearest(const Vec3& point_m) const;
 
+    // The point of the surface nearest to a point inside or outside.
+    MaterialPoint nearest_on_surface(const Vec3& point_m) const;
+
   private:
     std::array<int, 3> bin_of(const Vec3& point_m) const;
     std::size_t bin_number(const std::array<int, 3>& bin) const;
-    MaterialPoint on_surface(const Vec3& point_m) const;
 
     const Mesh& mesh_;
     std::vector<SurfaceQuad> surface_;

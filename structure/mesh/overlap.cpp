@@ -1,0 +1,85 @@
+#include "structure/mesh/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "structure/mesh/bounds.h"
+#include "structure/mesh/locate.h"
+#include "structure/mesh/mesh_check.h"
+#include "structure/mesh/surface.h"
+#include "structure/mesh/surface_points.h"
+
+namespace magfsi::structure {
+namespace {
+
+Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
+    Vec3 x{};
+    for (int a = 0; a < 8; ++a) {
+        for (int d = 0; d < 3; ++d)
+            x[d] += point.weight[a] * mesh.nodes[point.node[a]][d];
+    }
+    return x;
+}
+
+Bounds element_bounds(const Mesh& mesh) {
+    Bounds out;
+    for (const Hexahedron& element : mesh.elements) {
+        for (const int node : element) out.add(mesh.nodes[node]);
+    }
+    return out;
+}
+
+// Points of a body inside a box: nodes, element centres, surface points.
+std::vector<Vec3> samples(const Mesh& mesh, const Bounds& box, double spacing_m) {
+    std::vector<Vec3> out;
+    const auto keep = [&](const Vec3& x) {
+        if (box.holds(x)) out.push_back(x);
+    };
+    for (const Hexahedron& element : mesh.elements) {
+        Vec3 centre{};
+        for (const int node : element) {
+            keep(mesh.nodes[node]);
+            for (int d = 0; d < 3; ++d) centre[d] += 0.125 * mesh.nodes[node][d];
+        }
+        keep(centre);
+    }
+    std::vector<SurfaceQuad> near;
+    for (const SurfaceQuad& quad : boundary_quads(mesh)) {
+        if (bounds(mesh.nodes, quad.node).meets(box)) near.push_back(quad);
+    }
+    for (const SurfacePoint& point : surface_points(mesh, near, spacing_m)) {
+        keep(position(mesh, point.point));
+    }
+    return out;
+}
+
+std::optional<Overlap> first_inside(std::span<const Vec3> points, const Mesh& mesh,
+                                    double touching_m) {
+    const PointLocator locator(mesh);
+    for (const Vec3& x : points) {
+        const auto found = locator.find(x);
+        if (!found) continue;
+        const Vec3 wall = position(mesh, locator.nearest_on_surface(x));
+        const double depth = std::hypot(wall[0] - x[0], wall[1] - x[1], wall[2] - x[2]);
+        if (depth > touching_m) return Overlap{x, depth, 0, found->element};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Overlap> bodies_overlap(const Mesh& a, const Mesh& b) {
+    const Bounds box_a = element_bounds(a), box_b = element_bounds(b);
+    if (!box_a.meets(box_b)) return std::nullopt;
+    const double edge_a = shortest_edge_m(a), edge_b = shortest_edge_m(b);
+    const double touching_m = 1e-6 * std::min(edge_a, edge_b);
+    auto found = first_inside(samples(a, box_b, 0.5 * edge_b), b, touching_m);
+    if (found) return found;
+    found = first_inside(samples(b, box_a, 0.5 * edge_a), a, touching_m);
+    if (found) found->of_body = 1;
+    return found;
+}
+
+}  // namespace magfsi::structure
