@@ -48,12 +48,17 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
     return 0.25 * softest / distance_m;
 }
 
-double contact_step_limit_s(const Body& body, const ContactLaw& law) {
+double contact_spring_pa_m(const Body& body, const ContactLaw& law) {
     const auto area = contact_areas(body.mesh.nodes, body.mesh.elements);
     const double largest = *std::ranges::max_element(area);
     const double coarse =
         6 * largest / (std::numbers::pi * law.distance_m * law.distance_m);
-    return step_limit_s(body, 2 * std::max(2.2, coarse) * law.stiffness_pa_m);
+    return 2 * std::max(2.2, coarse) * law.stiffness_pa_m;
+}
+
+double contact_step_limit_s(const Body& body, const ContactLaw& law,
+                            double viscosity_pa_s) {
+    return step_limit_s(body, contact_spring_pa_m(body, law), viscosity_pa_s);
 }
 
 }  // namespace magfsi::structure

@@ -36,10 +36,14 @@ double contact_distance_m(const std::vector<Body>& bodies);
 // pressure of 0.22 (lambda + 2 G), five shear moduli where lambda is 20 G.
 double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m);
 
-// Stable step [s] of a body whose surface meets another of the same kind. At worst a
-// node's springs have the normal stiffness 2.2 s A (two surfaces at g = d / sqrt(e)) or,
-// on a mesh coarser than d, 6 s A A_j / (pi d^2) with the one node opposite; both ends
-// move, which doubles it. Run at 0.9 of it.
-double contact_step_limit_s(const Body& body, const ContactLaw& law);
+// Stiffness [Pa/m] that a surface feels at worst where it meets another of the same kind:
+// 2.2 s (two surfaces at g = d / sqrt(e)) or, on a mesh coarser than d, that of the one
+// node opposite, 6 s A_j / (pi d^2); both surfaces move, which doubles it.
+double contact_spring_pa_m(const Body& body, const ContactLaw& law);
+
+// step_limit_s with that stiffness. Run at 0.9 of it; where a platform is hit as well,
+// use step_limit_s with the sum of both.
+double contact_step_limit_s(const Body& body, const ContactLaw& law,
+                            double viscosity_pa_s = 0);
 
 }  // namespace magfsi::structure

@@ -1,15 +1,18 @@
 #include "structure/lammps/fix_magttice.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "update.h"
 #include "utils.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <cstdio>
+#include <stdexcept>
 #include <string>
 
 #include "structure/lammps/element_name.h"
@@ -25,7 +28,7 @@ constexpr int first_keyword = 7;
 
 }  // namespace
 
-// fix ID group magttice FILE first_atom_id G K [element VARIANT] [field Bx By Bz]
+// fix ID group magttice FILE first_atom_id G K [element VARIANT] [field Bx By Bz] ...
 FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg) {
     if (narg < first_keyword) {
@@ -36,31 +39,39 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     Material material;
     material.shear_modulus_pa = LAMMPS_NS::utils::numeric(FLERR, arg[5], false, lmp);
     material.lame_lambda_pa = LAMMPS_NS::utils::numeric(FLERR, arg[6], false, lmp);
-    ElementVariant variant = ElementVariant::full;
-    for (int i = first_keyword; i < narg;) {
-        const std::string keyword = arg[i];
-        if (keyword == "element" && i + 1 < narg) {
-            try {
-                variant = parse_element_name(arg[i + 1]);
-            } catch (const std::exception& cause) {
-                fail(*error, std::string("fix ") + id + " magttice: " + cause.what());
-            }
-            i += 2;
-        } else if (keyword == "field" && i + 3 < narg) {
-            parse_field(arg + i + 1);
-            i += 4;
-        } else {
-            fail(*error, std::string("fix ") + id + " magttice: \"" + keyword +
-                             "\" found; \"element\" with one value and \"field\" with "
-                             "three are allowed");
-        }
-    }
     try {
-        read_body(arg[3], material, variant);
+        for (int i = first_keyword; i < narg;) i += parse_keyword(narg - i, arg + i);
+        read_body(arg[3], material);
     } catch (const std::exception& cause) {
         fail(*error, std::string("fix ") + id + " magttice: " + cause.what());
     }
     declare_output();
+}
+
+// Returns the number of words of the keyword and its values.
+int FixMagttice::parse_keyword(int left, char** arg) {
+    const std::string keyword = arg[0];
+    if (keyword == "element" && left > 1) {
+        variant_ = parse_element_name(arg[1]);
+        return 2;
+    }
+    if (keyword == "viscosity" && left > 1) {
+        viscosity_pa_s_ = LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
+        viscous_.emplace();
+        return 2;
+    }
+    if (keyword == "field" && left > 3) {
+        parse_field(arg + 1);
+        return 4;
+    }
+    if (keyword == "gradient" && left > 12) {
+        parse_gradient(arg + 1);
+        return 13;
+    }
+    throw std::invalid_argument("\"" + keyword +
+                                "\" found; \"element\" and \"viscosity\" with one value, "
+                                "\"field\" with three and \"gradient\" with twelve are "
+                                "allowed");
 }
 
 FixMagttice::~FixMagttice() {
@@ -71,19 +82,18 @@ void FixMagttice::declare_output() {
     scalar_flag = 1;
     extscalar = 1;
     vector_flag = 1;
-    size_vector = 4;
+    size_vector = 5;
     extvector = -1;
-    extlist = new int[4]{1, 1, 1, 0};
+    extlist = new int[5]{1, 1, 1, 0, 1};
     global_freq = 1;
     energy_global_flag = 1;
     thermo_energy = 1;
     restart_global = 1;
 }
 
-void FixMagttice::read_body(const std::string& file, const Material& material,
-                            ElementVariant variant) {
+void FixMagttice::read_body(const std::string& file, const Material& material) {
     const LatticeFile read = read_lattice_file(file);
-    lattice_ = build_lattice(read.nodes_m, read.elements, material, variant);
+    lattice_ = build_lattice(read.nodes_m, read.elements, material, variant_);
     nodes_m_ = read.nodes_m;
     range_.count = static_cast<int>(read.nodes_m.size());
     by_first_.resize(read.nodes_m.size());
@@ -94,6 +104,9 @@ void FixMagttice::read_body(const std::string& file, const Material& material,
     if (has_field_) {
         charge_a_m_ = nodal_charges(read.nodes_m, read.elements, read.magnetization_a_m);
     }
+    if (gradient_) read_gradient(read);
+    // Refuses a viscosity that makes no sense before the run.
+    if (viscous_) viscous_->assign(lattice_, viscosity_pa_s_);
 }
 
 int FixMagttice::setmask() {
@@ -111,6 +124,9 @@ void FixMagttice::init() {
     }
     if (std::string(update->integrate_style).find("respa") != std::string::npos) {
         fail(*error, who + "works with run_style verlet only");
+    }
+    if (viscous_ && comm->ghost_velocity == 0) {
+        fail(*error, who + "viscosity needs the command: comm_modify vel yes");
     }
     int here = 0;
     for (int i = 0; i < atom->nlocal; ++i) here += range_.node(atom->tag[i]) >= 0 ? 1 : 0;
@@ -139,22 +155,41 @@ void FixMagttice::rebuild() {
                  std::to_string(lattice_.longest_diagonal_m) + " at rest)");
     }
     kernel_.assign(lattice_, owned.element, owned.atom);
+    if (viscous_) viscous_->assign(lattice_, viscosity_pa_s_, owned.element, owned.atom);
+    if (gradient_) {
+        owned_gradient_nodes_ = owned.atom;
+        owned_gradient_elements_.clear();
+        for (int e : owned.element) {
+            owned_gradient_elements_.push_back(
+                gradient_elements_[static_cast<std::size_t>(e)]);
+        }
+    }
     if (has_field_) charged_ = owned_charges(range_, charge_a_m_, *atom);
 }
 
 void FixMagttice::setup_pre_reverse(int, int) {
     if (has_field_) evaluate_field();
     add_forces();
+    if (gradient_) add_gradient();
+    if (viscous_) add_viscous();
 }
 
 void FixMagttice::min_pre_reverse(int, int) {
     if (has_field_) evaluate_field();
     add_forces();
+    if (gradient_) add_gradient();
 }
 
 void FixMagttice::pre_reverse(int, int) {
     if (has_field_) advance_field();
     add_forces();
+    if (gradient_) {
+        const double before = gradient_energy_j_;
+        add_gradient();
+        // Constant in time: its work is what its energy has lost.
+        work_j_ += before - gradient_energy_j_;
+    }
+    if (viscous_) lost_j_ += update->dt * add_viscous();
 }
 
 void FixMagttice::add_forces() {
@@ -173,6 +208,27 @@ void FixMagttice::add_forces() {
     }
 }
 
+// The body is named as its group is. Positions that are not numbers print as such.
+std::string FixMagttice::place(int element) const {
+    const Hexahedron& nodes = lattice_.elements[static_cast<std::size_t>(element)];
+    Vec3 rest{};
+    Vec3 now{};
+    for (int node : nodes) {
+        const int i = atom->map(range_.first_id + node);
+        for (std::size_t d = 0; d < 3; ++d) {
+            rest[d] += 0.125 * nodes_m_[static_cast<std::size_t>(node)][d];
+            now[d] += 0.125 * (i < 0 ? NAN : atom->x[i][d]);
+        }
+    }
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(),
+                  "body %s, centre now at (%.6g, %.6g, %.6g) m, in the body's frame at "
+                  "rest (%.6g, %.6g, %.6g) m",
+                  group->names[igroup], now[0], now[1], now[2], rest[0], rest[1],
+                  rest[2]);
+    return text.data();
+}
+
 void FixMagttice::refuse_inverted(const KernelResult& result) {
     const std::string j = std::isinf(result.smallest_j)
                               ? "which is not a number"
@@ -180,7 +236,8 @@ void FixMagttice::refuse_inverted(const KernelResult& result) {
     fail(*error, std::string("fix ") + id + " magttice: element " +
                      std::to_string(result.element) + " is inverted at step " +
                      std::to_string(update->ntimestep) + ", its volume ratio J is " + j +
-                     "; use a smaller time step, a finer mesh or a weaker field");
+                     " (" + place(result.element) +
+                     "); use a smaller time step, a finer mesh or a weaker field");
 }
 
 }  // namespace magfsi::structure

@@ -1,15 +1,19 @@
-// fix ID group magttice: the lattice forces of one body and, with `field`, its magnetic
-// forces. See docs/fix_magttice.md.
+// fix ID group magttice: the lattice forces of one body and, with `field` and `gradient`,
+// its magnetic forces, with `viscosity` Kelvin-Voigt damping. See docs/fix_magttice.md.
 #pragma once
 
 #include "fix.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "structure/lammps/lattice_file.h"
 #include "structure/lammps/owned_elements.h"
 #include "structure/lattice/element_kernel.h"
+#include "structure/lattice/viscosity.h"
+#include "structure/magnetics/field_gradient.h"
 
 namespace magfsi::structure {
 
@@ -28,7 +32,7 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void min_pre_reverse(int eflag, int vflag) override;
 
     double compute_scalar() override;       // elastic + magnetic energy
-    double compute_vector(int i) override;  // elastic, magnetic, work, smallest J
+    double compute_vector(int i) override;  // elastic, magnetic, work, smallest J, lost
 
     int modify_param(int narg, char** arg) override;  // fix_modify ID work W
     void write_restart(FILE* file) override;
@@ -50,13 +54,18 @@ class FixMagttice : public LAMMPS_NS::Fix {
     };
 
     void declare_output();
-    void read_body(const std::string& file, const Material& material,
-                   ElementVariant variant);
+    void read_body(const std::string& file, const Material& material);
+    int parse_keyword(int left, char** arg);
     void parse_field(char** arg);
+    void parse_gradient(char** arg);
+    void read_gradient(const LatticeFile& read);
     void init_field();
     void rebuild();
     void evaluate_field();
     void add_forces();
+    void add_gradient();
+    double add_viscous();  // returns the power lost [W]
+    std::string place(int element) const;
     void refuse_inverted(const KernelResult& result);
     std::array<double, 3> charge_flow() const;  // sum of q v, this rank [A m2/s]
     void advance_field();
@@ -69,6 +78,17 @@ class FixMagttice : public LAMMPS_NS::Fix {
     std::vector<std::vector<int>> by_first_;  // elements by their first node
     ElementKernel kernel_;
     std::vector<ChargedNode> charged_;  // owned by this rank
+
+    ElementVariant variant_ = ElementVariant::full;
+    double viscosity_pa_s_ = 0;
+    std::optional<ViscousKernel> viscous_;
+    double lost_j_ = 0;  // to viscosity; this rank's share
+
+    std::optional<FieldGradient> gradient_;
+    std::vector<GradientElement> gradient_elements_;        // of the body
+    std::vector<GradientElement> owned_gradient_elements_;  // and their nodes
+    std::vector<std::array<int, 8>> owned_gradient_nodes_;
+    double gradient_energy_j_ = 0;  // this rank's share, of the last step
 
     bool has_field_ = false;
     std::array<FieldComponent, 3> field_;

@@ -16,7 +16,7 @@ namespace magfsi::structure {
 void FixMagttice::compute_energies() {
     if (energies_known_) return;
     energies_known_ = true;
-    energy_j_ = {0, 0};
+    energy_j_ = {0, gradient_energy_j_};
     if (kernel_.size() > 0) {
         scratch_.assign(3 * static_cast<std::size_t>(atom->nlocal + atom->nghost), 0.0);
         energy_j_[0] =
@@ -46,7 +46,8 @@ double FixMagttice::compute_vector(int i) {
     if (i < 2) compute_energies();
     const double mine = i < 2    ? energy_j_[static_cast<std::size_t>(i)]
                         : i == 2 ? work_j_
-                                 : smallest_j_;
+                        : i == 3 ? smallest_j_
+                                 : lost_j_;
     double all = 0;
     MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, i == 3 ? MPI_MIN : MPI_SUM, world);
     return all;
@@ -61,17 +62,18 @@ int FixMagttice::modify_param(int narg, char** arg) {
 }
 
 void FixMagttice::write_restart(FILE* file) {
-    const double total = compute_vector(2);
+    const std::array<double, 2> totals{compute_vector(2), compute_vector(4)};
     if (comm->me != 0) return;
-    const int size = sizeof(double);
+    const int size = sizeof(totals);
     std::fwrite(&size, sizeof(int), 1, file);
-    std::fwrite(&total, sizeof(double), 1, file);
+    std::fwrite(totals.data(), sizeof(totals), 1, file);
 }
 
 void FixMagttice::restart(char* buffer) {
-    double total = 0;
-    std::memcpy(&total, buffer, sizeof(double));
-    work_j_ = comm->me == 0 ? total : 0.0;
+    std::array<double, 2> totals{};
+    std::memcpy(totals.data(), buffer, sizeof(totals));
+    work_j_ = comm->me == 0 ? totals[0] : 0.0;
+    lost_j_ = comm->me == 0 ? totals[1] : 0.0;
 }
 
 double FixMagttice::memory_usage() {

@@ -3,6 +3,7 @@
 #include "atom.h"
 #include "error.h"
 #include "modify.h"
+#include "update.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -90,6 +91,10 @@ void FixMagtticePlatform::declare_output() {
     restart_peratom = 1;
 }
 
+void FixMagtticePlatform::post_force(int) {
+    add_forces(update->dt);
+}
+
 int FixMagtticePlatform::setmask() {
     using namespace LAMMPS_NS::FixConst;
     return POST_FORCE | MIN_POST_FORCE | POST_NEIGHBOR | MIN_POST_NEIGHBOR;
@@ -121,7 +126,7 @@ void FixMagtticePlatform::rebuild() {
 }
 
 // Velocities, which only the damping looks at, are those of the half step.
-void FixMagtticePlatform::post_force(int) {
+void FixMagtticePlatform::add_forces(double dt_s) {
     normal_n_ = 0;
     energy_j_ = 0;
     smallest_gap_m_ = INFINITY;
@@ -131,8 +136,9 @@ void FixMagtticePlatform::post_force(int) {
     double* const* const f = atom->f;
     for (const SurfaceNode& node : surface_) {
         const int i = node.atom;
-        const PlatformContact contact = platform_contact(
-            platform_, node.area_m2, x[i], v[i], stick_[static_cast<std::size_t>(i)]);
+        const PlatformContact contact =
+            platform_contact(platform_, node.area_m2, x[i], v[i], dt_s,
+                             stick_[static_cast<std::size_t>(i)]);
         smallest_gap_m_ = std::min(smallest_gap_m_, contact.gap_m);
         if (!(contact.gap_m < 0)) continue;
         normal_n_ += contact.normal_n;

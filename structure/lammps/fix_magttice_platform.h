@@ -21,10 +21,10 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     void setup_post_neighbor() override { rebuild(); }
     void post_neighbor() override { rebuild(); }
     void min_post_neighbor() override { rebuild(); }
-    void setup(int vflag) override { post_force(vflag); }
-    void min_setup(int vflag) override { post_force(vflag); }
+    void setup(int) override { add_forces(0); }
+    void min_setup(int) override { add_forces(0); }
     void post_force(int vflag) override;
-    void min_post_force(int vflag) override { post_force(vflag); }
+    void min_post_force(int) override { add_forces(0); }
 
     double compute_scalar() override;       // energy of the springs
     double compute_vector(int i) override;  // see the documentation
@@ -50,6 +50,7 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     void parse_keywords(int narg, char** arg);
     void declare_output();
     void rebuild();
+    void add_forces(double dt_s);
 
     Platform platform_;
     std::vector<double> area_m2_;  // by atom ID

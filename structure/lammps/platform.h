@@ -33,9 +33,11 @@ struct PlatformContact {
 // the same stiffness, whose force is limited to mu times the normal force: where it would
 // be larger, the stick point is dragged along. The force depends on the stick point and
 // on the position alone, so that evaluating it again at one position changes nothing
-// (restarts, setups, minimisers).
+// (restarts, setups, minimisers). A node that touches in a step of dt_s sticks where it
+// went through the plane: one that slides fast has its full friction at once. dt_s = 0:
+// it sticks where it is.
 PlatformContact platform_contact(const Platform& platform, double area_m2,
-                                 const double* x_m, const double* v_m_s,
+                                 const double* x_m, const double* v_m_s, double dt_s,
                                  StickPoint& stick);
 
 // (lambda + 2 G) / (2 thickness): twice as soft as the material under a rigid plate. The
@@ -48,6 +50,7 @@ double platform_stiffness_pa_m(const Material& material, double thickness_m);
 // Stable velocity-Verlet step [s] of a body on a platform of that stiffness: 2 / sqrt of
 // omega_max^2 of the body alone plus the largest stiffness * area / mass of a node. Run
 // at 0.9 of it.
-double platform_step_limit_s(const Body& body, double stiffness_pa_m);
+double platform_step_limit_s(const Body& body, double stiffness_pa_m,
+                             double viscosity_pa_s = 0);
 
 }  // namespace magfsi::structure

@@ -16,10 +16,18 @@
 
 namespace magfsi::structure {
 
+// Added to the field, constant in time (magnetics/field_gradient.h).
+struct GradientInput {
+    std::array<Vec3, 3> matrix_t_m{};  // row i, column j: dB_i / dx_j
+    Vec3 origin_m{};
+};
+
 struct LammpsInput {
     std::vector<Body> bodies;
+    std::vector<double> viscosity_pa_s;  // one a body; or none: all elastic
     std::vector<Placement> placements;  // one a body; or none: all where their meshes are
     std::optional<FieldProgram> field;
+    std::optional<GradientInput> gradient;  // with or without a field
     std::optional<Vec3> gravity_m_s2;
     std::optional<double> drag_rate_1_s;
     std::optional<Platform> platform;   // stiffness 0: that of platform_of

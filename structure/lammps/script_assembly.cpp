@@ -72,6 +72,12 @@ void check_input(const LammpsInput& input) {
             "{} placements for {} bodies found, one a body or none is allowed",
             input.placements.size(), input.bodies.size()));
     }
+    if (!input.viscosity_pa_s.empty() &&
+        input.viscosity_pa_s.size() != input.bodies.size()) {
+        throw std::invalid_argument(fmt::format(
+            "{} viscosities for {} bodies found, one a body or none is allowed",
+            input.viscosity_pa_s.size(), input.bodies.size()));
+    }
     if (!(input.time_step_s > 0)) {
         throw std::invalid_argument(fmt::format(
             "time step of {:g} s found, it must be positive", input.time_step_s));

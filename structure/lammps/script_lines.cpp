@@ -21,6 +21,15 @@ int longest_axis(const Assembly& all) {
     return longest;
 }
 
+std::string gradient_words(const GradientInput& gradient) {
+    std::string out = " gradient";
+    for (const Vec3& row : gradient.matrix_t_m) {
+        for (double entry : row) out += fmt::format(" {:.17g}", entry);
+    }
+    for (double entry : gradient.origin_m) out += fmt::format(" {:.17g}", entry);
+    return out;
+}
+
 // The nodes that may touch are looked for within the distance and half of it, and again
 // when a node has moved a quarter of the distance.
 std::string contact_skin(const LammpsInput& input) {
@@ -71,12 +80,17 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
         lines.push_back(fmt::format("group {} id {}:{}", all.name[i], all.first_node[i],
                                     all.first_node[i + 1] - 1));
         script.fix_id.push_back(fmt::format("magttice_{}", all.name[i]));
-        const bool magnetic = input.field && !body.magnetization_a_m.empty();
-        lines.push_back(fmt::format(
-            "fix {} {} magttice {} {} {:.17g} {:.17g} element {}{}", script.fix_id.back(),
+        std::string line = fmt::format(
+            "fix {} {} magttice {} {} {:.17g} {:.17g} element {}", script.fix_id.back(),
             all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
-            body.material.lame_lambda_pa, element_name(body.element),
-            magnetic ? " field v_Bx v_By v_Bz" : ""));
+            body.material.lame_lambda_pa, element_name(body.element));
+        const bool magnetic = !body.magnetization_a_m.empty();
+        if (input.field && magnetic) line += " field v_Bx v_By v_Bz";
+        if (input.gradient && magnetic) line += gradient_words(*input.gradient);
+        if (!input.viscosity_pa_s.empty() && input.viscosity_pa_s[i] > 0) {
+            line += fmt::format(" viscosity {:.17g}", input.viscosity_pa_s[i]);
+        }
+        lines.push_back(line);
     }
 }
 

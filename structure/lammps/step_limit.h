@@ -5,9 +5,10 @@
 
 namespace magfsi::structure {
 
-// 2 / sqrt(omega^2 + max over surface nodes of stiffness * area / mass) [s], omega =
-// 2 / stable_step_s the body's own largest frequency: a bound, since the largest
-// eigenvalue of a sum is at most the sum of the largest. Throws as stable_step_s.
-double step_limit_s(const Body& body, double stiffness_pa_m);
+// Largest step [s] with step^2 (omega^2 + w) + 2 step c <= 4, omega and c the body's own
+// largest frequency and damping (stable_step_s), w the largest stiffness * area / mass of
+// a surface node: a bound, since the largest eigenvalue of a sum is at most the sum of
+// the largest. Throws as stable_step_s.
+double step_limit_s(const Body& body, double stiffness_pa_m, double viscosity_pa_s = 0);
 
 }  // namespace magfsi::structure

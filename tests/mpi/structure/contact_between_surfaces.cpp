@@ -59,7 +59,7 @@ TEST(Contact, OfTwoSheetsConservesMomentumAndEnergyAndLetsNothingThrough) {
         "closest nodes %.3g m, momentum handed over %.3f, error %.2g\n",
         most / start, drift / start, closest, lower[2] / momentum,
         (lower[2] + upper[2]) / momentum - 1);
-    EXPECT_GT(most, 0.05 * start);
+    EXPECT_GT(most, 0.01 * start);  // sheets bend more easily than contact gives way
     // The contact's force has kinks at its distance, where velocity Verlet loses its
     // order.
     EXPECT_LT(drift, 0.01 * start);

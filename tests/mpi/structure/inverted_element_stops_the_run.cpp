@@ -58,9 +58,9 @@ TEST(BadArguments, AreRefusedInOneSentence) {
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice /nowhere 1 1 1"}),
                     "cannot open the lattice file /nowhere"));
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice x 1 1 1 element half"}),
-                    "element half found, full and mean_f are allowed"));
+                    "element half found; full, mean_f and assumed_strain are allowed"));
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice x 1 1 1 field 0 0"}),
-                    "\"field\" with three are allowed"));
+                    "\"field\" with three"));
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice/field xz constant 1"}),
                     "constant has 2"));
 }
