@@ -89,6 +89,9 @@ struct Fluid::State {
           lattice(in_lattice_units(config, kernels.kernels)),
           comm(parent),
           solver(comm.get(), lattice) {
+        if (solver.obstacles()) {
+            check_resolved(comm.get(), config, solver.obstacles()->map());
+        }
         set_initial_flow(config, solver);
         solver.settle_obstacles();
     }
@@ -202,10 +205,11 @@ void Fluid::vorticity(std::span<float> out) const {
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {
             for (int x = 0; x < layout.nx; ++x) {
-                for (const double w :
-                     field.curl(x, y, z, state_->lattice.wall_velocity)) {
-                    *to++ = static_cast<float>(unit * w);
+                Vec3 curl{};
+                if (!state_->solver.is_solid({x, y, z})) {
+                    curl = field.curl(x, y, z, state_->lattice.wall_velocity);
                 }
+                for (const double w : curl) *to++ = static_cast<float>(unit * w);
             }
         }
     }

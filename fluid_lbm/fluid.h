@@ -61,7 +61,7 @@ struct CellRow {
     int size() const { return x_end - x_begin; }
 };
 
-struct Totals {  // over all ranks
+struct Totals {  // over all ranks, without the insides of obstacles
     double mass_kg = 0;
     Vec3 momentum_kg_m_s{};
     double kinetic_energy_j = 0;
@@ -125,7 +125,8 @@ class Fluid {
     // went wrong is named by the very next step at the latest and never spreads values
     // that are not finite. Costs nothing to ask.
     std::optional<Divergence> diverged() const;
-    // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest.
+    // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest; in
+    // obstacles 0 and the density at rest.
     void macroscopic(std::span<float> velocity, std::span<float> density) const;
     // curl u [1/s] of the owned cells, 3 a cell, x fastest. Collective.
     void vorticity(std::span<float> out) const;

@@ -53,14 +53,22 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       obstacles_(
           make_obstacles(config, decomposition_.boxes[rank_], populations_, layout_)),
       kernels_(config.kernels),
-      collision_(config.collision) {}
+      collision_(config.collision) {
+    for (int side = 0; side < 6; ++side) {
+        open_sides_[side] = config.sides[side].kind != BoundaryKind::periodic &&
+                            config.sides[side].kind != BoundaryKind::no_slip;
+    }
+}
 
 void Solver::sweep_boxes(std::span<const RowBox> boxes) {
     const SweepInput in{populations_, layout_,  arrangement_,
                         forces_,      kernels_, collision_};
     for (const RowBox& box : boxes) {
         const auto found = sweep(in, box);
-        if (found && !unsound_) unsound_ = Unsound{*found, steps_done_};
+        if (!found) continue;
+        const bool first =
+            !unsound_ || (unsound_->step == steps_done_ && found->before(unsound_->cell));
+        if (first) unsound_ = Unsound{*found, steps_done_};
     }
 }
 

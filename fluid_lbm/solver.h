@@ -26,8 +26,8 @@ struct SolverConfig {
     std::array<int, 3> cells{};
     std::array<bool, 3> periodic{};
     std::array<std::array<double, 3>, 6> wall_velocity{};  // x_min x_max y_min ...
-    std::array<LatticeSide, 6> sides{};                    // of axes that are not periodic
-    Solids solids;                                         // obstacles
+    std::array<LatticeSide, 6> sides{};  // of axes that are not periodic
+    Solids solids;                       // obstacles
     ObstacleWall obstacle_wall = ObstacleWall::interpolated;
     std::optional<std::array<double, 3>> body_force;
     CollisionParameters collision;
@@ -59,8 +59,14 @@ class Solver {
     ForcedRows& forces() { return forces_; }
     const ForcedRows& forces() const { return forces_; }
 
+    // Sides with free slip, an inlet or an outlet.
+    const std::array<bool, 6>& open_sides() const { return open_sides_; }
     // Null without obstacles.
     const Obstacles* obstacles() const { return obstacles_ ? &*obstacles_ : nullptr; }
+    // Local indices.
+    bool is_solid(const std::array<int, 3>& cell) const {
+        return obstacles_ && obstacles_->map().solid(cell);
+    }
     // After the populations have been set from outside: solid cells back to rest.
     void settle_obstacles();
 
@@ -84,6 +90,7 @@ class Solver {
     Halo halo_;
     std::vector<RowBox> rows_at_cuts_, inner_rows_;
     Boundaries boundaries_;
+    std::array<bool, 6> open_sides_{};
     std::optional<Obstacles> obstacles_;
     AnyKernels kernels_;
     CollisionParameters collision_;

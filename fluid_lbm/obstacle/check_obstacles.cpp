@@ -57,6 +57,18 @@ void check_place(const std::string& name, const Bounds& bounds,
 
 }  // namespace
 
+void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map) {
+    std::vector<long long> cells = map.cell_counts();
+    MPI_Allreduce(MPI_IN_PLACE, cells.data(), static_cast<int>(cells.size()),
+                  MPI_LONG_LONG, MPI_SUM, comm);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] > 0) continue;
+        refuse("fluid obstacle \"", config.obstacles[i].name,
+               "\" holds the centre of no cell; make the spacing, now ", config.spacing_m,
+               " m, finer");
+    }
+}
+
 Solids make_solids(const FluidConfig& config) {
     Solids solids;
     for (std::size_t i = 0; i < config.obstacles.size(); ++i) {

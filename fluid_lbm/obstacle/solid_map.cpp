@@ -11,7 +11,10 @@ SolidMap::SolidMap(const Solids& solids, const CellBox& owned,
     of_cell_.assign(rows * (size_[0] + 2), fluid);
     row_has_solid_.assign(rows, 0);
     for (std::size_t i = 0; i < solids.size(); ++i) mark(*solids[i], static_cast<int>(i));
-    for_each_cell({{0, 0, 0}, size_}, [&](const Cell& c) { solid_cells_ += solid(c); });
+    cell_counts_.resize(solids.size());
+    for_each_cell({{0, 0, 0}, size_}, [&](const Cell& cell) {
+        if (solid(cell)) ++cell_counts_[obstacle(cell)];
+    });
 }
 
 Cell SolidMap::global(const Cell& local) const {

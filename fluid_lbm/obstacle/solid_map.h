@@ -26,8 +26,8 @@ class SolidMap {
     Cell global(const Cell& local) const;
     // Whether the cell lies in the box, after wrapping.
     bool in_box(const Cell& local) const;
-    // Solid cells of this rank.
-    long long solid_cells() const { return solid_cells_; }
+    // This rank's cells in each obstacle.
+    const std::vector<long long>& cell_counts() const { return cell_counts_; }
     std::size_t bytes() const {
         return of_cell_.size() * sizeof(short) + row_has_solid_.size();
     }
@@ -46,7 +46,7 @@ class SolidMap {
     std::array<bool, 3> periodic_;
     std::vector<short> of_cell_;
     std::vector<char> row_has_solid_;
-    long long solid_cells_ = 0;
+    std::vector<long long> cell_counts_;
 };
 
 }  // namespace magfsi::fluid

@@ -10,7 +10,7 @@ namespace magfsi::fluid {
 namespace {
 
 // Summed over ranks: excess of density, momentum, energy, enstrophy.
-enum { excess, momentum, energy = momentum + 3, enstrophy, sums };
+enum { excess, momentum, energy = momentum + 3, enstrophy, cell_count, sums };
 
 struct Local {
     double sum[sums] = {};
@@ -49,6 +49,8 @@ Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {
             for (int x = 0; x < layout.nx; ++x) {
+                if (solver.is_solid({x, y, z})) continue;
+                local.sum[cell_count] += 1;
                 local.sum[enstrophy] += field.enstrophy(x, y, z, lattice_wall_velocity);
             }
         }
@@ -56,8 +58,7 @@ Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
     MPI_Allreduce(MPI_IN_PLACE, local.sum, sums, MPI_DOUBLE, MPI_SUM, comm);
     MPI_Allreduce(MPI_IN_PLACE, &local.max_speed_squared, 1, MPI_DOUBLE, MPI_MAX, comm);
 
-    const std::array<int, 3>& n = solver.decomposition().cells;
-    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const double cells = local.sum[cell_count];  // solid ones hold rest: no excess
     const double mass = unit.cell_mass_kg(), speed = unit.velocity_m_s();
     Totals total;
     total.mass_kg = mass * (cells + local.sum[excess]);

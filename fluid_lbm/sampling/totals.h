@@ -1,4 +1,4 @@
-// Integrals over the box.
+// Integrals over the fluid in the box, without obstacles.
 #pragma once
 
 #include <mpi.h>

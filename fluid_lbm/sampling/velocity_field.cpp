@@ -6,7 +6,8 @@ namespace magfsi::fluid {
 
 using Vec3 = std::array<double, 3>;
 
-VelocityField::VelocityField(const RowLayout& layout) : layout_(layout) {
+VelocityField::VelocityField(const RowLayout& layout, const std::array<bool, 6>& open)
+    : layout_(layout), open_(open) {
     const std::size_t rows = static_cast<std::size_t>(layout.ny + 2) * (layout.nz + 2);
     values_.resize(3 * rows * layout.nx);
 }
@@ -64,7 +65,7 @@ Vec3 VelocityField::derivative(const std::array<int, 3>& cell, int axis,
         const Crossing crossing = cross(next[axis], counts[axis], sides);
         next[axis] = crossing.index;
         if (crossing.wall) {
-            wall_side = side;
+            if (!open_[2 * axis + side]) wall_side = side;
         } else {
             value[side] = at(next[0], next[1], next[2]);
         }
@@ -101,7 +102,7 @@ double VelocityField::enstrophy(int x, int y, int z,
 
 VelocityField sample_velocity(MPI_Comm comm, const Solver& solver) {
     const RowLayout& layout = solver.layout();
-    VelocityField field(layout);
+    VelocityField field(layout, solver.open_sides());
     RowMoments m;
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {

@@ -14,7 +14,8 @@ namespace magfsi::fluid {
 
 class VelocityField {
   public:
-    explicit VelocityField(const RowLayout& layout);
+    // open: sides (x_min x_max ...) where the velocity is not the wall's.
+    explicit VelocityField(const RowLayout& layout, const std::array<bool, 6>& open = {});
 
     // y and z from -1 to ny and nz.
     double* at(int x, int y, int z) { return values_.data() + offset(x, y, z); }
@@ -27,7 +28,7 @@ class VelocityField {
 
     // curl u in a cell, central differences; at walls, whose velocity is given by side
     // (x_min x_max y_min ...), the second-order one-sided difference through the wall
-    // half a cell away. Unit: velocity unit over cells.
+    // half a cell away; at open sides as if the velocity did not change across them. Unit: velocity unit over cells.
     std::array<double, 3> curl(
         int x, int y, int z,
         const std::array<std::array<double, 3>, 6>& wall_velocity) const;
@@ -43,6 +44,7 @@ class VelocityField {
         const std::array<std::array<double, 3>, 6>& wall_velocity) const;
 
     RowLayout layout_;
+    std::array<bool, 6> open_;
     std::vector<double> values_;
 };
 
