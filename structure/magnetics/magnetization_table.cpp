@@ -53,7 +53,7 @@ class Reader {
   public:
     explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file) {
         if (!stream_) {
-            throw std::runtime_error(
+            throw std::invalid_argument(
                 fmt::format("cannot open the magnetisation table {}", file.string()));
         }
     }
@@ -154,8 +154,8 @@ class Reader {
     }
 
     [[noreturn]] void fail(const std::string& why) const {
-        throw std::runtime_error(fmt::format("magnetisation table {}, line {}: {}",
-                                             file_.string(), number_, why));
+        throw std::invalid_argument(fmt::format("magnetisation table {}, line {}: {}",
+                                                file_.string(), number_, why));
     }
 
     std::filesystem::path file_;
@@ -217,7 +217,7 @@ std::vector<Vec3> nearest_vectors(const Mesh& mesh, const std::vector<Row>& rows
         const Row& row = rows[nearest(centre)];
         const double away = std::sqrt(squared_distance(row.point_m, centre));
         if (away > far_m) {
-            throw std::runtime_error(fmt::format(
+            throw std::invalid_argument(fmt::format(
                 "magnetisation table {}: its point nearest to element {} with the centre "
                 "({:.6g}, {:.6g}, {:.6g}) m is {:.3g} m away, at most {:.3g} m, half the "
                 "body's diagonal, is allowed; see that unit and frame are the body's",
@@ -235,7 +235,7 @@ std::vector<Vec3> table_magnetization(const Mesh& mesh,
     const Table table = Reader(file).read();
     if (table.points) return nearest_vectors(mesh, table.rows, file);
     if (table.rows.size() != mesh.elements.size()) {
-        throw std::runtime_error(
+        throw std::invalid_argument(
             fmt::format("magnetisation table {}: {} rows found for {} elements; without "
                         "the columns x, y, z one row an element is needed",
                         file.string(), table.rows.size(), mesh.elements.size()));

@@ -17,7 +17,7 @@ namespace magfsi::structure {
 //                                             its centre, the first of equals
 //
 // Lengths may be in m, mm or um, magnetisations in A/m or kA/m. Throws
-// std::runtime_error that names file and line on a column, unit or number that is not
+// std::invalid_argument that names file and line on a column, unit or number that is not
 // allowed; on a number of rows that is not that of the elements; and on points further
 // from an element than half the body's diagonal (a table of another body or unit).
 std::vector<Vec3> table_magnetization(const Mesh& mesh,

@@ -60,6 +60,8 @@ PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
     Bounds all;
     for (const Hexahedron& element : mesh.elements) {
         for (const int node : element) all.add(mesh.nodes[node]);
+        longest_diagonal_m_ =
+            std::max(longest_diagonal_m_, bounds(mesh.nodes, element).diagonal_m());
     }
     low_m_ = all.low_m;
     high_m_ = all.high_m;
@@ -106,18 +108,32 @@ std::size_t PointLocator::bin_number(const std::array<int, 3>& bin) const {
 
 std::optional<MaterialPoint> PointLocator::find(const Vec3& point_m,
                                                 double tolerance) const {
-    const std::size_t bin = bin_number(bin_of(point_m));
-    for (std::size_t i = first_[bin + 1]; i-- > first_[bin];) {
-        const Hexahedron& element = mesh_.elements[entries_[i]];
-        const Bounds box = bounds(mesh_.nodes, element);
-        if (!box.holds(point_m, margin_m(box) + tolerance * box.diagonal_m())) continue;
-        const auto xi = inverse_map(gather(mesh_.nodes, element), point_m);
-        if (!xi) continue;
-        const bool inside = std::ranges::all_of(
-            *xi, [&](double x) { return std::abs(x) <= 1 + tolerance; });
-        if (inside) return material_point(mesh_, entries_[i], *xi);
-    }
-    return std::nullopt;
+    // Elements are entered in the bins as they are, without the tolerance.
+    const double reach_m = tolerance * longest_diagonal_m_;
+    Vec3 low = point_m, high = point_m;
+    for (double& x : low) x -= reach_m;
+    for (double& x : high) x += reach_m;
+    std::optional<MaterialPoint> best;
+    double least = tolerance;
+    for_bins(bin_of(low), bin_of(high), [&](const std::array<int, 3>& at) {
+        const std::size_t bin = bin_number(at);
+        for (std::size_t i = first_[bin]; i < first_[bin + 1]; ++i) {
+            const int e = entries_[i];
+            const Bounds box = bounds(mesh_.nodes, mesh_.elements[e]);
+            if (!box.holds(point_m, margin_m(box) + reach_m)) continue;
+            const auto xi = inverse_map(gather(mesh_.nodes, mesh_.elements[e]), point_m);
+            if (!xi) continue;
+            // How far outside, in local coordinates; on the border but for rounding: 0.
+            double out = 0;
+            for (const double x : *xi) out = std::max(out, std::abs(x) - 1);
+            if (out < 1e-10) out = 0;
+            const bool better = !best || out < least || e > best->element;
+            if (out > least || !better) continue;
+            least = out;
+            best = material_point(mesh_, e, *xi);
+        }
+    });
+    return best;
 }
 
 MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {

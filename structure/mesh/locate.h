@@ -16,8 +16,9 @@ class PointLocator {
 
     // The element whose inside or border holds the point, and the weights of its nodes
     // there. On a border between elements the one with the highest number, as on blocks.
-    // Elements are taken to be larger by `tolerance` in local coordinates (2 across an
-    // element). Empty outside.
+    // A point of no element goes to the border of the element it is nearest to in local
+    // coordinates (2 across an element), where that is at most `tolerance` away. Empty
+    // further outside.
     std::optional<MaterialPoint> find(const Vec3& point_m,
                                       double tolerance = 1e-10) const;
 
@@ -37,6 +38,7 @@ class PointLocator {
     std::vector<SurfaceQuad> surface_;
     Vec3 low_m_{}, high_m_{};
     Vec3 bin_size_m_{};
+    double longest_diagonal_m_ = 0;  // of an element's bounding box
     std::array<int, 3> bins_{1, 1, 1};
     // Elements whose bounding box meets bin b: entries_[first_[b]] to [first_[b + 1]].
     std::vector<std::size_t> first_;

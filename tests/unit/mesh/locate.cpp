@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "structure/mesh/oblique_mesh.h"
 #include "tests/unit/mesh/meshes.h"
 
 namespace magfsi::structure {
@@ -91,6 +92,31 @@ TEST(Locate, PointsOutsideADistortedMeshAreNotFoundAndGoToTheNearestSurfacePoint
         }
     }
     EXPECT_GT(outside, 250);  // the block fills a thousandth of the sampled cube
+}
+
+TEST(Locate, PointsJustOutsideAreFoundWithATolerance) {
+    // Oblique borders: the element of a point outside may be entered in other bins only.
+    const Mesh mesh = oblique_mesh({6, 4, 1, 1, 0.6, 0.2, {3, 3, 2}});
+    const PointLocator locator(mesh);
+    int moved = 0;
+    for (const SurfaceQuad& quad : boundary_quads(mesh)) {
+        const Vec3 area = quad_area_vector(mesh.nodes, quad);
+        const double norm = quad_area(mesh.nodes, quad);
+        Vec3 at{};
+        for (int d = 0; d < 3; ++d) {
+            for (const int node : quad.node) at[d] += 0.25 * mesh.nodes[node][d];
+            at[d] += 2e-5 * area[d] / norm;  // 4e-4 of the thinnest element, 2 across
+        }
+        EXPECT_FALSE(locator.find(at));
+        const auto found = locator.find(at, 1e-3);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->element, quad.element);
+        // Local coordinates are not perpendicular: the border's point is up to
+        // 1 / sin(0.6) as far away as the foot.
+        EXPECT_LT(test::distance(test::position(mesh, *found), at), 2e-5 / 0.56);
+        ++moved;
+    }
+    EXPECT_EQ(moved, 2 * (18 * 12 + 18 * 2 + 12 * 2));
 }
 
 TEST(Locate, RefusesPointsThatAreNotFinite) {

@@ -22,7 +22,7 @@ class Table : public testing::Test {
     std::string refusal() const {
         try {
             table_magnetization(strip, file);
-        } catch (const std::runtime_error& error) {
+        } catch (const std::invalid_argument& error) {
             return error.what();
         }
         return "nothing";
