@@ -26,6 +26,15 @@ void check_relaxation_time(const FluidConfig& config) {
     }
 }
 
+void check_collision(const FluidConfig& config) {
+    check_positive("magic number", config.magic_number, "");
+    const double constant = config.smagorinsky_constant;
+    if (!(constant >= 0 && constant <= 1)) {
+        refuse("fluid Smagorinsky constant is ", constant,
+               "; it must be between 0 and 1 (0.1 to 0.2 is usual)");
+    }
+}
+
 }  // namespace
 
 Units units(const FluidConfig& config) {
@@ -49,6 +58,7 @@ void check(const FluidConfig& config) {
     check_positive("time step", config.time_step_s, "s");
     check_positive("density", config.density_kg_m3, "kg/m3");
     check_relaxation_time(config);
+    check_collision(config);
     check_boundaries(config);
     make_solids(config);
     if (config.body_force_n_m3) {

@@ -12,11 +12,13 @@ namespace magfsi::fluid {
 namespace {
 
 struct Case {
-    const char* name;
+    std::string name;
     std::array<int, 3> cells;
     std::array<bool, 3> periodic;
     bool moving;
     bool body_force;
+    Collision collision = Collision::recursive_regularized;
+    Precision precision = Precision::double_;
 };
 
 SolverConfig solver_config(const Case& c) {
@@ -24,8 +26,8 @@ SolverConfig solver_config(const Case& c) {
     config.cells = c.cells;
     config.periodic = c.periodic;
     config.collision.omega = 1 / 0.52;
-    config.kernels = run_kernels(choose_kernels().kernels, Precision::double_,
-                                 Collision::recursive_regularized, false);
+    config.kernels =
+        run_kernels(choose_kernels().kernels, c.precision, c.collision, false);
     if (c.body_force) config.body_force = {1e-4, -2e-4, 3e-4};
     for (int side = 0; side < 6 && c.moving; ++side) {
         if (c.periodic[side / 2]) continue;
@@ -39,18 +41,20 @@ SolverConfig solver_config(const Case& c) {
 void set_populations(const Solver& solver) {
     const RowLayout& rows = solver.layout();
     const CellBox& box = solver.owned();
-    for (int z = 0; z < rows.nz; ++z) {
-        for (int y = 0; y < rows.ny; ++y) {
-            for (int q = 0; q < d3q19::directions; ++q) {
-                double* row = solver.populations().rows<double>().row(q, rows.row(y, z));
-                for (int x = 0; x < rows.nx; ++x) {
-                    const double phase =
-                        1.1 * x + 2.3 * (y + box.lo[1]) + 3.7 * (z + box.lo[2]) + 0.9 * q;
-                    row[x] = 0.1 * d3q19::weight(q) * std::sin(phase);
+    solver.populations().visit([&]<class Real>(const PopulationRows<Real>& values) {
+        for (int z = 0; z < rows.nz; ++z) {
+            for (int y = 0; y < rows.ny; ++y) {
+                for (int q = 0; q < d3q19::directions; ++q) {
+                    Real* row = values.row(q, rows.row(y, z));
+                    const double phase = 2.3 * (y + box.lo[1]) + 3.7 * (z + box.lo[2]);
+                    for (int x = 0; x < rows.nx; ++x) {
+                        row[x] = static_cast<Real>(0.1 * d3q19::weight(q) *
+                                                   std::sin(1.1 * x + phase + 0.9 * q));
+                    }
                 }
             }
         }
-    }
+    });
 }
 
 // Forces in two thirds of the rows of the middle, other ones in every step.
@@ -109,14 +113,30 @@ constexpr bool wall = false, wrap = true;
 
 INSTANTIATE_TEST_SUITE_P(
     Boxes, SameOnAnyRanks,
-    testing::Values(Case{"Periodic", {9, 6, 5}, {wrap, wrap, wrap}, false, false},
-                    Case{"Walls", {9, 5, 6}, {wall, wall, wall}, false, false},
-                    Case{"MovingWalls", {13, 6, 6}, {wall, wall, wall}, true, true},
-                    Case{"ChannelAlongZ", {8, 7, 4}, {wrap, wall, wrap}, true, false},
-                    Case{"ChannelAlongY", {8, 4, 7}, {wrap, wrap, wall}, true, true},
-                    Case{"OneRowARank", {5, 3, 2}, {wrap, wrap, wrap}, false, false},
-                    Case{"ThinWalls", {5, 3, 2}, {wrap, wall, wall}, true, false}),
-    [](const auto& box) { return std::string(box.param.name); });
+    testing::Values(
+        Case{"Periodic", {9, 6, 5}, {wrap, wrap, wrap}, false, false},
+        Case{"Walls", {9, 5, 6}, {wall, wall, wall}, false, false},
+        Case{"MovingWalls", {13, 6, 6}, {wall, wall, wall}, true, true},
+        Case{"ChannelAlongZ", {8, 7, 4}, {wrap, wall, wrap}, true, false},
+        Case{"ChannelAlongY", {8, 4, 7}, {wrap, wrap, wall}, true, true},
+        Case{"OneRowARank", {5, 3, 2}, {wrap, wrap, wrap}, false, false},
+        Case{"ThinWalls", {5, 3, 2}, {wrap, wall, wall}, true, false},
+        Case{"Trt", {13, 9, 8}, {wrap, wall, wrap}, true, true, Collision::trt},
+        Case{"Float",
+             {17, 9, 8},
+             {wall, wrap, wrap},
+             true,
+             true,
+             Collision::trt,
+             Precision::float_},
+        Case{"FloatDouble",
+             {17, 8, 9},
+             {wrap, wrap, wall},
+             false,
+             true,
+             Collision::bgk,
+             Precision::float_double}),
+    [](const auto& box) { return box.param.name; });
 
 }  // namespace
 }  // namespace magfsi::fluid

@@ -48,13 +48,14 @@ TEST_P(Couette, ProfileIsLinear) {
     EXPECT_LT(worst, 1e-10);  // rounding of f - w near 1e-7 and the rest of the transient
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Couette,
-                         testing::Values(Case{Collision::bgk, 0, 1},
-                                         Case{Collision::bgk, 1, 2},
-                                         Case{Collision::bgk, 2, 0},
-                                         Case{Collision::recursive_regularized, 0, 2},
-                                         Case{Collision::recursive_regularized, 1, 0},
-                                         Case{Collision::recursive_regularized, 2, 1}));
+INSTANTIATE_TEST_SUITE_P(
+    All, Couette,
+    testing::Values(Case{Collision::bgk, 0, 1}, Case{Collision::bgk, 1, 2},
+                    Case{Collision::bgk, 2, 0}, Case{Collision::trt, 0, 1},
+                    Case{Collision::trt, 1, 0}, Case{Collision::trt, 2, 1},
+                    Case{Collision::recursive_regularized, 0, 2},
+                    Case{Collision::recursive_regularized, 1, 0},
+                    Case{Collision::recursive_regularized, 2, 1}));
 
 }  // namespace
 }  // namespace magfsi::fluid

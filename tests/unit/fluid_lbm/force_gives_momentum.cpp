@@ -118,7 +118,7 @@ TEST_P(ForceGivesMomentum, VelocityIsBeforeTheForceActs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, ForceGivesMomentum,
-                         testing::Values(Collision::bgk,
+                         testing::Values(Collision::bgk, Collision::trt,
                                          Collision::recursive_regularized));
 
 }  // namespace

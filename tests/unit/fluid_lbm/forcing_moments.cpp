@@ -56,7 +56,7 @@ TEST_P(ForcingMoments, OfEveryInstructionSet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, ForcingMoments,
-                         testing::Values(Collision::bgk,
+                         testing::Values(Collision::bgk, Collision::trt,
                                          Collision::recursive_regularized));
 
 }  // namespace

@@ -40,15 +40,20 @@ TEST_P(GalileanInvariance, OfAShearWave) {
     const auto carried = final_wave(GetParam(), wind);
     std::printf("amplitude at rest %.5f, carried %.5f, out of phase %.5f\n", rest[0],
                 carried[0], carried[1]);
-    // The second-order equilibrium of BGK lacks the third moment: its viscosity falls by
-    // 3 U^2 = 0.75 %, times an exponent of 0.83. The recursive third order restores it
-    // for this flow up to dispersion, of order (k dx)^4.
-    EXPECT_NEAR(carried[0] / rest[0], 1, GetParam() == Collision::bgk ? 0.008 : 1e-3);
-    EXPECT_NEAR(carried[1] / rest[0], 0, 1e-3);
+    // The second-order equilibrium of BGK and TRT lacks the third moment: its viscosity
+    // falls by 3 U^2 = 0.75 %, times an exponent of 0.83. The recursive third order
+    // restores it for this flow up to dispersion, of order (k dx)^4.
+    const bool recursive = GetParam() == Collision::recursive_regularized;
+    EXPECT_NEAR(carried[0] / rest[0], 1, recursive ? 1e-3 : 0.008);
+    // Two relaxation times: advection is exact to third order only for Lambda = 1/12; at
+    // 3/16 the wave is shifted by (3/16 - 1/12) k^3 a cell and terms of higher order:
+    // 0.025 over 32 cells in the lowest.
+    const bool trt = GetParam() == Collision::trt;
+    EXPECT_NEAR(carried[1] / rest[0], 0, trt ? 0.03 : 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, GalileanInvariance,
-                         testing::Values(Collision::bgk,
+                         testing::Values(Collision::bgk, Collision::trt,
                                          Collision::recursive_regularized));
 
 }  // namespace

@@ -1,0 +1,44 @@
+// The collision that automatic stands for follows the relaxation time, and the reason
+// names it.
+#include <gtest/gtest.h>
+
+#include "fluid_lbm/collision/choice.h"
+#include "fluid_lbm/units.h"
+#include "tests/unit/fluid_lbm/lattice_fluid.h"
+
+namespace magfsi::fluid {
+namespace {
+
+TEST(CollisionChoice, FollowsTheRelaxationTime) {
+    const auto chosen = [](double tau) {
+        return choose_collision(lattice_fluid({4, 4, 4}, tau, Collision::automatic));
+    };
+    // The swimming robot's 0.5015 made two-relaxation-time collision diverge.
+    EXPECT_EQ(chosen(0.5015), Collision::recursive_regularized);
+    EXPECT_EQ(chosen(0.53), Collision::recursive_regularized);
+    EXPECT_EQ(chosen(0.6), Collision::trt);
+    EXPECT_EQ(chosen(1.5), Collision::trt);
+}
+
+TEST(CollisionChoice, GivesItsReason) {
+    FluidConfig config = lattice_fluid({4, 4, 4}, 0.5015, Collision::automatic);
+    const std::string low = collision_reason(config);
+    EXPECT_EQ(low.find("recursive_regularized: relaxation time 0.5015"), 0u) << low;
+    EXPECT_NE(low.find("falls to 0.007968"), std::string::npos) << low;
+    config.collision = Collision::bgk;
+    EXPECT_EQ(collision_reason(config), "bgk: asked for");
+}
+
+TEST(CollisionChoice, RefusesConstantsWithoutMeaning) {
+    FluidConfig config = lattice_fluid({4, 4, 4}, 0.6, Collision::trt);
+    config.magic_number = 0;
+    EXPECT_THROW(check(config), std::invalid_argument);
+    config.magic_number = 0.25;
+    config.smagorinsky_constant = -0.1;
+    EXPECT_THROW(check(config), std::invalid_argument);
+    config.smagorinsky_constant = 0.17;
+    EXPECT_NO_THROW(check(config));
+}
+
+}  // namespace
+}  // namespace magfsi::fluid
