@@ -17,7 +17,7 @@ struct Overlap {
 // Whether two bodies, with their nodes where they are placed, fill the same space: their
 // bounding boxes first, then nodes, element centres and points of the surface of each,
 // half the other's shortest edge apart, in the elements of the other. Bodies that only
-// touch, to a millionth of their shortest edges, do not overlap. Penetration less deep
+// touch, to a millionth of an element, do not overlap. Penetration less deep
 // than a quarter of the shortest edge may be missed at corners and edges.
 std::optional<Overlap> bodies_overlap(const Mesh& a, const Mesh& b);
 
