@@ -1,0 +1,149 @@
+// magfsi-bench-structure [--json]: nanoseconds an element of whole LAMMPS steps, 10,000
+// elements, one rank: the kernels of fix magttice against the plain form of the same
+// element, in turns within one run, so that both meet the same state of the machine.
+#include <mpi.h>
+#include <stdlib.h>
+#include "input.h"
+#include "lammps.h"
+#include "modify.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "structure/lammps/element_name.h"
+#include "structure/lammps/register_styles.h"
+#include "structure/lammps/script.h"
+#include "structure/lattice/stable_step.h"
+#include "structure/mesh/box_mesh.h"
+#include "tests/bench/structure/plain_lattice.h"
+
+namespace {
+
+using namespace magfsi::structure;
+using LAMMPS_NS::LAMMPS;
+
+constexpr int rounds = 15;
+constexpr int steps_a_round = 20;
+
+Body sheet(ElementVariant variant) {
+    Body body;
+    body.name = "sheet";
+    body.mesh = box_mesh({{9.25e-3, 9.25e-3, 0.37e-3}, {50, 50, 4}});
+    body.material = {33e3, 660e3, 1860};
+    body.element = variant;
+    return body;
+}
+
+LAMMPS_NS::Fix* create_plain(LAMMPS* lammps, int narg, char** arg) {
+    return new bench::PlainLattice(lammps, narg, arg);
+}
+
+// Steps once so that the body vibrates in both forms alike.
+std::unique_ptr<LAMMPS> started(const std::vector<std::string>& lines) {
+    std::array<std::string, 6> words{"bench",   "-log", "none",
+                                     "-screen", "none", "-nocite"};
+    std::array<char*, 6> arguments{};
+    for (std::size_t i = 0; i < 6; ++i) arguments[i] = words[i].data();
+    auto lammps = std::make_unique<LAMMPS>(6, arguments.data(), MPI_COMM_SELF);
+    register_styles(*lammps);
+    (*lammps->modify->fix_map)["bench/plain"] = &create_plain;
+    for (const std::string& line : lines) lammps->input->one(line);
+    lammps->input->one("velocity all create 1e10 4711 dist gaussian");
+    lammps->input->one("velocity all zero linear");
+    lammps->input->one("run 10");
+    return lammps;
+}
+
+double ns_an_element(LAMMPS& lammps, std::size_t elements) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    lammps.input->one("run " + std::to_string(steps_a_round) + " pre no post no");
+    const std::chrono::duration<double, std::nano> spent = Clock::now() - begin;
+    return spent.count() / (steps_a_round * static_cast<double>(elements));
+}
+
+struct Spread {
+    double median, low, high;  // low and high: quartiles
+};
+
+Spread spread_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    return {values[n / 2], values[n / 4], values[(3 * n) / 4]};
+}
+
+struct Figures {
+    Spread fast, plain, ratio;
+};
+
+Figures measure(ElementVariant variant, const std::filesystem::path& folder) {
+    LammpsInput input;
+    input.bodies = {sheet(variant)};
+    input.time_step_s = 0.5 * stable_step_s(input.bodies[0]);
+    auto lines = write_lammps_input(input, folder).setup;
+    const auto fast = started(lines);
+    for (std::string& line : lines) {
+        if (!line.starts_with("fix magttice_")) continue;
+        line = "fix plain all bench/plain \"" + (folder / "sheet.lattice").string() +
+               "\" 33e3 660e3 " + element_name(variant);
+    }
+    const auto plain = started(lines);
+    std::vector<double> a;
+    std::vector<double> b;
+    std::vector<double> ratio;
+    const std::size_t elements = input.bodies[0].mesh.elements.size();
+    for (int round = 0; round < rounds; ++round) {
+        a.push_back(ns_an_element(*fast, elements));
+        b.push_back(ns_an_element(*plain, elements));
+        ratio.push_back(b.back() / a.back());
+    }
+    return {spread_of(a), spread_of(b), spread_of(ratio)};
+}
+
+void print(ElementVariant variant, const Figures& f, bool json, bool last) {
+    const char* name = element_name(variant);
+    if (json) {
+        std::printf(
+            "  \"%s\": {\"ns_per_element_step\": [%.2f, %.2f, %.2f], "
+            "\"plain_ns_per_element_step\": [%.2f, %.2f, %.2f], "
+            "\"times_faster\": [%.3f, %.3f, %.3f]}%s\n",
+            name, f.fast.median, f.fast.low, f.fast.high, f.plain.median, f.plain.low,
+            f.plain.high, f.ratio.median, f.ratio.low, f.ratio.high, last ? "" : ",");
+        return;
+    }
+    std::printf(
+        "%-15s %6.1f (%.1f to %.1f) ns an element, plain %6.1f (%.1f to %.1f), "
+        "%.2f (%.2f to %.2f) times faster\n",
+        name, f.fast.median, f.fast.low, f.fast.high, f.plain.median, f.plain.low,
+        f.plain.high, f.ratio.median, f.ratio.low, f.ratio.high);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool json = argc == 2 && std::strcmp(argv[1], "--json") == 0;
+    if (argc > 1 && !json) {
+        std::fprintf(stderr, "usage: magfsi-bench-structure [--json]\n");
+        return 2;
+    }
+    MPI_Init(nullptr, nullptr);
+    std::string name = std::filesystem::temp_directory_path() / "magfsi.XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) return 1;
+    const std::array variants{ElementVariant::full, ElementVariant::mean_f,
+                              ElementVariant::assumed_strain};
+    if (json) std::printf("{\n");
+    for (ElementVariant variant : variants) {
+        print(variant, measure(variant, name), json, variant == variants.back());
+    }
+    if (json) std::printf("}\n");
+    std::filesystem::remove_all(name);
+    MPI_Finalize();
+    return 0;
+}
