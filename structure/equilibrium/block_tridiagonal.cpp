@@ -1,16 +1,77 @@
 #include "structure/equilibrium/block_tridiagonal.h"
 
+#include <algorithm>
+
+#include "structure/equilibrium/dense_update.h"
+#include "structure/lattice/instruction_set.h"
+
 namespace magfsi::structure {
 namespace {
 
-// below := below * L^-T of the factorised block before it.
-void eliminate(const Eigen::MatrixXd& factor, Eigen::MatrixXd& below) {
-    factor.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
-        below);
+using Eigen::MatrixXd;
+
+// Columns that are factorised at once; the rest of the work is matrix products.
+constexpr int panel = 48;
+
+DenseUpdateFunction update_function() {
+    switch (choose_instruction_set()) {
+        case InstructionSet::avx512:
+            return &avx512::subtract_product;
+        case InstructionSet::avx2:
+            return &avx2::subtract_product;
+        case InstructionSet::sse2:
+            return &sse2::subtract_product;
+    }
+    return &sse2::subtract_product;
 }
 
-bool cholesky(Eigen::MatrixXd& block) {
-    return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(block).info() == Eigen::Success;
+// c(row:, column : column + columns) -= a(row:, : depth) b(column..., : depth)^T.
+void update(MatrixXd& c, const MatrixXd& a, const MatrixXd& b, int row, int column,
+            int columns, int depth) {
+    static const DenseUpdateFunction subtract = update_function();
+    if (columns == 0 || depth == 0 || row >= c.rows()) return;
+    subtract({&c(row, column), &a(row, 0), &b(column, 0),
+              static_cast<int>(c.rows()) - row, columns, depth, c.outerStride(),
+              a.outerStride(), b.outerStride()});
+}
+
+// below := below * L^-T of the factorised block before it, panel by panel.
+void eliminate(const MatrixXd& factor, MatrixXd& below) {
+    const int size = static_cast<int>(factor.rows());
+    for (int at = 0; at < size; at += panel) {
+        const int columns = std::min(panel, size - at);
+        update(below, below, factor, 0, at, columns, at);
+        auto part = below.middleCols(at, columns);
+        factor.block(at, at, columns, columns)
+            .triangularView<Eigen::Lower>()
+            .transpose()
+            .solveInPlace<Eigen::OnTheRight>(part);
+    }
+}
+
+// The lower triangle of block -= below below^T.
+void subtract_square(const MatrixXd& below, MatrixXd& block) {
+    const int size = static_cast<int>(block.rows());
+    for (int at = 0; at < size; at += panel) {
+        update(block, below, below, at, at, std::min(panel, size - at),
+               static_cast<int>(below.cols()));
+    }
+}
+
+bool cholesky(MatrixXd& block) {
+    const int size = static_cast<int>(block.rows());
+    for (int at = 0; at < size; at += panel) {
+        const int columns = std::min(panel, size - at);
+        update(block, block, block, at, at, columns, at);
+        auto corner = block.block(at, at, columns, columns);
+        if (Eigen::LLT<Eigen::Ref<MatrixXd>>(corner).info() != Eigen::Success) {
+            return false;
+        }
+        auto rest = block.block(at + columns, at, size - at - columns, columns);
+        corner.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
+            rest);
+    }
+    return true;
 }
 
 }  // namespace
@@ -35,7 +96,7 @@ bool BlockTridiagonal::factorize() {
     for (std::size_t i = 0; i < diagonal_.size(); ++i) {
         if (i > 0) {
             eliminate(diagonal_[i - 1], below_[i]);
-            diagonal_[i].selfadjointView<Eigen::Lower>().rankUpdate(below_[i], -1);
+            subtract_square(below_[i], diagonal_[i]);
         }
         if (!cholesky(diagonal_[i])) return false;
     }
@@ -61,22 +122,20 @@ void BlockTridiagonal::solve_in_place(Eigen::VectorXd& b) const {
 
 int BlockTridiagonal::count_negative() {
     int negative = 0;
-    Eigen::MatrixXd update;  // what the block before takes off the next one
     for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-        if (i > 0) diagonal_[i].triangularView<Eigen::Lower>() -= update;
         const bool last = i + 1 == diagonal_.size();
-        Eigen::MatrixXd factor = diagonal_[i];
+        MatrixXd factor = diagonal_[i];
         if (cholesky(factor)) {
             if (last) continue;
             eliminate(factor, below_[i + 1]);
-            update.noalias() = below_[i + 1] * below_[i + 1].transpose();
+            subtract_square(below_[i + 1], diagonal_[i + 1]);
             continue;
         }
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(diagonal_[i]);
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(diagonal_[i]);
         negative += static_cast<int>((eigen.eigenvalues().array() < 0).count());
         if (last) continue;
-        const Eigen::MatrixXd turned = below_[i + 1] * eigen.eigenvectors();
-        update.noalias() =
+        const MatrixXd turned = below_[i + 1] * eigen.eigenvectors();
+        diagonal_[i + 1] -=
             turned * eigen.eigenvalues().cwiseInverse().asDiagonal() * turned.transpose();
     }
     return negative;
