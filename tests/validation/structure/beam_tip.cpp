@@ -50,7 +50,7 @@ class BeamTip : public testing::Test {
     }
 };
 
-// Each mesh is the cheapest of those tried (6 to 70 elements along) that stays within its
+// Each mesh is the cheapest of those tried (6 to 52 elements along) that stays within its
 // bound at all gamma; the bounds are the accuracies that users ask for.
 TEST_F(BeamTip, FullNeedsTwoLayersOfCubes) {
     EXPECT_LT(study({32, 6, 2}, ElementVariant::full).largest_error, 0.03);
