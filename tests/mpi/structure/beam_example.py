@@ -21,7 +21,7 @@ with tempfile.TemporaryDirectory() as folder:
                           cwd=folder, check=True, capture_output=True, text=True)
 found = float(re.search(r"m, ([0-9.]+) of the length\n", done.stdout).group(1))
 print(f"tip displacement {found} of the length, reference {reference}")
-# Two layers of assumed_strain elements, and what is left of the motion at a ratio of 1e-3.
+# Two layers of assumed_strain elements, and what is left of the motion at a ratio of 2e-4.
 assert abs(found / reference - 1) < 0.015, found
 
 # Wrong arguments end with 2 and say what is missing.
