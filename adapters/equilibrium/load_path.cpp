@@ -39,8 +39,10 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
     if (loaded(start)) {
         now_ = at_rest ? solver_.release(placed_m_, start)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();
+        if (at_rest) now_.releases = 0;  // meant, not met on the way
     }
-    add_work({}, start, placed_m_);
+    // Let go, the body moves in the field at full strength.
+    add_work(at_rest ? start : structure::StaticLoads{}, start, placed_m_);
 }
 
 structure::StaticLoads LoadPath::loads_at(double time_s) const {
