@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+"""Draws the figure of the turning strip from a folder of runs.
+
+    plot.py --run FOLDER               makes the four runs in it
+    plot.py FOLDER [--out figure.png]  draws them, and prints what it finds
+
+(a) side views: the C in the field's four directions, and the V that the last of them makes of a
+flat strip; (b) heading of the strip against the field's direction.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import subprocess
+import xml.etree.ElementTree
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from matplotlib.collections import PolyCollection
+from vtk.util.numpy_support import vtk_to_numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+RUNS = {
+    "turned": ["scene.yaml"],
+    "flat": ["scene.yaml", "--set", "magnetic_field.table.direction=90 deg",
+             "--set", "time.end=1 s"],
+    "motion": ["motion.yaml"],
+    "platform": ["platform.yaml"],
+}
+INK, GREY = "0.1", "0.45"
+NANO = 1e9
+
+
+def run_all(runs):
+    program = os.environ.get("MAGFSI_BIN")
+    program = pathlib.Path(program) / "magfsi" if program else HERE.parents[1] / "magfsi"
+    for name, (scene, *settings) in RUNS.items():
+        subprocess.run([str(program), "run", str(HERE / scene), "--out", str(runs / name),
+                        *settings], check=True)
+
+
+def read_probes(run):
+    with open(run / "probes.csv", newline="") as file:
+        names, *rows = list(csv.reader(file))
+    return dict(zip(names, np.array(rows, dtype=float).T))
+
+
+def heading_deg(probes, start="left", end="right"):
+    """Of the line between two probe points in the x-z plane, without jumps of a turn."""
+    rise = probes[f"{end}_z[m]"] - probes[f"{start}_z[m]"]
+    run = probes[f"{end}_x[m]"] - probes[f"{start}_x[m]"]
+    return np.degrees(np.unwrap(np.arctan2(rise, run)))
+
+
+def side_view_mm(run, frame):
+    """Outer faces in the x-z plane about their middle: (faces, 4, 2)."""
+    files = [e.get("file") for e in
+             xml.etree.ElementTree.parse(run / "structure.pvd").iter("DataSet")]
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(run / files[frame]))
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputConnection(reader.GetOutputPort())
+    surface.Update()
+    skin = surface.GetOutput()
+    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    points = 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[:, [0, 2]]
+    return (points - 0.5 * (points.min(axis=0) + points.max(axis=0)))[faces]
+
+
+def draw_views(axes, runs):
+    views = [(side_view_mm(runs / "turned", k), angle)
+             for k, angle in enumerate((225, 180, 135, 90))]
+    views.append((side_view_mm(runs / "flat", -1), 90))
+    names = ("C, released", "turned", "turned", "turned", "from flat")
+    pitch = 3.2
+    for k, (faces, angle) in enumerate(views):
+        x = k * pitch + (0.5 if k == 4 else 0)
+        axes.add_collection(PolyCollection(faces + [x, 0], facecolors=INK, edgecolors=INK,
+                                           linewidths=0.3))
+        step = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+        foot = np.array([x, 2.2])
+        axes.annotate("", foot + 0.45 * step, foot - 0.45 * step,
+                      arrowprops={"arrowstyle": "-|>", "color": GREY, "lw": 1.3})
+        axes.text(x, 2.85, f"{angle}\N{DEGREE SIGN}", ha="center", fontsize=8)
+        axes.text(x, -1.75, names[k], ha="center", fontsize=7, color=GREY)
+    axes.axvline(3.5 * pitch + 0.25, color="0.8", lw=0.8)
+    axes.text(-2.6, 2.2, "field", fontsize=7, color=GREY, va="center")
+    axes.plot([-2.5, -1.5], [-1.65, -1.65], color=INK, lw=2, solid_capstyle="butt")
+    axes.text(-2.0, -1.5, "1 mm", ha="center", fontsize=7)
+    axes.set(xlim=(-2.9, 4 * pitch + 2.2), ylim=(-2.0, 3.3), aspect="equal")
+    axes.axis("off")
+
+
+def draw_heading(axes, found):
+    turned = found["turned"]
+    angle = np.interp(turned["t[s]"], [0, 1, 2, 3], [225, 180, 135, 90])
+    axes.plot(angle, heading_deg(turned), color=INK, lw=1.2)
+    axes.text(225, -80, "line: Newton", fontsize=7.5, ha="left")
+    motion = found["motion"]
+    rest = np.isin(np.round(motion["t[s]"], 4), (0.1, 0.25, 0.4, 0.6))
+    axes.plot([225, 180, 135, 90], heading_deg(motion)[rest], "o", ms=7, mfc="none", mec=INK)
+    axes.text(225, -100, "circles: motion in time, at rest", fontsize=7.5, ha="left")
+    platform = found["platform"]
+    held = platform["t[s]"] >= 1 - 1e-9
+    angle = np.interp(platform["t[s]"], [1, 2, 3, 4], [225, 180, 135, 90])
+    axes.plot(angle[held], heading_deg(platform)[held], "+", ms=6, color=INK)
+    axes.text(225, -120, "crosses: on a platform, with weight", fontsize=7.5, ha="left")
+    flat = heading_deg(found["flat"])[-1]
+    axes.plot([90], [flat], "D", ms=5, mfc="white", mec=INK)
+    axes.text(93, flat, "V from flat", fontsize=7.5, ha="right", va="center")
+    axes.set(xlim=(232, 83), xticks=[225, 180, 135, 90], ylim=(-150, 60),
+             yticks=[-135, -90, -45, 0, 45], xlabel="direction of the field [\N{DEGREE SIGN}]",
+             ylabel="heading of the line\nbetween the ends [\N{DEGREE SIGN}]")
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def report(found):
+    for name, probes in found.items():
+        heading, middle = heading_deg(probes), heading_deg(probes, "before", "after")
+        for k in range(len(heading)):
+            if name == "motion" and round(1e3 * probes["t[s]"][k]) not in (100, 250, 400, 600):
+                continue
+            elastic = NANO * probes["strip.energy_elastic[J]"][k]
+            work = NANO * probes["strip.work_magnetic[J]"][k]
+            print(f"{name:9s} t {probes['t[s]'][k]:5.3g} s: end to end "
+                  f"{1e3 * probes['strip.end_to_end[m]'][k]:.4f} mm, bend "
+                  f"{np.degrees(probes['strip.bend[rad]'][k]):8.2f}, heading {heading[k]:8.2f}, "
+                  f"middle {middle[k]:8.2f} degrees, elastic {elastic:.1f} nJ, work of the "
+                  f"field {work:.1f} nJ")
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("folder", type=pathlib.Path)
+    options.add_argument("--run", action="store_true", help="make the runs first")
+    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
+    chosen = options.parse_args()
+    if chosen.run:
+        run_all(chosen.folder)
+    found = {name: read_probes(chosen.folder / name) for name in RUNS}
+    report(found)
+    plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
+    figure = plt.figure(figsize=(7.2, 4.7))
+    draw_views(figure.add_axes([0.02, 0.53, 0.97, 0.46]), chosen.folder)
+    draw_heading(figure.add_axes([0.13, 0.1, 0.8, 0.4]), found)
+    for letter, top in (("(a)", 0.97), ("(b)", 0.52)):
+        figure.text(0.01, top, letter, weight="bold", fontsize=9, va="center")
+    figure.savefig(chosen.out, dpi=200)
+    print(chosen.out)
+
+
+if __name__ == "__main__":
+    main()
