@@ -40,6 +40,9 @@ TEST(InvertedElement, IsNamedInTheStepItHappens) {
         has(cause, "fix magttice_strip magttice: element 0 is inverted at step 1"))
         << cause;
     EXPECT_TRUE(has(cause, "its volume ratio J is -")) << cause;
+    // Its centre at rest is half an edge from the corner.
+    EXPECT_TRUE(has(cause, "(body strip, centre now at (")) << cause;
+    EXPECT_TRUE(has(cause, "rest (9.25e-05, 9.375e-05, 4.625e-05) m)")) << cause;
     EXPECT_TRUE(has(cause, "smaller time step")) << cause;
 }
 
