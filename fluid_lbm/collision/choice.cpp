@@ -12,7 +12,9 @@ namespace {
 // Two-relaxation-time collision had the lowest error of the three at moderate relaxation
 // times; near 1/2 its odd rate vanishes (0.008 at 0.5015 with Lambda = 3/16) and it
 // diverged within 23 to 52 ms of a swimming robot, where the recursive-regularised one
-// and even BGK ran. At 0.55 the odd rate is 0.24: perturbations decay within four steps.
+// and even BGK ran; at 0.5035 (odd rate 0.018) it diverged in a Taylor-Green vortex at
+// Reynolds number 1600. At 0.55 the odd rate is 0.24: perturbations decay within four
+// steps.
 constexpr double trt_from = 0.55;
 
 template <class... Kinds>
