@@ -157,7 +157,9 @@ const std::vector<CellBox>& Fluid::owned_by_rank() const {
     return state_->solver.decomposition().boxes;
 }
 std::size_t Fluid::memory_bytes() const {
-    return state_->solver.populations().bytes() + state_->solver.forces().bytes();
+    const Obstacles* obstacles = state_->solver.obstacles();
+    return state_->solver.populations().bytes() + state_->solver.forces().bytes() +
+           (obstacles ? obstacles->bytes() : 0);
 }
 
 void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out) const {

@@ -48,10 +48,10 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       halo_(comm, decomposition_, rank_),
       rows_at_cuts_(fluid::rows_at_cuts(layout_)),
       inner_rows_(fluid::inner_rows(layout_)),
-      boundaries_(comm, decomposition_, rank_, config.sides, config.wall_velocity,
-                  populations_, layout_),
       obstacles_(
           make_obstacles(config, decomposition_.boxes[rank_], populations_, layout_)),
+      boundaries_(comm, decomposition_, rank_, config.sides, config.wall_velocity,
+                  populations_, layout_, obstacles_ ? &obstacles_->map() : nullptr),
       kernels_(config.kernels),
       collision_(config.collision) {
     for (int side = 0; side < 6; ++side) {
@@ -77,8 +77,8 @@ void Solver::apply_boundaries() {
     if (obstacles_) obstacles_->look(populations_, arrangement_);
     boundaries_.enter(populations_, layout_, static_cast<double>(steps_done_) + 0.5);
     if (obstacles_) obstacles_->bounce(populations_, arrangement_);
+    settle_obstacles();  // an outlet may look into them
     boundaries_.rebuild_outlets(populations_, arrangement_);
-    settle_obstacles();
 }
 
 void Solver::settle_obstacles() {

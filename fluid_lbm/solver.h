@@ -89,9 +89,9 @@ class Solver {
     ForcedRows forces_;
     Halo halo_;
     std::vector<RowBox> rows_at_cuts_, inner_rows_;
+    std::optional<Obstacles> obstacles_;
     Boundaries boundaries_;
     std::array<bool, 6> open_sides_{};
-    std::optional<Obstacles> obstacles_;
     AnyKernels kernels_;
     CollisionParameters collision_;
     Arrangement arrangement_ = Arrangement::natural;

@@ -7,21 +7,24 @@ namespace magfsi::fluid {
 namespace {
 
 // An outlet reads the cell inside of each of its own.
-void check_depth(const CellBox& owned, int side) {
+void check_depth(const Decomposition& decomposition, int side) {
     const int axis = axis_of(side);
-    if (owned.hi[axis] - owned.lo[axis] > 1) return;
-    refuse("fluid box is cut into parts of one cell along ", axis_name[axis],
-           ", and the pressure outlet at ", side_name[side],
-           " needs two; choose fewer fluid ranks");
+    for (const CellBox& box : decomposition.boxes) {
+        if (box.hi[axis] - box.lo[axis] > 1) continue;
+        refuse("fluid box is cut into parts of one cell along ", axis_name[axis],
+               ", and the pressure outlet at ", side_name[side],
+               " needs two; choose fewer fluid ranks");
+    }
 }
 
 std::vector<Cell> open_cells(const LatticeSide& side, const CellBox& side_cells,
-                             const CellBox& owned) {
+                             const CellBox& owned, const SolidMap* solids) {
     std::vector<Cell> cells;
     for_each_cell(side_cells, [&](const Cell& cell) {
         const Cell global{cell[0] + owned.lo[0], cell[1] + owned.lo[1],
                           cell[2] + owned.lo[2]};
-        if (!side.open || side.open(global)) cells.push_back(cell);
+        const bool open = !side.open || side.open(global);
+        if (open && !(solids && solids->solid(cell))) cells.push_back(cell);
     });
     return cells;
 }
@@ -31,9 +34,13 @@ std::vector<Cell> open_cells(const LatticeSide& side, const CellBox& side_cells,
 Boundaries::Boundaries(MPI_Comm comm, const Decomposition& decomposition, int rank,
                        const std::array<LatticeSide, 6>& sides,
                        const std::array<std::array<double, 3>, 6>& wall_velocity,
-                       const Populations& populations, const RowLayout& layout) {
+                       const Populations& populations, const RowLayout& layout,
+                       const SolidMap* solids) {
     const CellBox& owned = decomposition.boxes[rank];
     for (int side = 0; side < 6; ++side) {
+        if (sides[side].kind == BoundaryKind::pressure_outlet) {
+            check_depth(decomposition, side);
+        }
         const auto cells = cells_at_side(owned, decomposition.cells, side);
         if (!cells || decomposition.periodic[axis_of(side)]) continue;
         const LatticeSide& lattice = sides[side];
@@ -43,10 +50,9 @@ Boundaries::Boundaries(MPI_Comm comm, const Decomposition& decomposition, int ra
             inlets_.emplace_back(lattice, side, *cells, owned, decomposition.cells,
                                  decomposition.periodic);
         } else if (lattice.kind == BoundaryKind::pressure_outlet) {
-            check_depth(owned, side);
-            outlets_.emplace_back(lattice, side, open_cells(lattice, *cells, owned),
-                                  decomposition.cells[axis_of(side)], populations,
-                                  layout);
+            outlets_.emplace_back(
+                lattice, side, open_cells(lattice, *cells, owned, solids),
+                decomposition.cells[axis_of(side)], populations, layout);
         } else if (wall_velocity[side] != std::array<double, 3>{}) {
             moving_walls_.push_back({axis_of(side), side % 2, wall_velocity[side]});
         }

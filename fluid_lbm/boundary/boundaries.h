@@ -12,17 +12,21 @@
 #include "fluid_lbm/boundary/moving_wall.h"
 #include "fluid_lbm/boundary/pressure_outlet.h"
 #include "fluid_lbm/boundary/velocity_inlet.h"
+#include "fluid_lbm/obstacle/solid_map.h"
 #include "fluid_lbm/parallel/decomposition.h"
 
 namespace magfsi::fluid {
 
 class Boundaries {
   public:
-    // comm must outlive the object.
+    // solids: null without obstacles; cells in them are no part of an outlet. Throws
+    // std::invalid_argument on all ranks if one has an outlet but no cell behind it. comm
+    // must outlive the object.
     Boundaries(MPI_Comm comm, const Decomposition& decomposition, int rank,
                const std::array<LatticeSide, 6>& sides,
                const std::array<std::array<double, 3>, 6>& wall_velocity,
-               const Populations& populations, const RowLayout& layout);
+               const Populations& populations, const RowLayout& layout,
+               const SolidMap* solids);
 
     // Before the sweep.
     void look_at_outlets(const Populations& populations, Arrangement arrangement);

@@ -7,8 +7,8 @@
 // have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow. All
 // 19 are then rebuilt from rho, u and the stress, with the bounce-back of the
 // non-equilibrium part for the unknown ones (regularised: Latt et al. 2008), which stays
-// stable close to relaxation time 1/2. The tangential velocity is that of no shear across
-// the side.
+// stable close to relaxation time 1/2. The tangential velocity is that of the next cell
+// inwards.
 #pragma once
 
 #include <vector>
