@@ -41,7 +41,8 @@ structure::Mesh to_mesh(const scene::Body& body) {
     try {
         return std::visit([](const auto& mesh) { return build(mesh); }, body.mesh);
     } catch (const std::invalid_argument& fault) {
-        throw std::invalid_argument(fmt::format("body '{}': {}", body.name, fault.what()));
+        throw std::invalid_argument(
+            fmt::format("body '{}': {}", body.name, fault.what()));
     }
 }
 

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "adapters/bodies/body_mesh.h"
 #include "structure/mesh/box_mesh.h"
+#include "structure/mesh/sheet.h"
+#include "structure/mesh/surface_points.h"
 
 namespace magfsi::bodies {
 
@@ -25,18 +28,10 @@ int count_along(double length_m, double spacing_m) {
     return std::max(1, static_cast<int>(std::ceil(length_m / spacing_m - 1e-9)));
 }
 
-}  // namespace
-
-std::vector<PlacedMarker> place_markers(const scene::Body& body,
-                                        const scene::ImmersedBoundary& boundary,
-                                        double grid_spacing_m, int number) {
-    const auto* mesh = std::get_if<scene::BoxMesh>(&body.mesh);
-    if (!mesh) {
-        throw std::invalid_argument("body '" + body.name +
-                                    "': in a fluid only a block can carry markers; use "
-                                    "mesh: {box: ...}");
-    }
-    const structure::Box box{mesh->size_m, mesh->elements};
+std::vector<PlacedMarker> on_block(const scene::BoxMesh& mesh,
+                                   const scene::ImmersedBoundary& boundary,
+                                   double grid_spacing_m, int number) {
+    const structure::Box box{mesh.size_m, mesh.elements};
     const SheetAxes axes = sheet_axes(box.size_m);
     const double spacing_m = boundary.marker_spacing * grid_spacing_m;
     const double length_1 = box.size_m[axes.first];
@@ -61,6 +56,43 @@ std::vector<PlacedMarker> place_markers(const scene::Body& body,
         }
     }
     return markers;
+}
+
+// A sheet of any outline, curved or folded.
+std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
+                                   const structure::Sheet& sheet,
+                                   const scene::ImmersedBoundary& boundary,
+                                   double grid_spacing_m, int number) {
+    const double spacing_m = boundary.marker_spacing * grid_spacing_m;
+    std::vector<PlacedMarker> markers;
+    const auto add = [&](const std::vector<structure::SurfacePoint>& points,
+                         double share) {
+        for (const auto& p : points)
+            markers.push_back({p.point, share * p.area_m2 * grid_spacing_m, number});
+    };
+    if (boundary.markers == scene::MarkerSurface::mid_surface) {
+        add(structure::mid_surface_points(mesh, sheet, spacing_m), 1);
+        return markers;
+    }
+    for (const auto& side : {structure::bottom_of(sheet), structure::top_of(sheet)})
+        add(structure::surface_points(mesh, side, spacing_m), 0.5);
+    return markers;
+}
+
+}  // namespace
+
+std::vector<PlacedMarker> place_markers(const scene::Body& body,
+                                        const scene::ImmersedBoundary& boundary,
+                                        double grid_spacing_m, int number) {
+    if (const auto* box = std::get_if<scene::BoxMesh>(&body.mesh))
+        return on_block(*box, boundary, grid_spacing_m, number);
+    const structure::Mesh mesh = to_mesh(body);
+    const auto sheet = structure::find_sheet(mesh);
+    if (sheet) return on_sheet(mesh, *sheet, boundary, grid_spacing_m, number);
+    throw std::invalid_argument(
+        "body '" + body.name +
+        "' is no sheet (columns of equally many elements between two large faces): in a "
+        "fluid only blocks and sheets can carry markers");
 }
 
 }  // namespace magfsi::bodies

@@ -19,7 +19,8 @@ struct PlacedMarker {
 // Markers on the sheet spanned by the body's two longer edges: on its mid-surface, or
 // half of the volume on each of its two faces. A marker stands for its area times one
 // grid spacing: the thickness of fluid that the smeared kernel moves with it.
-// number: of the body. Throws std::invalid_argument on a body that is no block.
+// number: of the body. Throws std::invalid_argument on a body that is
+// neither a block nor a sheet.
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const scene::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int number);

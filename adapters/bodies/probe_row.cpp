@@ -52,7 +52,8 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
     }
     if (!scene.probes) return;
     for (const scene::PointProbe& probe : scene.probes->points) {
-        const auto found = std::ranges::find(scene.bodies, probe.body, &scene::Body::name);
+        const auto found =
+            std::ranges::find(scene.bodies, probe.body, &scene::Body::name);
         const auto b = static_cast<std::size_t>(found - scene.bodies.begin());
         Point point{locate(*found, bodies[b].mesh, probe.at_m), bodies_[b].first, {}};
         point.start_m = position(point.at, start, point.first_node);

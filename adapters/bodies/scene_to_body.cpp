@@ -7,6 +7,7 @@
 
 #include "adapters/bodies/body_mesh.h"
 #include "structure/magnetics/magnetization.h"
+#include "structure/magnetics/magnetization_table.h"
 
 namespace magfsi::bodies {
 
@@ -21,8 +22,8 @@ Vectors build(const scene::UniformMagnetization& uniform, const Mesh& mesh) {
 
 Vectors build(const scene::HarmonicMagnetization& wave, const Mesh& mesh) {
     return structure::harmonic_magnetization(
-        mesh, {wave.amplitude_a_m, wave.wavelength_m > 0 ? wave.wavelength_m
-                                                         : extent(mesh, wave.along),
+        mesh, {wave.amplitude_a_m,
+               wave.wavelength_m > 0 ? wave.wavelength_m : extent(mesh, wave.along),
                wave.phase_rad, wave.along, wave.into});
 }
 
@@ -40,11 +41,11 @@ Vectors build(const scene::RegionMagnetization& wanted, const Mesh& mesh) {
         for (const std::string& region : entry.regions)
             vectors[region] = entry.vector_a_m;
     }
-    throw std::invalid_argument("by regions is not built yet");
+    return structure::region_magnetization(mesh, vectors);
 }
 
 Vectors build(const scene::TableMagnetization& table, const Mesh& mesh) {
-    throw std::invalid_argument(table.file + " is not read yet");
+    return structure::table_magnetization(mesh, table.file);
 }
 
 structure::ElementVariant to_element(scene::ElementVariant variant) {
@@ -88,9 +89,9 @@ structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
     out.clamps = body.clamps;
     try {
         if (body.magnetization) {
-            out.magnetization_a_m = std::visit(
-                [&](const auto& wanted) { return build(wanted, out.mesh); },
-                *body.magnetization);
+            out.magnetization_a_m =
+                std::visit([&](const auto& wanted) { return build(wanted, out.mesh); },
+                           *body.magnetization);
         }
     } catch (const std::invalid_argument& fault) {
         throw std::invalid_argument(

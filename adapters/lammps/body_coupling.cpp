@@ -17,7 +17,7 @@ std::vector<bodies::PlacedMarker> place_all(const scene::Scene& scene) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const auto markers =
             bodies::place_markers(scene.bodies[b], scene.coupling->immersed_boundary,
-                          scene.fluid->spacing_m, static_cast<int>(b));
+                                  scene.fluid->spacing_m, static_cast<int>(b));
         all.insert(all.end(), markers.begin(), markers.end());
     }
     return all;
@@ -47,7 +47,8 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
-    const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) const {
+    const std::vector<bodies::PlacedMarker>& placed,
+    const std::vector<int>& first_node) const {
     std::vector<coupler::Marker> mine;
     for (const bodies::PlacedMarker& p : placed) {
         const int shift = first_node[static_cast<std::size_t>(p.body)];

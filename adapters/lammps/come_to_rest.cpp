@@ -18,6 +18,10 @@ constexpr int steps_between_looks = 200;
 // Decay times of the lowest mode within which rest is expected: e^-2000 is far below any
 // tolerance; sliding and rolling on a platform may take many swings.
 constexpr double patience = 2000;
+// Where the load has gone (a field through zero), of the largest so far, and where there
+// has been none, the shear strain on the smallest edge whose force counts as a load.
+constexpr double share_of_largest = 1e-3;
+constexpr double strain_without_load = 1e-3;
 
 structure::ConstantField field_at_start(const structure::FieldProgram& program) {
     return structure::polar_field_at(program, 0);
@@ -45,6 +49,19 @@ double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies) {
     return lowest;
 }
 
+double stiffness_load_n(const std::vector<structure::Body>& bodies) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const structure::Body& body : bodies) {
+        const double thickness =
+            std::min({bodies::extent(body.mesh, 0), bodies::extent(body.mesh, 1),
+                      bodies::extent(body.mesh, 2)});
+        smallest =
+            std::min(smallest, strain_without_load * body.material.shear_modulus_pa *
+                                   thickness * thickness);
+    }
+    return smallest;
+}
+
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) {
     if (!scene.damping) input.drag_rate_1_s = critical_drag_rate_1_s(input.bodies);
     if (input.field) input.field->course = field_at_start(*input.field);
@@ -58,6 +75,15 @@ RestFinder::RestFinder(Engine& engine, const scene::Scene& scene, double step_s)
         bodies.push_back(bodies::to_body(scene, body));
     most_steps_ = static_cast<std::int64_t>(
         patience / (0.5 * critical_drag_rate_1_s(bodies)) / step_s);
+    stiffness_load_n_ = stiffness_load_n(bodies);
+}
+
+double RestFinder::unrest() {
+    const double force_n = engine_.fix_vector("quiet", 1);
+    const double load_n = engine_.fix_vector("quiet", 2);
+    largest_load_n_ = std::max(largest_load_n_, load_n);
+    const double scale_n = std::max(load_n, share_of_largest * largest_load_n_);
+    return force_n / (scale_n > 0 ? scale_n : stiffness_load_n_);
 }
 
 void RestFinder::hold_field(double time_s) {
@@ -66,8 +92,8 @@ void RestFinder::hold_field(double time_s) {
     still.plane = program.plane;
     still.course = structure::polar_field_at(program, time_s);
     // A fix of the same name and style takes the place of the one before.
-    engine_.command(
-        fmt::format("fix field all magttice/field {}", structure::field_arguments(still)));
+    engine_.command(fmt::format("fix field all magttice/field {}",
+                                structure::field_arguments(still)));
 }
 
 void RestFinder::find(double time_s) {
@@ -78,11 +104,12 @@ void RestFinder::find(double time_s) {
     for (std::int64_t step = 0; step < most_steps_; step += steps_between_looks) {
         engine_.advance(steps_between_looks);
         steps_ += steps_between_looks;
-        ratio = engine_.fix_scalar("quiet");
+        ratio = unrest();
         if (ratio <= tolerance) return;
     }
     throw coupler::Diverged(fmt::format(
-        "the bodies did not come to rest within {} steps under the loads of {:.6g} s: the "
+        "the bodies did not come to rest within {} steps under the loads of {:.6g} s: "
+        "the "
         "largest nodal force is {:.3g} of the largest load, {:.3g} was wanted; take a "
         "larger time.equilibrium.tolerance or another damping.rate",
         most_steps_, time_s, ratio, tolerance));

@@ -20,6 +20,10 @@ double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies);
 // field at the start of the path held still.
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene);
 
+// Stands for the largest nodal load where there is none yet: a small strain's force on
+// the square of the smallest extent; the least over all bodies [N].
+double stiffness_load_n(const std::vector<structure::Body>& bodies);
+
 // Runs until the largest nodal force is below the tolerance times the largest nodal load.
 class RestFinder {
   public:
@@ -32,11 +36,14 @@ class RestFinder {
 
   private:
     void hold_field(double time_s);
+    double unrest();  // largest nodal force over the load it is measured by
 
     Engine& engine_;
     const scene::Scene& scene_;
     std::int64_t most_steps_ = 0;  // at one point of the path
     std::int64_t steps_ = 0;
+    double stiffness_load_n_ = 0;
+    double largest_load_n_ = 0;  // so far
 };
 
 }  // namespace magfsi::lammps

@@ -52,7 +52,8 @@ void Participant::build() {
     const NodalState start = engine_->gather(atoms_);
     if (session_.world().root()) {
         if (scene().probes)
-            probe_row_ = std::make_unique<bodies::ProbeRow>(scene(), input_.bodies, start);
+            probe_row_ =
+                std::make_unique<bodies::ProbeRow>(scene(), input_.bodies, start);
         if (scene().output.structure) {
             files_ = std::make_unique<bodies::StructureFiles>(input_.bodies, start,
                                                               session_.out());
@@ -200,14 +201,15 @@ void Participant::write_probes() {
 
 void Participant::run() {
     session_.log(
-        rest_ ? fmt::format("scene '{}': {}; equilibria by damped motion at {} points",
-                            scene().name, joined(scene::active_effects(scene())),
-                            session_.clock().steps())
-              : fmt::format("scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of "
-                            "{} LAMMPS steps",
-                            scene().name, joined(scene::active_effects(scene())),
-                            scene().time.end_s, session_.clock().steps(),
-                            substeps_.coupled_step_s * 1e6, substeps_.count));
+        rest_
+            ? fmt::format("scene '{}': {}; equilibria by damped motion at {} points",
+                          scene().name, joined(scene::active_effects(scene())),
+                          session_.clock().steps())
+            : fmt::format("scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of "
+                          "{} LAMMPS steps",
+                          scene().name, joined(scene::active_effects(scene())),
+                          scene().time.end_s, session_.clock().steps(),
+                          substeps_.coupled_step_s * 1e6, substeps_.count));
     session_.log("absent: " + joined(scene::absent_effects(scene())));
     session_.log("structure step: " + tasks_.names());
     if (coupling_) coupling_->exchange_first();

@@ -29,8 +29,9 @@ structure::ContactLaw to_contact(const scene::Contact& contact) {
 
 // All that acts on a body at once: each spring on the surface lowers the limit of the
 // lattice alone, and their squared frequencies add up at most.
-double stable_step_s(const structure::LammpsInput& input, const structure::Body& body) {
-    const double alone = structure::stable_step_s(body);
+double stable_step_s(const structure::LammpsInput& input, const structure::Body& body,
+                     double viscosity_pa_s) {
+    const double alone = structure::stable_step_s(body, viscosity_pa_s);
     double inverse_square = 1 / (alone * alone);
     const auto add = [&](double with) {
         inverse_square += 1 / (with * with) - 1 / (alone * alone);
@@ -51,8 +52,13 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     for (const scene::Body& body : scene.bodies) {
         input.bodies.push_back(bodies::to_body(scene, body));
         input.placements.push_back(bodies::to_placement(body.initial));
+        input.viscosity_pa_s.push_back(body.material.viscosity_pa_s.value_or(0));
     }
     if (scene.magnetic_field) input.field = bodies::to_field(*scene.magnetic_field);
+    if (scene.magnetic_field && scene.magnetic_field->gradient) {
+        const auto& gradient = *scene.magnetic_field->gradient;
+        input.gradient = structure::GradientInput{gradient.matrix_t_m, gradient.origin_m};
+    }
     input.gravity_m_s2 = bodies::to_gravity(scene);
     if (scene.damping) input.drag_rate_1_s = scene.damping->rate_1_s;
     if (scene.platform) input.platform = to_platform(*scene.platform);
@@ -64,8 +70,9 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
 double stable_step_s(const scene::Scene& scene) {
     const structure::LammpsInput input = to_lammps_input(scene, 1);
     double smallest = 0;
-    for (const structure::Body& body : input.bodies) {
-        const double step = stable_step_s(input, body);
+    for (std::size_t b = 0; b < input.bodies.size(); ++b) {
+        const double step =
+            stable_step_s(input, input.bodies[b], input.viscosity_pa_s[b]);
         smallest = smallest > 0 ? std::min(smallest, step) : step;
     }
     return smallest;

@@ -1,12 +1,58 @@
 #include "adapters/lbm/fluid_probes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace magfsi::lbm {
 
-std::vector<double> probe_values(const std::vector<scene::FluidQuantity>& quantities,
-                                 const fluid::Fluid& fluid) {
+namespace {
+
+std::size_t largest_axis(const scene::Vec3& v) {
+    std::size_t axis = 0;
+    for (std::size_t d = 1; d < 3; ++d) {
+        if (std::abs(v[d]) > std::abs(v[axis])) axis = d;
+    }
+    return axis;
+}
+
+std::size_t flow_axis(const scene::Fluid& fluid) {
+    for (const scene::Boundary& side : fluid.boundaries) {
+        if (side.kind == scene::BoundaryKind::velocity_inlet)
+            return largest_axis(side.velocity_m_s);
+    }
+    if (fluid.body_force_n_m3) return largest_axis(*fluid.body_force_n_m3);
+    if (fluid.initial_velocity_m_s) return largest_axis(*fluid.initial_velocity_m_s);
+    return 0;
+}
+
+void add_forces(std::vector<double>& values, const scene::Fluid& config,
+                const fluid::Fluid& fluid) {
+    const ForceAxes axes = force_axes(config);
+    for (const fluid::Vec3& force : fluid.obstacle_forces()) {
+        values.push_back(force[axes.drag]);
+        values.push_back(force[axes.lift]);
+        values.insert(values.end(), force.begin(), force.end());
+    }
+}
+
+}  // namespace
+
+ForceAxes force_axes(const scene::Fluid& fluid) {
+    ForceAxes axes;
+    axes.drag = flow_axis(fluid);
+    const std::size_t first = axes.drag == 2 ? 1 : 2;
+    const std::size_t second = 3 - axes.drag - first;
+    const auto periodic = [&](std::size_t axis) {
+        return fluid.boundaries[2 * axis].kind == scene::BoundaryKind::periodic;
+    };
+    axes.lift = periodic(first) && !periodic(second) ? second : first;
+    return axes;
+}
+
+std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& fluid) {
     const fluid::Totals totals = fluid.totals();
     std::vector<double> values;
-    for (const auto quantity : quantities) {
+    for (const auto quantity : scene.probes->fluid) {
         switch (quantity) {
             case scene::FluidQuantity::kinetic_energy:
                 values.push_back(totals.kinetic_energy_j);
@@ -19,6 +65,9 @@ std::vector<double> probe_values(const std::vector<scene::FluidQuantity>& quanti
                 break;
             case scene::FluidQuantity::max_speed:
                 values.push_back(totals.max_speed_m_s);
+                break;
+            case scene::FluidQuantity::obstacle_force:
+                add_forces(values, *scene.fluid, fluid);
                 break;
         }
     }

@@ -66,8 +66,8 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
         programs.push_back(std::move(p));
     };
-    const bool newton = scene.time.equilibrium &&
-                        scene.time.equilibrium->method == scene::EquilibriumMethod::newton;
+    const bool newton = scene.time.equilibrium && scene.time.equilibrium->method ==
+                                                      scene::EquilibriumMethod::newton;
     if (!scene.bodies.empty())
         add("structure", newton ? "magfsi-equilibrium" : "magfsi-structure");
     if (scene.fluid) add("fluid", "magfsi-fluid-lbm");
@@ -131,7 +131,8 @@ int run(const RunOptions& options) {
         throw std::invalid_argument(
             "fluid.solver: this build has no OpenFOAM participant; use lbm");
     }
-    if (!scene.bodies.empty() && !scene.time.equilibrium) lammps::choose_substeps(scene);  // refuses what cannot run
+    if (!scene.bodies.empty() && !scene.time.equilibrium)
+        lammps::choose_substeps(scene);  // refuses what cannot run
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     const auto programs = participants(scene, options, out);

@@ -200,6 +200,70 @@ void bind_keys(Io& io, Contact& contact) {
 }
 
 template <class Io>
+void bind_keys(Io& io, Rectangle& rectangle) {
+    io("centre", rectangle.centre_m);
+    io("size", rectangle.size_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, Disc& disc) {
+    io("centre", disc.centre_m);
+    io("diameter", disc.diameter_m);
+}
+
+// The map that a boundary of this kind carries.
+template <class Io>
+void bind_details(Io& io, Boundary& boundary) {
+    if (boundary.kind == BoundaryKind::no_slip) io("velocity", boundary.velocity_m_s);
+    if (boundary.kind == BoundaryKind::velocity_inlet) {
+        io("velocity", boundary.velocity_m_s);
+        io("profile", boundary.profile);
+        io("ramp", boundary.ramp_s);
+    }
+    if (boundary.kind == BoundaryKind::pressure_outlet)
+        io("pressure", boundary.pressure_pa);
+    if (boundary.kind == BoundaryKind::velocity_inlet ||
+        boundary.kind == BoundaryKind::pressure_outlet)
+        io.optional_alternatives(boundary.patch, {"rectangle", "disc"});
+}
+
+template <class Io>
+void bind_keys(Io& io, Sphere& sphere) {
+    io("centre", sphere.centre_m);
+    io("diameter", sphere.diameter_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, Cylinder& cylinder) {
+    io("centre", cylinder.centre_m);
+    io("diameter", cylinder.diameter_m);
+    io("axis", AxisRef{cylinder.axis});
+    io("length", cylinder.length_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, Block& block) {
+    io.whole(block.corners_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, StlSurface& surface) {
+    io("file", surface.file);
+    io("unit", surface.unit_m);
+    io("shift", surface.shift_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, Obstacle& obstacle) {
+    io.alternatives(obstacle.shape, {"sphere", "cylinder", "box", "stl"});
+}
+
+template <class Io>
+void bind_keys(Io& io, Smagorinsky& smagorinsky) {
+    io("constant", smagorinsky.constant);
+}
+
+template <class Io>
 void bind_keys(Io& io, Fluid& fluid) {
     io("solver", fluid.solver);
     io("box", fluid.box_m);
@@ -209,7 +273,11 @@ void bind_keys(Io& io, Fluid& fluid) {
     io("expected_speed", fluid.expected_speed_m_s);
     io("lattice_speed", fluid.lattice_speed);
     io("collision", fluid.collision);
+    io("magic_number", fluid.magic_number);
+    io("precision", fluid.precision);
+    io("smagorinsky", fluid.smagorinsky);
     io("boundaries", fluid.boundaries);
+    io("obstacles", fluid.obstacles);
     io("initial_velocity", fluid.initial_velocity_m_s);
     io("body_force", fluid.body_force_n_m3);
 }

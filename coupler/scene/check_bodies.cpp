@@ -63,7 +63,8 @@ void check_clamps(const Body& body, const Marks& marks) {
         if (std::ranges::find(faces, clamp) == faces.end())
             refuse(here, fmt::format("{} as a face of clamps", in_quotes(clamp)),
                    joined(faces), did_you_mean(clamp, faces));
-        if (std::count(body.clamps.begin(), body.clamps.end(), clamp) > 1)
+        const auto earlier = body.clamps.begin() + static_cast<std::ptrdiff_t>(i);
+        if (std::find(body.clamps.begin(), earlier, clamp) != earlier)
             refuse(here, fmt::format("{} twice in clamps", in_quotes(clamp)),
                    "each face once");
     }

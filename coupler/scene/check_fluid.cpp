@@ -80,7 +80,8 @@ void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
 
 void check_walls(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
-        const double normal = fluid.boundaries[face].wall_velocity_m_s[face / 2];
+        if (fluid.boundaries[face].kind != BoundaryKind::no_slip) continue;
+        const double normal = fluid.boundaries[face].velocity_m_s[face / 2];
         if (normal == 0) continue;
         const std::string name(names<Face>[face]);
         refuse(marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
@@ -91,6 +92,18 @@ void check_walls(const Fluid& fluid, const Marks& marks) {
     }
 }
 
+void check_inlets(const Fluid& fluid, const Marks& marks) {
+    for (std::size_t face = 0; face < 6; ++face) {
+        const Boundary& side = fluid.boundaries[face];
+        if (side.kind != BoundaryKind::velocity_inlet || side.velocity_m_s != Vec3{})
+            continue;
+        const std::string name(names<Face>[face]);
+        refuse(marks.value({"fluid", "boundaries", name}),
+               fmt::format("the inlet {} without a velocity", name),
+               "velocity_inlet: {velocity: [x, y, z]}, not zero");
+    }
+}
+
 }  // namespace
 
 void check_fluid(const Scene& scene, const Marks& marks) {
@@ -98,6 +111,7 @@ void check_fluid(const Scene& scene, const Marks& marks) {
     check_spacing(*scene.fluid, marks);
     check_periodic_pairs(*scene.fluid, marks);
     check_walls(*scene.fluid, marks);
+    check_inlets(*scene.fluid, marks);
 }
 
 }  // namespace magfsi::scene

@@ -80,6 +80,10 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
                "remove the key \"fluid\" (fluid= on the command line)");
     check_has_bodies(scene, marks, "time");
     if (scene.time.equilibrium->method != EquilibriumMethod::newton) return;
+    if (scene.magnetic_field && scene.magnetic_field->gradient)
+        refuse(marks.key({"magnetic_field", "gradient"}),
+               "a field gradient with the equilibrium method newton",
+               "it with the method dynamics", "take time.equilibrium.method: dynamics");
     for (const auto& [present, name] :
          {std::pair{scene.platform.has_value(), "platform"},
           std::pair{scene.contact.has_value(), "contact"}}) {
@@ -124,6 +128,10 @@ void check_loads(const Scene& scene, const Marks& marks) {
     if (scene.damping) check_has_bodies(scene, marks, "damping");
     check_platform(scene, marks);
     if (scene.contact) check_has_bodies(scene, marks, "contact");
+    // Markers name atoms by their place on a rank; contact lets atoms change ranks.
+    if (scene.contact && scene.fluid)
+        refuse(marks.key({"contact"}), "contact of bodies in a fluid",
+               "contact without a fluid", "remove one of the two keys");
     check_equilibrium(scene, marks);
     check_coupling(scene, marks);
 }

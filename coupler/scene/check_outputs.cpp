@@ -53,6 +53,13 @@ void check_probes(const Scene& scene, const Marks& marks) {
     if (!probes.fluid.empty() && !scene.fluid)
         refuse(marks.key({"probes", "fluid"}), "fluid probes without a fluid",
                "them with a fluid only");
+    const bool obstacle_force =
+        std::ranges::find(probes.fluid, FluidQuantity::obstacle_force) !=
+        probes.fluid.end();
+    if (obstacle_force && scene.fluid && scene.fluid->obstacles.empty())
+        refuse(marks.value({"probes", "fluid"}),
+               "the probe obstacle_force without obstacles", "it with obstacles only",
+               "add fluid.obstacles");
     const bool force = std::ranges::find(probes.bodies, BodyQuantity::fluid_force) !=
                        probes.bodies.end();
     if (force && !scene.fluid)

@@ -46,9 +46,11 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
                     marks.value({"fluid", "initial_velocity"}), fluid, dt_s);
     for (std::size_t face = 0; face < 6; ++face) {
         const std::string name(names<Face>[face]);
-        check_speed(length(fluid.boundaries[face].wall_velocity_m_s), "the wall velocity",
-                    marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
-                    fluid, dt_s);
+        const std::string kind(name_of(fluid.boundaries[face].kind));
+        check_speed(length(fluid.boundaries[face].velocity_m_s),
+                    kind == "no_slip" ? "the wall velocity" : "the inlet's velocity",
+                    marks.value({"fluid", "boundaries", name, kind, "velocity"}), fluid,
+                    dt_s);
     }
 }
 

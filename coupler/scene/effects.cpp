@@ -17,7 +17,14 @@ bool any_body(const Scene& scene, bool (*test)(const Body&)) {
 
 bool has_moving_wall(const Scene& scene) {
     return scene.fluid && std::ranges::any_of(scene.fluid->boundaries, [](const auto& b) {
-               return b.wall_velocity_m_s != Vec3{};
+               return b.kind == BoundaryKind::no_slip && b.velocity_m_s != Vec3{};
+           });
+}
+
+bool has_opening(const Scene& scene) {
+    return scene.fluid && std::ranges::any_of(scene.fluid->boundaries, [](const auto& b) {
+               return b.kind == BoundaryKind::velocity_inlet ||
+                      b.kind == BoundaryKind::pressure_outlet;
            });
 }
 
@@ -46,7 +53,11 @@ constexpr Effect effects[] = {
     {"fluid", [](const Scene& s) { return s.fluid.has_value(); }},
     {"body force",
      [](const Scene& s) { return s.fluid && s.fluid->body_force_n_m3.has_value(); }},
+    {"eddy viscosity",
+     [](const Scene& s) { return s.fluid && s.fluid->smagorinsky.has_value(); }},
     {"moving walls", has_moving_wall},
+    {"inlets and outlets", has_opening},
+    {"obstacles", [](const Scene& s) { return s.fluid && !s.fluid->obstacles.empty(); }},
 };
 
 std::vector<std::string> select(const Scene& scene, bool active) {

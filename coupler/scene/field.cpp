@@ -40,6 +40,11 @@ Field Field::alternative() && {
     return std::move(*this);
 }
 
+Field Field::optional_alternative() && {
+    presence = Presence::optional_alternative;
+    return std::move(*this);
+}
+
 Field Field::or_default(std::string_view yaml) && {
     presence = Presence::optional;
     fallback = yaml;

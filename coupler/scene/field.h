@@ -32,8 +32,9 @@ enum class Layout {
     rows,         // a list of count_min to count_max vectors of `length`
 };
 
-// alternative: exactly one of the alternatives of a group must be there.
-enum class Presence { required, optional, alternative };
+// alternative: exactly one of the alternatives of a group must be there;
+// optional_alternative: at most one.
+enum class Presence { required, optional, alternative, optional_alternative };
 
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
@@ -66,6 +67,7 @@ struct Field {
     // Modifiers, for one readable line a key in the table.
     Field optional() &&;
     Field alternative() &&;
+    Field optional_alternative() &&;
     Field or_default(std::string_view yaml) &&;
     Field above(double low) &&;
     Field at_least(double low) &&;

@@ -7,15 +7,76 @@ namespace magfsi::scene {
 
 namespace {
 
+Field rectangle() {
+    return group("rectangle", "Part of the side that is open; the rest is a wall.", {
+        quantity("centre", "m", "Along the two axes of the side, in the order x, y, z.")
+            .vector(2),
+        quantity("size", "m", "Along the same axes.").vector(2).above(0),
+    }).optional_alternative();
+}
+
+Field disc() {
+    return group("disc", "Part of the side that is open; the rest is a wall.", {
+        quantity("centre", "m", "Along the two axes of the side, in the order x, y, z.")
+            .vector(2),
+        quantity("diameter", "m", "Of the opening.").above(0),
+    }).optional_alternative();
+}
+
+Field velocity_inlet() {
+    return group("velocity_inlet", "Given velocity, inwards or outwards.", {
+        quantity("velocity", "m/s", "Mean over the opening.").vector(3),
+        choice<InletProfile>("profile", "Over the opening; it does not fall towards periodic "
+                             "and free-slip sides.").or_default("uniform"),
+        quantity("ramp", "s", "Grows from rest over this time, as (1 - cos) / 2.")
+            .at_least(0).or_default("0 s"),
+        rectangle(),
+        disc(),
+    });
+}
+
+Field pressure_outlet() {
+    return group("pressure_outlet", "Lets flow and sound out.", {
+        quantity("pressure", "Pa", "Gauge pressure far out.").or_default("0 Pa"),
+        rectangle(),
+        disc(),
+    });
+}
+
+Field obstacles() {
+    return named("obstacles", "Rigid bodies at rest in the fluid, by name.", {
+        group("sphere", "A ball.", {
+            quantity("centre", "m", "Its place in the box.").vector(3),
+            quantity("diameter", "m", "Its size.").above(0),
+        }).alternative(),
+        group("cylinder", "Along an axis.", {
+            quantity("centre", "m", "Middle of its length.").vector(3),
+            quantity("diameter", "m", "Its size.").above(0),
+            axis("axis", "Its direction.").or_default("z"),
+            quantity("length", "m", "Without it, through the box.").above(0).optional(),
+        }).alternative(),
+        quantity("box", "m", "Lower and upper corner.").rows(3, 2, 2).alternative(),
+        group("stl", "Closed surface of triangles.", {
+            text("file", "ASCII or binary STL; its path counts from the scene's folder."),
+            quantity("unit", "m", "Length of the file's unit.").above(0).or_default("1 m"),
+            quantity("shift", "m", "Where the file's origin comes to.").vector(3)
+                .or_default("[0 m, 0 m, 0 m]"),
+        }).alternative(),
+    });
+}
+
 Field boundaries() {
     std::vector<Field> faces;
     for (const std::string_view face : names<Face>) {
         faces.push_back(
-            choice<BoundaryKind>(face, "Wall at rest; periodic goes in pairs; a map gives a "
-                                 "wall its velocity.")
+            choice<BoundaryKind>(face, "Wall at rest; periodic goes in pairs; free_slip is a "
+                                 "plane of symmetry; a map gives a wall or an inlet its "
+                                 "velocity, an outlet its pressure.")
                 .carrying(group("no_slip", "Moving wall.", {
                     quantity("velocity", "m/s", "Along the wall.").vector(3),
                 }))
+                .carrying(velocity_inlet())
+                .carrying(pressure_outlet())
                 .or_default("no_slip"));
     }
     return group("boundaries", "What bounds the box, face by face.", std::move(faces));
@@ -37,7 +98,16 @@ Field fluid_fields() {
                "is absent.").above(0).at_most(0.25).or_default("0.05"),
         choice<Collision>("collision", "Collision model of the lattice Boltzmann method.")
             .or_default("automatic"),
+        number("magic_number", "Lambda of the collision trt: where its error vanishes.")
+            .above(0).at_most(1).or_default("0.1875"),
+        choice<Precision>("precision", "Of populations in memory: double; float halves "
+                          "memory and time; float_double computes in double.")
+            .or_default("double"),
+        group("smagorinsky", "Eddy viscosity of unresolved turbulence.", {
+            number("constant", "Of the filter; 0.1 to 0.2 is usual.").above(0).at_most(1),
+        }).optional(),
         boundaries().optional(),
+        obstacles().optional(),
         quantity("initial_velocity", "m/s", "Uniform; without it, at rest.").vector(3)
             .optional(),
         quantity("body_force", "N/m3", "On the fluid everywhere, such as a pressure "

@@ -33,6 +33,18 @@ class JsonWriter {
                    value);
     }
 
+    template <class... T>
+    void optional_alternatives(std::variant<std::monostate, T...>& value,
+                               std::initializer_list<const char*> keys) {
+        std::visit(
+            [&](auto& chosen) {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(chosen)>,
+                                              std::monostate>)
+                    (*this)(keys.begin()[value.index() - 1], chosen);
+            },
+            value);
+    }
+
     template <class T>
     void whole(T&& value) {
         write(value);
@@ -77,11 +89,12 @@ class JsonWriter {
     }
     void write(Boundary& value) {
         write(value.kind);
-        if (value.wall_velocity_m_s == Vec3{}) return;
-        JsonWriter wall, moving;
-        wall("velocity", value.wall_velocity_m_s);
-        moving.json_["no_slip"] = wall.take();
-        json_ = moving.take();
+        const bool at_rest =
+            value.kind == BoundaryKind::no_slip && value.velocity_m_s == Vec3{};
+        JsonWriter details;
+        if (!at_rest) bind_details(details, value);
+        if (details.json_.is_null()) return;
+        json_ = {{name_of(value.kind), details.take()}};
     }
     template <class T>
     requires requires(JsonWriter& io, T& value) { bind_keys(io, value); }

@@ -26,10 +26,16 @@ inline constexpr std::array names<FluidSolver> =
     std::to_array<std::string_view>({"lbm", "openfoam"});
 template <>
 inline constexpr std::array names<Collision> =
-    std::to_array<std::string_view>({"automatic", "bgk", "recursive_regularized"});
+    std::to_array<std::string_view>({"automatic", "bgk", "trt", "recursive_regularized"});
 template <>
-inline constexpr std::array names<BoundaryKind> =
-    std::to_array<std::string_view>({"periodic", "no_slip"});
+inline constexpr std::array names<BoundaryKind> = std::to_array<std::string_view>(
+    {"periodic", "no_slip", "free_slip", "velocity_inlet", "pressure_outlet"});
+template <>
+inline constexpr std::array names<Precision> =
+    std::to_array<std::string_view>({"double", "float", "float_double"});
+template <>
+inline constexpr std::array names<InletProfile> =
+    std::to_array<std::string_view>({"uniform", "parabolic", "plug"});
 template <>
 inline constexpr std::array names<Kernel> =
     std::to_array<std::string_view>({"2-point", "3-point", "4-point"});
@@ -40,8 +46,8 @@ template <>
 inline constexpr std::array names<BodyQuantity> = std::to_array<std::string_view>(
     {"com", "speed", "shape", "max_displacement", "fluid_force", "energy"});
 template <>
-inline constexpr std::array names<FluidQuantity> =
-    std::to_array<std::string_view>({"kinetic_energy", "enstrophy", "mass", "max_speed"});
+inline constexpr std::array names<FluidQuantity> = std::to_array<std::string_view>(
+    {"kinetic_energy", "enstrophy", "mass", "max_speed", "obstacle_force"});
 template <>
 inline constexpr std::array names<FluidField> =
     std::to_array<std::string_view>({"velocity", "density", "vorticity"});

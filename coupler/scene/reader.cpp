@@ -45,6 +45,12 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
         if (harmonic && box && harmonic->wavelength_m == 0)
             harmonic->wavelength_m = box->size_m[harmonic->along];
     }
+    if (scene.fluid) {
+        for (Obstacle& obstacle : scene.fluid->obstacles) {
+            if (auto* surface = std::get_if<StlSurface>(&obstacle.shape))
+                surface->file = (folder / surface->file).string();
+        }
+    }
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();

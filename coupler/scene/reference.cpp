@@ -23,7 +23,8 @@ or `N m`. Angles in a plane such as `xz` run from its first axis to its second.
 value removes the key, and items of a list are numbered from 0. Names under `bodies` and
 `probes.points` have no order: columns and files follow the alphabet.
 
-"one of these" marks alternatives, of which exactly one is there.
+"one of these" marks alternatives, of which exactly one is there; "at most one of
+these" marks those of which none may be there as well.
 )";
 
 void add_rows(std::string& page, const Field& field, const std::string& path);
@@ -31,6 +32,7 @@ void add_rows(std::string& page, const Field& field, const std::string& path);
 std::string presence(const Field& field) {
     if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
     if (field.presence == Presence::alternative) return "one of these";
+    if (field.presence == Presence::optional_alternative) return "at most one of these";
     return field.presence == Presence::required ? "required" : "";
 }
 

@@ -190,12 +190,56 @@ struct Contact {
 // --- fluid --------------------------------------------------------------------------
 
 enum class FluidSolver { lbm, openfoam };
-enum class Collision { automatic, bgk, recursive_regularized };
-enum class BoundaryKind { periodic, no_slip };
+enum class Collision { automatic, bgk, trt, recursive_regularized };
+enum class Precision { double_, float_, float_double };  // storage, storage_arithmetic
+enum class BoundaryKind { periodic, no_slip, free_slip, velocity_inlet, pressure_outlet };
+enum class InletProfile { uniform, parabolic, plug };
+
+// Openings of a side in its plane: coordinates along the two other axes, in the order x,
+// y, z.
+struct Rectangle {
+    std::array<double, 2> centre_m{}, size_m{};
+};
+struct Disc {
+    std::array<double, 2> centre_m{};
+    double diameter_m = 0;
+};
+using Patch = std::variant<std::monostate, Rectangle, Disc>;
 
 struct Boundary {
     BoundaryKind kind = BoundaryKind::no_slip;
-    Vec3 wall_velocity_m_s{};  // tangential; zero for a wall at rest
+    Vec3 velocity_m_s{};  // of a wall, tangential; of an inlet, mean over its opening
+    InletProfile profile = InletProfile::uniform;
+    double ramp_s = 0;
+    double pressure_pa = 0;  // of an outlet; gauge
+    Patch patch;             // of inlets and outlets; none: the whole side
+};
+
+struct Sphere {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+};
+struct Cylinder {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+    int axis = 2;
+    std::optional<double> length_m;  // absent: through the box
+};
+struct Block {
+    std::array<Vec3, 2> corners_m{};
+};
+struct StlSurface {
+    std::string file;
+    double unit_m = 1;
+    Vec3 shift_m{};
+};
+struct Obstacle {
+    std::string name;
+    std::variant<Sphere, Cylinder, Block, StlSurface> shape;
+};
+
+struct Smagorinsky {
+    double constant = 0;
 };
 
 struct Fluid {
@@ -207,7 +251,11 @@ struct Fluid {
     double expected_speed_m_s = 0;  // largest to resolve; 0: not given, time.step is
     double lattice_speed = 0.05;    // that speed in lattice units (Mach limit)
     Collision collision = Collision::automatic;
+    double magic_number = 3.0 / 16;  // Lambda of trt
+    Precision precision = Precision::double_;
+    std::optional<Smagorinsky> smagorinsky;
     std::array<Boundary, 6> boundaries{};  // by Face
+    std::vector<Obstacle> obstacles;       // by name
     std::optional<Vec3> initial_velocity_m_s;
     std::optional<Vec3> body_force_n_m3;
 };
@@ -233,7 +281,7 @@ struct Coupling {
 // --- output -------------------------------------------------------------------------
 
 enum class BodyQuantity { com, speed, shape, max_displacement, fluid_force, energy };
-enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed };
+enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed, obstacle_force };
 
 struct PointProbe {
     std::string name;

@@ -31,6 +31,14 @@ Json object_schema(const Field& field) {
     return schema;
 }
 
+// A map of this key alone.
+Json only_key(const Field& field) {
+    return {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", Json::array({field.name})},
+            {"properties", {{field.name, schema_of(field)}}}};
+}
+
 void add_range(Json& schema, const Range& range) {
     if (std::isfinite(range.low))
         schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
@@ -61,8 +69,9 @@ Json value_schema(const Field& field) {
         case Kind::choice: {
             Json words = {{"enum", field.choices}};
             if (field.children.empty()) return words;
-            Json map = object_schema(field);
-            return {{"anyOf", Json::array({words, map})}};
+            Json either = Json::array({words});
+            for (const Field& map : field.children) either.push_back(only_key(map));
+            return {{"anyOf", either}};
         }
         default:
             return {{"type", "string"}, {"minLength", 1}};

@@ -44,6 +44,14 @@ class TreeReader {
         (read_alternative<T>(value, *key++), ...);
     }
 
+    // Of a variant whose first alternative stands for none of the keys.
+    template <class... T>
+    void optional_alternatives(std::variant<std::monostate, T...>& value,
+                               std::initializer_list<const char*> keys) {
+        const char* const* key = keys.begin();
+        (read_alternative<T>(value, *key++), ...);
+    }
+
     // Reads this place itself into value.
     template <class T>
     void whole(T&& value) {
@@ -146,9 +154,12 @@ class TreeReader {
     }
     void read(Boundary& value) {
         if (node_->type == Node::Type::scalar) return read(value.kind);
-        value.kind = BoundaryKind::no_slip;
-        const Field& moving = child_field("no_slip");
-        TreeReader(node_->find("no_slip"), moving)("velocity", value.wall_velocity_m_s);
+        const Node& map = node_->children.front();
+        value.kind =
+            static_cast<BoundaryKind>(std::ranges::find(names<BoundaryKind>, map.key) -
+                                      names<BoundaryKind>.begin());
+        TreeReader details(&map, child_field(map.key));
+        bind_details(details, value);
     }
 
     template <class T>

@@ -19,10 +19,14 @@ void check_alternatives(const Node& node, const Field& field, const std::string&
     std::vector<std::string> all;
     const Node* first = nullptr;
     for (const Field& child : field.children) {
-        if (child.presence != Presence::alternative) continue;
-        all.push_back(child.name);
+        if (child.presence == Presence::alternative ||
+            child.presence == Presence::optional_alternative)
+            all.push_back(child.name);
     }
     if (all.empty()) return;
+    const bool needed = std::ranges::none_of(field.children, [](const Field& child) {
+        return child.presence == Presence::optional_alternative;
+    });
     for (const Node& child : node.children) {
         if (std::ranges::find(all, child.key) == all.end()) continue;
         if (first)
@@ -32,7 +36,7 @@ void check_alternatives(const Node& node, const Field& field, const std::string&
                 "exactly one of " + joined(all));
         first = &child;
     }
-    if (!first)
+    if (!first && needed)
         refuse(node.origin, fmt::format("none of the alternatives in {}", where),
                "exactly one of " + joined(all));
 }
@@ -86,9 +90,11 @@ void check_list(const Node& node, const Field& field) {
 // "no_slip", or "no_slip: {...}" where the choice may carry a map.
 void check_choice_with_map(const Node& node, const Field& field) {
     if (node.children.size() != 1 || !field.find(node.children.front().key)) {
-        const std::string map = field.children.front().name;
+        std::vector<std::string> maps;
+        for (const Field& child : field.children) maps.push_back(child.name);
         refuse(node.origin, fmt::format("{} as {}", describe(node), field.name),
-               fmt::format("{}, or a map with the one key {}", expectation(field), map));
+               fmt::format("{}, or a map with one key of {}", expectation(field),
+                           joined(maps)));
     }
     validate(node.children.front(), *field.find(node.children.front().key));
 }

@@ -50,6 +50,8 @@ const char* column(scene::FluidQuantity quantity) {
             return "mass[kg]";
         case scene::FluidQuantity::max_speed:
             return "max_speed[m/s]";
+        case scene::FluidQuantity::obstacle_force:
+            break;  // several columns an obstacle
     }
     return "";
 }
@@ -76,8 +78,17 @@ std::vector<std::string> body_columns(const scene::Scene& scene) {
 std::vector<std::string> fluid_columns(const scene::Scene& scene) {
     std::vector<std::string> columns;
     if (!scene.probes) return columns;
-    for (const auto quantity : scene.probes->fluid)
-        columns.emplace_back(column(quantity));
+    for (const auto quantity : scene.probes->fluid) {
+        if (quantity != scene::FluidQuantity::obstacle_force) {
+            columns.emplace_back(column(quantity));
+            continue;
+        }
+        for (const scene::Obstacle& obstacle : scene.fluid->obstacles) {
+            columns.push_back(obstacle.name + ".drag[N]");
+            columns.push_back(obstacle.name + ".lift[N]");
+            add_vector(columns, obstacle.name + ".force", "N");
+        }
+    }
     return columns;
 }
 

@@ -16,7 +16,8 @@ TEST(Effects, of_a_swimmer) {
               (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
                      "immersed boundary", "fluid", "body force", "moving walls"}));
     EXPECT_EQ(absent_effects(s),
-              (Names{"viscosity", "field gradient", "platform", "friction", "contact"}));
+              (Names{"viscosity", "field gradient", "platform", "friction", "contact",
+                     "eddy viscosity", "inlets and outlets", "obstacles"}));
 }
 
 TEST(Effects, of_a_strip_on_a_platform) {
@@ -32,7 +33,13 @@ TEST(Effects, of_a_solid) {
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "gravity", "damping", "platform",
                      "friction", "contact", "clamps", "immersed boundary", "fluid",
-                     "body force", "moving walls"}));
+                     "body force", "eddy viscosity", "moving walls", "inlets and outlets",
+                     "obstacles"}));
+}
+
+TEST(Effects, of_a_channel) {
+    EXPECT_EQ(active_effects(read_scene(test_folder / "complete/channel.yaml")),
+              (Names{"fluid", "eddy viscosity", "inlets and outlets", "obstacles"}));
 }
 
 TEST(Effects, of_a_fluid) {

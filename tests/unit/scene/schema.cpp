@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"/fluid/spacing", "0.2"},
         Fault{"/fluid/box", Json::array({"1 mm", "1 mm"})},
         Fault{"/fluid/lattice_speed", 0.3}, Fault{"/fluid/lattice_speed", 0},
-        Fault{"/fluid/collision", "trt"}, Fault{"/fluid/boundaries/x_min", "slip"},
+        Fault{"/fluid/collision", "mrt"}, Fault{"/fluid/boundaries/x_min", "slip"},
         Fault{"/fluid/boundaries/x_min", {{"no_slip", Json::object()}}},
         Fault{"/coupling/substeps", 1.5}, Fault{"/coupling/substeps", 0},
         Fault{"/probes/interface_balance", "yes"},

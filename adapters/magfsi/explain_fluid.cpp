@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "adapters/lbm/scene_to_fluid.h"
+#include "adapters/magfsi/explain_parts.h"
+#include "coupler/scene/effective.h"
+#include "fluid_lbm/units.h"
+
+namespace magfsi::launch {
+
+namespace {
+
+// The lattice's compressibility error is of the order of the Mach number squared.
+constexpr double most_mach = 0.17;  // 3 %
+// Below, the viscous length is far below a cell: only regularised or filtered collisions
+// stay stable. Above 1, the error at walls grows with (tau - 1/2)^2.
+constexpr double least_tau = 0.501, most_tau = 1.0;
+// Velocity differences across a cell that viscosity can still even out.
+constexpr double most_grid_reynolds = 50;
+
+struct LatticeValues {
+    double spacing_m, step_s, tau, mach = 0, grid_reynolds = 0, speed = 0;
+};
+
+LatticeValues lattice_values(const scene::Fluid& fluid,
+                             const fluid::FluidConfig& config) {
+    LatticeValues v{fluid.spacing_m, config.time_step_s, fluid::relaxation_time(config)};
+    v.speed = fluid.expected_speed_m_s * v.step_s / v.spacing_m;
+    v.mach = v.speed * std::sqrt(3.0);
+    v.grid_reynolds = fluid.expected_speed_m_s * fluid.spacing_m / fluid.viscosity_m2_s;
+    return v;
+}
+
+std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
+    std::string text =
+        "\nfluid (lattice-Boltzmann, D3Q19)           SI            lattice\n";
+    const auto row = [&](const char* name, const std::string& si, double lattice) {
+        text += fmt::format("  {:<34} {:>14} {:>12.5g}\n", name, si, lattice);
+    };
+    row("spacing", fmt::format("{:.4g} mm", v.spacing_m * 1e3), 1);
+    row("time step", fmt::format("{:.4g} us", v.step_s * 1e6), 1);
+    row("density", fmt::format("{:.5g} kg/m3", fluid.density_kg_m3), 1);
+    row("viscosity", fmt::format("{:.4g} mm2/s", fluid.viscosity_m2_s * 1e6),
+        (v.tau - 0.5) / 3);
+    row("speed of sound",
+        fmt::format("{:.4g} m/s", v.spacing_m / v.step_s / std::sqrt(3.0)),
+        1 / std::sqrt(3.0));
+    if (fluid.expected_speed_m_s > 0) {
+        row("expected speed", fmt::format("{:.4g} m/s", fluid.expected_speed_m_s),
+            v.speed);
+        row("Mach number", "", v.mach);
+        row("Reynolds number of a cell", "", v.grid_reynolds);
+    }
+    row("relaxation time", "", v.tau);
+    return text;
+}
+
+std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
+    std::string text;
+    const auto warn = [&](const std::string& line) {
+        text += "  warning: " + line + "\n";
+    };
+    if (v.mach > most_mach) {
+        const double factor = most_mach / v.mach;
+        warn(
+            fmt::format("a Mach number of {:.3g} makes an error of {:.2g} %: take {}",
+                        v.mach, 100 * v.mach * v.mach,
+                        scene.time.step_s
+                            ? fmt::format("time.step: {:.3g} us", v.step_s * factor * 1e6)
+                            : fmt::format("lattice_speed: {:.3g}",
+                                          scene.fluid->lattice_speed * factor)));
+    }
+    if (v.tau > most_tau) {
+        warn(
+            fmt::format("a relaxation time of {:.3g} is inaccurate at walls: take a step "
+                        "of {:.3g} us",
+                        v.tau, v.step_s * (most_tau - 0.5) / (v.tau - 0.5) * 1e6));
+    }
+    if (v.tau < least_tau) {
+        // With the step from the lattice speed, tau - 1/2 grows as 1 / spacing.
+        warn(fmt::format(
+            "a relaxation time of {:.5g} leaves little viscosity to the grid: "
+            "take a spacing of {:.3g} mm or less",
+            v.tau, v.spacing_m * (v.tau - 0.5) / (least_tau - 0.5) * 1e3));
+    }
+    if (v.grid_reynolds > most_grid_reynolds && !scene.fluid->smagorinsky) {
+        warn(fmt::format(
+            "at a cell's Reynolds number of {:.3g} shear layers are not "
+            "resolved: take a spacing of {:.3g} mm, or smagorinsky: "
+            "{{constant: 0.1}}",
+            v.grid_reynolds, v.spacing_m * most_grid_reynolds / v.grid_reynolds * 1e3));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string explain_fluid(const scene::Scene& scene) {
+    const scene::Fluid& fluid = *scene.fluid;
+    const auto config = lbm::to_config(fluid, *scene::coupled_step_s(scene));
+    if (fluid.solver == scene::FluidSolver::lbm) fluid::check(config);
+    const LatticeValues v = lattice_values(fluid, config);
+    const auto& n = config.cells;
+    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const double bytes = config.precision == fluid::Precision::double_ ? 8 : 4;
+    std::string text = table(fluid, v);
+    text += fmt::format("  collision {}\n", fluid::collision_reason(config));
+    text += fmt::format("  {} x {} x {} = {:.0f} cells, {:.0f} MB of populations\n", n[0],
+                        n[1], n[2], cells, cells * 19 * bytes / 1e6);
+    return text + warnings(scene, v);
+}
+
+}  // namespace magfsi::launch

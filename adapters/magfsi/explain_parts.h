@@ -1,0 +1,18 @@
+// The parts of `magfsi explain`, a solver each.
+#pragma once
+
+#include <string>
+
+#include "coupler/scene/scene.h"
+
+namespace magfsi::launch {
+
+// Elements, what they do to the stiffness, steps. Throws std::invalid_argument on what
+// only the mesh can tell.
+std::string explain_structure(const scene::Scene& scene);
+
+// SI and lattice values side by side, the collision and why, warnings with the values to
+// use instead. Throws std::invalid_argument on what the solver refuses.
+std::string explain_fluid(const scene::Scene& scene);
+
+}  // namespace magfsi::launch
