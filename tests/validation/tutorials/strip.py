@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""The magnetic strip: free, it takes the shapes of 3D finite elements
+(tutorials/strip/reference.csv) by Newton's method and by damped motion; on the ground under its
+weight it is a V in the directions near 45 degrees and a C near 225."""
+
+import csv
+import math
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
+import magfsi_runs as magfsi  # noqa: E402
+
+FOLDER = magfsi.ROOT / "tutorials/strip"
+LENGTH_M = 3.7e-3
+DIRECTION = "magnetic_field.table.direction"
+FREE = {"gravity": "null", "platform": "null", "output": "null"}
+
+
+def shapes(settings):
+    """{field in mT: (end to end / L, rise / L, bend in degrees)}."""
+    probes = magfsi.good_run(FOLDER, settings).probes()
+    columns = zip(probes["field[T]"], probes["strip.end_to_end[m]"],
+                  probes["strip.mid_rise[m]"], probes["strip.bend[rad]"])
+    return {round(1e3 * field, 6): (ends / LENGTH_M, rise / LENGTH_M, math.degrees(bend))
+            for field, ends, rise, bend in columns}
+
+
+def reference():
+    """{(direction, field in mT): shape} of the coarser mesh, that has all the fields."""
+    with open(FOLDER / "reference.csv", newline="") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return {(int(row["theta_B_deg"]), float(row["B_mT"])):
+            tuple(float(row[name]) for name in ("end_to_end/L", "mid_rise/L", "total_bend_deg"))
+            for row in rows if row["source"] == "fem3D 40x4x2"}
+
+
+class FreeStrip(unittest.TestCase):
+    def compare(self, name, settings, limit):
+        for direction in (45, 225):
+            found = shapes({**FREE, **settings, DIRECTION: f"{direction} deg"})
+            for field in (1.0, 5.0, 20.0):
+                wanted = reference()[direction, field]
+                errors = [a / b - 1 for a, b in zip(found[field], wanted)]
+                text = ", ".join(f"{100 * e:+.2f} %" for e in errors)
+                magfsi.report(f"{name}, {direction} degrees, {field:g} mT: "
+                              f"ends, rise, bend {text}")
+                self.assertLess(max(map(abs, errors)), limit)
+
+    def test_as_finite_elements(self):
+        # The reference's own two meshes differ by 0.1 %; two percent is what the tutorial
+        # promises. Two layers: with one the rise of the V at 20 mT is 3 to 4 % off.
+        self.compare("Newton", {"time.equilibrium.method": "newton",
+                                "bodies.strip.mesh.box.elements": "[40, 8, 2]",
+                                "probes.every": "50 ms"}, 0.02)
+
+    def test_newton_and_damped_motion_agree(self):
+        # On the scene's mesh: the force tolerance of 1e-6 leaves far less than 1e-3.
+        table = {"time.end": "3 s", "probes.every": "1 s", **FREE,
+                 "magnetic_field.table.time": "[0 s, 1 s, 2 s, 3 s]",
+                 "magnetic_field.table.magnitude": "[0 mT, 1 mT, 5 mT, 20 mT]"}
+        for direction in (45, 225):
+            way = {**table, DIRECTION: f"{direction} deg"}
+            newton = shapes({**way, "time.equilibrium.method": "newton"})
+            motion = shapes({**way, "time.equilibrium.method": "dynamics"})
+            for field in (1.0, 5.0, 20.0):
+                worst = max(abs(a / b - 1) for a, b in zip(motion[field], newton[field]))
+                magfsi.report(f"{direction} degrees, {field:g} mT: Newton and damped motion "
+                              f"differ by {worst:.1e}")
+                self.assertLess(worst, 1e-3)
+
+
+class StripOnTheGround(unittest.TestCase):
+    def bend_deg(self, direction):
+        return shapes({DIRECTION: f"{direction} deg", "output": "null",
+                       "probes.every": "500 ms"})[20.0][2]
+
+    def test_v_near_45_degrees(self):
+        # The free V turns its ends by 75 degrees, the free C by -257: half of each tells
+        # them from a flat strip.
+        for direction in (0, 45, 90):
+            self.assertGreater(self.bend_deg(direction), 37)
+
+    def test_c_near_225_degrees(self):
+        for direction in (180, 225, 270):
+            self.assertLess(self.bend_deg(direction), -128)
+
+
+if __name__ == "__main__":
+    unittest.main()

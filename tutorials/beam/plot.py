@@ -1,0 +1,265 @@
+#!/usr/bin/python3
+"""Draws the beam's figure from a folder of runs, and makes these runs when asked.
+
+    plot.py FOLDER --run [--out figure.png]     makes the runs (a few minutes), then draws
+    plot.py FOLDER [--out figure.png]           draws from the runs of an earlier --run
+
+(a) side views of the beam at a few loads, to scale; (b) tip displacement against load, with
+the reference; (c) largest error of uz over all loads against the computing time of a run, for
+meshes and element variants. FOLDER/shapes is a run of scene.yaml, FOLDER/sweep.csv has the
+rest. Seconds are processor time, so that a busy machine counts little.
+"""
+import argparse
+import csv
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from matplotlib.collections import PolyCollection
+from vtk.util.numpy_support import vtk_to_numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+LENGTH_M = 17.5e-3
+GAMMA_END = 0.04  # at the end of the path
+SHOWN = (0.0, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.04)
+INK, GREY = "0.1", "0.45"
+STYLES = {"full": ("s", "0.55"), "mean_f": ("^", "0.35"), "assumed_strain": ("o", "0.0")}
+# The paper's element needs its elements about 1.41 times as long as thick: its meshes follow
+# that line and leave it on both sides.
+MESHES = {
+    "full": ["12,2,1", "12,3,1", "11,4,1", "17,5,1", "25,8,2", "30,9,2", "32,9,2", "35,10,2",
+             "36,10,3"],
+    "mean_f": ["6,2,1", "8,2,1", "12,2,1", "17,5,1", "17,5,2", "17,5,3", "17,5,4", "17,5,5",
+               "26,8,4"],
+    "assumed_strain": ["4,1,1", "6,1,1", "6,2,1", "7,2,1", "8,1,1", "8,2,1", "10,2,1",
+                       "12,2,1", "14,3,1", "15,2,1", "18,5,1", "24,3,1", "36,5,1", "18,5,2"],
+}
+
+
+def program():
+    folder = os.environ.get("MAGFSI_BIN")
+    return pathlib.Path(folder) / "magfsi" if folder else HERE.parent.parent / "magfsi"
+
+
+def run(folder, **settings):
+    """A run of the scene; its processor time in seconds."""
+    words = [w for key, value in settings.items() for w in ("--set", f"{key}={value}")]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = subprocess.run([program(), "run", HERE / "scene.yaml", "--out", folder, *words],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{folder}: {done.stdout}{done.stderr}")
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def read_table(path):
+    """Columns by name; lines of comment begin with #."""
+    with open(path, newline="") as file:
+        names, *rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    return {name: [row[i] for row in rows] for i, name in enumerate(names)}
+
+
+def numbers(table, name):
+    if name not in table:
+        sys.exit(f"no column '{name}'; there are {', '.join(table)}")
+    return np.array(table[name], dtype=float)
+
+
+class Path:
+    """Tip displacements over the length against gamma."""
+
+    def __init__(self, folder):
+        probes = read_table(folder / "probes.csv")
+        self.gamma = GAMMA_END * numbers(probes, "t[s]")
+        self.uz = numbers(probes, "tip_uz[m]") / LENGTH_M
+        self.ux = numbers(probes, "tip_ux[m]") / LENGTH_M
+
+    def error_percent(self, reference):
+        gamma, uz = numbers(reference, "gamma"), numbers(reference, "uz_tip/L")
+        rows = [int(np.abs(self.gamma - g).argmin()) for g in gamma]
+        return 100 * np.abs(self.uz[rows] / uz - 1).max()
+
+
+def make_runs(folder, reference):
+    run(folder / "shapes")
+    with open(folder / "sweep.csv", "w") as file:
+        file.write("element,mesh,elements,seconds,error_percent\n")
+        for element, meshes in MESHES.items():
+            for mesh in meshes:
+                into = folder / f"{element}_{mesh.replace(',', 'x')}"
+                seconds = run(into, **{"bodies.beam.element": element, "output": "null",
+                                       "bodies.beam.mesh.box.elements": f"[{mesh}]"})
+                error = Path(into).error_percent(reference)
+                count = json.loads((into / "summary.json").read_text())["structure"]["elements"]
+                file.write(f"{element},{mesh.replace(',', ' x ')},{count},{seconds:.3g},"
+                           f"{error:.3g}\n")
+                print(f"{element} {mesh}: {error:.2f} %, {seconds:.2f} s", flush=True)
+
+
+def side_view_mm(path):
+    """The outer faces of a body, projected on the x-z plane: an array (faces, 4, 2)."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputConnection(reader.GetOutputPort())
+    surface.Update()
+    skin = surface.GetOutput()
+    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    return 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[faces][:, :, [0, 2]]
+
+
+def frame_at(folder, gamma):
+    entries = [(GAMMA_END * float(e.get("timestep")), folder / e.get("file"))
+               for e in xml.etree.ElementTree.parse(folder / "structure.pvd").iter("DataSet")]
+    return min(entries, key=lambda entry: abs(entry[0] - gamma))
+
+
+def clean(axes):
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def draw_shapes(axes, folder):
+    for gamma in SHOWN:
+        shown, file = frame_at(folder, gamma)
+        if abs(shown - gamma) > 1e-6:
+            sys.exit(f"{folder} has no frame at gamma {gamma:g}; see output in scene.yaml")
+        faces = side_view_mm(file)
+        axes.add_collection(PolyCollection(faces, facecolors="0.6", edgecolors=INK,
+                                           linewidths=0.25))
+        end = faces.reshape(-1, 2)
+        tip = end[np.argmax(end[:, 0] + 2 * end[:, 1])]
+        axes.annotate(f"{gamma:g}", tip, xytext=(4, 2), textcoords="offset points",
+                      fontsize=7, va="center")
+    axes.axvspan(-1.6, 0, color="0.85", lw=0)
+    axes.text(-0.8, 9, "clamp", rotation=90, ha="center", va="center", fontsize=7,
+              color=GREY)
+    axes.annotate("", (1.6, 16.4), (1.6, 12.4), arrowprops={"arrowstyle": "-|>", "color": INK})
+    axes.text(2.1, 14.4, "field B", fontsize=8, va="center")
+    axes.annotate("", (8.5, -1.3), (4.5, -1.3), arrowprops={"arrowstyle": "-|>", "color": INK})
+    axes.text(8.9, -1.3, "magnetisation M", fontsize=8, va="center")
+    axes.set(aspect="equal", xlim=(-1.6, 21.5), ylim=(-2.2, 18.6), xlabel="x [mm]",
+             ylabel="z [mm]")
+    clean(axes)
+
+
+def draw_path(axes, path, reference):
+    gamma = numbers(reference, "gamma")
+    ends = {"uz": (path.uz, "uz_tip/L", "upwards, $u_z/L$", 0.70),
+            "ux": (path.ux, "ux_tip/L", "back, $-u_x/L$", 0.42)}
+    for values, name, text, height in ends.values():
+        axes.plot(path.gamma, np.abs(values), color=INK, lw=1.1)
+        axes.plot(gamma, np.abs(numbers(reference, name)), "o", ms=4, mfc="none", mec=INK,
+                  mew=0.8, clip_on=False)
+        axes.text(0.024, height if name == "ux_tip/L" else 0.945, text, fontsize=8)
+    axes.lines[2].set_color(GREY)
+    axes.texts[1].set_position((0.024, 0.62))
+    axes.text(0.99, 0.05, "line: scene.yaml, 18 x 5 x 1 elements\ncircles: reference",
+              transform=axes.transAxes, ha="right", va="bottom", fontsize=7, color=GREY)
+    axes.set(xlim=(0, 0.04), ylim=(0, 1.02), xlabel=r"load $\gamma = M B / G$",
+             ylabel="tip displacement / length")
+    axes.set_xticks([0, 0.01, 0.02, 0.03, 0.04])
+    clean(axes)
+
+
+def cheapest(rows, percent):
+    good = [row for row in rows if row["error"] <= percent]
+    return min(good, key=lambda row: row["seconds"]) if good else None
+
+
+def sweep_rows(folder):
+    table = read_table(folder / "sweep.csv")
+    columns = [table["element"], table["mesh"], numbers(table, "elements"),
+               numbers(table, "seconds"), numbers(table, "error_percent")]
+    names = ("element", "mesh", "count", "seconds", "error")
+    return [dict(zip(names, row)) for row in zip(*columns)]
+
+
+def draw_accuracy(axes, rows):
+    lowest, highest = axes_limits = (0.2, 100)
+    for element, (marker, colour) in STYLES.items():
+        mine = [row for row in rows if row["element"] == element]
+        axes.plot([r["seconds"] for r in mine], [r["error"] for r in mine], marker, ms=4,
+                  color=colour, mew=0)
+        for percent in (3, 1):
+            best = cheapest(mine, percent)
+            if not best:
+                continue
+            axes.plot(best["seconds"], best["error"], "o", ms=9, mfc="none", mec=INK, mew=0.8)
+    offsets = {"full": (1.1, 40, "full (paper)"), "mean_f": (1.35, 5.3, "mean_f"),
+               "assumed_strain": (0.3, 0.36, "assumed_strain")}
+    for element, (x, y, text) in offsets.items():
+        marker, colour = STYLES[element]
+        axes.plot([], [], marker, ms=4, color=colour, mew=0, label=text)
+    axes.legend(fontsize=7, frameon=False, loc="upper right", handletextpad=0.1)
+    for percent in (3, 1):
+        axes.axhline(percent, color=GREY, lw=0.6, ls=":")
+        axes.text(11.5, percent, f"{percent} %", fontsize=7, color=GREY, ha="right",
+                  va="bottom")
+    axes.set(xscale="log", yscale="log", ylim=axes_limits, xlim=(0.02, 12),
+             xlabel="processor time of all 80 equilibria [s]",
+             ylabel="largest error of $u_z$ [%]")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    clean(axes)
+
+
+def label_best(axes, rows):
+    """Mesh and number of elements beside the cheapest meshes."""
+    for element in STYLES:
+        mine = [row for row in rows if row["element"] == element]
+        bests = {best["mesh"]: best for best in (cheapest(mine, 3), cheapest(mine, 1)) if best}
+        for best in bests.values():
+            axes.annotate(f"{best['mesh'].replace(' x ', chr(215))}",
+                          (best["seconds"], best["error"]), xytext=(0, -7),
+                          textcoords="offset points", fontsize=6, ha="center", va="top")
+
+
+def draw(folder, reference, out):
+    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans", "axes.linewidth": 0.6,
+                         "xtick.major.width": 0.6, "ytick.major.width": 0.6})
+    figure, axes = plt.subplots(1, 3, figsize=(10.2, 3.5), width_ratios=[1.12, 1, 1])
+    rows = sweep_rows(folder)
+    draw_shapes(axes[0], folder / "shapes")
+    draw_path(axes[1], Path(folder / "shapes"), reference)
+    draw_accuracy(axes[2], rows)
+    label_best(axes[2], rows)
+    for room, letter in zip(axes, "abc"):
+        room.set_title(f"({letter})", loc="left", weight="bold", fontsize=9)
+    figure.tight_layout(w_pad=1.5)
+    figure.savefig(out, dpi=200)
+    for element in STYLES:
+        mine = [row for row in rows if row["element"] == element]
+        for percent in (3, 1):
+            best = cheapest(mine, percent)
+            found = (f"{best['mesh']} ({best['count']:g} elements), {best['seconds']:g} s, "
+                     f"error {best['error']:g} %" if best else "no mesh tried")
+            print(f"{element}, {percent} %: {found}")
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("folder", type=pathlib.Path)
+    options.add_argument("--run", action="store_true")
+    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
+    chosen = options.parse_args()
+    reference = read_table(HERE / "reference.csv")
+    if chosen.run:
+        chosen.folder.mkdir(parents=True, exist_ok=True)
+        make_runs(chosen.folder, reference)
+    draw(chosen.folder, reference, chosen.out)
+    print(chosen.out)
+
+
+if __name__ == "__main__":
+    main()
