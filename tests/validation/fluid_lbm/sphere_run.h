@@ -19,6 +19,7 @@ struct SphereRun {
     double upstream = 6, downstream = 8, sideways = 6;
     double speed = 0.05;  // lattice units
     ObstacleWall wall = ObstacleWall::interpolated;
+    Collision collision = Collision::automatic;
     double convective_times = 60;  // diameters over speed
 };
 
@@ -28,7 +29,7 @@ inline FluidConfig sphere_in_stream(const SphereRun& run) {
     };
     FluidConfig config = lattice_fluid(
         {cells(run.upstream + run.downstream), cells(run.sideways), cells(run.sideways)},
-        0.6, Collision::automatic);
+        0.6, run.collision);
     config.viscosity_m2_s = run.speed * run.diameter / run.reynolds;
     for (Boundary& side : config.boundaries) side.kind = BoundaryKind::free_slip;
     config.boundaries[0].kind = BoundaryKind::velocity_inlet;
