@@ -1,0 +1,198 @@
+#!/usr/bin/python3
+"""Draws the figure of the strip that stands up against its weight, from a folder of runs.
+
+    plot.py --run FOLDER               makes the runs in it
+    plot.py FOLDER [--out figure.png]  draws them, and prints what it finds
+
+(a) side views at 20 mT; (b) heading of the strip against the field for four weights; (c) heading
+of its middle under 1 g with other meshes, friction and field directions.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import subprocess
+import xml.etree.ElementTree
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from matplotlib.collections import PolyCollection
+from vtk.util.numpy_support import vtk_to_numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+WEIGHTS = {"0g": "0 g", "half": "g/2", "1g": "1 g", "2g": "2 g"}
+COARSE = ["--set", "probes.every=1 s", "--set", "output="]
+RUNS = {
+    "0g": ["weightless.yaml"],
+    "half": ["scene.yaml", "--set", "gravity.acceleration=4.905 m/s2"],
+    "1g": ["scene.yaml"],
+    "2g": ["scene.yaml", "--set", "gravity.acceleration=19.62 m/s2"],
+    "fine": ["scene.yaml", "--set", "bodies.strip.mesh.box.elements=[40, 4, 1]", *COARSE],
+    "wide": ["scene.yaml", "--set", "bodies.strip.mesh.box.elements=[20, 8, 1]", *COARSE],
+    "smooth": ["scene.yaml", "--set", "platform.friction=", *COARSE],
+    "at130": ["scene.yaml", "--set", "magnetic_field.table.direction=130 deg", *COARSE],
+    "at140": ["scene.yaml", "--set", "magnetic_field.table.direction=140 deg", *COARSE],
+}
+STANDING_DEG = 30  # the heading jumps from about 13 to 50 degrees or more
+INK, GREY = "0.1", "0.45"
+
+
+def run_all(runs):
+    program = os.environ.get("MAGFSI_BIN")
+    program = pathlib.Path(program) / "magfsi" if program else HERE.parents[1] / "magfsi"
+    for name, (scene, *settings) in RUNS.items():
+        subprocess.run([str(program), "run", str(HERE / scene), "--out", str(runs / name),
+                        *settings], check=True)
+
+
+class Path:
+    """Headings along a path of rising field."""
+
+    def __init__(self, run):
+        with open(run / "probes.csv", newline="") as file:
+            names, *rows = list(csv.reader(file))
+        self.probes = dict(zip(names, np.array(rows, dtype=float).T))
+        self.field_mt = 1e3 * self.probes["field[T]"]
+        self.heading = self.angle_deg("left", "right")
+        self.middle = self.angle_deg("before", "after")
+
+    def angle_deg(self, start, end):
+        """Of the line between two probe points in the x-z plane."""
+        rise = self.probes[f"{end}_z[m]"] - self.probes[f"{start}_z[m]"]
+        run = self.probes[f"{end}_x[m]"] - self.probes[f"{start}_x[m]"]
+        return np.degrees(np.arctan2(rise, run))
+
+    def stands_between_mt(self):
+        """Last field at which it lies, and first at which it stands."""
+        standing = np.flatnonzero(self.heading > STANDING_DEG)
+        if standing.size == 0:
+            return None
+        first = standing[0]
+        return (self.field_mt[first - 1] if first else 0.0), self.field_mt[first]
+
+
+def read_reference():
+    with open(HERE / "reference.csv", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def side_view_mm(run):
+    """Outer faces of the last state in the x-z plane, its middle at x = 0: (faces, 4, 2)."""
+    files = [e.get("file") for e in
+             xml.etree.ElementTree.parse(run / "structure.pvd").iter("DataSet")]
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(run / files[-1]))
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputConnection(reader.GetOutputPort())
+    surface.Update()
+    skin = surface.GetOutput()
+    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    points = 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[:, [0, 2]]
+    points[:, 0] -= 0.5 * (points[:, 0].min() + points[:, 0].max())
+    return points[faces]
+
+
+def draw_views(axes, runs):
+    for k, (name, label) in enumerate(WEIGHTS.items()):
+        faces = side_view_mm(runs / name)
+        if name == "0g":
+            faces = faces - [0, faces[:, :, 1].min() - 0.4]
+        x = 3.6 * k
+        axes.add_collection(PolyCollection(faces + [x, 0], facecolors=INK, edgecolors=INK,
+                                           linewidths=0.3))
+        axes.text(x, -0.55, label, ha="center", va="top", fontsize=8)
+        if name != "0g":
+            axes.plot([x - 1.5, x + 1.5], [-0.03, -0.03], color=GREY, lw=1.5)
+    axes.annotate("", (-2.9, 2.1), (-2.2, 1.4),
+                  arrowprops={"arrowstyle": "-|>", "color": GREY, "lw": 1.3})
+    axes.text(-2.55, 2.4, "field", ha="center", fontsize=7, color=GREY)
+    axes.plot([-3.0, -2.0], [0, 0], color=INK, lw=2, solid_capstyle="butt")
+    axes.text(-2.5, 0.15, "1 mm", ha="center", fontsize=7)
+    axes.set(xlim=(-3.3, 12.9), ylim=(-1.2, 3.2), aspect="equal")
+    axes.axis("off")
+
+
+def clean(axes):
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def draw_weights(axes, paths):
+    rods = read_reference()
+    for g in ("0.5", "1", "2"):
+        for kind in ("rod plane stress", "rod plane strain"):
+            rows = [r for r in rods if r["g"] == g and r["source"] == kind]
+            axes.plot([float(r["B_mT"]) for r in rows], [float(r["heading_deg"]) for r in rows],
+                      color="0.65", lw=0.7, ls="--", zorder=1)
+    places = {"0g": (20.3, 89), "half": (20.3, 82), "1g": (20.3, 74.5), "2g": (20.3, 52)}
+    for name, label in WEIGHTS.items():
+        axes.plot(paths[name].field_mt, paths[name].heading, color=INK, lw=1.3, zorder=2)
+        axes.text(*places[name], label, va="center", fontsize=8)
+    axes.plot([5, 6.25, 20], [90, 60, 0], "s", ms=5, mfc="white", mec=INK, zorder=3,
+              clip_on=False)
+    for x, y, text, ha, va in ((4.6, 95, "paper: 0 g", "left", "bottom"),
+                               (7.0, 50, "paper: g/2", "left", "top"),
+                               (19.5, 3, "paper: 1 g", "right", "bottom")):
+        axes.text(x, y, text, ha=ha, va=va, fontsize=7)
+    axes.set(xlim=(0, 20), ylim=(0, 105), xticks=range(0, 21, 5), yticks=range(0, 91, 30),
+             xlabel="field [mT]", ylabel="heading, end to end [\N{DEGREE SIGN}]")
+    axes.text(10.5, 18, "dashed: rods of the reference", fontsize=7, color=GREY)
+    clean(axes)
+
+
+def draw_variants(axes, paths):
+    for name, style in (("1g", {"color": INK, "lw": 1.3}),
+                        ("at130", {"color": GREY, "lw": 1, "ls": ":"}),
+                        ("at140", {"color": GREY, "lw": 1, "ls": ":"})):
+        axes.plot(paths[name].field_mt, paths[name].middle, **style)
+    for name, mark in (("fine", "+"), ("smooth", "o")):
+        axes.plot(paths[name].field_mt, paths[name].middle, mark, ms=4.5, mfc="none", mec=INK,
+                  mew=0.8)
+    axes.text(20.3, 72, "140\N{DEGREE SIGN}", va="center", fontsize=7.5)
+    axes.text(20.3, 60, "135\N{DEGREE SIGN}", va="center", fontsize=7.5)
+    axes.text(20.3, 50, "130\N{DEGREE SIGN}", va="center", fontsize=7.5)
+    axes.text(8.2, 24, "crosses: 40 elements\ncircles: no friction\nall under 1 g",
+              fontsize=7.5, va="center")
+    axes.axhline(0, color="0.8", lw=0.6)
+    axes.set(xlim=(0, 20), ylim=(-15, 90), xticks=range(0, 21, 5), yticks=range(0, 91, 30),
+             xlabel="field [mT]", ylabel="heading of the middle [\N{DEGREE SIGN}]")
+    clean(axes)
+
+
+def report(paths):
+    for name, path in paths.items():
+        stands = path.stands_between_mt()
+        where = f"stands between {stands[0]:g} and {stands[1]:g} mT" if stands else "lies"
+        figures = "; ".join(f"{b} mT: {np.interp(b, path.field_mt, path.heading):.1f}, middle "
+                            f"{np.interp(b, path.field_mt, path.middle):.1f}"
+                            for b in (5, 10, 20))
+        print(f"{name:7s} {where}; heading at {figures} degrees")
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("folder", type=pathlib.Path)
+    options.add_argument("--run", action="store_true", help="make the runs first")
+    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
+    chosen = options.parse_args()
+    if chosen.run:
+        run_all(chosen.folder)
+    paths = {name: Path(chosen.folder / name) for name in RUNS}
+    report(paths)
+    plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
+    figure = plt.figure(figsize=(7.2, 4.8))
+    draw_views(figure.add_axes([0.03, 0.6, 0.94, 0.4]), chosen.folder)
+    draw_weights(figure.add_axes([0.075, 0.1, 0.375, 0.46]), paths)
+    draw_variants(figure.add_axes([0.575, 0.1, 0.375, 0.46]), paths)
+    for letter, x, y in (("(a)", 0.01, 0.97), ("(b)", 0.01, 0.59), ("(c)", 0.51, 0.59)):
+        figure.text(x, y, letter, weight="bold", fontsize=9, va="center")
+    figure.savefig(chosen.out, dpi=200)
+    print(chosen.out)
+
+
+if __name__ == "__main__":
+    main()
