@@ -5,9 +5,10 @@
     plot.py FOLDER [--out figure.png]           draws from the runs of an earlier --run
 
 (a) side views of the beam at a few loads, to scale; (b) tip displacement against load, with
-the reference; (c) largest error of uz over all loads against the computing time of a run, for
-meshes and element variants. FOLDER/shapes is a run of scene.yaml, FOLDER/sweep.csv has the
-rest. Seconds are processor time, so that a busy machine counts little.
+the reference; (c), (d) largest error of uz over all loads against the computing time of a run
+and against its number of elements, for meshes and element variants. FOLDER/shapes is a run of
+scene.yaml, FOLDER/sweep.csv has the rest. Seconds are processor time, so that a busy machine
+counts little.
 """
 import argparse
 import csv
@@ -144,8 +145,8 @@ def draw_shapes(axes, folder):
     axes.axvspan(-1.6, 0, color="0.85", lw=0)
     axes.text(-0.8, 9, "clamp", rotation=90, ha="center", va="center", fontsize=7,
               color=GREY)
-    axes.annotate("", (1.6, 16.4), (1.6, 12.4), arrowprops={"arrowstyle": "-|>", "color": INK})
-    axes.text(2.1, 14.4, "field B", fontsize=8, va="center")
+    axes.annotate("", (14, 17.6), (14, 13.6), arrowprops={"arrowstyle": "-|>", "color": INK})
+    axes.text(14.6, 15.6, "field B", fontsize=8, va="center")
     axes.annotate("", (8.5, -1.3), (4.5, -1.3), arrowprops={"arrowstyle": "-|>", "color": INK})
     axes.text(8.9, -1.3, "magnetisation M", fontsize=8, va="center")
     axes.set(aspect="equal", xlim=(-1.6, 21.5), ylim=(-2.2, 18.6), xlabel="x [mm]",
@@ -155,15 +156,13 @@ def draw_shapes(axes, folder):
 
 def draw_path(axes, path, reference):
     gamma = numbers(reference, "gamma")
-    ends = {"uz": (path.uz, "uz_tip/L", "upwards, $u_z/L$", 0.70),
-            "ux": (path.ux, "ux_tip/L", "back, $-u_x/L$", 0.42)}
-    for values, name, text, height in ends.values():
-        axes.plot(path.gamma, np.abs(values), color=INK, lw=1.1)
+    ends = ((path.uz, "uz_tip/L", INK, "upwards, $u_z/L$", 0.945),
+            (path.ux, "ux_tip/L", GREY, "back, $-u_x/L$", 0.62))
+    for values, name, colour, text, height in ends:
+        axes.plot(path.gamma, np.abs(values), color=colour, lw=1.1)
         axes.plot(gamma, np.abs(numbers(reference, name)), "o", ms=4, mfc="none", mec=INK,
                   mew=0.8, clip_on=False)
-        axes.text(0.024, height if name == "ux_tip/L" else 0.945, text, fontsize=8)
-    axes.lines[2].set_color(GREY)
-    axes.texts[1].set_position((0.024, 0.62))
+        axes.text(0.024, height, text, fontsize=8)
     axes.text(0.99, 0.05, "line: scene.yaml, 18 x 5 x 1 elements\ncircles: reference",
               transform=axes.transAxes, ha="right", va="bottom", fontsize=7, color=GREY)
     axes.set(xlim=(0, 0.04), ylim=(0, 1.02), xlabel=r"load $\gamma = M B / G$",
@@ -185,56 +184,46 @@ def sweep_rows(folder):
     return [dict(zip(names, row)) for row in zip(*columns)]
 
 
-def draw_accuracy(axes, rows):
-    lowest, highest = axes_limits = (0.2, 100)
+def draw_accuracy(axes, rows, cost, limits, label):
+    """Errors against a cost ("seconds" or "count"), the cheapest good meshes ringed."""
+    beside = {"full": (6, 7, "left"), "mean_f": (-7, -5, "right"),
+              "assumed_strain": (-2, -11, "center")}
     for element, (marker, colour) in STYLES.items():
         mine = [row for row in rows if row["element"] == element]
-        axes.plot([r["seconds"] for r in mine], [r["error"] for r in mine], marker, ms=4,
-                  color=colour, mew=0)
-        for percent in (3, 1):
-            best = cheapest(mine, percent)
-            if not best:
-                continue
-            axes.plot(best["seconds"], best["error"], "o", ms=9, mfc="none", mec=INK, mew=0.8)
-    offsets = {"full": (1.1, 40, "full (paper)"), "mean_f": (1.35, 5.3, "mean_f"),
-               "assumed_strain": (0.3, 0.36, "assumed_strain")}
-    for element, (x, y, text) in offsets.items():
-        marker, colour = STYLES[element]
-        axes.plot([], [], marker, ms=4, color=colour, mew=0, label=text)
-    axes.legend(fontsize=7, frameon=False, loc="upper right", handletextpad=0.1)
+        axes.plot([r[cost] for r in mine], [r["error"] for r in mine], marker, ms=4,
+                  color=colour, mew=0, label=element)
+        bests = {b["mesh"]: b for b in (cheapest(mine, 3), cheapest(mine, 1)) if b}
+        for best in bests.values():
+            at = (best[cost], best["error"])
+            axes.plot(*at, "o", ms=9, mfc="none", mec=INK, mew=0.8)
+            x, y, side = beside[element]
+            axes.annotate(best["mesh"].replace(" x ", "\N{MULTIPLICATION SIGN}"), at,
+                          xytext=(x, y), textcoords="offset points", fontsize=7, ha=side,
+                          va="center")
     for percent in (3, 1):
-        axes.axhline(percent, color=GREY, lw=0.6, ls=":")
-        axes.text(11.5, percent, f"{percent} %", fontsize=7, color=GREY, ha="right",
-                  va="bottom")
-    axes.set(xscale="log", yscale="log", ylim=axes_limits, xlim=(0.02, 12),
-             xlabel="processor time of all 80 equilibria [s]",
+        axes.axhline(percent, color=GREY, lw=0.6, ls=":", zorder=0)
+        axes.text(0.01, percent, f"{percent} %", fontsize=7, color=GREY, ha="left",
+                  va="bottom", transform=axes.get_yaxis_transform())
+    axes.legend(fontsize=7, frameon=False, loc="upper right", handletextpad=0.1)
+    axes.set(xscale="log", yscale="log", ylim=(0.2, 100), xlim=limits, xlabel=label,
              ylabel="largest error of $u_z$ [%]")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
     clean(axes)
 
 
-def label_best(axes, rows):
-    """Mesh and number of elements beside the cheapest meshes."""
-    for element in STYLES:
-        mine = [row for row in rows if row["element"] == element]
-        bests = {best["mesh"]: best for best in (cheapest(mine, 3), cheapest(mine, 1)) if best}
-        for best in bests.values():
-            axes.annotate(f"{best['mesh'].replace(' x ', chr(215))}",
-                          (best["seconds"], best["error"]), xytext=(0, -7),
-                          textcoords="offset points", fontsize=6, ha="center", va="top")
-
-
 def draw(folder, reference, out):
     plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans", "axes.linewidth": 0.6,
                          "xtick.major.width": 0.6, "ytick.major.width": 0.6})
-    figure, axes = plt.subplots(1, 3, figsize=(10.2, 3.5), width_ratios=[1.12, 1, 1])
+    figure, axes = plt.subplots(2, 2, figsize=(7.4, 6.6))
+    axes = axes.flat
     rows = sweep_rows(folder)
     draw_shapes(axes[0], folder / "shapes")
     draw_path(axes[1], Path(folder / "shapes"), reference)
-    draw_accuracy(axes[2], rows)
-    label_best(axes[2], rows)
-    for room, letter in zip(axes, "abc"):
+    draw_accuracy(axes[2], rows, "seconds", (0.02, 20),
+                  "processor time of all 80 equilibria [s]")
+    draw_accuracy(axes[3], rows, "count", (2, 3000), "elements")
+    for room, letter in zip(axes, "abcd"):
         room.set_title(f"({letter})", loc="left", weight="bold", fontsize=9)
     figure.tight_layout(w_pad=1.5)
     figure.savefig(out, dpi=200)
@@ -243,7 +232,7 @@ def draw(folder, reference, out):
         for percent in (3, 1):
             best = cheapest(mine, percent)
             found = (f"{best['mesh']} ({best['count']:g} elements), {best['seconds']:g} s, "
-                     f"error {best['error']:g} %" if best else "no mesh tried")
+                     f"error {best['error']:g} %" if best else "none of the meshes tried")
             print(f"{element}, {percent} %: {found}")
 
 

@@ -122,9 +122,9 @@ def draw(folder, out):
         draw_panel(room, direction, shape)
         print(f"{direction:9d}  {shape.kind():>5s}  {shape.end_to_end:12.4f}  "
               f"{shape.rise:+.4f}  {shape.bend_deg:+10.1f}  {shape.turn_deg:+.1f}")
-    last = axes.flat[-1]
-    last.plot([3.3, 4.3], [2.15, 2.15], color="0.1", lw=2, solid_capstyle="butt")
-    last.text(3.8, 2.25, "1 mm", fontsize=7, ha="center", va="bottom")
+    room = axes.flat[5]  # the 225 degrees leave most of theirs free
+    room.plot([3.2, 4.2], [1.5, 1.5], color="0.1", lw=2, solid_capstyle="butt")
+    room.text(3.7, 1.6, "1 mm", fontsize=7, ha="center", va="bottom")
     figure.text(0.01, 0.012, "dark: 20 mT, pale: 5 mT; ends: distance between the ends, "
                 "rise: of the middle over the line of the ends, both over the length; "
                 "bend: turn from the left end to the right one", fontsize=7, color=GREY)
