@@ -37,7 +37,7 @@ void check_mean_f(const Body& body, const BoxMesh& box, const Marks& marks) {
                            format_si(edge[thickness], "m")),
                "in-plane edges of at least the edge through the thickness",
                fmt::format("take at most {} elements along {}, more layers along {}, or "
-                           "element: full",
+                           "element: assumed_strain",
                            most, axes[i], axes[thickness]));
     }
 }
