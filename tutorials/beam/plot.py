@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the beam's figure from a folder of runs, and makes these runs when asked.
 
-    plot.py FOLDER --run [--out figure.png]     makes the runs (a few minutes), then draws
+    plot.py FOLDER --run [--out figure.png]     makes the runs (a minute or two), then draws
     plot.py FOLDER [--out figure.png]           draws from the runs of an earlier --run
 
 (a) side views of the beam at a few loads, to scale; (b) tip displacement against load, with

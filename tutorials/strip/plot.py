@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the strip's figure: its shapes on the platform for eight directions of the field.
 
-    plot.py FOLDER --run [--out figure.png]     makes the eight runs (two minutes), then draws
+    plot.py FOLDER --run [--out figure.png]     makes the eight runs (a minute or two), then draws
     plot.py FOLDER [--out figure.png]           draws from the runs of an earlier --run
 
 The run of each direction is in FOLDER/DIRECTION, in degrees. Each panel has the shape at 20 mT

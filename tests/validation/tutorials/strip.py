@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
 import magfsi_runs as magfsi  # noqa: E402
 
 FOLDER = magfsi.ROOT / "tutorials/strip"
-LENGTH_M = 3.7e-3
+LENGTH_M, THICKNESS_M = 3.7e-3, 0.185e-3
 DIRECTION = "magnetic_field.table.direction"
 # Two layers: with one the rise of the V at 20 mT is 3 to 4 % off. Little damping: the free
 # strip turns as a whole, slowly under the drag that suits its bending.
@@ -82,6 +82,17 @@ class StripOnTheGround(unittest.TestCase):
     def test_c_near_225_degrees(self):
         for direction in (180, 225, 270):
             self.assertLess(self.bend_deg(direction), -128)
+
+    def test_contact_keeps_the_ends_apart(self):
+        strong = {DIRECTION: "225 deg", "output": "null",
+                  "magnetic_field.table.magnitude": "[0 mT, 60 mT]"}
+        through = shapes(strong)[60.0][0] * LENGTH_M
+        held = shapes({**strong, "contact": "{}"})[60.0][0] * LENGTH_M
+        magfsi.report(f"C at 60 mT: ends {1e3 * held:.3f} mm apart with contact, "
+                      f"{1e3 * through:.3f} mm without")
+        # Mid-planes of ends that face each other are a thickness apart or more.
+        self.assertLess(through, THICKNESS_M)
+        self.assertGreater(held, THICKNESS_M)
 
 
 if __name__ == "__main__":
