@@ -30,7 +30,7 @@ TEST(Defaults, of_the_table_are_those_of_the_structs) {
     EXPECT_EQ(s.fluid->collision, Fluid{}.collision);
     for (std::size_t face = 0; face < 6; ++face) {
         EXPECT_EQ(s.fluid->boundaries[face].kind, Boundary{}.kind);
-        EXPECT_EQ(s.fluid->boundaries[face].wall_velocity_m_s, Vec3{});
+        EXPECT_EQ(s.fluid->boundaries[face].velocity_m_s, Vec3{});
     }
     EXPECT_FALSE(s.fluid->initial_velocity_m_s);
     EXPECT_FALSE(s.fluid->body_force_n_m3);
