@@ -26,7 +26,8 @@ class LoadPath {
 
   private:
     structure::StaticLoads loads_at(double time_s) const;
-    void add_work(const structure::StaticLoads& before, const structure::StaticLoads& after,
+    void add_work(const structure::StaticLoads& before,
+                  const structure::StaticLoads& after,
                   const std::vector<structure::Vec3>& from_m);
 
     structure::Body body_;

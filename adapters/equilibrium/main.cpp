@@ -7,8 +7,8 @@
 int main(int argc, char** argv) {
     using namespace magfsi;
     return coupler::run_participant(
-        coupler::Role::structure, "Static equilibria of a magfsi scene, by Newton's method",
-        argc, argv,
+        coupler::Role::structure,
+        "Static equilibria of a magfsi scene, by Newton's method", argc, argv,
         [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
             coupler::Session session(coupler::Role::structure, arguments, state);
             if (session.world().size() > 1)

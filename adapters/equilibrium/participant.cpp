@@ -57,16 +57,16 @@ void Participant::assemble(output::ProgressMode progress) {
     tasks_.add("count step", [this] { session_.complete_step(); });
     if (probes_) tasks_.add("probes", [this] { write_probes(); });
     if (files_) {
-        tasks_.add("write fields",
-                   [this, every = session_.clock().every(scene.output.structure->every_s)] {
-                       if (session_.clock().step() % every == 0) write_fields();
-                   });
+        tasks_.add(
+            "write fields",
+            [this, every = session_.clock().every(scene.output.structure->every_s)] {
+                if (session_.clock().step() % every == 0) write_fields();
+            });
     }
     progress_ = std::make_unique<output::Progress>(
         progress, output::ProgressGoal{session_.clock().steps(), scene.time.end_s, 0},
         [progress](std::string_view text) {
-            fmt::print("{}{}", text,
-                       progress == output::ProgressMode::plain ? "\n" : "");
+            fmt::print("{}{}", text, progress == output::ProgressMode::plain ? "\n" : "");
             std::fflush(stdout);
         });
     tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
@@ -86,13 +86,15 @@ void Participant::report_branch(const LoadPath& path) {
     iterations_ += now.iterations;
     if (now.releases > 0) {
         session_.log(fmt::format(
-            "body '{}' at {:.6g} s: the equilibrium could not be followed (a limit point or "
+            "body '{}' at {:.6g} s: the equilibrium could not be followed (a limit point "
+            "or "
             "an instability); the body was released there and found another",
             path.body().name, session_.clock().time_s() + session_.clock().step_s()));
     }
     if (now.negative_eigenvalues > 0) {
-        session_.log(fmt::format("body '{}': this equilibrium is unstable ({} direction(s))",
-                                 path.body().name, now.negative_eigenvalues));
+        session_.log(
+            fmt::format("body '{}': this equilibrium is unstable ({} direction(s))",
+                        path.body().name, now.negative_eigenvalues));
     }
 }
 
@@ -146,16 +148,17 @@ void Participant::finish(double wall_s) {
     auto report = coupler::basic_report(session_.world(), tasks_.timer());
     output::StructureSummary structure;
     for (const auto& path : paths_)
-        structure.elements += static_cast<std::int64_t>(path->body().mesh.elements.size());
+        structure.elements +=
+            static_cast<std::int64_t>(path->body().mesh.elements.size());
     report.structure = structure;
     output::Named<double> last;
     for (std::size_t i = 0; i < last_probes_.size(); ++i)
         last.emplace_back(probes_->columns()[i], last_probes_[i]);
     progress_->finish(session_.clock().step());
     coupler::write_summary(session_, {&report, 1}, wall_s, last);
-    session_.log(fmt::format("done: {} equilibria, {} Newton steps in {:.1f} s; results in {}",
-                             session_.clock().step(), iterations_, wall_s,
-                             session_.out().string()));
+    session_.log(fmt::format(
+        "done: {} equilibria, {} Newton steps in {:.1f} s; results in {}",
+        session_.clock().step(), iterations_, wall_s, session_.out().string()));
 }
 
 }  // namespace magfsi::equilibrium

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "adapters/lammps/engine.h"
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/lammps/engine.h"
 #include "coupler/exchange/structure_exchange.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/penalty_force.h"
@@ -33,8 +33,9 @@ class BodyCoupling {
     void audit(coupler::BalanceRecord& record) const;
 
   private:
-    std::vector<coupler::Marker> own_markers(const std::vector<bodies::PlacedMarker>& placed,
-                                             const std::vector<int>& first_node) const;
+    std::vector<coupler::Marker> own_markers(
+        const std::vector<bodies::PlacedMarker>& placed,
+        const std::vector<int>& first_node) const;
     std::vector<Vec3> marker_positions() const;
 
     const coupler::Session& session_;

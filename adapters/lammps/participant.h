@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "adapters/lammps/body_coupling.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/structure_files.h"
+#include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/come_to_rest.h"
 #include "adapters/lammps/substeps.h"
 #include "coupler/output/probe_file.h"

@@ -15,8 +15,8 @@ struct Substeps {
 
 // Without a coupled step in the scene (no fluid, no time.step) one coupled step is one
 // LAMMPS step. For equilibria a coupled step is a point of the path, with as many LAMMPS
-// steps as it takes (count is 0). Throws scene::SceneError-like std::invalid_argument when coupling.substeps
-// asks for fewer than are stable, naming both.
+// steps as it takes (count is 0). Throws scene::SceneError-like std::invalid_argument
+// when coupling.substeps asks for fewer than are stable, naming both.
 Substeps choose_substeps(const scene::Scene& scene);
 
 }  // namespace magfsi::lammps

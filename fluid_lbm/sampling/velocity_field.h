@@ -28,7 +28,8 @@ class VelocityField {
 
     // curl u in a cell, central differences; at walls, whose velocity is given by side
     // (x_min x_max y_min ...), the second-order one-sided difference through the wall
-    // half a cell away; at open sides as if the velocity did not change across them. Unit: velocity unit over cells.
+    // half a cell away; at open sides as if the velocity did not change across them.
+    // Unit: velocity unit over cells.
     std::array<double, 3> curl(
         int x, int y, int z,
         const std::array<std::array<double, 3>, 6>& wall_velocity) const;
