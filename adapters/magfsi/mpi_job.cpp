@@ -43,6 +43,8 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
 [[noreturn]] void become(const std::vector<std::string>& command, int error_pipe) {
     dup2(error_pipe, STDERR_FILENO);
     setenv("OMP_NUM_THREADS", "1", 0);
+    // Threads that spin at a barrier take the cores that a partner needs.
+    setenv("OMP_WAIT_POLICY", "passive", 0);
     std::vector<char*> words;
     for (const std::string& word : command)
         words.push_back(const_cast<char*>(word.c_str()));
