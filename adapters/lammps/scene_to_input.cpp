@@ -27,22 +27,24 @@ structure::ContactLaw to_contact(const scene::Contact& contact) {
     return law;
 }
 
-// All that acts on a body at once: each spring on the surface lowers the limit of the
-// lattice alone, and their squared frequencies add up at most.
+// All that acts on a body at once. With damping c on top of the frequency omega the step
+// keeps step^2 omega^2 + 2 step c <= 4 (structure/lattice/stable_step.h): the body's own
+// steps with and without viscosity give c, the springs on its surface raise omega.
 double stable_step_s(const structure::LammpsInput& input, const structure::Body& body,
                      double viscosity_pa_s) {
-    const double alone = structure::stable_step_s(body, viscosity_pa_s);
-    double inverse_square = 1 / (alone * alone);
-    const auto add = [&](double with) {
-        inverse_square += 1 / (with * with) - 1 / (alone * alone);
-    };
-    if (input.platform) {
-        add(structure::platform_step_limit_s(
-            body, structure::platform_of(input).stiffness_pa_m));
-    }
+    double springs_pa_m = 0;
+    if (input.platform) springs_pa_m += structure::platform_of(input).stiffness_pa_m;
     if (input.contact)
-        add(structure::contact_step_limit_s(body, structure::contact_law(input)));
-    return 1 / std::sqrt(inverse_square);
+        springs_pa_m +=
+            structure::contact_spring_pa_m(body, structure::contact_law(input));
+    const double elastic_s = structure::step_limit_s(body, springs_pa_m);
+    if (viscosity_pa_s == 0) return elastic_s;
+    const double own = 2 / structure::stable_step_s(body);
+    const double damped_s = structure::stable_step_s(body, viscosity_pa_s);
+    const double damping = (4 - damped_s * damped_s * own * own) / (2 * damped_s);
+    const double omega = 2 / elastic_s;
+    const double z = damping / (2 * omega);
+    return 2 / omega * (std::sqrt(1 + z * z) - z);
 }
 
 }  // namespace

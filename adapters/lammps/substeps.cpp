@@ -47,6 +47,12 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     return largest;
 }
 
+// The largest step up to the limit that divides the time between probe rows, or the run.
+double even_step_s(const scene::Scene& scene, double limit_s) {
+    const double interval_s = scene.probes ? scene.probes->every_s : scene.time.end_s;
+    return interval_s / std::max(1.0, std::ceil(interval_s / limit_s - 1e-9));
+}
+
 }  // namespace
 
 Substeps choose_substeps(const scene::Scene& scene) {
@@ -59,7 +65,8 @@ Substeps choose_substeps(const scene::Scene& scene) {
         return s;
     }
     const auto wanted = scene::coupled_step_s(scene);
-    s.coupled_step_s = wanted ? *wanted : elastic_margin * s.elastic_limit_s;
+    s.coupled_step_s =
+        wanted ? *wanted : even_step_s(scene, elastic_margin * s.elastic_limit_s);
     double limit = elastic_margin * s.elastic_limit_s;
     if (scene.fluid && scene.coupling) {
         s.drag_limit_s = 2 / largest_drag_rate(scene, s.coupled_step_s);
