@@ -13,6 +13,7 @@ struct Material {
     double lame_lambda_pa = 0;  // K of eq. (1)
     // Inertia; in a fluid this is rho_solid - rho_fluid (enclosed fluid counted once).
     double density_kg_m3 = 0;
+    double viscosity_pa_s = 0;  // Kelvin-Voigt (lattice/viscous_element.h)
 };
 
 // full: the paper's element (exact volume, full spring matrix).
@@ -27,6 +28,11 @@ struct Body {
     std::string name;
     Mesh mesh;
     Material material;
+    // Of a body of several materials: element e is of `material` where
+    // element_material[e] is 0, else of other_materials[element_material[e] - 1]. Both
+    // empty: all is `material`.
+    std::vector<Material> other_materials;
+    std::vector<int> element_material;
     ElementVariant element = ElementVariant::full;
     std::vector<Vec3> magnetization_a_m;  // one an element; empty: not magnetic
     std::vector<std::string> clamps;      // faces held still

@@ -1,11 +1,14 @@
 #include "adapters/bodies/scene_to_body.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
+#include "coupler/scene/suggestion.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/magnetics/magnetization_table.h"
 
@@ -60,6 +63,41 @@ structure::ElementVariant to_element(scene::ElementVariant variant) {
     throw std::logic_error("an element variant without a name");
 }
 
+// The fluid that fills the solid's own volume moves with it on the fluid's side: its
+// inertia and weight must not be counted twice.
+structure::Material to_material(const scene::Material& material, double displaced) {
+    return {material.shear_modulus_pa, material.lame_lambda_pa,
+            material.density_kg_m3 - displaced, material.viscosity_pa_s.value_or(0)};
+}
+
+int region_number(const Mesh& mesh, const std::string& name) {
+    const auto found = std::ranges::find(mesh.region_names, name);
+    if (found != mesh.region_names.end())
+        return static_cast<int>(found - mesh.region_names.begin());
+    if (mesh.region_names.empty()) {
+        throw std::invalid_argument(
+            fmt::format("the region \"{}\" found, but the mesh has no regions", name));
+    }
+    const std::string near = scene::did_you_mean(name, mesh.region_names);
+    throw std::invalid_argument(fmt::format("no region \"{}\"; the mesh has {}{}{}", name,
+                                            fmt::join(mesh.region_names, ", "),
+                                            near.empty() ? "" : "; ", near));
+}
+
+void add_materials(structure::Body& out, const scene::Body& body, double displaced) {
+    if (body.material_regions.empty()) return;
+    std::vector<int> of_region(out.mesh.region_names.size(), 0);
+    for (const scene::RegionMaterial& entry : body.material_regions) {
+        out.other_materials.push_back(to_material(entry.material, displaced));
+        for (const std::string& name : entry.regions) {
+            of_region[static_cast<std::size_t>(region_number(out.mesh, name))] =
+                static_cast<int>(out.other_materials.size());
+        }
+    }
+    for (const int region : out.mesh.region)
+        out.element_material.push_back(of_region[static_cast<std::size_t>(region)]);
+}
+
 }  // namespace
 
 structure::Placement to_placement(const scene::InitialState& initial) {
@@ -80,11 +118,14 @@ structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
     structure::Body out;
     out.name = body.name;
     out.mesh = to_mesh(body);
-    // The fluid that fills the solid's own volume moves with it on the fluid's side: its
-    // inertia and weight must not be counted twice.
     const double displaced = scene.fluid ? scene.fluid->density_kg_m3 : 0;
-    out.material = {body.material.shear_modulus_pa, body.material.lame_lambda_pa,
-                    body.material.density_kg_m3 - displaced};
+    out.material = to_material(body.material, displaced);
+    try {
+        add_materials(out, body, displaced);
+    } catch (const std::invalid_argument& fault) {
+        throw std::invalid_argument(
+            fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
+    }
     out.element = to_element(body.element);
     out.clamps = body.clamps;
     try {

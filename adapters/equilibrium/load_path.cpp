@@ -28,8 +28,7 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
     if (scene.magnetic_field) field_ = bodies::to_field(*scene.magnetic_field);
     const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
     placed_m_ = structure::placed_nodes(body_, bodies::to_placement(body.initial), plane);
-    mass_kg_ = structure::node_masses(structure::build_lattice(
-        body_.mesh.nodes, body_.mesh.elements, body_.material, body_.element));
+    mass_kg_ = structure::node_masses(structure::build_lattice(body_));
     charge_a_m_ = structure::nodal_charges(body_.mesh.nodes, body_.mesh.elements,
                                            body_.magnetization_a_m);
     const structure::StaticLoads start = loads_at(0);

@@ -9,6 +9,7 @@
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
+#include "structure/materials.h"
 
 namespace magfsi::lammps {
 
@@ -37,13 +38,17 @@ double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies) {
                                          bodies::extent(body.mesh, 2)};
         const double length = *std::ranges::max_element(side);
         const double thickness = *std::ranges::min_element(side);
-        const auto& m = body.material;
-        const double young = m.shear_modulus_pa *
-                             (3 * m.lame_lambda_pa + 2 * m.shear_modulus_pa) /
-                             (m.lame_lambda_pa + m.shear_modulus_pa);
+        // Of several materials the softest and the heaviest: a bound from below.
+        double young = std::numeric_limits<double>::infinity();
+        double density = 0;
+        for (const structure::Material& m : structure::used_materials(body)) {
+            young = std::min(young, m.shear_modulus_pa *
+                                        (3 * m.lame_lambda_pa + 2 * m.shear_modulus_pa) /
+                                        (m.lame_lambda_pa + m.shear_modulus_pa));
+            density = std::max(density, m.density_kg_m3);
+        }
         const double b = (body.clamps.empty() ? 4.730 : 1.875) / length;
-        const double omega =
-            b * b * thickness * std::sqrt(young / (12 * m.density_kg_m3));
+        const double omega = b * b * thickness * std::sqrt(young / (12 * density));
         lowest = std::min(lowest, 2 * omega);
     }
     return lowest;
@@ -55,9 +60,10 @@ double stiffness_load_n(const std::vector<structure::Body>& bodies) {
         const double thickness =
             std::min({bodies::extent(body.mesh, 0), bodies::extent(body.mesh, 1),
                       bodies::extent(body.mesh, 2)});
-        smallest =
-            std::min(smallest, strain_without_load * body.material.shear_modulus_pa *
-                                   thickness * thickness);
+        for (const structure::Material& m : structure::used_materials(body)) {
+            smallest = std::min(smallest, strain_without_load * m.shear_modulus_pa *
+                                              thickness * thickness);
+        }
     }
     return smallest;
 }

@@ -51,6 +51,12 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
         text +=
             fmt::format("    regions: {}\n", fmt::join(solid.mesh.region_names, ", "));
     }
+    for (const auto& entry : body.material_regions) {
+        text +=
+            fmt::format("    {}: G {:.4g} Pa, lambda {:.4g} Pa, density {:.4g} kg/m3\n",
+                        fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
+                        entry.material.lame_lambda_pa, entry.material.density_kg_m3);
+    }
     if (box) text += explain_elements(solid, *box);
     if (scene.coupling) {
         text += fmt::format("    {} markers\n",

@@ -64,6 +64,12 @@ void bind_keys(Io& io, Material& material) {
 }
 
 template <class Io>
+void bind_keys(Io& io, RegionMaterial& region) {
+    io("region", region.regions);
+    bind_keys(io, region.material);
+}
+
+template <class Io>
 void bind_keys(Io& io, UniformMagnetization& uniform) {
     io.whole(uniform.vector_a_m);
 }
@@ -135,6 +141,7 @@ void bind_keys(Io& io, Body& body) {
     io("mesh", body.mesh);
     io("element", body.element);
     io("material", body.material);
+    io("material_regions", body.material_regions);
     io("magnetization", body.magnetization);
     io("clamps", body.clamps);
     io("initial", body.initial);

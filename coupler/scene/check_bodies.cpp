@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 
 #include "coupler/scene/checks.h"
 #include "coupler/scene/field.h"
@@ -67,6 +68,25 @@ void check_clamps(const Body& body, const Marks& marks) {
         if (std::find(body.clamps.begin(), earlier, clamp) != earlier)
             refuse(here, fmt::format("{} twice in clamps", in_quotes(clamp)),
                    "each face once");
+    }
+}
+
+// Which regions a mesh has is known when it is built; a block has none.
+void check_material_regions(const Body& body, const Marks& marks) {
+    if (body.material_regions.empty()) return;
+    const Path here{"bodies", body.name, "material_regions"};
+    if (std::holds_alternative<BoxMesh>(body.mesh))
+        refuse(marks.key(here), "material_regions of a block, whose mesh has no regions",
+               "them for the meshes oblique and gmsh");
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < body.material_regions.size(); ++i) {
+        for (const std::string& region : body.material_regions[i].regions) {
+            if (seen.insert(region).second) continue;
+            refuse(
+                marks.item(here, i),
+                fmt::format("the region {} twice in material_regions", in_quotes(region)),
+                "each region once");
+        }
     }
 }
 
@@ -146,15 +166,21 @@ void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
 void check_density(const Scene& scene, const Body& body, const Marks& marks) {
     constexpr double least_ratio = 1.05;
     if (!scene.fluid) return;
-    const double ratio = body.material.density_kg_m3 / scene.fluid->density_kg_m3;
-    if (ratio > least_ratio) return;
-    refuse(
-        marks.value({"bodies", body.name, "material", "density"}),
-        fmt::format("the density of \"{}\" at {:.4g} times the fluid's", body.name,
-                    ratio),
-        fmt::format("more than {} times", least_ratio),
-        fmt::format("explicit coupling is unstable for light bodies: take more than {}",
-                    format_si(least_ratio * scene.fluid->density_kg_m3, "kg/m3")));
+    const auto check = [&](const Material& material, const Origin& where) {
+        const double ratio = material.density_kg_m3 / scene.fluid->density_kg_m3;
+        if (ratio > least_ratio) return;
+        refuse(where,
+               fmt::format("the density of \"{}\" at {:.4g} times the fluid's", body.name,
+                           ratio),
+               fmt::format("more than {} times", least_ratio),
+               fmt::format(
+                   "explicit coupling is unstable for light bodies: take more than {}",
+                   format_si(least_ratio * scene.fluid->density_kg_m3, "kg/m3")));
+    };
+    check(body.material, marks.value({"bodies", body.name, "material", "density"}));
+    for (std::size_t i = 0; i < body.material_regions.size(); ++i)
+        check(body.material_regions[i].material,
+              marks.item({"bodies", body.name, "material_regions"}, i));
 }
 
 }  // namespace
@@ -165,6 +191,7 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         if (box) check_node_count(body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);
+        check_material_regions(body, marks);
         check_magnetization(body, marks);
         check_initial(scene, body, marks);
         check_density(scene, body, marks);

@@ -34,8 +34,12 @@ constexpr Effect effects[] = {
     {"elasticity", [](const Scene& s) { return !s.bodies.empty(); }},
     {"viscosity",
      [](const Scene& s) {
-         return any_body(
-             s, [](const Body& b) { return b.material.viscosity_pa_s.has_value(); });
+         return any_body(s, [](const Body& b) {
+             return b.material.viscosity_pa_s ||
+                    std::ranges::any_of(b.material_regions, [](const RegionMaterial& r) {
+                        return r.material.viscosity_pa_s.has_value();
+                    });
+         });
      }},
     {"magnetic field", [](const Scene& s) { return s.magnetic_field.has_value(); }},
     {"field gradient",

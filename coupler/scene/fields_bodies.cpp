@@ -33,14 +33,25 @@ Field mesh() {
     });
 }
 
-Field material() {
-    return group("material", "Neo-Hookean solid, eq. (1).", {
+std::vector<Field> neo_hookean() {
+    return {
         quantity("shear_modulus", "Pa", "G.").above(0),
         quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.").at_least(0),
         quantity("density", "kg/m3", "Mass by volume.").above(0),
         quantity("viscosity", "Pa s", "Kelvin-Voigt damping: viscous stress over rate of "
                  "strain is twice this.").above(0).optional(),
-    });
+    };
+}
+
+Field material() {
+    return group("material", "Neo-Hookean solid, eq. (1).", neo_hookean());
+}
+
+Field material_regions() {
+    std::vector<Field> keys = neo_hookean();
+    keys.insert(keys.begin(), text("region", "One name, or a list.").one_or_list());
+    return list_of("material_regions", "Other materials, by the mesh's regions; one that is "
+                   "not named is of `material`.", std::move(keys));
 }
 
 Field magnetization() {
@@ -104,6 +115,7 @@ Field bodies_fields() {
                                "bending with few layers; assumed_strain: in every mode, for "
                                "elements of any proportion.").or_default("full"),
         material(),
+        material_regions().optional(),
         magnetization().optional(),
         text("clamps", "Faces held still: x_min to z_max, or names of the Gmsh file.").list()
             .optional(),

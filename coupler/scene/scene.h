@@ -62,6 +62,12 @@ struct Material {
     std::optional<double> viscosity_pa_s;  // Kelvin-Voigt
 };
 
+// Of the elements of these regions of the mesh, in place of the body's material.
+struct RegionMaterial {
+    std::vector<std::string> regions;
+    Material material;
+};
+
 enum class ElementVariant { full, mean_f, assumed_strain };
 
 struct UniformMagnetization {
@@ -128,6 +134,7 @@ struct Body {
     BodyMesh mesh;
     ElementVariant element = ElementVariant::full;
     Material material;
+    std::vector<RegionMaterial> material_regions;
     std::optional<Magnetization> magnetization;
     std::vector<std::string> clamps;  // faces; of a block x_min to z_max
     InitialState initial;

@@ -34,7 +34,7 @@ double line_search(const StaticProblem& problem, const Motion& motion,
     const double before = energy(now.response, now.x, load);
     // Rounding of the energy: springs and volume terms of about G V cancel at rest.
     const double rounding =
-        1e-14 * problem.body().material.shear_modulus_pa * problem.volume_m3();
+        1e-14 * problem.largest_shear_modulus_pa() * problem.volume_m3();
     double fraction = motion.largest_fraction();
     for (int halving = 0; halving < 40; ++halving, fraction *= 0.5) {
         const Eigen::VectorXd x = motion.at(fraction);

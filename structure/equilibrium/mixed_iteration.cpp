@@ -15,15 +15,15 @@ constexpr double largest_ratio = 2.5;
 
 class MixedVolumes {
   public:
-    MixedVolumes(StaticProblem& problem, const Eigen::VectorXd& x)
-        : problem_(problem), material_(problem.body().material) {
+    MixedVolumes(StaticProblem& problem, const Eigen::VectorXd& x) : problem_(problem) {
         const auto& references = problem.references();
         for (std::size_t e = 0; e < references.size(); ++e) {
             const Positions8 xe = problem.element_positions(e, x);
             const double ratio =
                 volume_slope(references[e], xe).volume_m3 / references[e].volume;
             ratio_.push_back(ratio);
-            pressure_.push_back(volumetric_stress(material_, ratio).pressure_pa);
+            pressure_.push_back(
+                volumetric_stress(problem.material(e), ratio).pressure_pa);
         }
     }
 
@@ -51,7 +51,8 @@ class MixedVolumes {
                     v.gradient_m2.segment<3>(3 * a).dot(step.segment<3>(3 * nodes[a])) /
                     references[e].volume;
             }
-            const VolumetricStress stress = volumetric_stress(material_, ratio_[e]);
+            const VolumetricStress stress =
+                volumetric_stress(problem_.material(e), ratio_[e]);
             const double goal = stress.pressure_pa + stress.modulus_pa * change;
             pressure_[e] += fraction * (goal - pressure_[e]);
             ratio_[e] += fraction * change;
@@ -63,18 +64,19 @@ class MixedVolumes {
   private:
     void add_element(std::size_t e, const Eigen::VectorXd& x, Eigen::VectorXd& right) {
         const ElementReference& reference = problem_.references()[e];
+        const Material& material = problem_.material(e);
         const Positions8 xe = problem_.element_positions(e, x);
         const VolumeDerivatives v = volume_derivatives(reference, xe);
-        const VolumetricStress stress = volumetric_stress(material_, ratio_[e]);
+        const VolumetricStress stress = volumetric_stress(material, ratio_[e]);
         Matrix24 tangent =
-            element_tangent(reference, material_, v, {pressure_[e], stress.modulus_pa});
+            element_tangent(reference, material, v, {pressure_[e], stress.modulus_pa});
         const double pressure =
             stress.pressure_pa +
             stress.modulus_pa * (v.volume_m3 / reference.volume - ratio_[e]);
-        Positions8 inner = material_.shear_modulus_pa * reference.spring_matrix * xe;
+        Positions8 inner = material.shear_modulus_pa * reference.spring_matrix * xe;
         if (reference.variant == ElementVariant::assumed_strain) {
-            inner += hourglass_energy(reference.hourglass, material_, xe).gradient_n;
-            tangent += hourglass_tangent(reference.hourglass, material_, xe);
+            inner += hourglass_energy(reference.hourglass, material, xe).gradient_n;
+            tangent += hourglass_tangent(reference.hourglass, material, xe);
         }
         problem_.add_element(e, tangent);
         const Hexahedron& nodes = problem_.body().mesh.elements[e];
@@ -85,7 +87,6 @@ class MixedVolumes {
     }
 
     StaticProblem& problem_;
-    const Material& material_;
     std::vector<double> ratio_, pressure_;
 };
 

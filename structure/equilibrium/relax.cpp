@@ -97,11 +97,10 @@ void put_centre_back(Array& x, const Array& start, const Array& mass) {
 RelaxedBody descend(const Body& body, const Vec3& field_t, const Array& magnetic,
                     Array& x, const Array& mass) {
     ElementKernel kernel;
-    kernel.assign(
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    kernel.assign(build_lattice(body));
     const Array free = free_nodes(body);
     const double scale = magnetic.abs().maxCoeff();
-    Fire fire(0.9 * stable_step_s(body), x.size());
+    Fire fire(0.9 * stable_elastic_step_s(body), x.size());
     RelaxedBody out;
     Array force(x.size());
     for (;; ++out.steps) {
@@ -129,8 +128,7 @@ RelaxedBody relax(const Body& body, const Vec3& field_t) {
     RelaxedBody out;
     out.nodes_m = body.mesh.nodes;
     if (!(magnetic.abs().maxCoeff() > 0)) return out;
-    const auto masses = node_masses(
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    const auto masses = node_masses(build_lattice(body));
     Array x(magnetic.size());
     Array mass(magnetic.size());
     for (Eigen::Index q = 0; q < x.size(); ++q) {

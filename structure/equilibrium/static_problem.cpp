@@ -57,10 +57,10 @@ StaticProblem::StaticProblem(const Body& body)
         throw std::invalid_argument(
             fmt::format("body {} has no elements, at least one is needed", body.name));
     }
-    const Lattice lattice =
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element);
+    const Lattice lattice = build_lattice(body);
     kernel_.assign(lattice);
     node_volume_m3_ = lattice.node_volume_m3;
+    node_mass_kg_ = lattice.node_mass_kg;
     volume_m3_ = std::accumulate(node_volume_m3_.begin(), node_volume_m3_.end(), 0.0);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         references_.push_back(
@@ -69,6 +69,7 @@ StaticProblem::StaticProblem(const Body& body)
     }
     hold_clamped_nodes();
     measure_sides();
+    measure_stiffness();
 }
 
 void StaticProblem::hold_clamped_nodes() {
@@ -94,21 +95,31 @@ void StaticProblem::measure_sides() {
     }
     shortest_side_m_ = *std::ranges::min_element(side);
     longest_side_m_ = *std::ranges::max_element(side);
-    bending_scale_ = body_.material.shear_modulus_pa * shortest_side_m_ *
-                     shortest_side_m_ / std::pow(longest_side_m_, 4);
+}
+
+void StaticProblem::measure_stiffness() {
+    double softest = INFINITY;
+    for (const Material& material : used_materials(body_)) {
+        const double g = material.shear_modulus_pa;
+        softest = std::min(softest, g);
+        largest_shear_modulus_pa_ = std::max(largest_shear_modulus_pa_, g);
+        largest_modulus_pa_ = std::max(largest_modulus_pa_, material.lame_lambda_pa + g);
+    }
+    bending_scale_ =
+        softest * shortest_side_m_ * shortest_side_m_ / std::pow(longest_side_m_, 4);
 }
 
 Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
     Eigen::VectorXd out(3 * static_cast<Eigen::Index>(charge_.size()));
     for (std::size_t n = 0; n < charge_.size(); ++n) {
-        const double mass = body_.material.density_kg_m3 * node_volume_m3_[n];
+        const double mass = node_mass_kg_[n];
         for (std::size_t d = 0; d < 3; ++d) {
             out[static_cast<Eigen::Index>(3 * n + d)] =
                 charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
         }
     }
     const bool weight =
-        body_.material.density_kg_m3 != 0 &&
+        std::ranges::any_of(node_mass_kg_, [](double mass) { return mass != 0; }) &&
         std::ranges::any_of(loads.gravity_m_s2, [](double g) { return g != 0; });
     if (free_ && weight) {
         throw std::invalid_argument(fmt::format(
@@ -141,9 +152,7 @@ double StaticProblem::relative_residual(const Response& response,
     // Positions are rounded to 1e-16 of the longest side, which strains an element of
     // edge l by 1e-16 L / l and gives forces of about (K + G) l^2 times that.
     const double edge = std::cbrt(volume_m3_ / static_cast<double>(references_.size()));
-    const double modulus =
-        body_.material.lame_lambda_pa + body_.material.shear_modulus_pa;
-    const double rounding = 1e-16 * modulus * edge * longest_side_m_;
+    const double rounding = 1e-16 * largest_modulus_pa_ * edge * longest_side_m_;
     const double scale = std::max(load.cwiseAbs().maxCoeff(), 1e10 * rounding);
     return response.residual_n.cwiseAbs().maxCoeff() / scale;
 }
@@ -182,7 +191,7 @@ void StaticProblem::assemble(const Eigen::VectorXd& x, double foundation) {
     matrix_.set_zero();
     for (std::size_t e = 0; e < references_.size(); ++e) {
         add_element(
-            e, element_tangent(references_[e], body_.material, element_positions(e, x)));
+            e, element_tangent(references_[e], material(e), element_positions(e, x)));
     }
     finish_matrix(foundation);
 }

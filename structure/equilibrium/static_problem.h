@@ -10,6 +10,7 @@
 #include "structure/equilibrium/node_levels.h"
 #include "structure/lattice/element_energy.h"
 #include "structure/lattice/element_kernel.h"
+#include "structure/materials.h"
 
 namespace magfsi::structure {
 
@@ -29,6 +30,10 @@ class StaticProblem {
     const Body& body() const { return body_; }
     // No face is clamped: translations, and turns about the field, cost no energy.
     bool free() const { return free_; }
+    const Material& material(std::size_t element) const {
+        return material_of(body_, element);
+    }
+    double largest_shear_modulus_pa() const { return largest_shear_modulus_pa_; }
     bool held(std::size_t node) const { return held_[node]; }
     const std::vector<ElementReference>& references() const { return references_; }
     const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
@@ -60,8 +65,8 @@ class StaticProblem {
     void assemble(const Eigen::VectorXd& x, double foundation);
     Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
 
-    // G h^2 / L^4 of the shortest and longest side: about a hundredth of the stiffness
-    // [Pa/m2] of the lowest bending mode.
+    // G h^2 / L^4 of the shortest and longest side, G of the softest material: about a
+    // hundredth of the stiffness [Pa/m2] of the lowest bending mode.
     double bending_stiffness_scale() const { return bending_scale_; }
     double shortest_side_m() const { return shortest_side_m_; }
     double longest_side_m() const { return longest_side_m_; }
@@ -71,17 +76,19 @@ class StaticProblem {
   private:
     void hold_clamped_nodes();
     void measure_sides();
+    void measure_stiffness();
     int row(int node) const { return 3 * levels_.slot[node]; }
 
     Body body_;
     NodeLevels levels_;
     BlockTridiagonal matrix_;
     std::vector<ElementReference> references_;
-    std::vector<double> node_volume_m3_, charge_;
+    std::vector<double> node_volume_m3_, node_mass_kg_, charge_;
     std::vector<bool> held_;
     ElementKernel kernel_;
     bool free_ = true;
     double volume_m3_ = 0;
+    double largest_shear_modulus_pa_ = 0, largest_modulus_pa_ = 0;
     double bending_scale_ = 0, shortest_side_m_ = 0, longest_side_m_ = 0;
 };
 

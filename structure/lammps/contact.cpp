@@ -7,6 +7,7 @@
 
 #include "structure/lammps/contact_area.h"
 #include "structure/lammps/step_limit.h"
+#include "structure/materials.h"
 #include "structure/mesh/surface.h"
 
 namespace magfsi::structure {
@@ -42,8 +43,10 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
     }
     double softest = INFINITY;
     for (const Body& body : bodies) {
-        softest = std::min(
-            softest, body.material.lame_lambda_pa + 2 * body.material.shear_modulus_pa);
+        for (const Material& material : used_materials(body)) {
+            softest = std::min(softest,
+                               material.lame_lambda_pa + 2 * material.shear_modulus_pa);
+        }
     }
     return 0.25 * softest / distance_m;
 }
@@ -56,9 +59,8 @@ double contact_spring_pa_m(const Body& body, const ContactLaw& law) {
     return 2 * std::max(2.2, coarse) * law.stiffness_pa_m;
 }
 
-double contact_step_limit_s(const Body& body, const ContactLaw& law,
-                            double viscosity_pa_s) {
-    return step_limit_s(body, contact_spring_pa_m(body, law), viscosity_pa_s);
+double contact_step_limit_s(const Body& body, const ContactLaw& law) {
+    return step_limit_s(body, contact_spring_pa_m(body, law));
 }
 
 }  // namespace magfsi::structure

@@ -32,8 +32,8 @@ ContactForce contact_force(const ContactLaw& law, double areas_m4, double distan
 // four others is half a diagonal away from them and feels them all.
 double contact_distance_m(const std::vector<Body>& bodies);
 
-// (lambda + 2 G) / (4 d) of the softest body: surfaces pass through each other under a
-// pressure of 0.22 (lambda + 2 G), five shear moduli where lambda is 20 G.
+// (lambda + 2 G) / (4 d) of the softest material: surfaces pass through each other under
+// a pressure of 0.22 (lambda + 2 G), five shear moduli where lambda is 20 G.
 double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m);
 
 // Stiffness [Pa/m] that a surface feels at worst where it meets another of the same kind:
@@ -43,7 +43,6 @@ double contact_spring_pa_m(const Body& body, const ContactLaw& law);
 
 // step_limit_s with that stiffness. Run at 0.9 of it; where a platform is hit as well,
 // use step_limit_s with the sum of both.
-double contact_step_limit_s(const Body& body, const ContactLaw& law,
-                            double viscosity_pa_s = 0);
+double contact_step_limit_s(const Body& body, const ContactLaw& law);
 
 }  // namespace magfsi::structure

@@ -36,12 +36,12 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
                          " magttice needs a lattice file, its first atom ID, G and K");
     }
     range_.first_id = LAMMPS_NS::utils::inumeric(FLERR, arg[4], false, lmp);
-    Material material;
+    Material& material = materials_.emplace_back();
     material.shear_modulus_pa = LAMMPS_NS::utils::numeric(FLERR, arg[5], false, lmp);
     material.lame_lambda_pa = LAMMPS_NS::utils::numeric(FLERR, arg[6], false, lmp);
     try {
         for (int i = first_keyword; i < narg;) i += parse_keyword(narg - i, arg + i);
-        read_body(arg[3], material);
+        read_body(arg[3]);
     } catch (const std::exception& cause) {
         fail(*error, std::string("fix ") + id + " magttice: " + cause.what());
     }
@@ -56,9 +56,13 @@ int FixMagttice::parse_keyword(int left, char** arg) {
         return 2;
     }
     if (keyword == "viscosity" && left > 1) {
-        viscosity_pa_s_ = LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
-        viscous_.emplace();
+        materials_.front().viscosity_pa_s =
+            LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
         return 2;
+    }
+    if (keyword == "material" && left > 3) {
+        parse_material(arg + 1);
+        return 4;
     }
     if (keyword == "field" && left > 3) {
         parse_field(arg + 1);
@@ -70,8 +74,15 @@ int FixMagttice::parse_keyword(int left, char** arg) {
     }
     throw std::invalid_argument("\"" + keyword +
                                 "\" found; \"element\" and \"viscosity\" with one value, "
-                                "\"field\" with three and \"gradient\" with twelve are "
-                                "allowed");
+                                "\"material\" and \"field\" with three and "
+                                "\"gradient\" with twelve are allowed");
+}
+
+void FixMagttice::parse_material(char** arg) {
+    Material& material = materials_.emplace_back();
+    material.shear_modulus_pa = LAMMPS_NS::utils::numeric(FLERR, arg[0], false, lmp);
+    material.lame_lambda_pa = LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
+    material.viscosity_pa_s = LAMMPS_NS::utils::numeric(FLERR, arg[2], false, lmp);
 }
 
 FixMagttice::~FixMagttice() {
@@ -91,9 +102,13 @@ void FixMagttice::declare_output() {
     restart_global = 1;
 }
 
-void FixMagttice::read_body(const std::string& file, const Material& material) {
-    const LatticeFile read = read_lattice_file(file);
-    lattice_ = build_lattice(read.nodes_m, read.elements, material, variant_);
+void FixMagttice::read_body(const std::string& file) {
+    LatticeFile read = read_lattice_file(file);
+    if (read.element_material.empty() && materials_.size() > 1) {
+        read.element_material.assign(read.elements.size(), 0);
+    }
+    lattice_ = build_lattice(read.nodes_m, read.elements, materials_,
+                             read.element_material, variant_);
     nodes_m_ = read.nodes_m;
     range_.count = static_cast<int>(read.nodes_m.size());
     by_first_.resize(read.nodes_m.size());
@@ -105,8 +120,12 @@ void FixMagttice::read_body(const std::string& file, const Material& material) {
         charge_a_m_ = nodal_charges(read.nodes_m, read.elements, read.magnetization_a_m);
     }
     if (gradient_) read_gradient(read);
-    // Refuses a viscosity that makes no sense before the run.
-    if (viscous_) viscous_->assign(lattice_, viscosity_pa_s_);
+    const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
+    if (std::ranges::any_of(materials_, viscous)) {
+        viscous_.emplace();
+        // Refuses a viscosity that makes no sense before the run.
+        viscous_->assign(lattice_);
+    }
 }
 
 int FixMagttice::setmask() {
@@ -155,7 +174,7 @@ void FixMagttice::rebuild() {
                  std::to_string(lattice_.longest_diagonal_m) + " at rest)");
     }
     kernel_.assign(lattice_, owned.element, owned.atom);
-    if (viscous_) viscous_->assign(lattice_, viscosity_pa_s_, owned.element, owned.atom);
+    if (viscous_) viscous_->assign(lattice_, owned.element, owned.atom);
     if (gradient_) {
         owned_gradient_nodes_ = owned.atom;
         owned_gradient_elements_.clear();

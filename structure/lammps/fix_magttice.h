@@ -54,8 +54,9 @@ class FixMagttice : public LAMMPS_NS::Fix {
     };
 
     void declare_output();
-    void read_body(const std::string& file, const Material& material);
+    void read_body(const std::string& file);
     int parse_keyword(int left, char** arg);
+    void parse_material(char** arg);
     void parse_field(char** arg);
     void parse_gradient(char** arg);
     void read_gradient(const LatticeFile& read);
@@ -80,7 +81,7 @@ class FixMagttice : public LAMMPS_NS::Fix {
     std::vector<ChargedNode> charged_;  // owned by this rank
 
     ElementVariant variant_ = ElementVariant::full;
-    double viscosity_pa_s_ = 0;
+    std::vector<Material> materials_;  // as the lattice file numbers them
     std::optional<ViscousKernel> viscous_;
     double lost_j_ = 0;  // to viscosity; this rank's share
 

@@ -33,7 +33,7 @@ void FixMagttice::add_gradient() {
 
 // With the velocities of the half step, as explicit damping has to.
 double FixMagttice::add_viscous() {
-    if (viscous_->size() == 0) return 0;
+    if (viscous_->empty()) return 0;
     return viscous_->add_forces(atom->x[0], atom->v[0], atom->f[0]);
 }
 

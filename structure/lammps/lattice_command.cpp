@@ -44,14 +44,15 @@ void write(const Wanted& wanted) {
     body.mesh = box_mesh(wanted.box);
     body.material = wanted.material;
     body.element = parse_element_name(wanted.element);
-    const auto masses = node_masses(
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    const auto masses = node_masses(build_lattice(body));
     std::vector<DataAtom> atoms;
     for (std::size_t a = 0; a < masses.size(); ++a) {
         atoms.push_back({body.mesh.nodes[a], masses[a]});
     }
-    write_lattice_file({body.mesh.nodes, body.mesh.elements,
-                        uniform_magnetization(body.mesh, wanted.magnetization_a_m)},
+    write_lattice_file({body.mesh.nodes,
+                        body.mesh.elements,
+                        uniform_magnetization(body.mesh, wanted.magnetization_a_m),
+                        {}},
                        wanted.name + ".lattice");
     write_data_file(atoms, wanted.name + ".data");
     fmt::print("{0}.lattice, {0}.data: {1} nodes, {2} elements, stable step {3:.4g} s\n",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <sstream>
@@ -67,7 +68,11 @@ void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path&
             for (int node : lattice.elements[e]) out.print("{} ", node);
             const Vec3 m =
                 lattice.magnetization_a_m.empty() ? Vec3{} : lattice.magnetization_a_m[e];
-            out.print("{:.17g} {:.17g} {:.17g}\n", m[0], m[1], m[2]);
+            out.print("{:.17g} {:.17g} {:.17g}", m[0], m[1], m[2]);
+            if (!lattice.element_material.empty()) {
+                out.print(" {}", lattice.element_material[e]);
+            }
+            out.print("\n");
         }
     } catch (const std::system_error& error) {
         throw std::runtime_error(fmt::format("cannot write the lattice file {}: {}",
@@ -86,12 +91,22 @@ LatticeFile read_lattice_file(const std::filesystem::path& file) {
     }
     out.elements.resize(reader.count("elements", "\"elements M\" with M of at least 1"));
     out.magnetization_a_m.resize(out.elements.size());
+    out.element_material.resize(out.elements.size());
     for (std::size_t e = 0; e < out.elements.size(); ++e) {
-        const char* expected = "eight node numbers and the magnetisation of an element";
+        const char* expected =
+            "eight node numbers and the magnetisation of an element, and perhaps the "
+            "number of its material";
         std::istringstream fields = reader.line(expected);
         for (int& node : out.elements[e]) fields >> node;
         Vec3& m = out.magnetization_a_m[e];
         if (!(fields >> m[0] >> m[1] >> m[2])) reader.fail(expected);
+        int& material = out.element_material[e];
+        if (!(fields >> std::ws).eof() && (!(fields >> material) || material < 0)) {
+            reader.fail(expected);
+        }
+    }
+    if (std::ranges::all_of(out.element_material, [](int m) { return m == 0; })) {
+        out.element_material.clear();
     }
     return out;
 }

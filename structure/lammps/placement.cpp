@@ -9,8 +9,7 @@ namespace magfsi::structure {
 namespace {
 
 std::vector<double> node_volumes(const Body& body) {
-    return build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element)
-        .node_volume_m3;
+    return build_lattice(body).node_volume_m3;
 }
 
 Vec3 centre_of_volume(const std::vector<Vec3>& nodes, const std::vector<double>& volume) {

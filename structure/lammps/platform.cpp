@@ -80,9 +80,8 @@ double platform_stiffness_pa_m(const Material& material, double thickness_m) {
     return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
 }
 
-double platform_step_limit_s(const Body& body, double stiffness_pa_m,
-                             double viscosity_pa_s) {
-    return step_limit_s(body, stiffness_pa_m, viscosity_pa_s);
+double platform_step_limit_s(const Body& body, double stiffness_pa_m) {
+    return step_limit_s(body, stiffness_pa_m);
 }
 
 }  // namespace magfsi::structure

@@ -24,7 +24,6 @@ struct GradientInput {
 
 struct LammpsInput {
     std::vector<Body> bodies;
-    std::vector<double> viscosity_pa_s;  // one a body; or none: all elastic
     std::vector<Placement> placements;  // one a body; or none: all where their meshes are
     std::optional<FieldProgram> field;
     std::optional<GradientInput> gradient;  // with or without a field
@@ -37,8 +36,8 @@ struct LammpsInput {
 };
 
 // The platform and the contact of the input with their missing values put in: the largest
-// platform_stiffness_pa_m of the bodies (thickness: the mesh's smallest extent), and
-// contact_distance_m and contact_stiffness_pa_m of all bodies.
+// platform_stiffness_pa_m of the bodies' materials (thickness: the mesh's smallest
+// extent), and contact_distance_m and contact_stiffness_pa_m of all bodies.
 Platform platform_of(const LammpsInput& input);
 ContactLaw contact_law(const LammpsInput& input);
 

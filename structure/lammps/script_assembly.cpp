@@ -8,6 +8,7 @@
 
 #include "structure/lammps/names.h"
 #include "structure/lattice/lattice.h"
+#include "structure/materials.h"
 
 namespace magfsi::structure {
 namespace {
@@ -44,8 +45,7 @@ double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
 void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
     const int first = static_cast<int>(all.atoms.size()) + 1;
     all.first_node.push_back(first);
-    const auto masses = node_masses(
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    const auto masses = node_masses(build_lattice(body));
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         all.atoms.push_back({nodes[a], masses[a]});
     }
@@ -72,21 +72,18 @@ void check_input(const LammpsInput& input) {
             "{} placements for {} bodies found, one a body or none is allowed",
             input.placements.size(), input.bodies.size()));
     }
-    if (!input.viscosity_pa_s.empty() &&
-        input.viscosity_pa_s.size() != input.bodies.size()) {
-        throw std::invalid_argument(fmt::format(
-            "{} viscosities for {} bodies found, one a body or none is allowed",
-            input.viscosity_pa_s.size(), input.bodies.size()));
-    }
     if (!(input.time_step_s > 0)) {
         throw std::invalid_argument(fmt::format(
             "time step of {:g} s found, it must be positive", input.time_step_s));
     }
     for (const Body& body : input.bodies) {
-        if (!(body.material.density_kg_m3 > 0)) {
+        check_materials(body.element_material, body.mesh.elements.size(),
+                        body.other_materials.size());
+        for (const Material& material : used_materials(body)) {
+            if (material.density_kg_m3 > 0) continue;
             throw std::invalid_argument(fmt::format(
                 "body {} has an effective density of {:g} kg/m3, it must be positive",
-                body.name, body.material.density_kg_m3));
+                body.name, material.density_kg_m3));
         }
     }
 }

@@ -75,7 +75,8 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
         const Body& body = input.bodies[i];
         const std::string file = (folder / (all.name[i] + ".lattice")).string();
-        write_lattice_file({body.mesh.nodes, body.mesh.elements, body.magnetization_a_m},
+        write_lattice_file({body.mesh.nodes, body.mesh.elements, body.magnetization_a_m,
+                            body.element_material},
                            file);
         lines.push_back(fmt::format("group {} id {}:{}", all.name[i], all.first_node[i],
                                     all.first_node[i + 1] - 1));
@@ -87,8 +88,13 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
         const bool magnetic = !body.magnetization_a_m.empty();
         if (input.field && magnetic) line += " field v_Bx v_By v_Bz";
         if (input.gradient && magnetic) line += gradient_words(*input.gradient);
-        if (!input.viscosity_pa_s.empty() && input.viscosity_pa_s[i] > 0) {
-            line += fmt::format(" viscosity {:.17g}", input.viscosity_pa_s[i]);
+        if (body.material.viscosity_pa_s > 0) {
+            line += fmt::format(" viscosity {:.17g}", body.material.viscosity_pa_s);
+        }
+        for (const Material& other : body.other_materials) {
+            line +=
+                fmt::format(" material {:.17g} {:.17g} {:.17g}", other.shear_modulus_pa,
+                            other.lame_lambda_pa, other.viscosity_pa_s);
         }
         lines.push_back(line);
     }

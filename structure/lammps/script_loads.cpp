@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "structure/lammps/script_lines.h"
+#include "structure/materials.h"
 
 namespace magfsi::structure {
 namespace {
@@ -26,9 +27,11 @@ Platform platform_of(const LammpsInput& input) {
     Platform platform = *input.platform;
     if (platform.stiffness_pa_m > 0) return platform;
     for (const Body& body : input.bodies) {
-        platform.stiffness_pa_m =
-            std::max(platform.stiffness_pa_m,
-                     platform_stiffness_pa_m(body.material, thickness_m(body.mesh)));
+        for (const Material& material : used_materials(body)) {
+            platform.stiffness_pa_m =
+                std::max(platform.stiffness_pa_m,
+                         platform_stiffness_pa_m(material, thickness_m(body.mesh)));
+        }
     }
     return platform;
 }

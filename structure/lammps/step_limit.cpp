@@ -9,14 +9,13 @@
 
 namespace magfsi::structure {
 
-double step_limit_s(const Body& body, double stiffness_pa_m, double viscosity_pa_s) {
-    const double own = stable_step_s(body, viscosity_pa_s);
-    const double frequency = 2 / stable_step_s(body);
+double step_limit_s(const Body& body, double stiffness_pa_m) {
+    const double own = stable_step_s(body);
+    const double frequency = 2 / stable_elastic_step_s(body);
     // From the definition of the body's own step.
     const double damping = 2 / own - 0.5 * own * frequency * frequency;
     const auto area = contact_areas(body.mesh.nodes, body.mesh.elements);
-    const auto mass = node_masses(
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element));
+    const auto mass = node_masses(build_lattice(body));
     double most = 0;
     for (std::size_t a = 0; a < area.size(); ++a) {
         most = std::max(most, stiffness_pa_m * area[a] / mass[a]);

@@ -9,6 +9,6 @@ namespace magfsi::structure {
 // largest frequency and damping (stable_step_s), w the largest stiffness * area / mass of
 // a surface node: a bound, since the largest eigenvalue of a sum is at most the sum of
 // the largest. Throws as stable_step_s.
-double step_limit_s(const Body& body, double stiffness_pa_m, double viscosity_pa_s = 0);
+double step_limit_s(const Body& body, double stiffness_pa_m);
 
 }  // namespace magfsi::structure

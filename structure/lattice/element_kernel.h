@@ -10,6 +10,7 @@
 #include "structure/lattice/element_batches.h"
 #include "structure/lattice/lane_packing.h"
 #include "structure/lattice/lattice.h"
+#include "structure/lattice/material_parts.h"
 
 namespace magfsi::structure {
 
@@ -35,18 +36,25 @@ class ElementKernel {
     }
 
     const std::string& isa() const { return isa_; }
-    std::size_t size() const { return elements_.size(); }
+    std::size_t size() const { return size_; }
 
   private:
+    // The elements of one material.
+    struct Part {
+        Material material;
+        std::vector<int> elements;
+        std::vector<NodeLanes> nodes;
+        std::vector<Lanes> spring, gradient, hourglass, volume;
+    };
+    Part pack(const Lattice& lattice, MaterialPart wanted) const;
     KernelResult run(const double* x, double* f, bool energy) const;
+    KernelResult run(const Part& part, const double* x, double* f, bool energy) const;
 
     std::string isa_;
     ElementKernelFunction function_ = nullptr;
     KernelKind kind_ = KernelKind::brick_full;
-    Material material_;
-    std::vector<int> elements_;
-    std::vector<NodeLanes> nodes_;
-    std::vector<Lanes> spring_, gradient_, hourglass_, volume_;
+    std::size_t size_ = 0;
+    std::vector<Part> parts_;
 };
 
 }  // namespace magfsi::structure

@@ -9,23 +9,34 @@
 namespace magfsi::structure {
 
 struct Lattice {
-    Material material;
+    std::vector<Material> materials;    // at least one
+    std::vector<int> element_material;  // place in materials; empty: all of the first
     ElementVariant variant = ElementVariant::full;
     std::vector<Hexahedron> elements;
     std::vector<ElementModes> modes;  // one an element
     std::vector<double> node_volume_m3;
+    std::vector<double> node_mass_kg;  // a node between two materials has of both
     double longest_diagonal_m = 0;  // largest distance between two nodes of one element
     bool bricks = false;            // every element is a brick
 };
 
 // Throws std::invalid_argument, naming the element, on an inverted element, a node number
-// out of range, or a mean_f element that bends too softly (refuse_soft_bending).
+// out of range, a material that there is not, or a mean_f element that bends too softly
+// (refuse_soft_bending).
+Lattice build_lattice(const Body& body);
+Lattice build_lattice(const std::vector<Vec3>& nodes_m,
+                      const std::vector<Hexahedron>& elements,
+                      const std::vector<Material>& materials,
+                      const std::vector<int>& element_material, ElementVariant variant);
+// Of one material.
 Lattice build_lattice(const std::vector<Vec3>& nodes_m,
                       const std::vector<Hexahedron>& elements, const Material& material,
                       ElementVariant variant);
 
-// Mass of each node [kg]: density times the integral of its shape functions.
-std::vector<double> node_masses(const Lattice& lattice);
+// Mass of each node [kg]: the integral of density times its shape functions.
+inline std::vector<double> node_masses(const Lattice& lattice) {
+    return lattice.node_mass_kg;
+}
 
 // mean_f takes the bending stiffness from 3 min(l_i, l_j)^2, which is that of the
 // thickness only where the thickness edge is the shortest one; with a shorter in-plane

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "structure/lattice/instruction_set.h"
+#include "structure/lattice/material_parts.h"
 #include "structure/lattice/viscous_element.h"
 
 namespace magfsi::structure {
@@ -30,48 +31,59 @@ double general_entry(const ElementModes& modes, std::size_t k) {
     return modes.offset[k - 31];
 }
 
+void check_viscosity(const Material& material) {
+    const double viscosity = material.viscosity_pa_s;
+    if (viscosity >= 0 && !std::isinf(viscosity)) return;
+    throw std::invalid_argument(fmt::format(
+        "a solid viscosity of {:g} Pa s found, it must be zero or positive", viscosity));
+}
+
 }  // namespace
 
 ViscousKernel::ViscousKernel()
     : function_(functions[static_cast<std::size_t>(choose_instruction_set())]) {}
 
-void ViscousKernel::assign(const Lattice& lattice, double viscosity_pa_s) {
+void ViscousKernel::assign(const Lattice& lattice) {
     std::vector<int> all(lattice.elements.size());
     std::iota(all.begin(), all.end(), 0);
-    assign(lattice, viscosity_pa_s, all, lattice.elements);
+    assign(lattice, all, lattice.elements);
 }
 
-void ViscousKernel::assign(const Lattice& lattice, double viscosity_pa_s,
-                           std::span<const int> elements,
+void ViscousKernel::assign(const Lattice& lattice, std::span<const int> elements,
                            std::span<const std::array<int, 8>> nodes) {
-    if (!(viscosity_pa_s >= 0) || std::isinf(viscosity_pa_s)) {
-        throw std::invalid_argument(fmt::format(
-            "a solid viscosity of {:g} Pa s found, it must be zero or positive",
-            viscosity_pa_s));
-    }
-    viscosity_pa_s_ = viscosity_pa_s;
-    plate_lambda_pa_s_ = viscous_plate_lambda_pa_s(lattice.material, viscosity_pa_s);
+    for (const Material& material : lattice.materials) check_viscosity(material);
     bricks_ = lattice.bricks;
-    size_ = elements.size();
-    nodes_ = pack_nodes(nodes);
-    data_ = pack_lanes(
-        elements, static_cast<std::size_t>(viscous_entries(bricks_)),
-        [&](int element, std::size_t k) {
-            const ElementModes& modes = lattice.modes[static_cast<std::size_t>(element)];
-            return bricks_ ? brick_entry(modes, k) : general_entry(modes, k);
-        });
+    parts_.clear();
+    for (const MaterialPart& wanted : material_parts(lattice, elements, nodes)) {
+        if (wanted.material.viscosity_pa_s == 0) continue;
+        Part& part = parts_.emplace_back();
+        part.viscosity_pa_s = wanted.material.viscosity_pa_s;
+        part.plate_lambda_pa_s = viscous_plate_lambda_pa_s(wanted.material);
+        part.element_count = static_cast<int>(wanted.elements.size());
+        part.nodes = pack_nodes(wanted.nodes);
+        part.data = pack_lanes(
+            wanted.elements, static_cast<std::size_t>(viscous_entries(bricks_)),
+            [&](int element, std::size_t k) {
+                const ElementModes& modes =
+                    lattice.modes[static_cast<std::size_t>(element)];
+                return bricks_ ? brick_entry(modes, k) : general_entry(modes, k);
+            });
+    }
 }
 
 double ViscousKernel::add_forces(const double* x, const double* v, double* f) const {
-    if (size_ == 0) return 0;
-    ViscousBatches batches;
-    batches.bricks = bricks_;
-    batches.element_count = static_cast<int>(size_);
-    batches.node = nodes_.front().lane;
-    batches.data = data_.front().lane;
-    batches.viscosity_pa_s = viscosity_pa_s_;
-    batches.plate_lambda_pa_s = plate_lambda_pa_s_;
-    return function_(batches, x, v, f);
+    double dissipation_w = 0;
+    for (const Part& part : parts_) {
+        ViscousBatches batches;
+        batches.bricks = bricks_;
+        batches.element_count = part.element_count;
+        batches.node = part.nodes.front().lane;
+        batches.data = part.data.front().lane;
+        batches.viscosity_pa_s = part.viscosity_pa_s;
+        batches.plate_lambda_pa_s = part.plate_lambda_pa_s;
+        dissipation_w += function_(batches, x, v, f);
+    }
+    return dissipation_w;
 }
 
 }  // namespace magfsi::structure

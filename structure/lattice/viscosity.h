@@ -17,28 +17,32 @@ class ViscousKernel {
     // As ElementKernel: the widest instruction set of the machine, lowered by MAGFSI_ISA.
     ViscousKernel();
 
-    // Packs these elements of the lattice (any variant); nodes: for each of them the
-    // eight indices of its nodes in x, v and f. Throws std::invalid_argument on a
-    // viscosity that is negative or not finite.
-    void assign(const Lattice& lattice, double viscosity_pa_s,
-                std::span<const int> elements, std::span<const std::array<int, 8>> nodes);
+    // Packs those of these elements (any variant) whose material is viscous; nodes: for
+    // each of them the eight indices of its nodes in x, v and f. Throws
+    // std::invalid_argument on a viscosity that is negative or not finite.
+    void assign(const Lattice& lattice, std::span<const int> elements,
+                std::span<const std::array<int, 8>> nodes);
     // All elements, nodes numbered as in the mesh.
-    void assign(const Lattice& lattice, double viscosity_pa_s);
+    void assign(const Lattice& lattice);
 
     // Adds the forces [N] at positions x [m] and velocities v [m/s], three values a node;
     // returns the dissipation [W], minus the power of the forces, never negative. The
-    // step must respect stable_step_s(body, viscosity): explicit damping shortens it.
+    // step must respect stable_step_s(body): explicit damping shortens it.
     double add_forces(const double* x, const double* v, double* f) const;
 
-    std::size_t size() const { return size_; }
+    bool empty() const { return parts_.empty(); }
 
   private:
+    // The elements of one material.
+    struct Part {
+        double viscosity_pa_s = 0, plate_lambda_pa_s = 0;
+        int element_count = 0;
+        std::vector<NodeLanes> nodes;
+        std::vector<Lanes> data;
+    };
     ViscousKernelFunction function_ = nullptr;
     bool bricks_ = true;
-    double viscosity_pa_s_ = 0, plate_lambda_pa_s_ = 0;
-    std::size_t size_ = 0;
-    std::vector<NodeLanes> nodes_;
-    std::vector<Lanes> data_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace magfsi::structure

@@ -21,8 +21,8 @@ Positions8 force_of_products(const HourglassReference& reference,
 }
 
 void add_hourglass(const ElementReference& element, const Material& material,
-                   double viscosity, const Positions8& x, const Positions8& v,
-                   ViscousState& out) {
+                   const Positions8& x, const Positions8& v, ViscousState& out) {
+    const double viscosity = material.viscosity_pa_s;
     const HourglassReference& reference = element.hourglass;
     const Eigen::Matrix3d edge = x.transpose() * reference.edge;
     const Eigen::Matrix3d edge_rate = v.transpose() * reference.edge;
@@ -36,7 +36,7 @@ void add_hourglass(const ElementReference& element, const Material& material,
         for (int j = 0; j < 3; ++j) products(3 * i + j) = rate(i, j);
     }
     const HourglassProducts stress = hourglass_stress(
-        reference, viscosity, viscous_plate_lambda_pa_s(material, viscosity), products);
+        reference, viscosity, viscous_plate_lambda_pa_s(material), products);
     out.dissipation_w += stress.dot(products);
     out.force_n += force_of_products(reference, stress, edge, hourglass);
 
@@ -51,36 +51,34 @@ void add_hourglass(const ElementReference& element, const Material& material,
 
 }  // namespace
 
-double viscous_plate_lambda_pa_s(const Material& material, double viscosity_pa_s) {
+double viscous_plate_lambda_pa_s(const Material& material) {
     const double thinning = material.lame_lambda_pa /
                             (material.lame_lambda_pa + 2 * material.shear_modulus_pa);
-    return 2 * viscosity_pa_s * thinning * thinning;
+    return 2 * material.viscosity_pa_s * thinning * thinning;
 }
 
 ViscousState viscous_element(const ElementReference& reference, const Material& material,
-                             double viscosity_pa_s, const Positions8& x_m,
-                             const Positions8& v_m_s) {
+                             const Positions8& x_m, const Positions8& v_m_s) {
+    const double viscosity = material.viscosity_pa_s;
     const Eigen::Matrix3d f = x_m.transpose() * reference.gradient / reference.volume;
     const Eigen::Matrix3d rate =
         v_m_s.transpose() * reference.gradient / reference.volume;
     const Eigen::Matrix3d product = f.transpose() * rate;
     const Eigen::Matrix3d strain_rate = 0.5 * (product + product.transpose());
     ViscousState out;
-    out.dissipation_w = 2 * viscosity_pa_s * reference.volume * strain_rate.squaredNorm();
-    out.force_n = -2 * viscosity_pa_s * reference.gradient * strain_rate * f.transpose();
-    add_hourglass(reference, material, viscosity_pa_s, x_m, v_m_s, out);
+    out.dissipation_w = 2 * viscosity * reference.volume * strain_rate.squaredNorm();
+    out.force_n = -2 * viscosity * reference.gradient * strain_rate * f.transpose();
+    add_hourglass(reference, material, x_m, v_m_s, out);
     return out;
 }
 
 Matrix24 viscous_damping_at_rest(const ElementReference& reference,
-                                 const Material& material, double viscosity_pa_s,
-                                 const Positions8& nodes_m) {
+                                 const Material& material, const Positions8& nodes_m) {
     Matrix24 out;
     for (int q = 0; q < 24; ++q) {
         Positions8 v = Positions8::Zero();
         v(q / 3, q % 3) = 1;
-        const Positions8 force =
-            viscous_element(reference, material, viscosity_pa_s, nodes_m, v).force_n;
+        const Positions8 force = viscous_element(reference, material, nodes_m, v).force_n;
         for (int p = 0; p < 24; ++p) out(p, q) = -force(p / 3, p % 3);
     }
     return out;

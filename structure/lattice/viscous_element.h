@@ -12,22 +12,20 @@ namespace magfsi::structure {
 // the rate at which a plate of this material gets thinner. The mode xyz damps with V0 / 3
 // eta min_k(p_k) sum_i p_i d(u_i . v_xyz)/dt^2, p the inverse squares of the half edges.
 // All rates are of scalar products, so that rigid motions have none; forces are the
-// adjoint, so that their power is minus the dissipation.
+// adjoint, so that their power is minus the dissipation. eta is the material's viscosity.
 struct ViscousState {
     double dissipation_w = 0;  // minus the power of the forces; never negative
     Positions8 force_n;
 };
 
 ViscousState viscous_element(const ElementReference& reference, const Material& material,
-                             double viscosity_pa_s, const Positions8& x_m,
-                             const Positions8& v_m_s);
+                             const Positions8& x_m, const Positions8& v_m_s);
 
 // lambda' of the viscous plate [Pa s].
-double viscous_plate_lambda_pa_s(const Material& material, double viscosity_pa_s);
+double viscous_plate_lambda_pa_s(const Material& material);
 
 // C of the forces -C v at rest [N s/m].
 Matrix24 viscous_damping_at_rest(const ElementReference& reference,
-                                 const Material& material, double viscosity_pa_s,
-                                 const Positions8& nodes_m);
+                                 const Material& material, const Positions8& nodes_m);
 
 }  // namespace magfsi::structure

@@ -14,8 +14,8 @@ TEST(Viscosity, TakesTheEnergyThatIsLost) {
     Placement placement;
     placement.relaxed = ConstantField{5e-3, 0.8};
     input.placements = {placement};
-    input.viscosity_pa_s = {2};
-    input.time_step_s = 0.9 * stable_step_s(input.bodies[0], 2);
+    input.bodies[0].material.viscosity_pa_s = 2;
+    input.time_step_s = 0.9 * stable_step_s(input.bodies[0]);
     const test::SharedFolder folder;
     test::LammpsRun run(MPI_COMM_WORLD, folder.write(input).setup);
     run.command("run 0");

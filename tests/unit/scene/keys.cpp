@@ -164,6 +164,16 @@ TEST(Keys, of_meshes_with_regions) {
     EXPECT_EQ(regions[0].regions,
               (std::vector<std::string>{"row 0 column 0", "row 1 column 1"}));
     EXPECT_EQ(regions[1].vector_a_m, (Vec3{0, 81e3, 0}));
+    const auto& materials = s.bodies[1].material_regions;
+    ASSERT_EQ(materials.size(), 2u);
+    EXPECT_EQ(materials[0].regions, (std::vector<std::string>{"row 2 column 0"}));
+    EXPECT_EQ(materials[0].material.shear_modulus_pa, 33e3);
+    EXPECT_EQ(materials[0].material.viscosity_pa_s, 3);
+    EXPECT_EQ(materials[1].regions,
+              (std::vector<std::string>{"row 0 column 0", "row 1 column 1"}));
+    EXPECT_EQ(materials[1].material.lame_lambda_pa, 20e6);
+    EXPECT_EQ(materials[1].material.density_kg_m3, 2000);
+    EXPECT_FALSE(materials[1].material.viscosity_pa_s);
     const auto& file = std::get<FileMesh>(s.bodies[0].mesh);
     EXPECT_EQ(file.file, (test_folder / "complete/gripper.msh").string());
     EXPECT_EQ(file.unit_m, 1e-3);

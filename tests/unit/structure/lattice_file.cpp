@@ -30,7 +30,7 @@ class LatticeFileTest : public ::testing::Test {
 
 TEST_F(LatticeFileTest, ReadsBackExactly) {
     const Mesh mesh = test::distorted_block({{1e-3, 6e-4, 3e-4}, {3, 2, 1}}, 1e-6, 20);
-    LatticeFile out{mesh.nodes, mesh.elements, {}};
+    LatticeFile out{mesh.nodes, mesh.elements, {}, {}};
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         out.magnetization_a_m.push_back({62e3 / 3, -1.0 / static_cast<double>(e + 1), 0});
     }
@@ -39,6 +39,17 @@ TEST_F(LatticeFileTest, ReadsBackExactly) {
     EXPECT_EQ(back.nodes_m, out.nodes_m);
     EXPECT_EQ(back.elements, out.elements);
     EXPECT_EQ(back.magnetization_a_m, out.magnetization_a_m);
+    EXPECT_TRUE(back.element_material.empty());
+}
+
+TEST_F(LatticeFileTest, KeepsTheMaterialsOfTheElements) {
+    const Mesh mesh = box_mesh({{1e-3, 6e-4, 3e-4}, {3, 1, 1}});
+    write_lattice_file({mesh.nodes, mesh.elements, {}, {0, 2, 1}}, file_);
+    EXPECT_EQ(read_lattice_file(file_).element_material, (std::vector{0, 2, 1}));
+    write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2 3 soft\n");
+    EXPECT_NE(error().find("number of its material"), std::string::npos);
+    write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2 3 -1\n");
+    EXPECT_NE(error().find("number of its material"), std::string::npos);
 }
 
 TEST_F(LatticeFileTest, ErrorsNameTheLineAndWhatItShouldHold) {

@@ -39,8 +39,7 @@ TEST(StableStep, IsThatOfMeasuredPlates) {
 
 // Largest displacement after 4000 velocity-Verlet steps from a tiny random velocity.
 double growth(const Body& body, double dt) {
-    const Lattice lattice =
-        build_lattice(body.mesh.nodes, body.mesh.elements, body.material, body.element);
+    const Lattice lattice = build_lattice(body);
     const auto mass = node_masses(lattice);
     ElementKernel kernel;
     kernel.assign(lattice);

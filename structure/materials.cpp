@@ -1,0 +1,46 @@
+#include "structure/materials.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace magfsi::structure {
+
+std::vector<Material> all_materials(const Body& body) {
+    std::vector<Material> out{body.material};
+    out.insert(out.end(), body.other_materials.begin(), body.other_materials.end());
+    return out;
+}
+
+std::vector<Material> used_materials(const Body& body) {
+    const std::vector<Material> all = all_materials(body);
+    if (body.element_material.empty()) return {body.material};
+    std::vector<bool> used(all.size(), false);
+    for (int number : body.element_material)
+        used[static_cast<std::size_t>(number)] = true;
+    std::vector<Material> out;
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        if (used[m]) out.push_back(all[m]);
+    }
+    return out;
+}
+
+void check_materials(const std::vector<int>& element_material, std::size_t elements,
+                     std::size_t others) {
+    if (element_material.empty() && others == 0) return;
+    if (element_material.size() != elements) {
+        throw std::invalid_argument(
+            fmt::format("{} material numbers found for {} elements, one an element is "
+                        "needed where there are {} materials",
+                        element_material.size(), elements, others + 1));
+    }
+    for (std::size_t e = 0; e < elements; ++e) {
+        const int number = element_material[e];
+        if (number >= 0 && static_cast<std::size_t>(number) <= others) continue;
+        throw std::invalid_argument(
+            fmt::format("element {} is of material {}, but the materials are 0 to {}", e,
+                        number, others));
+    }
+}
+
+}  // namespace magfsi::structure
