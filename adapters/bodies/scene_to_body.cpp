@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
+#include "coupler/scene/fault.h"
 #include "coupler/scene/suggestion.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/magnetics/magnetization_table.h"
@@ -74,14 +75,12 @@ int region_number(const Mesh& mesh, const std::string& name) {
     const auto found = std::ranges::find(mesh.region_names, name);
     if (found != mesh.region_names.end())
         return static_cast<int>(found - mesh.region_names.begin());
-    if (mesh.region_names.empty()) {
-        throw std::invalid_argument(
-            fmt::format("the region \"{}\" found, but the mesh has no regions", name));
-    }
-    const std::string near = scene::did_you_mean(name, mesh.region_names);
-    throw std::invalid_argument(fmt::format("no region \"{}\"; the mesh has {}{}{}", name,
-                                            fmt::join(mesh.region_names, ", "),
-                                            near.empty() ? "" : "; ", near));
+    throw scene::Complaint(
+        fmt::format("the region {}", scene::in_quotes(name)),
+        mesh.region_names.empty()
+            ? "none: the mesh has no regions"
+            : fmt::format("those of the mesh: {}", fmt::join(mesh.region_names, ", ")),
+        scene::did_you_mean(name, mesh.region_names));
 }
 
 void add_materials(structure::Body& out, const scene::Body& body, double displaced) {
@@ -122,8 +121,8 @@ structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
     out.material = to_material(body.material, displaced);
     try {
         add_materials(out, body, displaced);
-    } catch (const std::invalid_argument& fault) {
-        throw std::invalid_argument(
+    } catch (const scene::Complaint& fault) {
+        throw scene::SceneError(
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
     out.element = to_element(body.element);

@@ -7,6 +7,7 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
 #include "coupler/scene/effective.h"
+#include "coupler/scene/reader.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/report.h"
 
@@ -18,6 +19,8 @@ template <class Work>
 void or_diverged(const Work& work) {
     try {
         work();
+    } catch (const scene::SceneError&) {
+        throw;
     } catch (const std::runtime_error& fault) {
         throw coupler::Diverged(fault.what());
     }
