@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "adapters/lammps/substeps.h"
+#include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
 #include "coupler/output/atomic_file.h"
 #include "coupler/output/summary.h"
@@ -131,8 +131,9 @@ int run(const RunOptions& options) {
         throw std::invalid_argument(
             "fluid.solver: this build has no OpenFOAM participant; use lbm");
     }
-    if (!scene.bodies.empty() && !scene.time.equilibrium)
-        lammps::choose_substeps(scene);  // refuses what cannot run
+    // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
+    // written or started: what cannot run is bad input.
+    (void)explain(scene);
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     const auto programs = participants(scene, options, out);

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include "coupler/output/summary.h"
 #include "coupler/participants/errors.h"
@@ -34,6 +35,8 @@ Ending classify(const std::exception_ptr& exception) {
         return {exit_partner, Outcome::lost_partner, e.what()};
     } catch (const Stopped& e) {
         return {exit_partner, Outcome::stopped, e.what()};
+    } catch (const std::invalid_argument& e) {  // what only mesh or solver can refuse
+        return {exit_input, Outcome::stopped, e.what()};
     } catch (const std::exception& e) {
         return {exit_error, Outcome::stopped, e.what()};
     }
