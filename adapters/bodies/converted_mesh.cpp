@@ -45,6 +45,7 @@ class TemporaryFolder {
 // Runs it with stdout and stderr in the file; its exit status.
 int run(std::vector<std::string> words, const std::string& messages) {
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;
