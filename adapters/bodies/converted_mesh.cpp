@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "structure/mesh/mesh_file.h"
@@ -70,9 +72,7 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-}  // namespace
-
-structure::Mesh converted_gmsh_mesh(const std::string& file, double unit_m) {
+structure::Mesh convert(const std::string& file, double unit_m) {
     if (!fs::exists(file))
         throw std::invalid_argument(fmt::format("no mesh file {}", file));
     const fs::path converter =
@@ -88,6 +88,22 @@ structure::Mesh converted_gmsh_mesh(const std::string& file, double unit_m) {
     throw std::invalid_argument(
         message.empty() ? fmt::format("{} did not run; is it built?", converter.string())
                         : message);
+}
+
+}  // namespace
+
+structure::Mesh converted_gmsh_mesh(const std::string& file, double unit_m) {
+    static std::map<std::pair<std::string, double>, structure::Mesh> done;
+    const auto [place, first] = done.try_emplace({file, unit_m});
+    if (first) {
+        try {
+            place->second = convert(file, unit_m);
+        } catch (...) {
+            done.erase(place);
+            throw;
+        }
+    }
+    return place->second;
 }
 
 }  // namespace magfsi::bodies

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/scene_to_body.h"
 
 namespace magfsi::bodies {
 
@@ -39,6 +40,7 @@ void add_quantity(std::vector<double>& row, scene::BodyQuantity quantity,
 ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
                    const NodalState& start)
     : scene_(scene) {
+    if (scene.magnetic_field) field_ = to_field(*scene.magnetic_field);
     std::size_t first = 0;
     for (const structure::Body& solid : bodies) {
         BodyNodes body;
@@ -66,9 +68,10 @@ bool ProbeRow::wants(const scene::Scene& scene, scene::BodyQuantity quantity) {
                                scene.probes->bodies.end();
 }
 
-std::vector<double> ProbeRow::values(const NodalState& state,
+std::vector<double> ProbeRow::values(double time_s, const NodalState& state,
                                      const std::vector<BodyLoads>& loads) const {
     std::vector<double> row;
+    if (field_) row.push_back(structure::polar_field_at(*field_, time_s).magnitude_t);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         for (const auto quantity : scene_.probes->bodies)
             add_quantity(row, quantity, bodies_[b], state, loads[b]);

@@ -1,11 +1,13 @@
 // The bodies' part of a row of probes.csv.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adapters/bodies/body_probes.h"
 #include "coupler/scene/scene.h"
 #include "structure/body.h"
+#include "structure/lammps/field_program.h"
 
 namespace magfsi::bodies {
 
@@ -25,8 +27,8 @@ class ProbeRow {
     // Whether the scene has this column for its bodies.
     static bool wants(const scene::Scene& scene, scene::BodyQuantity quantity);
 
-    // In the order of coupler::body_columns, the field's own column left out.
-    std::vector<double> values(const NodalState& state,
+    // In the order of coupler::body_columns.
+    std::vector<double> values(double time_s, const NodalState& state,
                                const std::vector<BodyLoads>& loads) const;
 
   private:
@@ -36,6 +38,7 @@ class ProbeRow {
         Vec3 start_m{};
     };
     const scene::Scene& scene_;
+    std::optional<structure::FieldProgram> field_;
     std::vector<BodyNodes> bodies_;
     std::vector<Point> points_;
 };

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
-#include "adapters/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
 #include "coupler/scene/effective.h"
 #include "coupler/scene/reader.h"
 #include "coupler/step/probe_columns.h"
+#include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::equilibrium {
@@ -66,12 +64,7 @@ void Participant::assemble(output::ProgressMode progress) {
                 if (session_.clock().step() % every == 0) write_fields();
             });
     }
-    progress_ = std::make_unique<output::Progress>(
-        progress, output::ProgressGoal{session_.clock().steps(), scene.time.end_s, 0},
-        [progress](std::string_view text) {
-            fmt::print("{}{}", text, progress == output::ProgressMode::plain ? "\n" : "");
-            std::fflush(stdout);
-        });
+    progress_ = coupler::progress_on_stdout(session_, progress);
     tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
 }
 
@@ -90,8 +83,7 @@ void Participant::report_branch(const LoadPath& path) {
     if (now.releases > 0) {
         session_.log(fmt::format(
             "body '{}' at {:.6g} s: the equilibrium could not be followed (a limit point "
-            "or "
-            "an instability); the body was released there and found another",
+            "or an instability); the body was released there and found another",
             path.body().name, session_.clock().time_s() + session_.clock().step_s()));
     }
     if (now.negative_eigenvalues > 0) {
@@ -114,19 +106,10 @@ bodies::NodalState Participant::state() const {
 }
 
 void Participant::write_probes() {
-    std::vector<double> row;
-    const scene::Scene& scene = session_.scene();
-    if (scene.magnetic_field) {
-        const auto field = bodies::to_field(*scene.magnetic_field);
-        row.push_back(
-            structure::polar_field_at(field, session_.clock().time_s()).magnitude_t);
-    }
     std::vector<bodies::BodyLoads> loads;
     for (const auto& path : paths_) loads.push_back(path->loads());
-    const auto values = probe_row_->values(state(), loads);
-    row.insert(row.end(), values.begin(), values.end());
-    probes_->row(session_.clock().time_s(), row);
-    last_probes_ = row;
+    const double time_s = session_.clock().time_s();
+    probes_->row(time_s, probe_row_->values(time_s, state(), loads));
 }
 
 void Participant::write_fields() {
@@ -140,11 +123,10 @@ void Participant::run() {
                              fmt::join(scene::active_effects(session_.scene()), ", "),
                              session_.clock().steps()));
     session_.log("each point: " + tasks_.names());
-    const double start = output::steady_seconds();
     if (probes_) write_probes();
     if (files_) write_fields();
     while (!session_.clock().done()) tasks_.run();
-    finish(output::steady_seconds() - start);
+    finish(output::steady_seconds() - start_s_);
 }
 
 void Participant::finish(double wall_s) {
@@ -154,11 +136,8 @@ void Participant::finish(double wall_s) {
         structure.elements +=
             static_cast<std::int64_t>(path->body().mesh.elements.size());
     report.structure = structure;
-    output::Named<double> last;
-    for (std::size_t i = 0; i < last_probes_.size(); ++i)
-        last.emplace_back(probes_->columns()[i], last_probes_[i]);
     progress_->finish(session_.clock().step());
-    coupler::write_summary(session_, {&report, 1}, wall_s, last);
+    coupler::write_summary(session_, {&report, 1}, wall_s, probes_.get());
     session_.log(fmt::format(
         "done: {} equilibria, {} Newton steps in {:.1f} s; results in {}",
         session_.clock().step(), iterations_, wall_s, session_.out().string()));

@@ -28,6 +28,7 @@ class Participant {
     void finish(double wall_s);
 
     coupler::Session& session_;
+    double start_s_ = output::steady_seconds();  // the first equilibrium is found at once
     std::vector<std::unique_ptr<LoadPath>> paths_;  // one a body
     coupler::TaskList tasks_;
     int iterations_ = 0;
@@ -36,7 +37,6 @@ class Participant {
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<bodies::StructureFiles> files_;
     std::unique_ptr<output::Progress> progress_;
-    std::vector<double> last_probes_;
 };
 
 }  // namespace magfsi::equilibrium

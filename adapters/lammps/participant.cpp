@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/generated_input.h"
 #include "adapters/lammps/scene_to_input.h"
 #include "coupler/participants/errors.h"
 #include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
-#include "structure/lammps/field_program.h"
+#include "coupler/step/progress_line.h"
 #include "structure/lammps/register_styles.h"
 
 namespace magfsi::lammps {
@@ -57,7 +55,6 @@ void Participant::build() {
         if (scene().output.structure) {
             files_ = std::make_unique<bodies::StructureFiles>(input_.bodies, start,
                                                               session_.out());
-            files_->write(0, 0, start);
         }
     }
     if (scene().time.equilibrium) {
@@ -113,21 +110,11 @@ void Participant::assemble_output(output::ProgressMode progress) {
         tasks_.add(
             "write fields",
             [this, every = session_.clock().every(scene().output.structure->every_s)] {
-                const auto step = session_.clock().step();
-                if (step % every != 0) return;
-                const NodalState state = engine_->gather(atoms_);
-                if (files_) files_->write(step / every, session_.clock().time_s(), state);
+                if (session_.clock().step() % every == 0) write_fields();
             });
     }
     if (leads) {
-        progress_ = std::make_unique<output::Progress>(
-            progress,
-            output::ProgressGoal{session_.clock().steps(), scene().time.end_s, 0},
-            [progress](std::string_view text) {
-                fmt::print("{}{}", text,
-                           progress == output::ProgressMode::plain ? "\n" : "");
-                std::fflush(stdout);
-            });
+        progress_ = coupler::progress_on_stdout(session_, progress);
         tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
     }
 }
@@ -141,8 +128,8 @@ void Participant::check_finite() const {
         if (std::isfinite(x[0] + x[1] + x[2])) continue;
         throw coupler::Diverged(
             fmt::format("the structure diverged: node {} has no finite position at step "
-                        "{}; take more "
-                        "coupling.substeps, a finer mesh or a weaker field",
+                        "{}; take more coupling.substeps, a finer mesh or a weaker "
+                        "field",
                         node, session_.clock().step()));
     }
 }
@@ -184,19 +171,20 @@ void Participant::write_probes() {
     const NodalState state = engine_->gather(atoms_);
     const auto loads = collect_loads();
     std::vector<double> row;
-    if (scene().magnetic_field) {
-        const auto field = bodies::to_field(*scene().magnetic_field);
-        row.push_back(
-            structure::polar_field_at(field, session_.clock().time_s()).magnitude_t);
-    }
     if (probe_row_) {
-        const auto values = probe_row_->values(state, loads);
-        row.insert(row.end(), values.begin(), values.end());
+        row = probe_row_->values(session_.clock().time_s(), state, loads);
     }
     if (coupling_) add_partner_values(row);
     if (!probes_) return;
     probes_->row(session_.clock().time_s(), row);
-    last_probes_ = row;
+}
+
+// Collective; only the root goes on to the file.
+void Participant::write_fields() {
+    const auto every = session_.clock().every(scene().output.structure->every_s);
+    const NodalState state = engine_->gather(atoms_);
+    if (files_)
+        files_->write(session_.clock().step() / every, session_.clock().time_s(), state);
 }
 
 void Participant::run() {
@@ -215,6 +203,7 @@ void Participant::run() {
     if (coupling_) coupling_->exchange_first();
     if (rest_) rest_->find(0);
     if (scene().probes) write_probes();
+    if (scene().output.structure) write_fields();
     const double start = output::steady_seconds();
     while (!session_.clock().done()) tasks_.run();
     finish(output::steady_seconds() - start);
@@ -246,11 +235,7 @@ void Participant::finish(double wall_s) {
     }
     if (!session_.world().leads()) return;
     progress_->finish(session_.clock().step());
-    output::Named<double> last;
-    for (std::size_t i = 0; i < last_probes_.size(); ++i) {
-        last.emplace_back(probes_->columns()[i], last_probes_[i]);
-    }
-    coupler::write_summary(session_, reports, wall_s, last);
+    coupler::write_summary(session_, reports, wall_s, probes_.get());
     session_.log(fmt::format("done: {} steps in {:.1f} s; results in {}",
                              session_.clock().step(), wall_s, session_.out().string()));
 }

@@ -28,6 +28,7 @@ class Participant {
     void assemble_coupling();
     void assemble_output(output::ProgressMode progress);
     void write_probes();
+    void write_fields();
     std::vector<bodies::BodyLoads> collect_loads();
     void add_partner_values(std::vector<double>& row);
     void check_finite() const;
@@ -52,7 +53,6 @@ class Participant {
     std::unique_ptr<bodies::StructureFiles> files_;
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<output::Progress> progress_;
-    std::vector<double> last_probes_;
 };
 
 }  // namespace magfsi::lammps

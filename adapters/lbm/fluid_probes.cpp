@@ -50,7 +50,11 @@ ForceAxes force_axes(const scene::Fluid& fluid) {
 }
 
 std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& fluid) {
-    const fluid::Totals totals = fluid.totals();
+    // A sweep over all cells: not for the forces on obstacles alone.
+    const bool sums = std::ranges::any_of(scene.probes->fluid, [](auto quantity) {
+        return quantity != scene::FluidQuantity::obstacle_force;
+    });
+    const fluid::Totals totals = sums ? fluid.totals() : fluid::Totals{};
     std::vector<double> values;
     for (const auto quantity : scene.probes->fluid) {
         switch (quantity) {

@@ -10,7 +10,9 @@
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/wait.h"
+#include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
+#include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::lbm {
@@ -96,13 +98,7 @@ void Participant::assemble_output() {
                    });
     }
     if (leads) {
-        progress_ = std::make_unique<output::Progress>(
-            progress_mode_,
-            output::ProgressGoal{session_.clock().steps(), scene.time.end_s, 0},
-            [](std::string_view text) {
-                fmt::print("{}", text);
-                std::fflush(stdout);
-            });
+        progress_ = coupler::progress_on_stdout(session_, progress_mode_);
         tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
     }
 }
@@ -114,12 +110,11 @@ void Participant::begin_coupling() {
 }
 
 void Participant::write_probes() {
-    last_probes_ = probe_values(session_.scene(), fluid_);
+    std::vector<double> numbers = probe_values(session_.scene(), fluid_);
     if (!session_.world().coupled()) {
-        if (probes_) probes_->row(session_.clock().time_s(), last_probes_);
+        if (probes_) probes_->row(session_.clock().time_s(), numbers);
         return;
     }
-    std::vector<double> numbers = last_probes_;
     if (balance_) {
         const auto received = balance_->collect(session_.world().local());
         numbers.insert(numbers.end(), received.begin(), received.end());
@@ -140,15 +135,21 @@ void Participant::run() {
         const auto& c = fluid_.config();
         fmt::print(
             "fluid: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time "
-            "{:.5g}, {} "
-            "collision, {} kernels, {} rank(s)\nfluid step: {}\n",
+            "{:.5g}, {} collision, {} kernels, {} rank(s)\nfluid step: {}\n",
             c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
             fluid_.relaxation_time(), fluid::to_string(fluid_.collision()),
             fluid_.kernel(), session_.world().size(), tasks_.names());
         std::fflush(stdout);
     }
+    session_.log(fmt::format("scene '{}': {} to {:.6g} s in {} steps",
+                             session_.scene().name,
+                             fmt::join(scene::active_effects(session_.scene()), ", "),
+                             session_.scene().time.end_s, session_.clock().steps()));
+    session_.log(fmt::format("absent: {}",
+                             fmt::join(scene::absent_effects(session_.scene()), ", ")));
     if (exchange_) begin_coupling();
     if (writes_probes_) write_probes();
+    if (files_) files_->write(0, 0);
     const double start = output::steady_seconds();
     while (!session_.clock().done()) tasks_.run();
     finish(output::steady_seconds() - start);
@@ -182,11 +183,9 @@ void Participant::finish(double wall_s) {
     }
     if (!session_.world().leads()) return;
     progress_->finish(session_.clock().step());
-    output::Named<double> last;
-    for (std::size_t i = 0; probes_ && i < last_probes_.size(); ++i) {
-        last.emplace_back(probes_->columns()[i], last_probes_[i]);
-    }
-    coupler::write_summary(session_, {&report, 1}, wall_s, last);
+    coupler::write_summary(session_, {&report, 1}, wall_s, probes_.get());
+    session_.log(fmt::format("done: {} steps in {:.1f} s; results in {}",
+                             session_.clock().step(), wall_s, session_.out().string()));
 }
 
 }  // namespace magfsi::lbm

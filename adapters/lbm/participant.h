@@ -47,7 +47,6 @@ class Participant {
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<output::Progress> progress_;
     bool writes_probes_ = false;
-    std::vector<double> last_probes_;
 };
 
 }  // namespace magfsi::lbm

@@ -30,8 +30,8 @@ void add_scene_options(CLI::App& command, Options& options) {
 
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
+    (void)launch::explain(scene);  // what only mesh and solvers can refuse
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
-    (void)launch::explain(scene);  // what only the solvers can refuse
     return coupler::exit_done;
 }
 

@@ -45,6 +45,7 @@ void ProbeFile::row(double time_s, std::span<const double> values) {
     std::string line = to_text(time_s);
     for (const double value : values) line += ',' + to_text(value);
     file_.write_record(line + '\n');
+    last_.assign(values.begin(), values.end());
 }
 
 }  // namespace magfsi::output

@@ -26,8 +26,11 @@ class ProbeFile {
     // the disk is full; the file then still ends with the last complete row.
     void row(double time_s, std::span<const double> values);
 
+    std::span<const double> last_row() const { return last_; }  // empty before the first
+
   private:
     std::vector<std::string> columns_;  // without t[s]
+    std::vector<double> last_;
     File file_;
 };
 

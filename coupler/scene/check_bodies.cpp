@@ -71,23 +71,30 @@ void check_clamps(const Body& body, const Marks& marks) {
     }
 }
 
-// Which regions a mesh has is known when it is built; a block has none.
-void check_material_regions(const Body& body, const Marks& marks) {
-    if (body.material_regions.empty()) return;
-    const Path here{"bodies", body.name, "material_regions"};
+// Which regions a mesh has is known when it is built; a block has none. name: the list as
+// errors call it.
+template <class Item>
+void check_regions(const Body& body, const std::vector<Item>& list, Path here,
+                   std::string_view name, const Marks& marks) {
+    if (list.empty()) return;
     if (std::holds_alternative<BoxMesh>(body.mesh))
-        refuse(marks.key(here), "material_regions of a block, whose mesh has no regions",
+        refuse(marks.key(here),
+               fmt::format("{} of a block, whose mesh has no regions", name),
                "them for the meshes oblique and gmsh");
     std::set<std::string> seen;
-    for (std::size_t i = 0; i < body.material_regions.size(); ++i) {
-        for (const std::string& region : body.material_regions[i].regions) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        for (const std::string& region : list[i].regions) {
             if (seen.insert(region).second) continue;
-            refuse(
-                marks.item(here, i),
-                fmt::format("the region {} twice in material_regions", in_quotes(region)),
-                "each region once");
+            refuse(marks.item(here, i),
+                   fmt::format("the region {} twice in {}", in_quotes(region), name),
+                   "each region once");
         }
     }
+}
+
+void check_material_regions(const Body& body, const Marks& marks) {
+    check_regions(body, body.material_regions, {"bodies", body.name, "material_regions"},
+                  "material_regions", marks);
 }
 
 void check_magnetization(const Body& body, const Marks& marks) {
@@ -98,6 +105,10 @@ void check_magnetization(const Body& body, const Marks& marks) {
                 marks.value({"bodies", body.name, "magnetization", "harmonic", "into"}),
                 fmt::format("along and into both {}", axis_names[m->along]),
                 "two different axes");
+    }
+    if (const auto* m = std::get_if<RegionMagnetization>(&*body.magnetization)) {
+        check_regions(body, m->regions, {"bodies", body.name, "magnetization", "regions"},
+                      "magnetization regions", marks);
     }
     const auto* domains = std::get_if<DomainMagnetization>(&*body.magnetization);
     for (std::size_t i = 0; domains && i < domains->domains.size(); ++i) {

@@ -79,6 +79,9 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
         refuse(here, "an equilibrium in a scene with a fluid", "it without a fluid",
                "remove the key \"fluid\" (fluid= on the command line)");
     check_has_bodies(scene, marks, "time");
+    if (scene.time.step_s)
+        refuse(marks.key({"time", "step"}), "a step in a scene of equilibria",
+               "time.step for motion", "the points of the path are the probe rows");
     if (scene.time.equilibrium->method != EquilibriumMethod::newton) return;
     if (scene.magnetic_field && scene.magnetic_field->gradient)
         refuse(marks.key({"magnetic_field", "gradient"}),

@@ -69,7 +69,7 @@ ParticipantReport report_from_text(const std::string& text) {
 }
 
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
-                   double wall_s, const output::Named<double>& probes) {
+                   double wall_s, const output::ProbeFile* probes) {
     output::Summary summary;
     summary.scene = session.scene().name;
     summary.scene_hash = session.scene().hash;
@@ -79,7 +79,11 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
     summary.steps = session.clock().step();
     summary.simulated_s = session.clock().time_s();
     summary.wall_s = wall_s;
-    summary.probes = probes;
+    if (probes) {
+        const auto last = probes->last_row();
+        for (std::size_t i = 0; i < last.size(); ++i)
+            summary.probes.emplace_back(probes->columns()[i], last[i]);
+    }
     for (const ParticipantReport& report : reports) {
         summary.ranks.emplace_back(report.name, report.ranks);
         summary.tasks.emplace_back(report.name, report.tasks);

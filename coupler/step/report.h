@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "coupler/output/probe_file.h"
 #include "coupler/output/summary.h"
 #include "coupler/output/task_timer.h"
 #include "coupler/participants/session.h"
@@ -26,8 +27,9 @@ ParticipantReport basic_report(const World& world, const output::TaskTimer& time
 std::string to_text(const ParticipantReport& report);
 ParticipantReport report_from_text(const std::string& text);
 
-// summary.json of a completed run; only the lead calls it. probes: last values by column.
+// summary.json of a completed run; only the lead calls it. probes: the columns and the
+// last row of probes.csv, nullptr without one.
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
-                   double wall_s, const output::Named<double>& probes);
+                   double wall_s, const output::ProbeFile* probes);
 
 }  // namespace magfsi::coupler
