@@ -45,7 +45,7 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       populations_(layout_.nx, layout_.row_count(), storage(config.kernels)),
       forces_(layout_.nx, layout_.ny, layout_.nz, config.body_force,
               populations_.storage()),
-      halo_(comm, decomposition_, rank_),
+      halo_(comm, decomposition_, rank_, populations_),
       rows_at_cuts_(fluid::rows_at_cuts(layout_)),
       inner_rows_(fluid::inner_rows(layout_)),
       obstacles_(
@@ -91,11 +91,11 @@ void Solver::step() {
     const std::size_t half = inner.size() / 2;
     boundaries_.look_at_outlets(populations_, arrangement_);
     sweep_boxes(rows_at_cuts_);
-    halo_.start(natural ? Exchange::fill : Exchange::give_back, populations_);
+    halo_.start(natural ? Exchange::fill : Exchange::give_back);
     sweep_boxes(inner.first(half));
-    halo_.advance(populations_);
+    halo_.advance();
     sweep_boxes(inner.subspan(half));
-    halo_.finish(populations_);
+    halo_.finish();
     arrangement_ = natural ? Arrangement::swapped : Arrangement::natural;
     apply_boundaries();
     forces_.clear();

@@ -1,6 +1,7 @@
 #include "fluid_lbm/forcing/forced_rows.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace magfsi::fluid {
 
@@ -17,21 +18,35 @@ ForcedRows::ForcedRows(int nx, int ny, int nz,
       first_slot_(everywhere_ ? 1 : 0),
       slot_of_row_(static_cast<std::size_t>(ny) * nz,
                    everywhere_ ? body_force : no_force) {
-    if (storage == Storage::float_) values_.emplace<std::vector<float>>();
+    if (storage == Storage::float_) lines_.emplace<Lines<float>>();
+    lines_a_row_ = std::visit(
+        [&]<class Real>(const Lines<Real>&) { return (nx - 1) / a_line<Real> + 1; },
+        lines_);
     if (everywhere_) fill(body_force, body_);
 }
 
-void ForcedRows::fill(int slot, const std::array<double, 3>& value) {
+void ForcedRows::grow() {
+    const int before = slots_;
+    slots_ = std::max(16, 2 * before);
     std::visit(
-        [&]<class Real>(std::vector<Real>& values) {
-            const std::size_t needed = offset(slot + 1, 0);
-            if (values.size() < needed) values.resize(needed);
-            for (int a = 0; a < 3; ++a) {
-                std::fill_n(values.data() + offset(slot, a), nx_,
-                            static_cast<Real>(value[a]));
-            }
+        [&]<class Real>(Lines<Real>& lines) {
+            Lines<Real> grown(line(0, 3));
+            const std::size_t used = before * lines_a_row_;
+            for (int a = 0; a < 3; ++a)
+                std::copy_n(lines.begin() + a * used, used, grown.begin() + line(0, a));
+            lines = std::move(grown);
         },
-        values_);
+        lines_);
+}
+
+void ForcedRows::fill(int slot, const std::array<double, 3>& value) {
+    if (slot >= slots_) grow();
+    std::visit(
+        [&]<class Real>(Lines<Real>& lines) {
+            for (int a = 0; a < 3; ++a)
+                std::fill_n(values(lines, slot, a), nx_, static_cast<Real>(value[a]));
+        },
+        lines_);
 }
 
 void ForcedRows::clear() {
@@ -53,24 +68,19 @@ void ForcedRows::add(int y, int z, int x_begin, std::span<const double> force,
                      double factor) {
     const int slot = claim(z * ny_ + y);
     std::visit(
-        [&]<class Real>(std::vector<Real>& values) {
+        [&]<class Real>(Lines<Real>& lines) {
             for (int a = 0; a < 3; ++a) {
-                Real* to = values.data() + offset(slot, a) + x_begin;
+                Real* to = values(lines, slot, a) + x_begin;
                 for (std::size_t i = 0; i < force.size() / 3; ++i) {
                     to[i] = static_cast<Real>(to[i] + factor * force[3 * i + a]);
                 }
             }
         },
-        values_);
+        lines_);
 }
 
 std::size_t ForcedRows::bytes() const {
-    const std::size_t values = std::visit(
-        []<class Real>(const std::vector<Real>& v) {
-            return v.capacity() * sizeof(Real);
-        },
-        values_);
-    return values + slot_of_row_.capacity() * sizeof(int);
+    return line(0, 3) * 64 + slot_of_row_.capacity() * sizeof(int);
 }
 
 }  // namespace magfsi::fluid

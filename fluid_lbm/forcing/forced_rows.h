@@ -37,18 +37,39 @@ class ForcedRows {
         ForcePointers<Real> p;
         const int slot = slot_of_row_[static_cast<std::size_t>(z) * ny_ + y];
         if (slot == no_force) return p;
-        const Real* first = std::get<std::vector<Real>>(values_).data();
-        for (int a = 0; a < 3; ++a) p.at[a] = first + offset(slot, a);
+        const auto& lines = std::get<Lines<Real>>(lines_);
+        for (int a = 0; a < 3; ++a)
+            p.at[a] = values(lines) + line(slot, a) * a_line<Real>;
         return p;
     }
     std::size_t bytes() const;
 
   private:
     static constexpr int no_force = -1;
+    // Rows begin on cache lines, or vectors would be read from two.
+    template <class Real>
+    static constexpr std::size_t a_line = 64 / sizeof(Real);
+    template <class Real>
+    struct alignas(64) Line {
+        Real values[a_line<Real>];
+    };
+    template <class Real>
+    using Lines = std::vector<Line<Real>>;
+    template <class Real>
+    static const Real* values(const Lines<Real>& lines) {
+        return reinterpret_cast<const Real*>(lines.data());
+    }
+    template <class Real>
+    Real* values(Lines<Real>& lines, int slot, int axis) {
+        return reinterpret_cast<Real*>(lines.data()) + line(slot, axis) * a_line<Real>;
+    }
+
     int claim(int row);
     void fill(int slot, const std::array<double, 3>& value);
-    std::size_t offset(int slot, int axis) const {
-        return (3 * static_cast<std::size_t>(slot) + axis) * nx_;
+    void grow();
+    // One array an axis: a kernel that asks ahead past a row's end asks for the next one.
+    std::size_t line(int slot, int axis) const {
+        return (static_cast<std::size_t>(axis) * slots_ + slot) * lines_a_row_;
     }
 
     int nx_, ny_;
@@ -57,7 +78,9 @@ class ForcedRows {
     int first_slot_;  // slot 0 is the body force, if there is one
     std::vector<int> slot_of_row_;
     std::vector<int> claimed_rows_;
-    std::variant<std::vector<double>, std::vector<float>> values_;  // slot, axis, x
+    int slots_ = 0;  // there is memory for
+    std::size_t lines_a_row_;
+    std::variant<Lines<double>, Lines<float>> lines_;  // axis, slot, x
 };
 
 }  // namespace magfsi::fluid

@@ -67,6 +67,11 @@ class Populations {
     }
     std::ptrdiff_t row_stride() const { return row_stride_; }  // elements
     std::size_t bytes() const { return bytes_; }
+    void* memory() const { return first_; }
+    std::ptrdiff_t offset(int q, int row) const {  // bytes from memory()
+        return (q * array_stride_ + row * row_stride_) *
+               static_cast<std::ptrdiff_t>(element_bytes());
+    }
 
   private:
     struct Free {

@@ -10,11 +10,11 @@
 
 #include <mpi.h>
 
-#include <cstddef>
 #include <vector>
 
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/parallel/decomposition.h"
+#include "fluid_lbm/parallel/slots_type.h"
 
 namespace magfsi::fluid {
 
@@ -22,48 +22,35 @@ enum class Exchange { fill, give_back };
 
 class Halo {
   public:
-    // comm must outlive the object; its ranks are those of the decomposition.
-    Halo(MPI_Comm comm, const Decomposition& decomposition, int rank);
+    // comm and populations must outlive the object; the ranks of comm are those of the
+    // decomposition.
+    Halo(MPI_Comm comm, const Decomposition& decomposition, int rank,
+         const Populations& populations);
 
     // Collective among neighbours, in this order, with computation between: the rows at
     // cut sides must be done before start() and no other row touches what travels.
     // advance() ends the first axis and starts the second; finish() ends all.
-    void start(Exchange exchange, const Populations& populations);
-    void advance(const Populations& populations);
-    void finish(const Populations& populations);
+    void start(Exchange exchange);
+    void advance();
+    void finish();
 
   private:
-    struct Slot {
-        int q, row;
-    };
     struct Face {
-        int rank = no_rank, axis = 0, side = 0;
-        std::vector<Slot> borrowed;  // in my ghost rows
-        std::vector<Slot> lent;      // in my rows
-        std::vector<std::byte> sent, received;
+        int rank, axis, side;
+        SlotsType borrowed;  // in my ghost rows
+        SlotsType lent;      // in my rows
     };
 
-    static std::vector<Slot> slots(const RowLayout& layout, int axis, int sign, int row);
-    // Cells of a row whose slot q is lent: all but the one at a wall across x.
-    int first_lent(int q) const;
-    int lent_length(int q) const;
-    template <class Real>
-    void pack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
-              std::vector<std::byte>& to) const;
-    template <class Real>
-    void unpack(const PopulationRows<Real>& rows, const std::vector<Slot>& slots,
-                const std::vector<std::byte>& from) const;
-    void send(int axis, const Populations& populations);
-    void receive(const Populations& populations);
+    void send(int axis);
+    void send_next();
+    void wait();
 
     MPI_Comm comm_;
-    int row_length_;
-    bool x_walls_;
+    void* memory_;
     std::vector<Face> faces_;
     Exchange exchange_ = Exchange::fill;
-    int under_way_ = 0;  // axis; 0: none
     std::vector<int> axes_left_;
-    std::vector<MPI_Request> requests_;
+    std::vector<MPI_Request> requests_;  // of the axis under way
 };
 
 }  // namespace magfsi::fluid
