@@ -2,6 +2,8 @@
 // and Guo's source as even and odd parts of each pair of opposite directions.
 #pragma once
 
+#include "fluid_lbm/collision/lane_cells.h"
+#include "fluid_lbm/collision/moments.h"
 #include "fluid_lbm/collision/rates.h"
 #include "fluid_lbm/collision/watch.h"
 #include "fluid_lbm/forcing/guo.h"
@@ -11,13 +13,13 @@ namespace magfsi::fluid {
 template <class V>
 struct CellState {
     V base;  // density excess - 1.5 j.u
+    V ju;
     V per_density;
     V j[3], u[3], force[3], uf;
 };
 
-template <bool Forced, class V>
-MAGFSI_INLINE CellState<V> cell_state(const V (&f)[d3q19::directions],
-                                      const V (&force)[3]) {
+template <bool Forced, class Populations, class V>
+MAGFSI_INLINE CellState<V> cell_state(const Populations& f, const V (&force)[3]) {
     Moments<V> m = moments(f);
     if constexpr (Forced) shift_momentum(m, force);
     CellState<V> s;
@@ -27,7 +29,8 @@ MAGFSI_INLINE CellState<V> cell_state(const V (&f)[d3q19::directions],
         s.u[a] = m.j[a] * s.per_density;
         s.force[a] = force[a];
     }
-    s.base = m.excess - 1.5 * (s.j[0] * s.u[0] + s.j[1] * s.u[1] + s.j[2] * s.u[2]);
+    s.ju = s.j[0] * s.u[0] + s.j[1] * s.u[1] + s.j[2] * s.u[2];
+    s.base = m.excess - 1.5 * s.ju;
     if constexpr (Forced) {
         s.uf = s.u[0] * force[0] + s.u[1] * force[1] + s.u[2] * force[2];
     }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "fluid_lbm/collision/collision.h"
+#include "fluid_lbm/collision/lane_cells.h"
 #include "fluid_lbm/collision/rates.h"
 #include "fluid_lbm/collision/stress.h"
 #include "fluid_lbm/collision/watch.h"
@@ -21,9 +22,9 @@ struct RecursiveRegularized {
     static constexpr Collision kind = Collision::recursive_regularized;
     static constexpr const char* name = "recursive_regularized";
 
-    // f: populations minus weights, in place; force: read only if Forced.
-    template <bool Forced, class V>
-    MAGFSI_INLINE static void collide(V (&f)[d3q19::directions], const V (&force)[3],
+    // force: read only if Forced.
+    template <bool Forced, class V, class Real>
+    MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, Watch<V>& watch);
 };
 
@@ -46,21 +47,22 @@ MAGFSI_INLINE ThirdOrder<V> third_order(const V (&u)[3], const Symmetric<V>& ruu
     return {{xzz + xyy, xxy + yzz, yyz + xxz}, {xzz - xyy, xxy - yzz, yyz - xxz}};
 }
 
-template <int Q, class V>
-MAGFSI_INLINE void rebuild_pair(V (&f)[d3q19::directions], const V& even, const V& odd) {
+template <int Q, class V, class Real>
+MAGFSI_INLINE void rebuild_pair(const LaneCells<V, Real>& f, const V& even,
+                                const V& odd) {
     constexpr Lane<V> w = constant<V>(d3q19::weight(Q));
-    f[Q] = w * (even + odd);
-    f[Q + 1] = w * (even - odd);
+    f.leave(Q, w * (even + odd));
+    f.leave(Q + 1, w * (even - odd));
 }
 
 // f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a') + (H - H')
 // (a - a') + ...]}, with the Hermite polynomials evaluated for each direction.
-template <class V>
-MAGFSI_INLINE void rebuild(V (&f)[d3q19::directions], const V& excess, const V (&j)[3],
+template <class V, class Real>
+MAGFSI_INLINE void rebuild(const LaneCells<V, Real>& f, const V& excess, const V (&j)[3],
                            const Symmetric<V>& a, const ThirdOrder<V>& t) {
     const V base = excess - 1.5 * (a.xx + a.yy + a.zz);
     const V x = 3.0 * j[0], y = 3.0 * j[1], z = 3.0 * j[2];
-    f[0] = constant<V>(d3q19::weight_rest) * base;
+    f.leave(0, constant<V>(d3q19::weight_rest) * base);
     rebuild_pair<1>(f, base + 4.5 * a.xx, x - 9.0 * t.sum[0]);
     rebuild_pair<3>(f, base + 4.5 * a.yy, y - 9.0 * t.sum[1]);
     rebuild_pair<5>(f, base + 4.5 * a.zz, z - 9.0 * t.sum[2]);
@@ -80,18 +82,19 @@ MAGFSI_INLINE void rebuild(V (&f)[d3q19::directions], const V& excess, const V (
     rebuild_pair<17>(f, yz - 9.0 * a.yz, (y - z) + (y_z - z_y));
 }
 
-template <bool Forced, class V>
-MAGFSI_INLINE void RecursiveRegularized::collide(V (&f)[d3q19::directions],
+template <bool Forced, class V, class Real>
+MAGFSI_INLINE void RecursiveRegularized::collide(const LaneCells<V, Real>& f,
                                                  const V (&force)[3],
                                                  const Rates<V>& rates, Watch<V>& watch) {
-    Moments<V> m = moments(f);
+    MomentsToSecond<V> all = moments_to_second(f);
+    Moments<V>& m = all.low;
     if constexpr (Forced) shift_momentum(m, force);
     const V per_density = 1.0 / (1.0 + m.excess);
     const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
-    watch.see(u, per_density);
     const V keep = 1.0 - rates.even;
     const Symmetric<V> ruu = outer(m.j, u);
-    Symmetric<V> n = nonequilibrium(f, m.excess, ruu);
+    watch.see(ruu.xx + ruu.yy + ruu.zz, per_density);
+    Symmetric<V> n = nonequilibrium(all, ruu);
     if constexpr (Forced) {
         // Guo: the second moment becomes eq + (1 - omega) n + (1 - omega/2)(uF + Fu) with
         // the raw n. Adding half of uF + Fu to n first makes n the viscous stress itself,

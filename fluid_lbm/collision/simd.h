@@ -27,9 +27,19 @@ template <class T>
 struct ValueOf<T&> {
     using Type = T;
 };
+template <class T>
+struct ValueOf<const T&> {
+    using Type = T;
+};
 // float or double of a vector V.
 template <class V>
 using Lane = typename ValueOf<decltype(V{}[0])>::Type;
+
+// The vector that an array, or a class with operator[], has at each index.
+template <class Array>
+const Array& some();  // never defined
+template <class Array>
+using VectorOf = typename ValueOf<decltype(some<Array>()[0])>::Type;
 
 template <class V>
 constexpr Lane<V> constant(double value) {
@@ -76,29 +86,6 @@ MAGFSI_INLINE V along(const V (&a)[3]) {
     } else {
         return a[first] - a[second];
     }
-}
-
-// Density - 1 and the sum of c f.
-template <class V>
-struct Moments {
-    V excess;
-    V j[3];
-};
-
-template <class V>
-MAGFSI_INLINE Moments<V> moments(const V (&f)[d3q19::directions]) {
-    const V faces = ((f[1] + f[2]) + (f[3] + f[4])) + (f[5] + f[6]);
-    const V edges = ((f[7] + f[8]) + (f[9] + f[10])) +
-                    ((f[11] + f[12]) + (f[13] + f[14])) +
-                    ((f[15] + f[16]) + (f[17] + f[18]));
-    const V d7 = f[7] - f[8], d9 = f[9] - f[10], d11 = f[11] - f[12];
-    const V d13 = f[13] - f[14], d15 = f[15] - f[16], d17 = f[17] - f[18];
-    Moments<V> m;
-    m.excess = (faces + edges) + f[0];
-    m.j[0] = (f[1] - f[2]) + (d7 + d9) + (d11 + d13);
-    m.j[1] = (f[3] - f[4]) + (d7 - d9) + (d15 + d17);
-    m.j[2] = (f[5] - f[6]) + (d11 - d13) + (d15 - d17);
-    return m;
 }
 
 }  // namespace magfsi::fluid

@@ -6,6 +6,7 @@
 // |Pi| the square root of the sum over all entries squared, filter width one cell.
 #pragma once
 
+#include "fluid_lbm/collision/lane_cells.h"
 #include "fluid_lbm/collision/rates.h"
 #include "fluid_lbm/collision/stress.h"
 #include "fluid_lbm/collision/watch.h"
@@ -28,23 +29,24 @@ MAGFSI_INLINE V square_root(const V& a) {
 
 // Non-equilibrium stress, with half of the force's own part so that it is the viscous
 // one.
-template <bool Forced, class V>
-MAGFSI_INLINE Symmetric<V> viscous_stress(const V (&f)[d3q19::directions],
+template <bool Forced, class V, class Real>
+MAGFSI_INLINE Symmetric<V> viscous_stress(const LaneCells<V, Real>& f,
                                           const V (&force)[3], V& per_density) {
-    Moments<V> m = moments(f);
+    MomentsToSecond<V> all = moments_to_second(f);
+    Moments<V>& m = all.low;
     if constexpr (Forced) shift_momentum(m, force);
     per_density = 1.0 / (1.0 + m.excess);
     const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
-    const Symmetric<V> n = nonequilibrium(f, m.excess, outer(m.j, u));
+    const Symmetric<V> n = nonequilibrium(all, outer(m.j, u));
     if constexpr (Forced) return add(n, half_force_stress(u, force));
     return n;
 }
 
 template <class Base>
 struct Smagorinsky {
-    // f: populations minus weights, in place; force: read only if Forced.
-    template <bool Forced, class V>
-    MAGFSI_INLINE static void collide(V (&f)[d3q19::directions], const V (&force)[3],
+    // force: read only if Forced.
+    template <bool Forced, class V, class Real>
+    MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, Watch<V>& watch) {
         constexpr double sqrt_2 = 1.4142135623730951;
         V per_density;

@@ -1,15 +1,9 @@
 // The non-equilibrium part of the second-order moment.
 #pragma once
 
-#include "fluid_lbm/collision/simd.h"
+#include "fluid_lbm/collision/moments.h"
 
 namespace magfsi::fluid {
-
-// Symmetric tensor; off-diagonal entries in the order xy, xz, yz.
-template <class V>
-struct Symmetric {
-    V xx, yy, zz, xy, xz, yz;
-};
 
 template <class V>
 MAGFSI_INLINE Symmetric<V> outer(const V (&a)[3], const V (&b)[3]) {
@@ -44,20 +38,18 @@ MAGFSI_INLINE V squared_norm(const Symmetric<V>& a) {
            2.0 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
 }
 
-// Sum of c c f minus its equilibrium, rho u u + excess / 3.
+// Of the second moment: minus its equilibrium, rho u u + excess / 3.
 template <class V>
-MAGFSI_INLINE Symmetric<V> nonequilibrium(const V (&f)[d3q19::directions],
-                                          const V& excess, const Symmetric<V>& ruu) {
-    const V s7 = f[7] + f[8], s9 = f[9] + f[10], s11 = f[11] + f[12];
-    const V s13 = f[13] + f[14], s15 = f[15] + f[16], s17 = f[17] + f[18];
-    const V xy = s7 + s9, xz = s11 + s13, yz = s15 + s17;
-    const V pressure = excess * constant<V>(d3q19::cs2);
-    return {(f[1] + f[2]) + (xy + xz) - pressure - ruu.xx,
-            (f[3] + f[4]) + (xy + yz) - pressure - ruu.yy,
-            (f[5] + f[6]) + (xz + yz) - pressure - ruu.zz,
-            s7 - s9 - ruu.xy,
-            s11 - s13 - ruu.xz,
-            s15 - s17 - ruu.yz};
+MAGFSI_INLINE Symmetric<V> nonequilibrium(const MomentsToSecond<V>& m,
+                                          const Symmetric<V>& ruu) {
+    const V pressure = m.low.excess * constant<V>(d3q19::cs2);
+    const Symmetric<V>& s = m.second;
+    return {s.xx - pressure - ruu.xx,
+            s.yy - pressure - ruu.yy,
+            s.zz - pressure - ruu.zz,
+            s.xy - ruu.xy,
+            s.xz - ruu.xz,
+            s.yz - ruu.yz};
 }
 
 }  // namespace magfsi::fluid

@@ -13,18 +13,21 @@ struct TwoRelaxationTimes {
     static constexpr Collision kind = Collision::trt;
     static constexpr const char* name = "trt";
 
-    // f: populations minus weights, in place; force: read only if Forced.
-    template <bool Forced, class V>
-    MAGFSI_INLINE static void collide(V (&f)[d3q19::directions], const V (&force)[3],
+    // force: read only if Forced.
+    template <bool Forced, class V, class Real>
+    MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, Watch<V>& watch) {
         const CellState<V> s = cell_state<Forced>(f, force);
-        watch.see(s.u, s.per_density);
+        watch.see(s.ju, s.per_density);
         const V half_even = 0.5 * rates.even, half_odd = 0.5 * rates.odd;
-        f[0] += rates.even * (rest_equilibrium(s) - f[0]);
-        if constexpr (Forced) f[0] += (1.0 - half_even) * rest_source(s);
+        V rest = f[0];
+        rest += rates.even * (rest_equilibrium(s) - rest);
+        if constexpr (Forced) rest += (1.0 - half_even) * rest_source(s);
+        f.leave(0, rest);
         for_each_pair([&]<int Q>(Pair<Q>) MAGFSI_INLINE_LAMBDA {
             const EvenOdd<V> eq = equilibrium<Q>(s);
-            const V sum = f[Q] + f[Q + 1], difference = f[Q] - f[Q + 1];
+            const V first = f[Q], second = f[Q + 1];
+            const V sum = first + second, difference = first - second;
             V even = half_even * (2.0 * eq.even - sum);
             V odd = half_odd * (2.0 * eq.odd - difference);
             if constexpr (Forced) {
@@ -32,8 +35,8 @@ struct TwoRelaxationTimes {
                 even += (1.0 - half_even) * source.even;
                 odd += (1.0 - half_odd) * source.odd;
             }
-            f[Q] += even + odd;
-            f[Q + 1] += even - odd;
+            f.leave(Q, first + (even + odd));
+            f.leave(Q + 1, second + (even - odd));
         });
     }
 };

@@ -1,5 +1,5 @@
 // Whether every cell that a kernel touched is still sound: a density above 0 and below
-// infinity and a speed within the lattice's limit. NaN fails both comparisons.
+// infinity and a speed within the lattice's limit. NaN fails the comparison.
 //
 // A population that is not finite makes the density so; thus a cell that passes had 19
 // finite populations and leaves finite ones.
@@ -21,10 +21,13 @@ inline bool is_sound(double density, double speed) {
 template <class V>
 class Watch {
   public:
-    MAGFSI_INLINE void see(const V (&u)[3], const V& per_density) {
-        const V squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-        constexpr Lane<V> limit = constant<V>(lattice_speed_limit * lattice_speed_limit);
-        sound_ &= (squared <= limit) & (per_density > 0.0);
+    // ju: j . u = density * speed^2. One comparison for all limits: a square is never
+    // below 1 / density if that is negative or, the density being infinite, 0. (It also
+    // finds density * speed^2 >= 1, which no flow near density 1 has.)
+    MAGFSI_INLINE void see(const V& ju, const V& per_density) {
+        const V limit = V{} + constant<V>(lattice_speed_limit * lattice_speed_limit);
+        const V least = per_density < limit ? per_density : limit;
+        sound_ = ju * per_density < least ? sound_ : Mask{};
     }
     MAGFSI_INLINE bool all_sound() const {
         bool sound = true;

@@ -4,7 +4,7 @@
 // with moments 0, F and u F + F u. Lattice units.
 #pragma once
 
-#include "fluid_lbm/collision/simd.h"
+#include "fluid_lbm/collision/moments.h"
 
 namespace magfsi::fluid {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "fluid_lbm/collision/simd.h"
+#include "fluid_lbm/collision/moments.h"
 
 namespace magfsi::fluid {
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+#include "fluid_lbm/collision/lane_cells.h"
 #include "fluid_lbm/collision/rates.h"
 #include "fluid_lbm/collision/watch.h"
 #include "fluid_lbm/streaming/kernels.h"
@@ -22,17 +23,11 @@ template <class C, bool Forced, class V, class Real>
 MAGFSI_INLINE void collide_block(Real* const* at, const Real* const* force,
                                  std::ptrdiff_t x, const Rates<V>& rates,
                                  Watch<V>& watch) {
-    using namespace d3q19;
-    V f[directions], local_force[3] = {};
-// Unrolled, or the compiler keeps f in memory.
-#pragma GCC unroll 19
-    for (int q = 0; q < directions; ++q) f[q] = load<V>(at[q] + x);
+    V local_force[3] = {};
     if constexpr (Forced) {
         for (int a = 0; a < 3; ++a) local_force[a] = load<V>(force[a] + x);
     }
-    C::template collide<Forced>(f, local_force, rates, watch);
-#pragma GCC unroll 19
-    for (int q = 0; q < directions; ++q) store(at[opposite(q)] + x, f[q]);
+    C::template collide<Forced>(LaneCells<V, Real>(at, x), local_force, rates, watch);
 }
 
 template <class Real>

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "fluid_lbm/collision/pairs.h"
 #include "fluid_lbm/sampling/macroscopic.h"
 #include "fluid_lbm/streaming/row_kernel.h"
 #include "fluid_lbm/streaming/sweep.h"
@@ -15,9 +16,16 @@ namespace {
 using namespace d3q19;
 
 struct NoCollision {
-    template <bool Forced, class V>
-    MAGFSI_INLINE static void collide(V (&)[directions], const V (&)[3], const Rates<V>&,
-                                      Watch<V>&) {}
+    template <bool Forced, class V, class Real>
+    MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&)[3],
+                                      const Rates<V>&, Watch<V>&) {
+        f.leave(0, f[0]);
+        for_each_pair([&]<int Q>(Pair<Q>) MAGFSI_INLINE_LAMBDA {
+            const V first = f[Q], second = f[Q + 1];
+            f.leave(Q, first);
+            f.leave(Q + 1, second);
+        });
+    }
 };
 
 // Two lanes, which every x86-64 has; odd lengths leave a tail.
