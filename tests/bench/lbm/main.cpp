@@ -66,17 +66,18 @@ nlohmann::json to_json(const Result& r) {
             {"forced_share", r.variant.forced_share},
             {"mlups", to_json(r.mlups)},
             {"copy_gb_s", to_json(r.copy_gb_s)},
-            {"share_of_limit", to_json(r.share_of_limit)}};
+            {"share_of_limit", to_json(r.share_of_limit)},
+            {"exchange_share", to_json(r.exchange_share)}};
 }
 
 void print(const Result& r) {
     fmt::print(
         "{:22} {:13} {:6.3f} {:8.1f} [{:6.1f} {:6.1f}] {:9.1f} {:8.3f} [{:.3f} "
-        "{:.3f}]\n",
+        "{:.3f}] {:8.3f}\n",
         fluid::to_string(r.variant.collision), fluid::to_string(r.variant.precision),
         r.variant.forced_share, r.mlups.median, r.mlups.low, r.mlups.high,
         r.copy_gb_s.median, r.share_of_limit.median, r.share_of_limit.low,
-        r.share_of_limit.high);
+        r.share_of_limit.high, r.exchange_share.median);
     std::fflush(stdout);
 }
 
@@ -129,8 +130,9 @@ void run(const Options& o) {
     if (talk) {
         fmt::print("{} x {} x {}, {} ranks, {} threads each, {}\n", n[0], n[1], n[2],
                    ranks, omp_get_max_threads(), kernel);
-        fmt::print("{:22} {:13} {:6} {:8} {:15} {:9} {}\n", "collision", "precision",
-                   "forced", "MLUPS", "[low high]", "copy GB/s", "share of limit");
+        fmt::print("{:22} {:13} {:6} {:>8} {:15} {:>9} {:22} {}\n", "collision",
+                   "precision", "forced", "MLUPS", "[low high]", "copy GB/s",
+                   "share of limit", "exchange");
     }
     for (const Precision precision : o.precisions) {
         for (const Collision collision : o.collisions) {

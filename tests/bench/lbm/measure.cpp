@@ -63,6 +63,26 @@ double step_seconds(MPI_Comm comm, Solver& solver, double share, int steps) {
     return elapsed;
 }
 
+// Seconds of one halo exchange with nothing between its parts.
+double exchange_seconds(MPI_Comm comm, const Solver& solver, double seconds) {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    Halo halo(comm, solver.decomposition(), rank, solver.populations());
+    int exchanges = 0, enough = 0;
+    MPI_Barrier(comm);
+    const double start = MPI_Wtime();
+    while (enough == 0) {
+        for (const Exchange exchange : {Exchange::fill, Exchange::give_back}) {
+            halo.start(exchange);
+            halo.finish();
+            ++exchanges;
+        }
+        enough = MPI_Wtime() - start > seconds ? 1 : 0;
+        MPI_Bcast(&enough, 1, MPI_INT, 0, comm);
+    }
+    return (MPI_Wtime() - start) / exchanges;
+}
+
 }  // namespace
 
 Spread spread(std::vector<double> values) {
@@ -82,19 +102,21 @@ Result measure(MPI_Comm comm, const Settings& settings, const Variant& variant) 
 
     const double two = step_seconds(comm, solver, variant.forced_share, 2);
     const int steps = 2 * std::max(1, static_cast<int>(settings.seconds / two));
-    std::vector<double> mlups, copies, shares;
+    std::vector<double> mlups, copies, shares, exchanges;
     copy.bytes_per_second(0);
     for (int i = 0; i < settings.repetitions; ++i) {
         const double before = copy.bytes_per_second(settings.seconds / 2);
-        const double rate =
-            cells * steps / step_seconds(comm, solver, variant.forced_share, steps);
+        const double step =
+            step_seconds(comm, solver, variant.forced_share, steps) / steps;
+        const double rate = cells / step;
         const double after = copy.bytes_per_second(settings.seconds / 2);
         const double limit = (before + after) / 2;
         mlups.push_back(1e-6 * rate);
         copies.push_back(1e-9 * limit);
         shares.push_back(rate * bytes_a_cell / limit);
+        exchanges.push_back(exchange_seconds(comm, solver, settings.seconds / 10) / step);
     }
-    return {variant, spread(mlups), spread(copies), spread(shares)};
+    return {variant, spread(mlups), spread(copies), spread(shares), spread(exchanges)};
 }
 
 }  // namespace magfsi::bench

@@ -33,6 +33,7 @@ struct Result {
     Spread mlups;           // million cells stepped per second, all ranks
     Spread copy_gb_s;       // read plus write
     Spread share_of_limit;  // of copy over 2 x 19 numbers a cell, pair by pair
+    Spread exchange_share;  // of a step's time: the halo exchange, done alone
 };
 
 // Steps and copies in turn. Collective.
