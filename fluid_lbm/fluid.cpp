@@ -31,7 +31,7 @@ SolverConfig in_lattice_units(const FluidConfig& config, const KernelSet& kernel
     SolverConfig lattice;
     lattice.cells = config.cells;
     lattice.collision.omega = 1 / relaxation_time(config);
-    lattice.collision.magic = config.magic_number;
+    lattice.collision.magic = choose_magic_number(config);
     lattice.collision.eddy_constant = config.smagorinsky_constant;
     lattice.kernels = run_kernels(kernels, config.precision, choose_collision(config),
                                   config.smagorinsky_constant > 0);

@@ -36,7 +36,8 @@ struct FluidConfig {
     double viscosity_m2_s = 0;  // kinematic
     Collision collision = Collision::automatic;
     Precision precision = Precision::double_;
-    double magic_number = 3.0 / 16;        // Lambda of two-relaxation-time collision
+    // Lambda of two-relaxation-time collision; absent: by relaxation time.
+    std::optional<double> magic_number;
     double smagorinsky_constant = 0;       // of the eddy viscosity; 0: none
     std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
     std::vector<Obstacle> obstacles;

@@ -27,7 +27,7 @@ void check_relaxation_time(const FluidConfig& config) {
 }
 
 void check_collision(const FluidConfig& config) {
-    check_positive("magic number", config.magic_number, "");
+    if (config.magic_number) check_positive("magic number", *config.magic_number, "");
     const double constant = config.smagorinsky_constant;
     if (!(constant >= 0 && constant <= 1)) {
         refuse("fluid Smagorinsky constant is ", constant,

@@ -5,6 +5,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/magfsi/explain_parts.h"
 #include "coupler/scene/effective.h"
+#include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/units.h"
 
 namespace magfsi::launch {
@@ -16,16 +17,22 @@ constexpr double most_mach = 0.17;  // 3 %
 // Below, the viscous length is far below a cell: only regularised or filtered collisions
 // stay stable. Above 1, the error at walls grows with (tau - 1/2)^2.
 constexpr double least_tau = 0.501, most_tau = 1.0;
+// Perturbations of odd modes then live for ten steps and grow in fast flows.
+constexpr double least_odd_rate = 0.1;
 // Velocity differences across a cell that viscosity can still even out.
 constexpr double most_grid_reynolds = 50;
 
 struct LatticeValues {
     double spacing_m, step_s, tau, mach = 0, grid_reynolds = 0, speed = 0;
+    double odd_rate = 1;  // of trt
 };
 
 LatticeValues lattice_values(const scene::Fluid& fluid,
                              const fluid::FluidConfig& config) {
     LatticeValues v{fluid.spacing_m, config.time_step_s, fluid::relaxation_time(config)};
+    if (fluid::choose_collision(config) == fluid::Collision::trt) {
+        v.odd_rate = 1 / (0.5 + fluid::choose_magic_number(config) / (v.tau - 0.5));
+    }
     v.speed = fluid.expected_speed_m_s * v.step_s / v.spacing_m;
     v.mach = v.speed * std::sqrt(3.0);
     v.grid_reynolds = fluid.expected_speed_m_s * fluid.spacing_m / fluid.viscosity_m2_s;
@@ -76,6 +83,12 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
             fmt::format("a relaxation time of {:.3g} is inaccurate at walls: take a step "
                         "of {:.3g} us",
                         v.tau, v.step_s * (most_tau - 0.5) / (v.tau - 0.5) * 1e6));
+    }
+    if (v.odd_rate < least_odd_rate) {
+        warn(fmt::format(
+            "magic_number lets odd modes decay by {:.2g} a step only, and trt tends to "
+            "diverge: leave it out, or take {:.2g}",
+            v.odd_rate, (v.tau - 0.5) / 2));
     }
     if (v.tau < least_tau) {
         // With the step from the lattice speed, tau - 1/2 grows as 1 / spacing.

@@ -98,8 +98,9 @@ Field fluid_fields() {
                "is absent.").above(0).at_most(0.25).or_default("0.05"),
         choice<Collision>("collision", "Collision model of the lattice Boltzmann method.")
             .or_default("automatic"),
-        number("magic_number", "Lambda of the collision trt: where its error vanishes.")
-            .above(0).at_most(1).or_default("0.1875"),
+        number("magic_number", "Lambda of the collision trt; without it 3/16, which puts "
+               "walls exactly half way, or what makes the odd rate 1 if the relaxation "
+               "time is below 0.55.").above(0).at_most(1).optional(),
         choice<Precision>("precision", "Of populations in memory: double; float halves "
                           "memory and time; float_double computes in double.")
             .or_default("double"),

@@ -258,7 +258,7 @@ struct Fluid {
     double expected_speed_m_s = 0;  // largest to resolve; 0: not given, time.step is
     double lattice_speed = 0.05;    // that speed in lattice units (Mach limit)
     Collision collision = Collision::automatic;
-    double magic_number = 3.0 / 16;  // Lambda of trt
+    std::optional<double> magic_number;  // Lambda of trt; absent: by relaxation time
     Precision precision = Precision::double_;
     std::optional<Smagorinsky> smagorinsky;
     std::array<Boundary, 6> boundaries{};  // by Face

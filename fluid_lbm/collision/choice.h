@@ -9,5 +9,7 @@ namespace magfsi::fluid {
 
 // config.collision, or for automatic the choice by relaxation time.
 Collision choose_collision(const FluidConfig& config);
+// config.magic_number, or the one for this relaxation time.
+double choose_magic_number(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

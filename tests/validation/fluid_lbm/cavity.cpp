@@ -54,6 +54,7 @@ TEST_P(Cavity, MatchesFiniteElements) {
     Fluid fluid(MPI_COMM_WORLD, cavity(c));
     const int steps = static_cast<int>(c.duration * c.cells / c.lid);
     for (int i = 0; i < steps; ++i) fluid.step();
+    ASSERT_FALSE(fluid.diverged()) << to_string(*fluid.diverged());
     const std::vector<double> u = velocity(fluid);
     double worst = 0;
     int stations = 0;
@@ -77,7 +78,8 @@ TEST_P(Cavity, MatchesFiniteElements) {
 #ifdef LONG_RUNS
 INSTANTIATE_TEST_SUITE_P(Fine, Cavity,
                          testing::Values(Case{100, 128, 0.05, 16, 0.02},
-                                         Case{400, 128, 0.1, 40, 0.02}));
+                                         Case{400, 128, 0.1, 40, 0.02},
+                                         Case{1000, 128, 0.05, 60, 0.02}));
 #else
 INSTANTIATE_TEST_SUITE_P(Coarse, Cavity, testing::Values(Case{100, 64, 0.05, 16, 0.02}));
 #endif
