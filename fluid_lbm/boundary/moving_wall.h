@@ -18,9 +18,9 @@ struct MovingWall {
 
 // Adds the wall's term to the slots that hold bounced populations. Called after every
 // step: in both arrangements these are the natural slots of the cells at the wall. A link
-// through an edge takes the mean velocity of the two walls that meet there (in a lid-driven
-// cavity that halves the error against a converged solution); what the box gains at one
-// end of a wall it loses at the other.
+// through an edge takes the mean velocity of the two walls that meet there (in a
+// lid-driven cavity that halves the error against a converged solution); what the box
+// gains at one end of a wall it loses at the other.
 void move_walls(const Populations& populations, const RowLayout& layout,
                 const std::vector<MovingWall>& walls);
 
