@@ -1,82 +1,86 @@
 #include "adapters/bodies/marker_placement.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/depth.h"
 #include "structure/mesh/sheet.h"
-#include "structure/mesh/surface_points.h"
+#include "structure/mesh/volume_points.h"
 
 namespace magfsi::bodies {
 
 namespace {
 
-// Axes of the sheet and across it.
-struct SheetAxes {
-    std::size_t first, second, across;
+struct Spacings {
+    double grid_m, marker_m;
 };
 
-SheetAxes sheet_axes(const structure::Vec3& size_m) {
-    const auto across = static_cast<std::size_t>(
-        std::min_element(size_m.begin(), size_m.end()) - size_m.begin());
-    return {(across + 1) % 3, (across + 2) % 3, across};
-}
-
-int count_along(double length_m, double spacing_m) {
-    return std::max(1, static_cast<int>(std::ceil(length_m / spacing_m - 1e-9)));
-}
-
-std::vector<PlacedMarker> on_block(const scene::BoxMesh& mesh,
-                                   const scene::ImmersedBoundary& boundary,
-                                   double grid_spacing_m, int number) {
-    const structure::Box box{mesh.size_m, mesh.elements};
-    const SheetAxes axes = sheet_axes(box.size_m);
-    const double spacing_m = boundary.marker_spacing * grid_spacing_m;
-    const double length_1 = box.size_m[axes.first];
-    const double length_2 = box.size_m[axes.second];
-    const int count_1 = count_along(length_1, spacing_m);
-    const int count_2 = count_along(length_2, spacing_m);
-    const double volume = length_1 / count_1 * length_2 / count_2 * grid_spacing_m;
-    std::vector<double> heights{0.5};
-    if (boundary.markers == scene::MarkerSurface::both_faces) heights = {0, 1};
-
-    std::vector<PlacedMarker> markers;
-    for (const double height : heights) {
-        for (int j = 0; j < count_2; ++j) {
-            for (int i = 0; i < count_1; ++i) {
-                structure::Vec3 at{};
-                at[axes.first] = (i + 0.5) / count_1 * length_1;
-                at[axes.second] = (j + 0.5) / count_2 * length_2;
-                at[axes.across] = height * box.size_m[axes.across];
-                markers.push_back({structure::locate(box, at),
-                                   volume / static_cast<double>(heights.size()), number});
-            }
-        }
+// Thins the markers out towards a part of the surface: none within skin_m, smooth over
+// one spacing so that the skin is not rounded to rows of markers.
+void draw_back(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+               std::span<const structure::SurfaceQuad> surface, double skin_m,
+               double spacing_m) {
+    if (surface.empty() || skin_m == 0) return;
+    std::vector<structure::MaterialPoint> points;
+    for (const PlacedMarker& m : markers) points.push_back(m.point);
+    const std::vector<double> depth =
+        structure::depths(mesh, surface, points, 0.5 * spacing_m, skin_m + spacing_m);
+    std::vector<PlacedMarker> kept;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const double share = std::clamp((depth[i] - skin_m) / spacing_m + 0.5, 0.0, 1.0);
+        if (share == 0) continue;
+        kept.push_back(markers[i]);
+        kept.back().volume_m3 *= share;
     }
-    return markers;
+    if (!kept.empty()) markers = std::move(kept);  // a body all skin keeps what it has
 }
 
-// A sheet of any outline, curved or folded.
 std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
-                                   const structure::Sheet& sheet,
+                                   const structure::Sheet& sheet, bool both_faces,
                                    const scene::ImmersedBoundary& boundary,
-                                   double grid_spacing_m, int number) {
-    const double spacing_m = boundary.marker_spacing * grid_spacing_m;
+                                   const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
     const auto add = [&](const std::vector<structure::SurfacePoint>& points,
                          double share) {
         for (const auto& p : points)
-            markers.push_back({p.point, share * p.area_m2 * grid_spacing_m, number});
+            markers.push_back({p.point, share * p.area_m2 * spacing.grid_m, 0, 0});
     };
-    if (boundary.markers == scene::MarkerSurface::mid_surface) {
-        add(structure::mid_surface_points(mesh, sheet, spacing_m), 1);
-        return markers;
+    if (both_faces) {
+        const double depth_m = boundary.retraction * spacing.grid_m;
+        for (const auto side : {structure::SheetSide::bottom, structure::SheetSide::top})
+            add(structure::points_below_face(mesh, sheet, side, depth_m,
+                                             spacing.marker_m),
+                0.5);
+    } else {
+        add(structure::mid_surface_points(mesh, sheet, spacing.marker_m), 1);
     }
-    for (const auto& side : {structure::bottom_of(sheet), structure::top_of(sheet)})
-        add(structure::surface_points(mesh, side, spacing_m), 0.5);
+    draw_back(markers, mesh, structure::rim_of(mesh, sheet),
+              boundary.rim_retraction * spacing.grid_m, spacing.marker_m);
     return markers;
+}
+
+std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh,
+                                         const scene::ImmersedBoundary& boundary,
+                                         const Spacings& spacing) {
+    std::vector<PlacedMarker> markers;
+    for (const auto& p : structure::volume_points(mesh, spacing.marker_m))
+        markers.push_back({p.point, p.volume_m3, 0, 0});
+    draw_back(markers, mesh, structure::boundary_quads(mesh),
+              boundary.retraction * spacing.grid_m, spacing.marker_m);
+    return markers;
+}
+
+// Markers displace the body in the proportion of the fluid that they move.
+void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) {
+    double sum = 0;
+    for (const PlacedMarker& m : markers) sum += m.volume_m3;
+    for (PlacedMarker& m : markers) {
+        m.displaced_m3 = m.volume_m3 * body_m3 / sum;
+        m.body = number;
+    }
 }
 
 }  // namespace
@@ -84,15 +88,22 @@ std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const scene::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int number) {
-    if (const auto* box = std::get_if<scene::BoxMesh>(&body.mesh))
-        return on_block(*box, boundary, grid_spacing_m, number);
     const structure::Mesh mesh = to_mesh(body);
+    const Spacings spacing{grid_spacing_m, boundary.marker_spacing * grid_spacing_m};
     const auto sheet = structure::find_sheet(mesh);
-    if (sheet) return on_sheet(mesh, *sheet, boundary, grid_spacing_m, number);
-    throw std::invalid_argument(
-        "body '" + body.name +
-        "' is no sheet (columns of equally many elements between two large faces): in a "
-        "fluid only blocks and sheets can carry markers");
+    const bool surface = boundary.markers && *boundary.markers != scene::Markers::volume;
+    if (surface && !sheet) {
+        throw std::invalid_argument(
+            "body '" + body.name +
+            "' is no sheet (columns of equally many elements between two large faces): "
+            "its markers can only be coupling.immersed_boundary.markers: volume");
+    }
+    const bool both_faces = boundary.markers != scene::Markers::mid_surface;
+    auto markers = surface || (sheet && !boundary.markers)
+                       ? on_sheet(mesh, *sheet, both_faces, boundary, spacing)
+                       : through_volume(mesh, boundary, spacing);
+    share_body(markers, structure::volume_m3(mesh), number);
+    return markers;
 }
 
 }  // namespace magfsi::bodies

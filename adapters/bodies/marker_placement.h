@@ -12,15 +12,26 @@ namespace magfsi::bodies {
 // A marker before it is known which rank owns its element.
 struct PlacedMarker {
     structure::MaterialPoint point;
-    double volume_m3 = 0;
+    double volume_m3 = 0;     // of fluid that it moves
+    double displaced_m3 = 0;  // of the body that it stands for
     int body = 0;
 };
 
-// Markers on the sheet spanned by the body's two longer edges: on its mid-surface, or
-// half of the volume on each of its two faces. A marker stands for its area times one
-// grid spacing: the thickness of fluid that the smeared kernel moves with it.
-// number: of the body. Throws std::invalid_argument on a body that is
-// neither a block nor a sheet.
+// Markers of a body. The kernel smears a marker over some cells, which enlarges the body;
+// so they lie below its surface, by `retraction` grid spacings. (At 0.4 a sphere of 6 or
+// 12 cells settles at the same speed, that of the experiment.)
+//   both_faces   of a sheet: half of the fluid on each side of the mid-surface, which
+//   they
+//                reach if the sheet is thin; drawn back from the rim by rim_retraction
+//                (at 0.9 a plate of the swimmer's shape falls alike at 15 and 7 cells a
+//                width)
+//   mid_surface  of a sheet: the paper's; the limit of fine grids is a plate without
+//                thickness
+//   volume       any body: each marker for its part of the volume
+// On a sheet a marker moves its area times one grid spacing: what the kernel takes along.
+// Where the scene does not say, sheets have both faces, other bodies the volume. number:
+// of the body. Throws std::invalid_argument on faces asked for of a body that is no
+// sheet.
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const scene::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int number);

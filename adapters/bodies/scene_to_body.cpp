@@ -64,11 +64,9 @@ structure::ElementVariant to_element(scene::ElementVariant variant) {
     throw std::logic_error("an element variant without a name");
 }
 
-// The fluid that fills the solid's own volume moves with it on the fluid's side: its
-// inertia and weight must not be counted twice.
-structure::Material to_material(const scene::Material& material, double displaced) {
-    return {material.shear_modulus_pa, material.lame_lambda_pa,
-            material.density_kg_m3 - displaced, material.viscosity_pa_s.value_or(0)};
+structure::Material to_material(const scene::Material& material) {
+    return {material.shear_modulus_pa, material.lame_lambda_pa, material.density_kg_m3,
+            material.viscosity_pa_s.value_or(0)};
 }
 
 int region_number(const Mesh& mesh, const std::string& name) {
@@ -83,11 +81,11 @@ int region_number(const Mesh& mesh, const std::string& name) {
         scene::did_you_mean(name, mesh.region_names));
 }
 
-void add_materials(structure::Body& out, const scene::Body& body, double displaced) {
+void add_materials(structure::Body& out, const scene::Body& body) {
     if (body.material_regions.empty()) return;
     std::vector<int> of_region(out.mesh.region_names.size(), 0);
     for (const scene::RegionMaterial& entry : body.material_regions) {
-        out.other_materials.push_back(to_material(entry.material, displaced));
+        out.other_materials.push_back(to_material(entry.material));
         for (const std::string& name : entry.regions) {
             of_region[static_cast<std::size_t>(region_number(out.mesh, name))] =
                 static_cast<int>(out.other_materials.size());
@@ -113,14 +111,13 @@ structure::Placement to_placement(const scene::InitialState& initial) {
     return placement;
 }
 
-structure::Body to_body(const scene::Scene& scene, const scene::Body& body) {
+structure::Body to_body(const scene::Body& body) {
     structure::Body out;
     out.name = body.name;
     out.mesh = to_mesh(body);
-    const double displaced = scene.fluid ? scene.fluid->density_kg_m3 : 0;
-    out.material = to_material(body.material, displaced);
+    out.material = to_material(body.material);
     try {
-        add_materials(out, body, displaced);
+        add_materials(out, body);
     } catch (const scene::Complaint& fault) {
         throw scene::SceneError(
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));

@@ -12,7 +12,7 @@ namespace magfsi::bodies {
 
 // Throws std::invalid_argument on what only the mesh can tell, naming the body;
 // scene::SceneError on a region of material_regions that it does not have.
-structure::Body to_body(const scene::Scene& scene, const scene::Body& body);
+structure::Body to_body(const scene::Body& body);
 structure::Placement to_placement(const scene::InitialState& initial);
 structure::FieldProgram to_field(const scene::MagneticField& field);
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene);

@@ -22,7 +22,7 @@ bool loaded(const structure::StaticLoads& loads) {
 }  // namespace
 
 LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
-    : body_(bodies::to_body(scene, body)),
+    : body_(bodies::to_body(body)),
       gravity_m_s2_(bodies::to_gravity(scene)),
       solver_(body_, to_options(*scene.time.equilibrium)) {
     if (scene.magnetic_field) field_ = bodies::to_field(*scene.magnetic_field);

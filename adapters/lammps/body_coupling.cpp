@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "adapters/bodies/scene_to_body.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
@@ -35,7 +36,8 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
     force_ = std::make_unique<coupler::PenaltyForce>(
         own_markers(place_all(scene), first_node),
         coupler::PenaltyScale{boundary.strength, scene.fluid->density_kg_m3,
-                              session.clock().step_s()});
+                              session.clock().step_s()},
+        bodies::to_gravity(scene).value_or(Vec3{}));
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
         session.world(), grid_, coupler::to_kernel(boundary.kernel), session.timeout_s());
@@ -65,6 +67,7 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         }
         marker.weight = p.point.weight;
         marker.volume_m3 = p.volume_m3;
+        marker.displaced_m3 = p.displaced_m3;
         marker.body = p.body;
         mine.push_back(marker);
     }
@@ -102,10 +105,11 @@ void BodyCoupling::receive_velocities() {
 std::vector<Vec3> BodyCoupling::force_on_bodies() const {
     std::vector<Vec3> sum(bodies_);
     const auto impulse = force_->impulse();
+    const auto enclosed = force_->enclosed().force();
     for (std::size_t m = 0; m < impulse.size(); ++m) {
         Vec3& force = sum[static_cast<std::size_t>(force_->markers()[m].body)];
         for (std::size_t d = 0; d < 3; ++d)
-            force[d] -= impulse[m][d] / session_.clock().step_s();
+            force[d] += enclosed[m][d] - impulse[m][d] / session_.clock().step_s();
     }
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
                   MPI_SUM, session_.world().local());

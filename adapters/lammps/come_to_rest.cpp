@@ -77,8 +77,7 @@ void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) 
 RestFinder::RestFinder(Engine& engine, const scene::Scene& scene, double step_s)
     : engine_(engine), scene_(scene) {
     std::vector<structure::Body> bodies;
-    for (const scene::Body& body : scene.bodies)
-        bodies.push_back(bodies::to_body(scene, body));
+    for (const scene::Body& body : scene.bodies) bodies.push_back(bodies::to_body(body));
     most_steps_ = static_cast<std::int64_t>(
         patience / (0.5 * critical_drag_rate_1_s(bodies)) / step_s);
     stiffness_load_n_ = stiffness_load_n(bodies);

@@ -41,7 +41,7 @@ double stable_step_s(const structure::LammpsInput& input, const structure::Body&
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
     structure::LammpsInput input;
     for (const scene::Body& body : scene.bodies) {
-        input.bodies.push_back(bodies::to_body(scene, body));
+        input.bodies.push_back(bodies::to_body(body));
         input.placements.push_back(bodies::to_placement(body.initial));
     }
     if (scene.magnetic_field) input.field = bodies::to_field(*scene.magnetic_field);

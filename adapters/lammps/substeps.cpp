@@ -26,7 +26,7 @@ constexpr double drag_margin = 0.5;
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
     for (const scene::Body& body : scene.bodies) {
-        const structure::Body solid = bodies::to_body(scene, body);
+        const structure::Body solid = bodies::to_body(body);
         const auto mass = structure::node_masses(structure::build_lattice(solid));
         std::vector<double> drag(mass.size());
         const auto& boundary = scene.coupling->immersed_boundary;

@@ -38,7 +38,7 @@ std::string explain_elements(const structure::Body& solid, const scene::BoxMesh&
 }
 
 std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
-    const structure::Body solid = bodies::to_body(scene, body);
+    const structure::Body solid = bodies::to_body(body);
     std::string text = fmt::format("  body '{}': ", body.name);
     const auto* box = std::get_if<scene::BoxMesh>(&body.mesh);
     if (box) {

@@ -11,11 +11,13 @@
 namespace magfsi::coupler {
 
 // A marker as one structure rank sees it: eight nodes by local index, their weights
-// (which add up to one) and the Lagrangian volume [m3].
+// (which add up to one), the volume of fluid that it moves and that of the body that it
+// stands for [m3]. The two differ in sheets thinner than a grid cell.
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};
     double volume_m3 = 0;
+    double displaced_m3 = 0;
     int body = 0;
 };
 

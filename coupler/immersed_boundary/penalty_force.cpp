@@ -4,8 +4,11 @@
 
 namespace magfsi::coupler {
 
-PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale)
+PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
+                           const Vec3& gravity_m_s2)
     : markers_(std::move(markers)),
+      enclosed_(markers_,
+                {scale.fluid_density_kg_m3, scale.coupled_step_s, gravity_m_s2}),
       fluid_velocity_(markers_.size()),
       impulse_(markers_.size()) {
     kappa_.reserve(markers_.size());
@@ -15,16 +18,18 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
     std::copy(fluid_velocity.begin(), fluid_velocity.end(), fluid_velocity_.begin());
     std::fill(impulse_.begin(), impulse_.end(), Vec3{});
+    enclosed_.begin_step(fluid_velocity);
 }
 
 void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
                          double duration_s) {
     for (std::size_t m = 0; m < markers_.size(); ++m) {
         const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        Vec3 force;
+        Vec3 force = enclosed_.force()[m];
         for (std::size_t d = 0; d < 3; ++d) {
-            force[d] = -kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
-            impulse_[m][d] -= force[d] * duration_s;
+            const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
+            impulse_[m][d] += given * duration_s;
+            force[d] -= given;
         }
         to_nodes(markers_[m], force, nodal_force);
     }

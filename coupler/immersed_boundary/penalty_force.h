@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "coupler/immersed_boundary/enclosed_fluid.h"
 #include "coupler/immersed_boundary/markers.h"
 
 namespace magfsi::coupler {
@@ -27,7 +28,8 @@ struct PenaltyScale {
 
 class PenaltyForce {
   public:
-    PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale);
+    PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
+                 const Vec3& gravity_m_s2);
 
     const std::vector<Marker>& markers() const { return markers_; }
 
@@ -35,8 +37,9 @@ class PenaltyForce {
     // impulses.
     void begin_step(std::span<const Vec3> fluid_velocity);
 
-    // One substep: adds the forces to the nodes (nodal_force[3 * node + d], [N]) and the
-    // impulse of duration_s to the markers' sums.
+    // One substep: adds the forces, with those of the enclosed fluid, to the nodes
+    // (nodal_force[3 * node + d], [N]) and the impulse of duration_s to the markers'
+    // sums.
     void apply(const double* nodal_velocity, double* nodal_force, double duration_s);
 
     std::span<const Vec3> fluid_velocity() const { return fluid_velocity_; }
@@ -44,9 +47,12 @@ class PenaltyForce {
     // What the markers gave to the fluid since begin_step [N s].
     std::span<const Vec3> impulse() const { return impulse_; }
 
+    const EnclosedFluid& enclosed() const { return enclosed_; }
+
   private:
     std::vector<Marker> markers_;
     std::vector<double> kappa_;
+    EnclosedFluid enclosed_;
     std::vector<Vec3> fluid_velocity_;
     std::vector<Vec3> impulse_;
 };

@@ -294,6 +294,8 @@ void bind_keys(Io& io, ImmersedBoundary& boundary) {
     io("kernel", boundary.kernel);
     io("markers", boundary.markers);
     io("marker_spacing", boundary.marker_spacing);
+    io("retraction", boundary.retraction);
+    io("rim_retraction", boundary.rim_retraction);
     io("strength", boundary.strength);
 }
 

@@ -172,28 +172,6 @@ void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
     }
 }
 
-// Explicit coupling is unstable where the added mass exceeds the body's own inertia; with
-// the enclosed fluid counted once that inertia is (rho_s - rho_f) V.
-void check_density(const Scene& scene, const Body& body, const Marks& marks) {
-    constexpr double least_ratio = 1.05;
-    if (!scene.fluid) return;
-    const auto check = [&](const Material& material, const Origin& where) {
-        const double ratio = material.density_kg_m3 / scene.fluid->density_kg_m3;
-        if (ratio > least_ratio) return;
-        refuse(where,
-               fmt::format("the density of \"{}\" at {:.4g} times the fluid's", body.name,
-                           ratio),
-               fmt::format("more than {} times", least_ratio),
-               fmt::format(
-                   "explicit coupling is unstable for light bodies: take more than {}",
-                   format_si(least_ratio * scene.fluid->density_kg_m3, "kg/m3")));
-    };
-    check(body.material, marks.value({"bodies", body.name, "material", "density"}));
-    for (std::size_t i = 0; i < body.material_regions.size(); ++i)
-        check(body.material_regions[i].material,
-              marks.item({"bodies", body.name, "material_regions"}, i));
-}
-
 }  // namespace
 
 void check_bodies(const Scene& scene, const Marks& marks) {
@@ -205,7 +183,6 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         check_material_regions(body, marks);
         check_magnetization(body, marks);
         check_initial(scene, body, marks);
-        check_density(scene, body, marks);
         if (box) check_inside(scene, body, *box, marks);
     }
 }

@@ -97,11 +97,17 @@ Field coupling_fields() {
             .above(0).or_default("60 s"),
         group("immersed_boundary", "Direct forcing between markers and fluid, eq. (13).", {
             choice<Kernel>("kernel", "Regularised delta function.").or_default("3-point"),
-            choice<MarkerSurface>("markers", "Where markers sit: on the surface midway "
-                                  "between the large faces, or on both of them.")
-                .or_default("mid_surface"),
+            choice<Markers>("markers", "Where markers sit: midway between the large faces "
+                            "of a sheet, below both of them, or through the volume; without "
+                            "it, below both faces of sheets and through other bodies.")
+                .optional(),
             number("marker_spacing", "Distance of markers, in fluid spacings; beyond about "
                    "1 the surface leaks.").above(0).at_most(1.5).or_default("0.5"),
+            number("retraction", "Depth of markers below the surface, in fluid spacings: "
+                   "the kernel smears them beyond it.")
+                .at_least(0).at_most(1).or_default("0.4"),
+            number("rim_retraction", "The same at the rim of a sheet.").at_least(0)
+                .at_most(2).or_default("0.9"),
             number("strength", "beta of eq. (13) as a fraction of 2 rho dV / dt; 1 is "
                    "direct forcing.").above(0).at_most(4).or_default("1.0"),
         }).optional(),

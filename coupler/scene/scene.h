@@ -270,13 +270,15 @@ struct Fluid {
 // --- coupling -----------------------------------------------------------------------
 
 enum class Kernel { two_point, three_point, four_point };
-enum class MarkerSurface { mid_surface, both_faces };
+enum class Markers { mid_surface, both_faces, volume };
 
 struct ImmersedBoundary {
     Kernel kernel = Kernel::three_point;
-    MarkerSurface markers = MarkerSurface::mid_surface;
-    double marker_spacing = 0.5;  // in units of the fluid's spacing
-    double strength = 1.0;        // beta of eq. (13) as a fraction of 2 rho dV / dt
+    std::optional<Markers> markers;  // absent: by the body's shape
+    double marker_spacing = 0.5;     // in units of the fluid's spacing
+    double retraction = 0.4;         // of markers below the surface, in fluid spacings
+    double rim_retraction = 0.9;     // at the rim of a sheet, likewise
+    double strength = 1.0;           // beta of eq. (13) as a fraction of 2 rho dV / dt
 };
 
 struct Coupling {

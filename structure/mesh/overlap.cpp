@@ -15,15 +15,6 @@
 namespace magfsi::structure {
 namespace {
 
-Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
-    Vec3 x{};
-    for (int a = 0; a < 8; ++a) {
-        for (int d = 0; d < 3; ++d)
-            x[d] += point.weight[a] * mesh.nodes[point.node[a]][d];
-    }
-    return x;
-}
-
 Bounds element_bounds(const Mesh& mesh) {
     Bounds out;
     for (const Hexahedron& element : mesh.elements) {

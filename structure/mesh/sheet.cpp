@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "structure/mesh/inverse_map.h"
@@ -232,6 +233,19 @@ std::vector<SurfaceQuad> top_of(const Sheet& sheet) {
     std::vector<SurfaceQuad> out;
     for (const SheetColumn& column : sheet.columns) out.push_back(column.top);
     return out;
+}
+
+std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet) {
+    std::set<std::pair<int, int>> sides;  // element and face
+    for (const SheetColumn& column : sheet.columns) {
+        sides.emplace(column.bottom.element, column.bottom.face);
+        sides.emplace(column.top.element, column.top.face);
+    }
+    std::vector<SurfaceQuad> rim = boundary_quads(mesh);
+    std::erase_if(rim, [&](const SurfaceQuad& quad) {
+        return sides.contains({quad.element, quad.face});
+    });
+    return rim;
 }
 
 }  // namespace magfsi::structure

@@ -38,6 +38,18 @@ std::optional<Sheet> find_sheet(const Mesh& mesh);
 std::vector<SurfaceQuad> bottom_of(const Sheet& sheet);
 std::vector<SurfaceQuad> top_of(const Sheet& sheet);
 
+// The boundary of the sheet between its two sides.
+std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet);
+
+enum class SheetSide { bottom, top };
+
+// Points `depth_m` below one side, but no deeper than the middle of the thickness, cut as
+// surface_points cuts the quad between the points on the column's edges; normals point to
+// the top.
+std::vector<SurfacePoint> points_below_face(const Mesh& mesh, const Sheet& sheet,
+                                            SheetSide side, double depth_m,
+                                            double spacing_m);
+
 // Points in the middle of the thickness, cut as surface_points cuts the quad between the
 // middles of the column's edges; normals point to the top.
 std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,

@@ -1,8 +1,10 @@
 """Runs of the built magfsi for tests: start, read what it left, compare."""
 
+import atexit
 import csv
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -42,7 +44,11 @@ def overrides(settings):
 
 
 def new_folder():
-    return tempfile.mkdtemp(prefix="magfsi-test-")
+    """Removed when the test ends, unless MAGFSI_KEEP is set."""
+    folder = tempfile.mkdtemp(prefix="magfsi-test-")
+    if "MAGFSI_KEEP" not in os.environ:
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
 
 
 def finish(process, start, folder, limit_s):

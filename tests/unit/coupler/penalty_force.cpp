@@ -34,7 +34,7 @@ TEST(PenaltyForce, one_marker_by_hand) {
     Marker marker;
     marker.weight = {1, 0, 0, 0, 0, 0, 0, 0};
     marker.volume_m3 = 1e-12;
-    PenaltyForce penalty({marker}, scale);
+    PenaltyForce penalty({marker}, scale, {});
     penalty.begin_step(std::vector<Vec3>{{0.1, 0, -0.2}});
     const double velocity[] = {0.4, 0, 0.3};
     double force[3] = {};
@@ -53,7 +53,7 @@ TEST(PenaltyForce, one_marker_by_hand) {
 // functions.
 TEST(PenaltyForce, impulse_given_is_the_impulse_lost) {
     Random random(31);
-    PenaltyForce penalty(random_markers(random, 30), scale);
+    PenaltyForce penalty(random_markers(random, 30), scale, {});
     penalty.begin_step(random.vectors(30, 0.5));
     Vec3 lost{};
     for (const double duration_s : {1e-6, 4e-6, 2e-6, 3e-6}) {
@@ -75,7 +75,7 @@ TEST(PenaltyForce, impulse_given_is_the_impulse_lost) {
 TEST(PenaltyForce, no_slip_no_force) {
     Random random(32);
     const auto markers = random_markers(random, 20);
-    PenaltyForce penalty(markers, scale);
+    PenaltyForce penalty(markers, scale, {});
     const auto velocity = random_nodal(random);
     std::vector<Vec3> same;
     for (const Marker& m : markers) same.push_back(at_marker(m, velocity.data()));
@@ -88,7 +88,7 @@ TEST(PenaltyForce, no_slip_no_force) {
 
 TEST(PenaltyForce, a_new_step_starts_from_zero_impulse) {
     Random random(33);
-    PenaltyForce penalty(random_markers(random, 5), scale);
+    PenaltyForce penalty(random_markers(random, 5), scale, {});
     penalty.begin_step(random.vectors(5, 0.5));
     const auto velocity = random_nodal(random);
     std::vector<double> force(velocity.size());
@@ -108,7 +108,7 @@ TEST(PenaltyForce, strength_one_gives_twice_the_momentum_of_the_slip) {
     Marker marker;
     marker.weight = {1, 0, 0, 0, 0, 0, 0, 0};
     marker.volume_m3 = 1e-12;
-    PenaltyForce penalty({marker}, {1, 1000, 2e-5});
+    PenaltyForce penalty({marker}, {1, 1000, 2e-5}, {});
     penalty.begin_step(std::vector<Vec3>{{0, 0, 0}});
     const double velocity[] = {1, 0, 0};
     double force[3] = {};

@@ -105,7 +105,7 @@ TEST(GmshMesh, TheCurveCentreLineBecomesTheCentreLine) {
     ASSERT_EQ(mesh.centre_line.size(), 4U);
     for (int i = 0; i < 4; ++i) {
         // Gmsh finds equal lengths along a curve to about 1e-11.
-        EXPECT_NEAR(test::position(mesh, mesh.centre_line[i])[0], i, 1e-10);
+        EXPECT_NEAR(position(mesh, mesh.centre_line[i])[0], i, 1e-10);
     }
     EXPECT_EQ(mesh.region_names, std::vector<std::string>{"1"});  // no name: its number
 }

@@ -36,7 +36,7 @@ TEST(Locate, NodesOfABlockAndEveryBorderGoToTheSameElementAsTheBlocksOwn) {
     const Mesh mesh = box_mesh(box);
     const PointLocator locator(mesh);
     for (const Vec3& node : mesh.nodes) {
-        EXPECT_LT(test::distance(test::position(mesh, locator.nearest(node)), node),
+        EXPECT_LT(test::distance(position(mesh, locator.nearest(node)), node),
                   rounding_m);
     }
     // Coordinates without rounding: grid lines at whole numbers.
@@ -61,7 +61,7 @@ TEST(Locate, FindsPointsOfADistortedMesh) {
             point.weight =
                 shape_values({random.within(-0.999, 0.999), random.within(-0.999, 0.999),
                               random.within(-0.999, 0.999)});
-            const auto found = locator.find(test::position(mesh, point));
+            const auto found = locator.find(position(mesh, point));
             ASSERT_TRUE(found) << "element " << e;
             EXPECT_EQ(found->element, static_cast<int>(e));
             for (int a = 0; a < 8; ++a) {
@@ -85,7 +85,7 @@ TEST(Locate, PointsOutsideADistortedMeshAreNotFoundAndGoToTheNearestSurfacePoint
         if (locator.find(point)) continue;
         ++outside;
         const double away =
-            test::distance(test::position(mesh, locator.nearest(point)), point);
+            test::distance(position(mesh, locator.nearest(point)), point);
         // No surface node is nearer.
         for (const Vec3& node : mesh.nodes) {
             EXPECT_LE(away, test::distance(node, point) + rounding_m);
@@ -113,7 +113,7 @@ TEST(Locate, PointsJustOutsideAreFoundWithATolerance) {
         EXPECT_EQ(found->element, quad.element);
         // Local coordinates are not perpendicular: the border's point is up to
         // 1 / sin(0.6) as far away as the foot.
-        EXPECT_LT(test::distance(test::position(mesh, *found), at), 2e-5 / 0.56);
+        EXPECT_LT(test::distance(position(mesh, *found), at), 2e-5 / 0.56);
         ++moved;
     }
     EXPECT_EQ(moved, 2 * (18 * 12 + 18 * 2 + 12 * 2));

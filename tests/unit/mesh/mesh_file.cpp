@@ -29,7 +29,7 @@ TEST(MeshFile, ReadsBackExactly) {
     EXPECT_EQ(read.points, mesh.points);
     ASSERT_EQ(read.centre_line.size(), 5U);
     for (int i = 0; i < 5; ++i) {  // in order of x, whatever the order in the file
-        EXPECT_EQ(test::position(read, read.centre_line[i]), mesh.nodes[i]);
+        EXPECT_EQ(position(read, read.centre_line[i]), mesh.nodes[i]);
     }
     std::filesystem::remove(file);
 }

@@ -30,15 +30,6 @@ inline Mesh distorted_block(const Box& box, double amplitude_m, unsigned seed) {
     return mesh;
 }
 
-inline Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
-    Vec3 x{};
-    for (int a = 0; a < 8; ++a) {
-        for (int d = 0; d < 3; ++d)
-            x[d] += point.weight[a] * mesh.nodes[point.node[a]][d];
-    }
-    return x;
-}
-
 inline double distance(const Vec3& a, const Vec3& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }

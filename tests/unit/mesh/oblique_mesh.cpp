@@ -58,7 +58,7 @@ TEST(ObliqueMesh, FacesAndCentreLineAreNamedAsThoseOfABlock) {
     EXPECT_EQ(mesh.faces.at("z_min").size(), 21U * 19);
     ASSERT_EQ(mesh.centre_line.size(), 21U);
     // Half way up row 1: half the lean.
-    const Vec3 x = test::position(mesh, mesh.centre_line.front());
+    const Vec3 x = position(mesh, mesh.centre_line.front());
     EXPECT_NEAR(x[0], 1.5e-3, 1e-15);
     EXPECT_NEAR(x[2], 0.5e-3, 1e-15);
 }

@@ -50,7 +50,7 @@ void expect_strip(const Mesh& mesh, const Sheet& sheet) {
     const auto points = mid_surface_points(mesh, sheet, 1e-4);
     EXPECT_NEAR(area(points) / (3.7e-3 * 1.5e-3), 1, 1e-12);
     for (const SurfacePoint& point : points) {
-        EXPECT_NEAR(test::position(mesh, point.point)[2], 0.0925e-3, 1e-17);
+        EXPECT_NEAR(position(mesh, point.point)[2], 0.0925e-3, 1e-17);
         EXPECT_NEAR(point.normal[2], 1, 1e-14);
     }
 }
@@ -75,7 +75,7 @@ TEST(Sheet, MidSurfaceHalvesUnequalLayers) {
     const auto sheet = find_sheet(mesh);
     ASSERT_TRUE(sheet);
     for (const SurfacePoint& p : mid_surface_points(mesh, *sheet, 1)) {
-        EXPECT_NEAR(test::position(mesh, p.point)[2], 0.0925e-3, 1e-17);  // rounding
+        EXPECT_NEAR(position(mesh, p.point)[2], 0.0925e-3, 1e-17);  // rounding
     }
 }
 

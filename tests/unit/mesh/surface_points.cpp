@@ -38,7 +38,7 @@ TEST(SurfacePoints, QuadsSmallerThanTheSpacingCarryOnePoint) {
 TEST(SurfacePoints, LieOnTheSurfaceWithOutwardNormals) {
     const Mesh mesh = box_mesh(box);
     for (const SurfacePoint& point : surface_points(mesh, boundary_quads(mesh), 1e-4)) {
-        const Vec3 x = test::position(mesh, point.point);
+        const Vec3 x = position(mesh, point.point);
         for (int d = 0; d < 3; ++d) {
             if (std::abs(point.normal[d]) < 0.5) continue;
             EXPECT_NEAR(std::abs(point.normal[d]), 1, 1e-14);
@@ -59,7 +59,7 @@ TEST(SurfacePoints, FluxOfThePositionApproachesThreeVolumes) {
         double flux = 0;
         for (const SurfacePoint& p :
              surface_points(mesh, boundary_quads(mesh), spacing[s])) {
-            const Vec3 x = test::position(mesh, p.point);
+            const Vec3 x = position(mesh, p.point);
             for (int d = 0; d < 3; ++d) flux += x[d] * p.normal[d] * p.area_m2;
         }
         error[s] = std::abs(flux / (3 * volume) - 1);

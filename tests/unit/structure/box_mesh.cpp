@@ -9,15 +9,6 @@ namespace {
 
 const Box box{{3e-3, 1e-3, 0.2e-3}, {6, 3, 2}};
 
-Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
-    Vec3 x{};
-    for (int a = 0; a < 8; ++a) {
-        for (int d = 0; d < 3; ++d)
-            x[d] += point.weight[a] * mesh.nodes[point.node[a]][d];
-    }
-    return x;
-}
-
 TEST(BoxMesh, ElementsFillTheBox) {
     const Mesh mesh = box_mesh(box);
     EXPECT_EQ(mesh.nodes.size(), 7U * 4 * 3);

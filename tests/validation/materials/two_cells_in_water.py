@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""In a fluid each material has its own density less the fluid's, and a heavy half sinks first."""
+"""In a fluid each material has its own density, and a heavy half sinks first."""
 
 import sys
 import unittest
@@ -13,7 +13,7 @@ CELL_M3 = 2e-3 * 2e-3 * 0.2e-3
 
 
 class InWater(unittest.TestCase):
-    def test_each_material_displaces_its_fluid(self):
+    def test_each_material_has_its_mass_and_the_heavy_one_sinks_first(self):
         run = magfsi.good_run(SCENE)
         probes = run.probes()
         lines = (run.folder / "bodies.data").read_text().splitlines()
@@ -23,9 +23,9 @@ class InWater(unittest.TestCase):
         mass = sum(float(words[3]) for words in atoms)
         com_x = sum(float(words[3]) * float(words[4]) for words in atoms) / mass
         # Rounding.
-        self.assertAlmostEqual(mass / (CELL_M3 * (860 + 300)), 1, places=12)
+        self.assertAlmostEqual(mass / (CELL_M3 * (1860 + 1300)), 1, places=12)
         centre = 4e-3
-        expected = centre + (300 - 860) / (300 + 860) * 1e-3
+        expected = centre + (1300 - 1860) / (1300 + 1860) * 1e-3
         self.assertAlmostEqual(com_x / expected, 1, places=9)
         self.assertAlmostEqual(probes["sheet.com_x[m]"][0] / expected, 1, places=9)
         sunk = {name: probes[name + "_z[m]"][0] - probes[name + "_z[m]"][-1]

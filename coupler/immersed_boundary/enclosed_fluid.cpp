@@ -1,0 +1,32 @@
+#include "coupler/immersed_boundary/enclosed_fluid.h"
+
+namespace magfsi::coupler {
+
+namespace {
+constexpr double follow = 0.1;  // of the change of acceleration in a coupled step
+}  // namespace
+
+EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
+                             const EnclosedFluidScale& scale)
+    : scale_(scale), acceleration_(markers.size()), force_(markers.size()) {
+    mass_kg_.reserve(markers.size());
+    for (const Marker& m : markers)
+        mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
+}
+
+void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
+    if (last_velocity_.empty())
+        last_velocity_.assign(fluid_velocity.begin(), fluid_velocity.end());
+    for (std::size_t m = 0; m < force_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double now =
+                (fluid_velocity[m][d] - last_velocity_[m][d]) / scale_.coupled_step_s;
+            double& smooth = acceleration_[m][d];
+            smooth += follow * (now - smooth);
+            force_[m][d] = mass_kg_[m] * (smooth - scale_.gravity_m_s2[d]);
+            last_velocity_[m][d] = fluid_velocity[m][d];
+        }
+    }
+}
+
+}  // namespace magfsi::coupler
