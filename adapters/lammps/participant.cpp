@@ -69,7 +69,7 @@ void Participant::build() {
 }
 
 void Participant::assemble() {
-    if (coupling_) tasks_.add("take fluid velocity", [this] { coupling_->begin_step(); });
+    if (coupling_) assemble_start();
     if (rest_) {
         tasks_.add("come to rest", [this] {
             rest_->find(static_cast<double>(session_.clock().step() + 1) *
@@ -81,6 +81,15 @@ void Participant::assemble() {
     tasks_.add("check finite", [this] { check_finite(); });
     if (coupling_) assemble_coupling();
     tasks_.add("count step", [this] { session_.complete_step(); });
+}
+
+void Participant::assemble_start() {
+    if (scene().coupling->scheme == scene::Scheme::parallel) {
+        tasks_.add("take mean fluid velocity",
+                   [this] { coupling_->begin_step_with_mean(); });
+    } else {
+        tasks_.add("take fluid velocity", [this] { coupling_->begin_step(); });
+    }
 }
 
 void Participant::assemble_coupling() {

@@ -49,20 +49,24 @@ void Participant::join_structure() {
 }
 
 void Participant::assemble() {
-    if (exchange_) assemble_coupling();
+    const bool at_once =
+        exchange_ && session_.scene().coupling->scheme == scene::Scheme::parallel;
+    if (exchange_ && !at_once) assemble_turn();
     tasks_.add(advance_task, [this] { lbm_.advance(); });
     tasks_.add("count step", [this] { session_.complete_step(); });
-    if (exchange_) {
+    if (at_once) assemble_meeting();
+    if (exchange_ && !at_once) {
         tasks_.add("sample velocities", [this] {
-            const auto velocities = immersed_boundary_->sample(batch_->now_m);
-            exchange_->send(session_.clock().step() - 1, velocities);
+            exchange_->send(session_.clock().step() - 1,
+                            immersed_boundary_->sample(batch_->now_m));
         });
     }
     tasks_.add("check divergence", [this] { check_divergence(); });
     assemble_output();
 }
 
-void Participant::assemble_coupling() {
+// Serial: the impulses of the structure's step act in the same step of the fluid.
+void Participant::assemble_turn() {
     tasks_.add("wait for structure",
                [this] { batch_ = &exchange_->receive(session_.clock().step()); });
     tasks_.add("spread impulses",
@@ -71,6 +75,27 @@ void Participant::assemble_coupling() {
         tasks_.add("audit interface",
                    [this] { balance_->add(immersed_boundary_->received()); });
     }
+}
+
+// Parallel: both have done step n. The impulses of the structure's step act in the
+// fluid's coming step; the U that the structure gets has half of their effect.
+void Participant::assemble_meeting() {
+    tasks_.add("wait for structure",
+               [this] { batch_ = &exchange_->receive(session_.clock().step() - 1); });
+    tasks_.add("spread impulses",
+               [this] { immersed_boundary_->spread(batch_->before_m, batch_->impulse); });
+    if (balance_) {
+        tasks_.add("audit interface", [this] {
+            balance_->add(
+                immersed_boundary_->received(immersed_boundary_->sampled_cells()));
+        });
+    }
+    tasks_.add("sample velocities", [this] {
+        exchange_->send(session_.clock().step() - 1,
+                        immersed_boundary_->sample_forced(
+                            batch_->now_m, session_.scene().fluid->density_kg_m3));
+        exchange_->finish_sending();
+    });
 }
 
 void Participant::assemble_output() {

@@ -90,4 +90,9 @@ void FluidExchange::send(std::int64_t step, std::span<const Vec3> velocity) {
     }
 }
 
+void FluidExchange::finish_sending() {
+    wait_all(sending_, timeout_s_, "receiver of the velocities");
+    sending_.clear();
+}
+
 }  // namespace magfsi::coupler

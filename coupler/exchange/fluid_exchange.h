@@ -35,6 +35,11 @@ class FluidExchange {
     // This rank's share of the velocities [m/s] at the batch's `now` positions.
     void send(std::int64_t step, std::span<const Vec3> velocity);
 
+    // Waits until the structure has them. A message too long for MPI's buffers moves only
+    // while both sides are inside MPI: without this the structure may wait for a whole
+    // step of a fluid that goes on to work.
+    void finish_sending();
+
   private:
     void renew(std::int64_t step);
     void unpack(std::int64_t step);

@@ -97,4 +97,23 @@ void TouchedRows::spread(std::span<const Vec3> force_n, std::span<double> densit
     }
 }
 
+void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> values,
+                             double factor, std::span<double> to) const {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        const GridRow& mine = rows_[r];
+        const int at = other.row_of_[static_cast<std::size_t>(slot(mine.y, mine.z))];
+        if (at < 0) continue;
+        const auto o = static_cast<std::size_t>(at);
+        const GridRow& theirs = other.rows_[o];
+        const int end = std::min(mine.x_end, theirs.x_end);
+        for (int x = std::max(mine.x_begin, theirs.x_begin); x < end; ++x) {
+            const auto cell = offset_[r] + static_cast<std::size_t>(x - mine.x_begin);
+            const auto from =
+                other.offset_[o] + static_cast<std::size_t>(x - theirs.x_begin);
+            for (std::size_t d = 0; d < 3; ++d)
+                to[3 * cell + d] += factor * values[3 * from + d];
+        }
+    }
+}
+
 }  // namespace magfsi::coupler

@@ -28,6 +28,11 @@ class TouchedRows {
     // Adds each marker's force [N] as a force density [N/m3] to the cells.
     void spread(std::span<const Vec3> force_n, std::span<double> density) const;
 
+    // to[cell] += factor * values[cell] in the cells that these rows share with `other`,
+    // to which the values belong: three a cell, row after row. Both are of the same box.
+    void add_shared(const TouchedRows& other, std::span<const double> values,
+                    double factor, std::span<double> to) const;
+
   private:
     template <typename Visit>
     void for_each_cell(const MarkerStencil& stencil, Visit&& visit) const;
