@@ -46,7 +46,8 @@ class FluidExchange {
 
     const World& world_;
     double timeout_s_;
-    std::vector<int> count_;  // markers by structure rank
+    std::vector<int> count_;    // markers by structure rank
+    std::vector<int> senders_;  // structure ranks that have any
     std::vector<std::vector<double>> in_, out_;
     std::vector<MPI_Request> sending_;
     MarkerBatch batch_;

@@ -1,5 +1,7 @@
 #include "coupler/immersed_boundary/fluid_side.h"
 
+#include <utility>
+
 namespace magfsi::coupler {
 
 FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
@@ -10,7 +12,11 @@ FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
       sample_rows_(fluid.grid(), owned, kernel) {}
 
 void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse) {
-    spread_rows_.place(points_m);
+    // Impulses act where the velocities were sampled last, as a rule.
+    if (sample_rows_.placed_at(points_m))
+        std::swap(spread_rows_, sample_rows_);
+    else
+        spread_rows_.place(points_m);
     force_.resize(impulse.size());
     for (std::size_t m = 0; m < impulse.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)

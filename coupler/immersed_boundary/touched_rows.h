@@ -2,6 +2,7 @@
 // interpolation (eq. 14) and spreading (eq. 15).
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ class TouchedRows {
 
     // Sets the markers by their positions [m].
     void place(std::span<const Vec3> points_m);
+    bool placed_at(std::span<const Vec3> points_m) const;
 
     const std::vector<GridRow>& rows() const { return rows_; }
     std::size_t cells() const { return cells_; }
@@ -34,14 +36,21 @@ class TouchedRows {
                     double factor, std::span<double> to) const;
 
   private:
+    struct Run {
+        int x = 0, cells = 0;
+        const double* weight = nullptr;  // of each cell, along x
+    };
     template <typename Visit>
-    void for_each_cell(const MarkerStencil& stencil, Visit&& visit) const;
+    void for_each_run(const MarkerStencil& stencil, Visit&& visit) const;
+    std::size_t runs_along_x(const Stencil1D& sx, std::array<Run, 2>& runs) const;
+    std::size_t first_value(int at, int x) const;
     int slot(int y, int z) const;
     void widen(int y, int z, int x_begin, int x_end);
 
-    const Grid& grid_;
+    const Grid* grid_;
     CellBox box_;
     Kernel kernel_;
+    std::vector<Vec3> points_m_;
     std::vector<MarkerStencil> stencils_;
     std::vector<GridRow> rows_;
     std::vector<std::size_t> offset_;  // of each row's first cell

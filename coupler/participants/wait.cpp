@@ -47,29 +47,11 @@ extern "C" void remember_signal(int number) {
     stop_signal = number;
 }
 
-}  // namespace
-
-void catch_stop_signals() {
-    struct sigaction action {};
-    action.sa_handler = &remember_signal;
-    sigaction(SIGTERM, &action, nullptr);
-    sigaction(SIGINT, &action, nullptr);
-}
-
-int stop_requested() {
-    return stop_signal;
-}
-
-void wait_all(std::span<MPI_Request> requests, double timeout_s,
-              const std::string& what) {
+template <typename Done>
+void wait_until(Done done, double timeout_s, const std::string& what) {
     const WaitingTime waiting;
-    const auto start = waiting.start;
-    while (true) {
-        int done = 0;
-        MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done,
-                    MPI_STATUSES_IGNORE);
-        if (done != 0) return;
-        const auto waited = Clock::now() - start;
+    while (!done()) {
+        const auto waited = Clock::now() - waiting.start;
         if (stop_requested() != 0) {
             throw Stopped(fmt::format("told to end by signal {} while waiting for {}",
                                       stop_requested(), what));
@@ -88,6 +70,46 @@ void wait_all(std::span<MPI_Request> requests, double timeout_s,
         std::this_thread::sleep_for(std::clamp<std::chrono::nanoseconds>(
             waited / naps_a_wait, shortest_nap, longest_nap));
     }
+}
+
+}  // namespace
+
+void catch_stop_signals() {
+    struct sigaction action {};
+    action.sa_handler = &remember_signal;
+    sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGINT, &action, nullptr);
+}
+
+int stop_requested() {
+    return stop_signal;
+}
+
+void wait_all(std::span<MPI_Request> requests, double timeout_s,
+              const std::string& what) {
+    wait_until(
+        [&] {
+            int done = 0;
+            MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done,
+                        MPI_STATUSES_IGNORE);
+            return done != 0;
+        },
+        timeout_s, what);
+}
+
+void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
+                       double timeout_s, const std::string& what) {
+    std::size_t arrived = 0;
+    wait_until(
+        [&] {
+            for (; arrived < ranks.size(); ++arrived) {
+                int there = 0;
+                MPI_Iprobe(ranks[arrived], tag, comm, &there, MPI_STATUS_IGNORE);
+                if (there == 0) return false;
+            }
+            return true;
+        },
+        timeout_s, what);
 }
 
 double waited_s() {

@@ -17,7 +17,13 @@ constexpr double startup_timeout_s = 900;
 // told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
 
-// Seconds that this process has spent in wait_all so far.
+// Waits until a message from each of the ranks can be received. A long message takes some
+// turns of both sides; a receive that is posted after this waits for those without the
+// long naps of a wait for the partner's whole step.
+void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
+                       double timeout_s, const std::string& what);
+
+// Seconds that this process has spent in these waits so far.
 double waited_s();
 
 // From now on SIGTERM and SIGINT set a flag that stop_requested reports; waits and the

@@ -82,16 +82,17 @@ std::string in_words(const Choice& now, const Choice& best, const Run& run) {
 
 }  // namespace
 
-double coupling_overhead(Scheme scheme, const SideLoad& structure, const SideLoad& fluid,
-                         double wall_s) {
-    if (wall_s <= 0) return 0;
+double coupling_overhead(Scheme scheme, const SideLoad& structure,
+                         const SideLoad& fluid) {
+    const double steps_s = std::min(structure.steps_s, fluid.steps_s);
+    if (steps_s <= 0) return 0;
     // Outputs of the two sides overlap in either scheme.
     const double needed_s = scheme == Scheme::serial
                                 ? structure.solver_s + fluid.solver_s +
                                       std::max(structure.output_s, fluid.output_s)
                                 : std::max(structure.solver_s + structure.output_s,
                                            fluid.solver_s + fluid.output_s);
-    return std::max(0.0, 1 - needed_s / wall_s);
+    return std::max(0.0, 1 - needed_s / steps_s);
 }
 
 std::optional<std::string> advice(Scheme scheme, const SideLoad& structure,

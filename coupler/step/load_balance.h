@@ -18,14 +18,16 @@ struct SideLoad {
     double solver_s = 0;   // of the work: what the solver would need alone
     double output_s = 0;   // of the work: probes and files
     double imbalance = 1;  // largest work of a rank over the mean
+    double steps_s = 0;    // all tasks: what the steps took as this side saw them
     int most_ranks = 1;    // beyond which a rank has too little to do
 };
 
-// Share of the wall time that the run took beyond what its solvers and outputs need: in
-// turns (serial), or the slower one (parallel). Exchange, immersed boundary, waiting for
-// a message under way. Clamped at zero.
+// Share of the steps' time that goes beyond what solvers and outputs need: in turns
+// (serial), or the slower one (parallel). Exchange, immersed boundary, waiting for a
+// message under way. The side that started its first step later, after its start-up,
+// counts. Clamped at zero.
 double coupling_overhead(scene::Scheme scheme, const SideLoad& structure,
-                         const SideLoad& fluid, double wall_s);
+                         const SideLoad& fluid);
 
 // Ranks and scheme that should be faster by enough to be worth a try, in words with the
 // options to give; nothing when there are none. The work of a side is taken to be divided

@@ -36,21 +36,22 @@ output::StructureSummary structure_from(const Json& json) {
 
 Json to_json(const SideLoad& load) {
     return {load.ranks,    load.working_s, load.waiting_s, load.solver_s,
-            load.output_s, load.imbalance, load.most_ranks};
+            load.output_s, load.imbalance, load.steps_s,   load.most_ranks};
 }
 
 SideLoad load_from(const Json& json) {
     return {json.at(0), json.at(1), json.at(2), json.at(3),
-            json.at(4), json.at(5), json.at(6)};
+            json.at(4), json.at(5), json.at(6), json.at(7)};
 }
 
 SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double idle_s) {
-    enum { working, waiting, solver, output, values };
+    enum { working, waiting, solver, output, steps, values };
     std::array<double, values> mine{};
     for (const TaskTime& task : tasks) {
         const double work_s = task.seconds - task.waiting_s;
         mine[working] += work_s;
         mine[waiting] += task.waiting_s;
+        mine[steps] += task.seconds;
         if (task.kind == TaskKind::solver) mine[solver] += work_s;
         if (task.kind == TaskKind::output) mine[output] += work_s;
     }
@@ -61,6 +62,7 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
     MPI_Allreduce(MPI_IN_PLACE, &most_s, 1, MPI_DOUBLE, MPI_MAX, world.local());
     for (double& value : all) value /= world.size();
     SideLoad load{world.size(), all[working], all[waiting], all[solver], all[output]};
+    load.steps_s = all[steps];
     if (all[working] > 0) load.imbalance = most_s / all[working];
     return load;
 }
@@ -69,8 +71,7 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
 void add_balance(const Session& session, output::Summary& summary,
                  const ParticipantReport& structure, const ParticipantReport& fluid) {
     const scene::Scheme scheme = session.scene().coupling->scheme;
-    summary.coupling_overhead =
-        coupling_overhead(scheme, structure.load, fluid.load, summary.wall_s);
+    summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
     const auto cores = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
     const auto better = advice(scheme, structure.load, fluid.load, summary.wall_s, cores);
     if (!better) return;
