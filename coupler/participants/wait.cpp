@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 // on the same core is disturbed seldom.
 constexpr auto spin_time = std::chrono::microseconds(100);
 constexpr auto shortest_nap = std::chrono::nanoseconds(5000);
-constexpr auto longest_nap = std::chrono::nanoseconds(500000);
+constexpr auto longest_nap = std::chrono::nanoseconds(200000);
 constexpr int naps_a_wait = 64;
 
 double seconds_waited = 0;
