@@ -40,8 +40,8 @@ template <>
 inline constexpr std::array names<Kernel> =
     std::to_array<std::string_view>({"2-point", "3-point", "4-point"});
 template <>
-inline constexpr std::array names<Scheme> =
-    std::to_array<std::string_view>({"serial", "parallel"});
+inline constexpr std::array names<Scheme> = std::to_array<std::string_view>({"serial",
+                                                                             "parallel"});
 template <>
 inline constexpr std::array names<MarkerSurface> =
     std::to_array<std::string_view>({"mid_surface", "both_faces"});
