@@ -156,6 +156,10 @@ CellBox Fluid::owned() const {
 const std::vector<CellBox>& Fluid::owned_by_rank() const {
     return state_->solver.decomposition().boxes;
 }
+double Fluid::waited_for_neighbors_s() const {
+    return state_->solver.waited_for_neighbors_s();
+}
+
 std::size_t Fluid::memory_bytes() const {
     const Obstacles* obstacles = state_->solver.obstacles();
     return state_->solver.populations().bytes() + state_->solver.forces().bytes() +

@@ -113,6 +113,8 @@ class Fluid {
     void set_force(std::span<const CellRow> rows, std::span<const double> force);
 
     void step();
+    // Seconds that this rank has waited for its neighbours in steps so far.
+    double waited_for_neighbors_s() const;
 
     Totals totals() const;  // collective
     // Force [N] of the fluid on each obstacle during the last step, in the order of the

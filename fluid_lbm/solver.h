@@ -73,6 +73,7 @@ class Solver {
     // Collective.
     void step();
     std::int64_t steps_done() const { return steps_done_; }
+    double waited_for_neighbors_s() const { return halo_.waited_s(); }
 
     // The first cell of this rank that a step found no longer sound, lattice units; found
     // in passing by the step whose collision acts on it.

@@ -130,7 +130,7 @@ void Participant::run() {
 }
 
 void Participant::finish(double wall_s) {
-    auto report = coupler::basic_report(session_.world(), tasks_.timer());
+    auto report = coupler::basic_report(session_.world(), tasks_);
     output::StructureSummary structure;
     for (const auto& path : paths_)
         structure.elements +=

@@ -92,6 +92,16 @@ void BodyCoupling::begin_step() {
     force_->begin_step(fluid_velocity_);
 }
 
+void BodyCoupling::begin_step_with_mean() {
+    if (last_velocity_.empty()) last_velocity_ = fluid_velocity_;
+    for (std::size_t m = 0; m < last_velocity_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            last_velocity_[m][d] = 0.5 * (last_velocity_[m][d] + fluid_velocity_[m][d]);
+    }
+    force_->begin_step(last_velocity_);
+    last_velocity_ = fluid_velocity_;
+}
+
 void BodyCoupling::send_impulses() {
     before_m_ = std::move(now_m_);
     now_m_ = marker_positions();
@@ -120,7 +130,7 @@ void BodyCoupling::audit(coupler::BalanceRecord& record) const {
     coupler::InterfaceBalance given;
     const auto impulse = force_->impulse();
     for (std::size_t m = 0; m < impulse.size(); ++m) {
-        coupler::add_marker(given, impulse[m], force_->fluid_velocity()[m]);
+        coupler::add_marker(given, impulse[m], fluid_velocity_[m]);
     }
     record.add(given);
 }

@@ -23,13 +23,16 @@ class BodyCoupling {
 
     void exchange_first();  // velocities for step 0
     void begin_step();      // the sampled velocities become the step's
-    void send_impulses();   // what was given since, where and where the markers are now
+    // Parallel scheme: the mean of the last two samples, in which a response of the fluid
+    // that alternates from step to step, as the late forces excite it, cancels.
+    void begin_step_with_mean();
+    void send_impulses();  // what was given since, where and where the markers are now
     void receive_velocities();
 
     std::size_t bodies() const { return bodies_; }
     // Sum over the ranks of the force on each body in the last step [N]. Collective.
     std::vector<Vec3> force_on_bodies() const;
-    // Adds the last step to the record.
+    // Adds the last step to the record, with the velocities sampled before it.
     void audit(coupler::BalanceRecord& record) const;
 
   private:
@@ -45,6 +48,7 @@ class BodyCoupling {
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
+    std::vector<Vec3> last_velocity_;  // filled only by the parallel scheme
 };
 
 }  // namespace magfsi::lammps

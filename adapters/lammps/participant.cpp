@@ -69,7 +69,7 @@ void Participant::build() {
 }
 
 void Participant::assemble() {
-    if (coupling_) tasks_.add("take fluid velocity", [this] { coupling_->begin_step(); });
+    if (coupling_) assemble_start();
     if (rest_) {
         tasks_.add("come to rest", [this] {
             rest_->find(static_cast<double>(session_.clock().step() + 1) *
@@ -83,10 +83,20 @@ void Participant::assemble() {
     tasks_.add("count step", [this] { session_.complete_step(); });
 }
 
+void Participant::assemble_start() {
+    if (scene().coupling->scheme == scene::Scheme::parallel) {
+        tasks_.add_coupling("take mean fluid velocity",
+                            [this] { coupling_->begin_step_with_mean(); });
+    } else {
+        tasks_.add_coupling("take fluid velocity", [this] { coupling_->begin_step(); });
+    }
+}
+
 void Participant::assemble_coupling() {
-    tasks_.add("send impulses", [this] { coupling_->send_impulses(); });
-    if (balance_) tasks_.add("audit interface", [this] { coupling_->audit(*balance_); });
-    tasks_.add("wait for fluid", [this] { coupling_->receive_velocities(); });
+    tasks_.add_coupling("send impulses", [this] { coupling_->send_impulses(); });
+    if (balance_)
+        tasks_.add_coupling("audit interface", [this] { coupling_->audit(*balance_); });
+    tasks_.add_coupling("wait for fluid", [this] { coupling_->receive_velocities(); });
 }
 
 void Participant::assemble_output(output::ProgressMode progress) {
@@ -101,13 +111,13 @@ void Participant::assemble_output(output::ProgressMode progress) {
             probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
                                                           columns);
         }
-        tasks_.add("probes",
-                   [this, every = session_.clock().every(scene().probes->every_s)] {
-                       if (session_.clock().step() % every == 0) write_probes();
-                   });
+        tasks_.add_output(
+            "probes", [this, every = session_.clock().every(scene().probes->every_s)] {
+                if (session_.clock().step() % every == 0) write_probes();
+            });
     }
     if (scene().output.structure) {
-        tasks_.add(
+        tasks_.add_output(
             "write fields",
             [this, every = session_.clock().every(scene().output.structure->every_s)] {
                 if (session_.clock().step() % every == 0) write_fields();
@@ -115,7 +125,8 @@ void Participant::assemble_output(output::ProgressMode progress) {
     }
     if (leads) {
         progress_ = coupler::progress_on_stdout(session_, progress);
-        tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
+        tasks_.add_output("progress",
+                          [this] { progress_->update(session_.clock().step()); });
     }
 }
 
@@ -210,11 +221,15 @@ void Participant::run() {
 }
 
 coupler::ParticipantReport Participant::make_report() const {
-    auto report = coupler::basic_report(session_.world(), tasks_.timer());
+    auto report = coupler::basic_report(session_.world(), tasks_);
     output::StructureSummary structure;
     for (const auto& body : input_.bodies) {
         structure.elements += static_cast<std::int64_t>(body.mesh.elements.size());
     }
+    // With fewer elements a LAMMPS step is mostly communication.
+    constexpr std::int64_t fewest_elements_a_rank = 500;
+    report.load.most_ranks = static_cast<int>(
+        std::max<std::int64_t>(1, structure.elements / fewest_elements_a_rank));
     structure.substeps_per_step = substeps_.count;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task != advance_task) continue;

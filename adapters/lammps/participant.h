@@ -25,6 +25,7 @@ class Participant {
   private:
     void build();
     void assemble();
+    void assemble_start();
     void assemble_coupling();
     void assemble_output(output::ProgressMode progress);
     void write_probes();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "adapters/lbm/fluid_probes.h"
@@ -49,28 +50,57 @@ void Participant::join_structure() {
 }
 
 void Participant::assemble() {
-    if (exchange_) assemble_coupling();
+    const bool at_once =
+        exchange_ && session_.scene().coupling->scheme == scene::Scheme::parallel;
+    if (exchange_ && !at_once) assemble_turn();
     tasks_.add(advance_task, [this] { lbm_.advance(); });
     tasks_.add("count step", [this] { session_.complete_step(); });
-    if (exchange_) {
-        tasks_.add("sample velocities", [this] {
-            const auto velocities = immersed_boundary_->sample(batch_->now_m);
-            exchange_->send(session_.clock().step() - 1, velocities);
+    if (at_once) assemble_meeting();
+    if (exchange_ && !at_once) {
+        tasks_.add_coupling("sample velocities", [this] {
+            exchange_->send(session_.clock().step() - 1,
+                            immersed_boundary_->sample(batch_->now_m));
         });
     }
     tasks_.add("check divergence", [this] { check_divergence(); });
     assemble_output();
 }
 
-void Participant::assemble_coupling() {
-    tasks_.add("wait for structure",
-               [this] { batch_ = &exchange_->receive(session_.clock().step()); });
-    tasks_.add("spread impulses",
-               [this] { immersed_boundary_->spread(batch_->before_m, batch_->impulse); });
+// Serial: the impulses of the structure's step act in the same step of the fluid.
+void Participant::assemble_turn() {
+    tasks_.add_coupling("wait for structure", [this] {
+        batch_ = &exchange_->receive(session_.clock().step());
+    });
+    tasks_.add_coupling("spread impulses", [this] {
+        immersed_boundary_->spread(batch_->before_m, batch_->impulse);
+    });
     if (balance_) {
-        tasks_.add("audit interface",
-                   [this] { balance_->add(immersed_boundary_->received()); });
+        tasks_.add_coupling("audit interface",
+                            [this] { balance_->add(immersed_boundary_->received()); });
     }
+}
+
+// Parallel: both have done step n. The impulses of the structure's step act in the
+// fluid's coming step; the U that the structure gets has half of their effect.
+void Participant::assemble_meeting() {
+    tasks_.add_coupling("wait for structure", [this] {
+        batch_ = &exchange_->receive(session_.clock().step() - 1);
+    });
+    tasks_.add_coupling("spread impulses", [this] {
+        immersed_boundary_->spread(batch_->before_m, batch_->impulse);
+    });
+    if (balance_) {
+        tasks_.add_coupling("audit interface", [this] {
+            balance_->add(
+                immersed_boundary_->received(immersed_boundary_->sampled_cells()));
+        });
+    }
+    tasks_.add_coupling("sample velocities", [this] {
+        exchange_->send(session_.clock().step() - 1,
+                        immersed_boundary_->sample_forced(
+                            batch_->now_m, session_.scene().fluid->density_kg_m3));
+        exchange_->finish_sending();
+    });
 }
 
 void Participant::assemble_output() {
@@ -82,24 +112,26 @@ void Participant::assemble_output() {
             probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
                                                           coupler::fluid_columns(scene));
         }
-        tasks_.add("probes",
-                   [this, every = session_.clock().every(scene.probes->every_s)] {
-                       if (session_.clock().step() % every == 0) write_probes();
-                   });
+        tasks_.add_output("probes",
+                          [this, every = session_.clock().every(scene.probes->every_s)] {
+                              if (session_.clock().step() % every == 0) write_probes();
+                          });
     }
     if (scene.output.fluid) {
         files_ = std::make_unique<FluidFiles>(session_.world().local(), fluid_,
                                               *scene.output.fluid, session_.out());
-        tasks_.add("write fields",
-                   [this, every = session_.clock().every(scene.output.fluid->every_s)] {
-                       const auto step = session_.clock().step();
-                       if (step % every == 0)
-                           files_->write(step / every, session_.clock().time_s());
-                   });
+        tasks_.add_output(
+            "write fields",
+            [this, every = session_.clock().every(scene.output.fluid->every_s)] {
+                const auto step = session_.clock().step();
+                if (step % every == 0)
+                    files_->write(step / every, session_.clock().time_s());
+            });
     }
     if (leads) {
         progress_ = coupler::progress_on_stdout(session_, progress_mode_);
-        tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
+        tasks_.add_output("progress",
+                          [this] { progress_->update(session_.clock().step()); });
     }
 }
 
@@ -156,10 +188,14 @@ void Participant::run() {
 }
 
 coupler::ParticipantReport Participant::make_report(double wall_s) const {
-    auto report = coupler::basic_report(session_.world(), tasks_.timer());
+    auto report =
+        coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbors_s());
     const auto& n = fluid_.config().cells;
     output::FluidSummary fluid;
     fluid.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
+    constexpr std::int64_t fewest_cells_a_rank = 20000;
+    report.load.most_ranks =
+        static_cast<int>(std::max<std::int64_t>(1, fluid.cells / fewest_cells_a_rank));
     double advance_s = wall_s;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task == advance_task) advance_s = seconds;

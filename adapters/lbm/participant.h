@@ -24,7 +24,8 @@ class Participant {
   private:
     void join_structure();
     void assemble();
-    void assemble_coupling();
+    void assemble_turn();
+    void assemble_meeting();
     void assemble_output();
     void begin_coupling();
     void write_probes();

@@ -38,14 +38,17 @@ void clear_run_folder(const fs::path& out) {
 
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    // Structure and fluid take turns: the fluid may have every core, as long as each rank
-    // has enough cells to be worth its messages.
+    // Where structure and fluid take turns the fluid may have every core, where both work
+    // at once all but the structure's, as long as each rank has enough cells to be worth
+    // its messages.
+    const bool at_once =
+        scene.coupling && scene.coupling->scheme == scene::Scheme::parallel;
+    const int cores = std::max(1, available_cores() - (at_once ? 1 : 0));
     constexpr double fewest_cells_a_rank = 20000;
     double cells = 1;
     for (const double length : scene.fluid->box_m)
         cells *= length / scene.fluid->spacing_m;
-    return std::clamp(static_cast<int>(cells / fewest_cells_a_rank), 1,
-                      available_cores());
+    return std::clamp(static_cast<int>(cells / fewest_cells_a_rank), 1, cores);
 }
 
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,

@@ -37,6 +37,10 @@ void FluidExchange::renew(std::int64_t step) {
              fmt::format("partner table of step {}", step));
     const auto total =
         static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
+    senders_.clear();
+    for (std::size_t s = 0; s < count_.size(); ++s) {
+        if (count_[s] > 0) senders_.push_back(static_cast<int>(s));
+    }
     batch_.before_m.resize(total);
     batch_.impulse.resize(total);
     batch_.now_m.resize(total);
@@ -44,16 +48,18 @@ void FluidExchange::renew(std::int64_t step) {
 
 const MarkerBatch& FluidExchange::receive(std::int64_t step) {
     if (step < 0 || (step > 0 && step % renew_every == 0)) renew(step);
+    const double limit_s = step < 0 ? startup_timeout_s : timeout_s_;
+    const std::string what = fmt::format("structure markers of step {}", step);
+    wait_for_messages(world_.partner(), senders_, marker_tag, limit_s, what);
     std::vector<MPI_Request> requests(sending_);
-    for (std::size_t s = 0; s < count_.size(); ++s) {
-        if (count_[s] == 0) continue;
+    for (const int sender : senders_) {
+        const auto s = static_cast<std::size_t>(sender);
         in_[s].resize(marker_message_size(static_cast<std::size_t>(count_[s])));
         MPI_Request& request = requests.emplace_back();
-        MPI_Irecv(in_[s].data(), static_cast<int>(in_[s].size()), MPI_DOUBLE,
-                  static_cast<int>(s), marker_tag, world_.partner(), &request);
+        MPI_Irecv(in_[s].data(), static_cast<int>(in_[s].size()), MPI_DOUBLE, sender,
+                  marker_tag, world_.partner(), &request);
     }
-    wait_all(requests, step < 0 ? startup_timeout_s : timeout_s_,
-             fmt::format("structure markers of step {}", step));
+    wait_all(requests, limit_s, what);
     sending_.clear();
     unpack(step);
     return batch_;
@@ -88,6 +94,11 @@ void FluidExchange::send(std::int64_t step, std::span<const Vec3> velocity) {
         MPI_Isend(out_[s].data(), static_cast<int>(out_[s].size()), MPI_DOUBLE,
                   static_cast<int>(s), velocity_tag, world_.partner(), &request);
     }
+}
+
+void FluidExchange::finish_sending() {
+    wait_all(sending_, timeout_s_, "receiver of the velocities");
+    sending_.clear();
 }
 
 }  // namespace magfsi::coupler

@@ -35,13 +35,19 @@ class FluidExchange {
     // This rank's share of the velocities [m/s] at the batch's `now` positions.
     void send(std::int64_t step, std::span<const Vec3> velocity);
 
+    // Waits until the structure has them. A message too long for MPI's buffers moves only
+    // while both sides are inside MPI: without this the structure may wait for a whole
+    // step of a fluid that goes on to work.
+    void finish_sending();
+
   private:
     void renew(std::int64_t step);
     void unpack(std::int64_t step);
 
     const World& world_;
     double timeout_s_;
-    std::vector<int> count_;  // markers by structure rank
+    std::vector<int> count_;    // markers by structure rank
+    std::vector<int> senders_;  // structure ranks that have any
     std::vector<std::vector<double>> in_, out_;
     std::vector<MPI_Request> sending_;
     MarkerBatch batch_;

@@ -71,6 +71,12 @@ void StructureExchange::send(std::int64_t step, std::span<const Vec3> before_m,
 }
 
 void StructureExchange::receive(std::int64_t step, std::span<Vec3> velocity) {
+    std::vector<int> ranks;
+    for (std::size_t f = 0; f < table_.size(); ++f) {
+        if (!table_[f].empty()) ranks.push_back(static_cast<int>(f));
+    }
+    const std::string what = fmt::format("fluid velocities of step {}", step);
+    wait_for_messages(world_.partner(), ranks, velocity_tag, timeout_s_, what);
     std::vector<MPI_Request> requests(sending_);
     for (std::size_t f = 0; f < table_.size(); ++f) {
         if (table_[f].empty()) continue;
@@ -79,7 +85,7 @@ void StructureExchange::receive(std::int64_t step, std::span<Vec3> velocity) {
         MPI_Irecv(in_[f].data(), static_cast<int>(in_[f].size()), MPI_DOUBLE,
                   static_cast<int>(f), velocity_tag, world_.partner(), &request);
     }
-    wait_all(requests, timeout_s_, fmt::format("fluid velocities of step {}", step));
+    wait_all(requests, timeout_s_, what);
     sending_.clear();
 
     std::fill(velocity.begin(), velocity.end(), Vec3{});

@@ -1,5 +1,7 @@
 #include "coupler/immersed_boundary/fluid_side.h"
 
+#include <utility>
+
 namespace magfsi::coupler {
 
 FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
@@ -10,7 +12,11 @@ FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
       sample_rows_(fluid.grid(), owned, kernel) {}
 
 void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse) {
-    spread_rows_.place(points_m);
+    // Impulses act where the velocities were sampled last, as a rule.
+    if (sample_rows_.placed_at(points_m))
+        std::swap(spread_rows_, sample_rows_);
+    else
+        spread_rows_.place(points_m);
     force_.resize(impulse.size());
     for (std::size_t m = 0; m < impulse.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
@@ -22,10 +28,26 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
 }
 
 std::span<const Vec3> FluidSide::sample(std::span<const Vec3> points_m) {
+    read_cells(points_m);
+    return to_markers(points_m.size());
+}
+
+std::span<const Vec3> FluidSide::sample_forced(std::span<const Vec3> points_m,
+                                               double density_kg_m3) {
+    read_cells(points_m);
+    sample_rows_.add_shared(spread_rows_, density_, coupled_step_s_ / (2 * density_kg_m3),
+                            velocity_);
+    return to_markers(points_m.size());
+}
+
+void FluidSide::read_cells(std::span<const Vec3> points_m) {
     sample_rows_.place(points_m);
     velocity_.resize(3 * sample_rows_.cells());
     fluid_.velocity(sample_rows_.rows(), velocity_);
-    sampled_.resize(points_m.size());
+}
+
+std::span<const Vec3> FluidSide::to_markers(std::size_t markers) {
+    sampled_.resize(markers);
     sample_rows_.interpolate(velocity_, sampled_);
     return sampled_;
 }
@@ -33,6 +55,10 @@ std::span<const Vec3> FluidSide::sample(std::span<const Vec3> points_m) {
 InterfaceBalance FluidSide::received() {
     std::vector<double> velocity(3 * spread_rows_.cells());
     fluid_.velocity(spread_rows_.rows(), velocity);
+    return received(velocity);
+}
+
+InterfaceBalance FluidSide::received(std::span<const double> velocity) const {
     const double h = fluid_.grid().spacing_m;
     const double impulse_of_density = h * h * h * coupled_step_s_;
     InterfaceBalance b;

@@ -5,7 +5,7 @@
 namespace magfsi::coupler {
 
 TouchedRows::TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel)
-    : grid_(grid), box_(box), kernel_(kernel) {
+    : grid_(&grid), box_(box), kernel_(kernel) {
     const auto rows = static_cast<std::size_t>(box.hi[1] - box.lo[1]) *
                       static_cast<std::size_t>(box.hi[2] - box.lo[2]);
     row_of_.assign(rows, -1);
@@ -15,25 +15,40 @@ int TouchedRows::slot(int y, int z) const {
     return (z - box_.lo[2]) * (box_.hi[1] - box_.lo[1]) + (y - box_.lo[1]);
 }
 
-// Visits the cells of the stencil that this rank owns, as (row, x, weight).
+// Visits the stencil's cells that this rank owns, as runs along x that do not wrap:
+// (row, first x, cells, their weights along x, the weight along y and z).
 template <typename Visit>
-void TouchedRows::for_each_cell(const MarkerStencil& stencil, Visit&& visit) const {
+void TouchedRows::for_each_run(const MarkerStencil& stencil, Visit&& visit) const {
     const auto& [sx, sy, sz] = stencil;
+    std::array<Run, 2> runs;
+    const std::size_t pieces = runs_along_x(sx, runs);
     for (int k = 0; k < sz.count; ++k) {
-        const int z = wrapped(sz.first + k, grid_.cells[2]);
+        const int z = wrapped(sz.first + k, grid_->cells[2]);
         if (z < box_.lo[2] || z >= box_.hi[2]) continue;
         for (int j = 0; j < sy.count; ++j) {
-            const int y = wrapped(sy.first + j, grid_.cells[1]);
+            const int y = wrapped(sy.first + j, grid_->cells[1]);
             if (y < box_.lo[1] || y >= box_.hi[1]) continue;
             const double wyz = sy.weight[static_cast<std::size_t>(j)] *
                                sz.weight[static_cast<std::size_t>(k)];
-            for (int i = 0; i < sx.count; ++i) {
-                const int x = wrapped(sx.first + i, grid_.cells[0]);
-                if (x < box_.lo[0] || x >= box_.hi[0]) continue;
-                visit(slot(y, z), x, wyz * sx.weight[static_cast<std::size_t>(i)]);
-            }
+            for (std::size_t p = 0; p < pieces; ++p) visit(slot(y, z), runs[p], wyz);
         }
     }
+}
+
+// A periodic side cuts a stencil in two; in what order they come decides about rounding.
+std::size_t TouchedRows::runs_along_x(const Stencil1D& sx,
+                                      std::array<Run, 2>& runs) const {
+    std::size_t pieces = 0;
+    for (int i = 0; i < sx.count; ++i) {
+        const int x = wrapped(sx.first + i, grid_->cells[0]);
+        if (x < box_.lo[0] || x >= box_.hi[0]) continue;
+        if (pieces > 0 && x == runs[pieces - 1].x + runs[pieces - 1].cells) {
+            ++runs[pieces - 1].cells;
+        } else {
+            runs[pieces++] = {x, 1, sx.weight.data() + i};
+        }
+    }
+    return pieces;
 }
 
 void TouchedRows::widen(int y, int z, int x_begin, int x_end) {
@@ -52,11 +67,12 @@ void TouchedRows::place(std::span<const Vec3> points_m) {
     for (const GridRow& r : rows_) row_of_[static_cast<std::size_t>(slot(r.y, r.z))] = -1;
     rows_.clear();
     stencils_.clear();
+    points_m_.assign(points_m.begin(), points_m.end());
     const int ny = box_.hi[1] - box_.lo[1];
     for (const Vec3& point : points_m) {
-        stencils_.push_back(marker_stencil(grid_, kernel_, point));
-        for_each_cell(stencils_.back(), [&](int at, int x, double) {
-            widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, x, x + 1);
+        stencils_.push_back(marker_stencil(*grid_, kernel_, point));
+        for_each_run(stencils_.back(), [&](int at, const Run& run, double) {
+            widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, run.x, run.x + run.cells);
         });
     }
     offset_.clear();
@@ -67,33 +83,60 @@ void TouchedRows::place(std::span<const Vec3> points_m) {
     }
 }
 
+bool TouchedRows::placed_at(std::span<const Vec3> points_m) const {
+    return std::ranges::equal(points_m_, points_m);
+}
+
+std::size_t TouchedRows::first_value(int at, int x) const {
+    const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
+    return 3 * (offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin));
+}
+
 void TouchedRows::interpolate(std::span<const double> velocity,
                               std::span<Vec3> markers) const {
     for (std::size_t m = 0; m < stencils_.size(); ++m) {
         Vec3 sum{};
-        for_each_cell(stencils_[m], [&](int at, int x, double weight) {
-            const auto row =
-                static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
-            const auto cell =
-                offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
-            for (std::size_t d = 0; d < 3; ++d) sum[d] += weight * velocity[3 * cell + d];
+        for_each_run(stencils_[m], [&](int at, const Run& run, double wyz) {
+            const double* u = velocity.data() + first_value(at, run.x);
+            for (int i = 0; i < run.cells; ++i, u += 3) {
+                const double weight = wyz * run.weight[i];
+                for (std::size_t d = 0; d < 3; ++d) sum[d] += weight * u[d];
+            }
         });
         markers[m] = sum;
     }
 }
 
 void TouchedRows::spread(std::span<const Vec3> force_n, std::span<double> density) const {
-    const double per_volume = 1 / (grid_.spacing_m * grid_.spacing_m * grid_.spacing_m);
+    const double per_volume =
+        1 / (grid_->spacing_m * grid_->spacing_m * grid_->spacing_m);
     for (std::size_t m = 0; m < stencils_.size(); ++m) {
-        for_each_cell(stencils_[m], [&](int at, int x, double weight) {
-            const auto row =
-                static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
-            const auto cell =
-                offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin);
-            for (std::size_t d = 0; d < 3; ++d) {
-                density[3 * cell + d] += weight * per_volume * force_n[m][d];
+        for_each_run(stencils_[m], [&](int at, const Run& run, double wyz) {
+            double* f = density.data() + first_value(at, run.x);
+            for (int i = 0; i < run.cells; ++i, f += 3) {
+                const double weight = wyz * run.weight[i] * per_volume;
+                for (std::size_t d = 0; d < 3; ++d) f[d] += weight * force_n[m][d];
             }
         });
+    }
+}
+
+void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> values,
+                             double factor, std::span<double> to) const {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        const GridRow& mine = rows_[r];
+        const int at = other.row_of_[static_cast<std::size_t>(slot(mine.y, mine.z))];
+        if (at < 0) continue;
+        const auto o = static_cast<std::size_t>(at);
+        const GridRow& theirs = other.rows_[o];
+        const int end = std::min(mine.x_end, theirs.x_end);
+        for (int x = std::max(mine.x_begin, theirs.x_begin); x < end; ++x) {
+            const auto cell = offset_[r] + static_cast<std::size_t>(x - mine.x_begin);
+            const auto from =
+                other.offset_[o] + static_cast<std::size_t>(x - theirs.x_begin);
+            for (std::size_t d = 0; d < 3; ++d)
+                to[3 * cell + d] += factor * values[3 * from + d];
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 // interpolation (eq. 14) and spreading (eq. 15).
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ class TouchedRows {
 
     // Sets the markers by their positions [m].
     void place(std::span<const Vec3> points_m);
+    bool placed_at(std::span<const Vec3> points_m) const;
 
     const std::vector<GridRow>& rows() const { return rows_; }
     std::size_t cells() const { return cells_; }
@@ -28,15 +30,27 @@ class TouchedRows {
     // Adds each marker's force [N] as a force density [N/m3] to the cells.
     void spread(std::span<const Vec3> force_n, std::span<double> density) const;
 
+    // to[cell] += factor * values[cell] in the cells that these rows share with `other`,
+    // to which the values belong: three a cell, row after row. Both are of the same box.
+    void add_shared(const TouchedRows& other, std::span<const double> values,
+                    double factor, std::span<double> to) const;
+
   private:
+    struct Run {
+        int x = 0, cells = 0;
+        const double* weight = nullptr;  // of each cell, along x
+    };
     template <typename Visit>
-    void for_each_cell(const MarkerStencil& stencil, Visit&& visit) const;
+    void for_each_run(const MarkerStencil& stencil, Visit&& visit) const;
+    std::size_t runs_along_x(const Stencil1D& sx, std::array<Run, 2>& runs) const;
+    std::size_t first_value(int at, int x) const;
     int slot(int y, int z) const;
     void widen(int y, int z, int x_begin, int x_end);
 
-    const Grid& grid_;
+    const Grid* grid_;
     CellBox box_;
     Kernel kernel_;
+    std::vector<Vec3> points_m_;
     std::vector<MarkerStencil> stencils_;
     std::vector<GridRow> rows_;
     std::vector<std::size_t> offset_;  // of each row's first cell

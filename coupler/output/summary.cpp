@@ -22,6 +22,16 @@ Json object(const Named<Named<double>>& participants) {
     return out;
 }
 
+Json object(const Named<LoadSummary>& participants) {
+    Json out = Json::object();
+    for (const auto& [name, load] : participants) {
+        out[name] = {{"working_s", load.working_s},
+                     {"waiting_s", load.waiting_s},
+                     {"imbalance", load.imbalance}};
+    }
+    return out;
+}
+
 Json object(const FluidSummary& fluid) {
     return {{"cells", fluid.cells},
             {"mlups", fluid.mlups},
@@ -68,6 +78,10 @@ Json to_json(const Summary& summary) {
     out["simulated_s"] = summary.simulated_s;
     out["wall_s"] = summary.wall_s;
     out["tasks"] = object(summary.tasks);
+    out["waiting"] = object(summary.waiting);
+    out["load"] = object(summary.load);
+    if (summary.coupling_overhead) out["coupling_overhead"] = *summary.coupling_overhead;
+    out["advice"] = summary.advice;
     if (summary.fluid) out["fluid"] = object(*summary.fluid);
     if (summary.structure) out["structure"] = object(*summary.structure);
     out["memory_bytes"] = object(summary.memory_bytes);

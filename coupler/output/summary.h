@@ -34,6 +34,13 @@ struct StructureSummary {
     int substeps_per_step = 1;
 };
 
+// Of one participant; seconds are means over its ranks.
+struct LoadSummary {
+    double working_s = 0;
+    double waiting_s = 0;  // for the partner
+    double imbalance = 1;  // largest work of a rank over the mean
+};
+
 struct Summary {
     std::string scene;
     std::uint64_t scene_hash = 0;
@@ -45,7 +52,11 @@ struct Summary {
     std::int64_t steps = 0;
     std::int64_t substeps = 0;  // of the structure, in the whole run
     double simulated_s = 0, wall_s = 0;
-    Named<Named<double>> tasks;  // seconds by participant and task
+    Named<Named<double>> tasks;    // seconds by participant and task
+    Named<Named<double>> waiting;  // of them, for the partner
+    Named<LoadSummary> load;
+    std::optional<double> coupling_overhead;  // share of the wall time
+    std::string advice;                       // empty where there is none
     std::optional<FluidSummary> fluid;
     std::optional<StructureSummary> structure;
     Named<std::int64_t> memory_bytes;  // by participant, all its ranks

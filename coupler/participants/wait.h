@@ -11,10 +11,20 @@ namespace magfsi::coupler {
 // Start-up (reading, relaxing the shape) may take far longer than a step.
 constexpr double startup_timeout_s = 900;
 
-// Completes all requests. Spins for a moment, then sleeps between looks. Throws
+// Completes all requests. Spins for a moment, then sleeps between looks, the longer the
+// more it has waited. Throws
 // PartnerLost after timeout_s (its text names `what`), and Stopped when the process was
 // told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
+
+// Waits until a message from each of the ranks can be received. A long message takes some
+// turns of both sides; a receive that is posted after this waits for those without the
+// long naps of a wait for the partner's whole step.
+void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
+                       double timeout_s, const std::string& what);
+
+// Seconds that this process has spent in these waits so far.
+double waited_s();
 
 // From now on SIGTERM and SIGINT set a flag that stop_requested reports; waits and the
 // step loop look at it.

@@ -301,6 +301,7 @@ void bind_keys(Io& io, ImmersedBoundary& boundary) {
 
 template <class Io>
 void bind_keys(Io& io, Coupling& coupling) {
+    io("scheme", coupling.scheme);
     io("substeps", coupling.substeps);
     io("timeout", coupling.timeout_s);
     io("immersed_boundary", coupling.immersed_boundary);

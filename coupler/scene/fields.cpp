@@ -91,6 +91,9 @@ Field magnetic_field_fields() {
 
 Field coupling_fields() {
     return group("coupling", "How bodies and fluid meet; all keys have defaults.", {
+        choice<Scheme>("scheme", "serial: structure and fluid take turns; parallel: both "
+                       "work at once, and the fluid feels the bodies one step late.")
+            .or_default("serial"),
         integer("substeps", "Structure steps in a coupled step; without it, from the "
                 "bodies' stable step.").at_least(1).at_most(100000).optional(),
         quantity("timeout", "s", "Longest wait for the partner before the run is given up.")

@@ -43,6 +43,9 @@ template <>
 inline constexpr std::array names<Markers> =
     std::to_array<std::string_view>({"mid_surface", "both_faces", "volume"});
 template <>
+inline constexpr std::array names<Scheme> = std::to_array<std::string_view>({"serial",
+                                                                             "parallel"});
+template <>
 inline constexpr std::array names<BodyQuantity> = std::to_array<std::string_view>(
     {"com", "speed", "shape", "max_displacement", "fluid_force", "energy"});
 template <>

@@ -281,7 +281,12 @@ struct ImmersedBoundary {
     double strength = 1.0;           // beta of eq. (13) as a fraction of 2 rho dV / dt
 };
 
+// Who works while the other waits: in turns, or both at once with the fluid one step
+// behind in the forces.
+enum class Scheme { serial, parallel };
+
 struct Coupling {
+    Scheme scheme = Scheme::serial;
     std::optional<int> substeps;  // absent: from the structure's stable step
     ImmersedBoundary immersed_boundary;
     double timeout_s = 60;

@@ -1,5 +1,9 @@
 #include "coupler/step/report.h"
 
+#include <unistd.h>
+
+#include <array>
+
 #include "coupler/output/memory.h"
 #include "coupler/scene/effective.h"
 
@@ -30,24 +34,72 @@ output::StructureSummary structure_from(const Json& json) {
     return {json.at("elements"), json.at("ns"), json.at("substeps")};
 }
 
+Json to_json(const SideLoad& load) {
+    return {load.ranks,    load.working_s, load.waiting_s, load.solver_s,
+            load.output_s, load.imbalance, load.steps_s,   load.most_ranks};
+}
+
+SideLoad load_from(const Json& json) {
+    return {json.at(0), json.at(1), json.at(2), json.at(3),
+            json.at(4), json.at(5), json.at(6), json.at(7)};
+}
+
+SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double idle_s) {
+    enum { working, waiting, solver, output, steps, values };
+    std::array<double, values> mine{};
+    for (const TaskTime& task : tasks) {
+        const double work_s = task.seconds - task.waiting_s;
+        mine[working] += work_s;
+        mine[waiting] += task.waiting_s;
+        mine[steps] += task.seconds;
+        if (task.kind == TaskKind::solver) mine[solver] += work_s;
+        if (task.kind == TaskKind::output) mine[output] += work_s;
+    }
+    mine[working] -= idle_s;
+    double most_s = mine[working];
+    std::array<double, values> all = mine;
+    MPI_Allreduce(MPI_IN_PLACE, all.data(), values, MPI_DOUBLE, MPI_SUM, world.local());
+    MPI_Allreduce(MPI_IN_PLACE, &most_s, 1, MPI_DOUBLE, MPI_MAX, world.local());
+    for (double& value : all) value /= world.size();
+    SideLoad load{world.size(), all[working], all[waiting], all[solver], all[output]};
+    load.steps_s = all[steps];
+    if (all[working] > 0) load.imbalance = most_s / all[working];
+    return load;
+}
+
+// What takes two sides: the summary of a run without a partner has none of it.
+void add_balance(const Session& session, output::Summary& summary,
+                 const ParticipantReport& structure, const ParticipantReport& fluid) {
+    const scene::Scheme scheme = session.scene().coupling->scheme;
+    summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
+    const auto cores = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+    const auto better = advice(scheme, structure.load, fluid.load, summary.wall_s, cores);
+    if (!better) return;
+    summary.advice = *better;
+    session.log(*better);
+}
+
 }  // namespace
 
-ParticipantReport basic_report(const World& world, const output::TaskTimer& timer) {
+ParticipantReport basic_report(const World& world, const TaskList& tasks, double idle_s) {
     ParticipantReport report;
     report.name = to_string(world.self());
     report.ranks = world.size();
-    for (const auto& [task, seconds] : timer.seconds())
-        report.tasks.emplace_back(task, seconds);
+    const std::vector<TaskTime> times = tasks.times();
+    for (const TaskTime& task : times) {
+        report.tasks.emplace_back(task.name, task.seconds);
+        if (task.waiting_s > 0) report.waiting.emplace_back(task.name, task.waiting_s);
+    }
+    report.load = load_of(world, times, idle_s);
     const std::int64_t mine = output::peak_resident_bytes();
     MPI_Reduce(&mine, &report.memory_bytes, 1, MPI_INT64_T, MPI_SUM, 0, world.local());
     return report;
 }
 
 std::string to_text(const ParticipantReport& report) {
-    Json json{{"name", report.name},
-              {"ranks", report.ranks},
-              {"tasks", report.tasks},
-              {"memory_bytes", report.memory_bytes},
+    Json json{{"name", report.name},          {"ranks", report.ranks},
+              {"tasks", report.tasks},        {"waiting", report.waiting},
+              {"load", to_json(report.load)}, {"memory_bytes", report.memory_bytes},
               {"versions", report.versions}};
     if (report.fluid) json["fluid"] = to_json(*report.fluid);
     if (report.structure) json["structure"] = to_json(*report.structure);
@@ -60,6 +112,8 @@ ParticipantReport report_from_text(const std::string& text) {
     report.name = json.at("name");
     report.ranks = json.at("ranks");
     report.tasks = json.at("tasks").get<output::Named<double>>();
+    report.waiting = json.at("waiting").get<output::Named<double>>();
+    report.load = load_from(json.at("load"));
     report.memory_bytes = json.at("memory_bytes");
     report.versions = json.at("versions").get<output::Named<std::string>>();
     if (json.contains("fluid")) report.fluid = fluid_from(json.at("fluid"));
@@ -87,6 +141,10 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
     for (const ParticipantReport& report : reports) {
         summary.ranks.emplace_back(report.name, report.ranks);
         summary.tasks.emplace_back(report.name, report.tasks);
+        summary.waiting.emplace_back(report.name, report.waiting);
+        summary.load.emplace_back(
+            report.name, output::LoadSummary{report.load.working_s, report.load.waiting_s,
+                                             report.load.imbalance});
         summary.memory_bytes.emplace_back(report.name, report.memory_bytes);
         summary.versions.insert(summary.versions.end(), report.versions.begin(),
                                 report.versions.end());
@@ -96,6 +154,7 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
             summary.substeps = summary.steps * report.structure->substeps_per_step;
         }
     }
+    if (reports.size() == 2) add_balance(session, summary, reports[0], reports[1]);
     output::write_summary(session.out() / "summary.json", summary);
 }
 

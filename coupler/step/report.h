@@ -6,8 +6,9 @@
 
 #include "coupler/output/probe_file.h"
 #include "coupler/output/summary.h"
-#include "coupler/output/task_timer.h"
 #include "coupler/participants/session.h"
+#include "coupler/step/load_balance.h"
+#include "coupler/step/task_list.h"
 
 namespace magfsi::coupler {
 
@@ -15,14 +16,18 @@ struct ParticipantReport {
     std::string name;
     int ranks = 1;
     output::Named<double> tasks;    // seconds on the root rank
+    output::Named<double> waiting;  // of them, for the partner
+    SideLoad load;
     std::int64_t memory_bytes = 0;  // all ranks
     output::Named<std::string> versions;
     std::optional<output::FluidSummary> fluid;
     std::optional<output::StructureSummary> structure;
 };
 
-// Name, ranks, tasks and memory. Collective over the participant.
-ParticipantReport basic_report(const World& world, const output::TaskTimer& timer);
+// Name, ranks, tasks, load and memory. idle_s: what this rank's solver has waited for its
+// own neighbours, which is no work. Collective over the participant.
+ParticipantReport basic_report(const World& world, const TaskList& tasks,
+                               double idle_s = 0);
 
 std::string to_text(const ParticipantReport& report);
 ParticipantReport report_from_text(const std::string& text);

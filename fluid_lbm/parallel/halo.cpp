@@ -57,8 +57,11 @@ void Halo::send_next() {
 }
 
 void Halo::wait() {
+    if (requests_.empty()) return;
+    const double start_s = MPI_Wtime();
     MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(),
                 MPI_STATUSES_IGNORE);
+    waited_s_ += MPI_Wtime() - start_s;
     requests_.clear();
 }
 

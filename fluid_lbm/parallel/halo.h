@@ -34,6 +34,9 @@ class Halo {
     void advance();
     void finish();
 
+    // Seconds spent waiting for neighbours so far.
+    double waited_s() const { return waited_s_; }
+
   private:
     struct Face {
         int rank, axis, side;
@@ -51,6 +54,7 @@ class Halo {
     Exchange exchange_ = Exchange::fill;
     std::vector<int> axes_left_;
     std::vector<MPI_Request> requests_;  // of the axis under way
+    double waited_s_ = 0;
 };
 
 }  // namespace magfsi::fluid

@@ -84,8 +84,7 @@ TEST(Locate, PointsOutsideADistortedMeshAreNotFoundAndGoToTheNearestSurfacePoint
         }
         if (locator.find(point)) continue;
         ++outside;
-        const double away =
-            test::distance(position(mesh, locator.nearest(point)), point);
+        const double away = test::distance(position(mesh, locator.nearest(point)), point);
         // No surface node is nearer.
         for (const Vec3& node : mesh.nodes) {
             EXPECT_LE(away, test::distance(node, point) + rounding_m);

@@ -27,6 +27,10 @@ Summary diverged_run() {
     s.simulated_s = 2.4e-4;
     s.wall_s = 1.5;
     s.tasks = {{"fluid", {{"stream", 1.0}, {"exchange", 0.25}}}};
+    s.waiting = {{"fluid", {{"exchange", 0.125}}}};
+    s.load = {{"fluid", {1.25, 0.125, 1.5}}};
+    s.coupling_overhead = 0.03;
+    s.advice = "give the fluid more ranks";
     s.fluid = FluidSummary{128000, 88.5, 0.5015, 2e-4, "recursive_regularized", "avx2"};
     s.memory_bytes = {{"structure", 50000000}};
     s.probes = {{"robot.com_z[m]", std::numeric_limits<double>::quiet_NaN()},
@@ -54,6 +58,12 @@ TEST(Summary, has_the_keys_that_readers_rely_on) {
     EXPECT_EQ(json["simulated_s"], 2.4e-4);
     EXPECT_EQ(json["wall_s"], 1.5);
     EXPECT_EQ(json["tasks"]["fluid"]["exchange"], 0.25);
+    EXPECT_EQ(json["waiting"]["fluid"]["exchange"], 0.125);
+    EXPECT_EQ(json["load"]["fluid"]["working_s"], 1.25);
+    EXPECT_EQ(json["load"]["fluid"]["waiting_s"], 0.125);
+    EXPECT_EQ(json["load"]["fluid"]["imbalance"], 1.5);
+    EXPECT_EQ(json["coupling_overhead"], 0.03);
+    EXPECT_EQ(json["advice"], "give the fluid more ranks");
     EXPECT_EQ(json["fluid"]["cells"], 128000);
     EXPECT_EQ(json["fluid"]["mlups"], 88.5);
     EXPECT_EQ(json["fluid"]["relaxation_time"], 0.5015);

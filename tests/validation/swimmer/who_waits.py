@@ -1,0 +1,42 @@
+#!/usr/bin/python3
+"""summary.json tells waiting from working, for either scheme and on more ranks."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
+import magfsi_runs as magfsi  # noqa: E402
+
+
+class WhoWaits(unittest.TestCase):
+    def check(self, scheme, ranks):
+        summary = magfsi.good_run(magfsi.SMALL, {"coupling.scheme": scheme}, ranks).summary()
+        for side in ("structure", "fluid"):
+            tasks, waiting = summary["tasks"][side], summary["waiting"][side]
+            for task, seconds in waiting.items():
+                self.assertGreater(seconds, 0)
+                self.assertLessEqual(seconds, tasks[task])
+            load = summary["load"][side]
+            self.assertGreater(load["working_s"], 0)
+            self.assertGreaterEqual(load["imbalance"], 1)
+            if summary["ranks"][side] == 1:
+                self.assertEqual(load["imbalance"], 1)
+                # All that is no waiting is work, but for what the fluid waits for neighbours:
+                # none on one rank. The rest is rounding.
+                self.assertAlmostEqual(load["working_s"] + load["waiting_s"],
+                                       sum(tasks.values()), places=6)
+        self.assertIn("wait for fluid", summary["waiting"]["structure"])
+        self.assertIn("wait for structure", summary["waiting"]["fluid"])
+        self.assertGreater(summary["coupling_overhead"], 0)
+        self.assertLess(summary["coupling_overhead"], 1)
+
+    def test_serial(self):
+        self.check("serial", "structure=1,fluid=1")
+
+    def test_parallel_on_more_ranks(self):
+        self.check("parallel", "structure=2,fluid=2")
+
+
+if __name__ == "__main__":
+    unittest.main()
