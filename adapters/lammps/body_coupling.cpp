@@ -47,9 +47,9 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
-    const std::vector<bodies::PlacedMarker>& placed,
-    const std::vector<int>& first_node) const {
+    const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) {
     std::vector<coupler::Marker> mine;
+    placed_ = placed.size();
     for (const bodies::PlacedMarker& p : placed) {
         const int shift = first_node[static_cast<std::size_t>(p.body)];
         if (!engine_.owns(p.point.node[0] + shift)) continue;
@@ -67,6 +67,7 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         marker.volume_m3 = p.volume_m3;
         marker.body = p.body;
         mine.push_back(marker);
+        placed_index_.push_back(static_cast<int>(&p - placed.data()));
     }
     return mine;
 }
@@ -97,6 +98,10 @@ void BodyCoupling::send_impulses() {
 
 void BodyCoupling::receive_velocities() {
     exchange_->receive(session_.clock().step(), fluid_velocity_);
+}
+
+std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
+    return {{"fluid_velocity", fluid_velocity_}};
 }
 
 std::vector<Vec3> BodyCoupling::force_on_bodies() const {

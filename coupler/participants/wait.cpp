@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
 
 #include "coupler/participants/errors.h"
@@ -20,10 +21,20 @@ using Clock = std::chrono::steady_clock;
 constexpr auto spin_time = std::chrono::microseconds(100);
 constexpr auto nap = std::chrono::microseconds(50);
 
+// Of mpirun's one second between SIGTERM and SIGKILL.
+constexpr auto patience_after_sigterm = std::chrono::milliseconds(300);
+
 volatile std::sig_atomic_t stop_signal = 0;
+bool postponed = false;
 
 extern "C" void remember_signal(int number) {
     stop_signal = number;
+}
+
+// How long ago this wait saw the signal.
+bool may_wait_on(Clock::duration since) {
+    if (!postponed) return false;
+    return stop_signal == SIGUSR1 || since < patience_after_sigterm;
 }
 
 }  // namespace
@@ -33,22 +44,33 @@ void catch_stop_signals() {
     action.sa_handler = &remember_signal;
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGUSR1, &action, nullptr);
 }
 
 int stop_requested() {
     return stop_signal;
 }
 
+void postpone_stop() {
+    postponed = true;
+}
+
+bool stop_postponed() {
+    return postponed;
+}
+
 void wait_all(std::span<MPI_Request> requests, double timeout_s,
               const std::string& what) {
     const auto start = Clock::now();
+    std::optional<Clock::time_point> told;
     while (true) {
         int done = 0;
         MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done,
                     MPI_STATUSES_IGNORE);
         if (done != 0) return;
         const auto waited = Clock::now() - start;
-        if (stop_requested() != 0) {
+        if (stop_requested() != 0 && !told) told = Clock::now();
+        if (told && !may_wait_on(Clock::now() - *told)) {
             throw Stopped(fmt::format("told to end by signal {} while waiting for {}",
                                       stop_requested(), what));
         }

@@ -1,0 +1,27 @@
+#include "coupler/checkpoint/hdf5_handle.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+// The innermost entry comes first upwards: the cause, not its consequences.
+herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
+    if (depth == 0 && entry->desc != nullptr)
+        *static_cast<std::string*>(text) = entry->desc;
+    return 0;
+}
+
+}  // namespace
+
+void quiet_hdf5() {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+hid_t checked(hid_t returned, const std::string& what) {
+    if (returned >= 0) return returned;
+    std::string reason = "unknown reason";
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &take_first, &reason);
+    throw Hdf5Error(what + ": " + reason);
+}
+
+}  // namespace magfsi::coupler
