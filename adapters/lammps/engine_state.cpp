@@ -77,7 +77,9 @@ void Engine::put_nodes(std::span<const double> rows) {
     // What fixes remember of the last evaluation (field, energies) becomes that of the
     // places just set. The forces themselves hold velocities of a half step and of the
     // fluid that nobody can evaluate again: those are put back as they were.
-    lammps_->modify->setup_pre_reverse(0, 0);
+    // One by one: Modify calls them within a run only.
+    for (int i = 0; i < lammps_->modify->nfix; ++i)
+        lammps_->modify->fix[i]->setup_pre_reverse(0, 0);
     for (int i = 0; i < atom.nlocal; ++i) std::copy_n(row_of(i) + 6, 3, atom.f[i]);
 }
 

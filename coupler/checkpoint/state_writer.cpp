@@ -30,9 +30,12 @@ Hdf5Handle create_file(const std::string& path) {
     const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), path), &H5Pclose);
     // The newest format has checksums of its own structure.
     H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-    return {
-        checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), path),
-        &H5Fclose};
+    const Hdf5Handle creation(checked(H5Pcreate(H5P_FILE_CREATE), path), &H5Pclose);
+    // No time of day, here and below: equal states give equal files.
+    checked(H5Pset_obj_track_times(creation.get(), false), path);
+    return {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
+                    path),
+            &H5Fclose};
 }
 
 // One chunk a plane with a checksum: damage is found when it is read.
@@ -45,7 +48,6 @@ Hdf5Handle create_table(hid_t file, const std::string& name,
     const Hdf5Handle how(checked(H5Pcreate(H5P_DATASET_CREATE), name), &H5Pclose);
     checked(H5Pset_chunk(how.get(), rank, chunk.data()), name);
     checked(H5Pset_fletcher32(how.get()), name);
-    // No time of day: equal states give equal files.
     checked(H5Pset_obj_track_times(how.get(), false), name);
     return {checked(H5Dcreate2(file, name.c_str(), type, space.get(), H5P_DEFAULT,
                                how.get(), H5P_DEFAULT),
