@@ -1,5 +1,7 @@
 #include "coupler/checkpoint/hdf5_handle.h"
 
+#include <cstdlib>
+
 namespace magfsi::coupler {
 
 namespace {
@@ -13,7 +15,10 @@ herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
 
 }  // namespace
 
-void quiet_hdf5() {
+void prepare_hdf5() {
+    // Some network file systems have no locks and would refuse every file; ours are
+    // never written once they have their name.
+    setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -15,8 +15,9 @@ class Hdf5Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Keeps HDF5 from printing its stack of errors; call before anything else of it.
-void quiet_hdf5();
+// Keeps HDF5 from printing its stack of errors and from locking files; call before
+// anything else of it.
+void prepare_hdf5();
 
 // Returns what HDF5 returned, or throws with HDF5's innermost reason.
 hid_t checked(hid_t returned, const std::string& what);

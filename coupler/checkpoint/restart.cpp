@@ -5,6 +5,7 @@
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/checkpoint/state_reader.h"
 #include "coupler/scene/effective.h"
+#include "coupler/step/clock.h"
 
 namespace magfsi::coupler {
 
@@ -22,6 +23,16 @@ void check_scene_of(const fs::path& file, const StateHeader& header,
         file.string(), header.state_hash, mine));
 }
 
+void check_end(const fs::path& file, const StateHeader& header,
+               const scene::Scene& scene) {
+    if (header.step <= Clock(header.step_s, scene.time.end_s).steps()) return;
+    throw std::invalid_argument(fmt::format(
+        "--restart: {} is of {:.6g} s, the run ends at {:.6g} s; give a later "
+        "time.end, or an earlier checkpoint's file",
+        file.string(), static_cast<double>(header.step) * header.step_s,
+        scene.time.end_s));
+}
+
 // Throws StateFault on what latest may skip.
 StateHeader read_through(const fs::path& folder, std::int64_t step,
                          const scene::Scene& scene) {
@@ -30,6 +41,7 @@ StateHeader read_through(const fs::path& folder, std::int64_t step,
         const fs::path file = checkpoint_file(folder, step, role);
         const StateReader reader(file);
         check_scene_of(file, reader.header(), scene);
+        check_end(file, reader.header(), scene);
         reader.verify();
         header = reader.header();
         if (header.step != step)

@@ -75,7 +75,7 @@ auto StateReader::guarded(Work&& work) const {
 
 StateReader::StateReader(std::filesystem::path path)
     : path_(std::move(path)), files_(std::make_unique<Files>()) {
-    quiet_hdf5();
+    prepare_hdf5();
     if (!std::filesystem::exists(path_))
         throw StateFault(fmt::format("{} is missing", path_.string()));
     guarded([&] {

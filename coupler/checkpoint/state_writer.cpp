@@ -70,7 +70,7 @@ void StateWriter::guarded(Work&& work) {
 
 StateWriter::StateWriter(std::filesystem::path path, const StateHeader& header)
     : path_(std::move(path)), files_(std::make_unique<Files>()) {
-    quiet_hdf5();
+    prepare_hdf5();
     guarded([&] {
         files_->file = create_file(output::temporary_of(path_).string());
         const hid_t file = files_->file.get();

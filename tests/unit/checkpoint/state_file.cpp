@@ -1,5 +1,7 @@
 // What is written to a checkpoint's file is what is read, and damage never goes unseen.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include <numeric>
 
@@ -105,6 +107,26 @@ TEST(StateFile, damage_is_found) {
     }
     for (std::size_t size = 0; size < whole.size(); size += 97)
         EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
+}
+
+TEST(StateFile, a_full_disk_is_named_and_leaves_the_older_file) {
+    const test::TemporaryFolder folder;
+    write(folder / "a.h5");
+    const std::string older = test::read(folder / "a.h5");
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit tight{4096, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+    const std::string why = test::message_of<output::FileError>([&] {
+        StateWriter file(folder / "a.h5", header);
+        file.table("nodes", counted(30000), {10000, 3});
+        file.commit();
+    });
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_NE(why.find("a.h5: File too large"), std::string::npos) << why;
+    EXPECT_EQ(test::read(folder / "a.h5"), older);
+    EXPECT_FALSE(fs::exists(folder / "a.h5.tmp"));
 }
 
 TEST(StateFile, a_folder_that_is_missing_is_named) {
