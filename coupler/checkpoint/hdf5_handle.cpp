@@ -19,6 +19,8 @@ void prepare_hdf5() {
     // Some network file systems have no locks and would refuse every file; ours are
     // never written once they have their name.
     setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
+    // At the process's end HDF5 would flush what a full disk has refused once, and crash.
+    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
