@@ -18,6 +18,14 @@ add_library(gmsh::gmsh UNKNOWN IMPORTED)
 set_target_properties(gmsh::gmsh PROPERTIES
   IMPORTED_LOCATION ${GMSH_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${GMSH_INCLUDE_DIR})
 
+# Checkpoints. The serial library: one rank of a participant writes, so that the file does
+# not depend on how many there are.
+find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)
+find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
+add_library(hdf5::hdf5 UNKNOWN IMPORTED)
+set_target_properties(hdf5::hdf5 PROPERTIES
+  IMPORTED_LOCATION ${HDF5_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${HDF5_INCLUDE_DIR})
+
 # The unmodified LAMMPS library. Its headers include a fmt header that Debian does not
 # ship; structure/lammps/fmt_shim declares the four names they need, and must come first.
 find_path(LAMMPS_INCLUDE_DIR lammps/lammps.h REQUIRED)

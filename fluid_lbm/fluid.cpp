@@ -7,6 +7,7 @@
 #include "fluid_lbm/initial_flow.h"
 #include "fluid_lbm/obstacle/check_obstacles.h"
 #include "fluid_lbm/sampling/divergence.h"
+#include "fluid_lbm/sampling/state.h"
 #include "fluid_lbm/sampling/totals.h"
 #include "fluid_lbm/sampling/velocity_field.h"
 #include "fluid_lbm/solver.h"
@@ -96,6 +97,9 @@ struct Fluid::State {
         solver.settle_obstacles();
     }
 
+    // Throws unless the plane is this rank's and has that many values.
+    int local_plane(int plane, std::size_t values) const;
+
     std::size_t cells() const {  // of this rank
         const RowLayout& rows = solver.layout();
         return static_cast<std::size_t>(rows.nx) * rows.ny * rows.nz;
@@ -132,6 +136,21 @@ void Fluid::State::check_rows(std::span<const CellRow> rows, std::size_t values)
                                     std::to_string(cells) +
                                     " cells; 3 a cell are needed");
     }
+}
+
+int Fluid::State::local_plane(int plane, std::size_t values) const {
+    const CellBox& box = solver.owned();
+    const RowLayout& rows = solver.layout();
+    const std::size_t wanted = populations_a_cell * static_cast<std::size_t>(rows.nx) *
+                               static_cast<std::size_t>(rows.ny);
+    if (plane < box.lo[2] || plane >= box.hi[2] || values != wanted) {
+        throw std::invalid_argument(
+            "plane z " + std::to_string(plane) + " with " + std::to_string(values) +
+            " values was given; planes " + std::to_string(box.lo[2]) + " to " +
+            std::to_string(box.hi[2] - 1) + " of this rank have " +
+            std::to_string(wanted));
+    }
+    return plane - box.lo[2];
 }
 
 Fluid::Fluid(MPI_Comm comm, const FluidConfig& config)
@@ -223,6 +242,22 @@ void Fluid::vorticity(std::span<float> out) const {
 
 void Fluid::step() {
     state_->solver.step();
+}
+
+std::int64_t Fluid::steps_done() const {
+    return state_->solver.steps_done();
+}
+
+void Fluid::populations(int plane, std::span<double> values) const {
+    read_plane(state_->solver.view(), state_->local_plane(plane, values.size()), values);
+}
+
+void Fluid::set_steps_done(std::int64_t steps) {
+    state_->solver.set_steps_done(steps);
+}
+
+void Fluid::set_populations(int plane, std::span<const double> values) {
+    write_plane(state_->solver.view(), state_->local_plane(plane, values.size()), values);
 }
 
 Totals Fluid::totals() const {

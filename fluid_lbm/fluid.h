@@ -62,6 +62,8 @@ struct CellRow {
     int size() const { return x_end - x_begin; }
 };
 
+constexpr int populations_a_cell = 19;
+
 struct Totals {  // over all ranks, without the insides of obstacles
     double mass_kg = 0;
     Vec3 momentum_kg_m_s{};
@@ -115,6 +117,17 @@ class Fluid {
     void step();
     // Seconds that this rank has waited for its neighbours in steps so far.
     double waited_for_neighbors_s() const;
+    std::int64_t steps_done() const;
+
+    // The whole state between steps: its step and, for every cell, the 19 populations
+    // that have arrived there, as deviations from rest; the same numbers however the box
+    // is divided into ranks, exact in double whatever is stored. plane: global z, of this
+    // rank's box; values: [y][x][19] over the box's cells.
+    void populations(int plane, std::span<double> values) const;
+    // Puts such a state back: first the step, then every plane of the box. Goes on with
+    // the very numbers of the run that the state was taken from.
+    void set_steps_done(std::int64_t steps);
+    void set_populations(int plane, std::span<const double> values);
 
     Totals totals() const;  // collective
     // Force [N] of the fluid on each obstacle during the last step, in the order of the

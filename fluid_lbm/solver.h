@@ -74,6 +74,12 @@ class Solver {
     void step();
     std::int64_t steps_done() const { return steps_done_; }
     double waited_for_neighbors_s() const { return halo_.waited_s(); }
+    // For a state that is put back: the arrangement that it had goes with the step. The
+    // populations must be set next.
+    void set_steps_done(std::int64_t steps) {
+        steps_done_ = steps;
+        arrangement_ = steps % 2 == 0 ? Arrangement::natural : Arrangement::swapped;
+    }
 
     // The first cell of this rank that a step found no longer sound, lattice units; found
     // in passing by the step whose collision acts on it.

@@ -28,6 +28,17 @@ StructureFiles::StructureFiles(const std::vector<structure::Body>& bodies,
     }
 }
 
+std::filesystem::path StructureFiles::file(std::int64_t index) const {
+    return folder_ / fmt::format("structure_{:06d}.vtu", index);
+}
+
+void StructureFiles::resume(const coupler::Clock& clock, std::int64_t every) {
+    for (std::int64_t step = 0; step <= clock.step(); step += every) {
+        if (std::filesystem::exists(file(step / every)))
+            series_.add(clock.time_s(step), file(step / every));
+    }
+}
+
 void StructureFiles::write(std::int64_t index, double time_s, const NodalState& state) {
     std::vector<double> points, displacement, velocity;
     for (std::size_t n = 0; n < state.position_m.size(); ++n) {
@@ -42,10 +53,9 @@ void StructureFiles::write(std::int64_t index, double time_s, const NodalState& 
                                           {"velocity", 3, values(velocity)}};
     const output::Field cell_fields[] = {{"magnetization", 3, values(magnetization_)},
                                          {"body", 1, values(body_)}};
-    const auto file = folder_ / fmt::format("structure_{:06d}.vtu", index);
-    output::write_vtu(file, {std::span<const double>(points), elements_}, point_fields,
-                      cell_fields);
-    series_.add(time_s, file);
+    output::write_vtu(file(index), {std::span<const double>(points), elements_},
+                      point_fields, cell_fields);
+    series_.add(time_s, file(index));
 }
 
 }  // namespace magfsi::bodies

@@ -49,9 +49,9 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
-    const std::vector<bodies::PlacedMarker>& placed,
-    const std::vector<int>& first_node) const {
+    const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) {
     std::vector<coupler::Marker> mine;
+    placed_ = placed.size();
     for (const bodies::PlacedMarker& p : placed) {
         const int shift = first_node[static_cast<std::size_t>(p.body)];
         if (!engine_.owns(p.point.node[0] + shift)) continue;
@@ -70,6 +70,7 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         marker.displaced_m3 = p.displaced_m3;
         marker.body = p.body;
         mine.push_back(marker);
+        placed_index_.push_back(static_cast<int>(&p - placed.data()));
     }
     return mine;
 }
@@ -86,6 +87,7 @@ std::vector<Vec3> BodyCoupling::marker_positions() const {
 void BodyCoupling::exchange_first() {
     exchange_->send_first(now_m_);
     exchange_->receive(-1, fluid_velocity_);
+    force_->enclosed().start(fluid_velocity_);
 }
 
 void BodyCoupling::begin_step() {
@@ -110,6 +112,12 @@ void BodyCoupling::send_impulses() {
 
 void BodyCoupling::receive_velocities() {
     exchange_->receive(session_.clock().step(), fluid_velocity_);
+}
+
+std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
+    return {{"fluid_velocity", fluid_velocity_},
+            {"enclosed_velocity", force_->enclosed().last_velocity()},
+            {"enclosed_acceleration", force_->enclosed().acceleration()}};
 }
 
 std::vector<Vec3> BodyCoupling::force_on_bodies() const {

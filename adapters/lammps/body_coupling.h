@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "adapters/bodies/marker_placement.h"
@@ -29,6 +30,18 @@ class BodyCoupling {
     void send_impulses();  // what was given since, where and where the markers are now
     void receive_velocities();
 
+    // What this rank's markers carry from step to step, kept in checkpoints under its
+    // name; each has one vector a marker.
+    struct MarkerArray {
+        const char* name;
+        std::span<Vec3> values;
+    };
+    std::vector<MarkerArray> carried();
+    // Of each marker of this rank its number among all: body after body, in the order in
+    // which they were placed.
+    std::span<const int> placed_index() const { return placed_index_; }
+    std::size_t placed() const { return placed_; }
+
     std::size_t bodies() const { return bodies_; }
     // Sum over the ranks of the force on each body in the last step [N]. Collective.
     std::vector<Vec3> force_on_bodies() const;
@@ -38,13 +51,15 @@ class BodyCoupling {
   private:
     std::vector<coupler::Marker> own_markers(
         const std::vector<bodies::PlacedMarker>& placed,
-        const std::vector<int>& first_node) const;
+        const std::vector<int>& first_node);
     std::vector<Vec3> marker_positions() const;
 
     const coupler::Session& session_;
     Engine& engine_;
     coupler::Grid grid_;
     std::size_t bodies_ = 0;
+    std::vector<int> placed_index_;
+    std::size_t placed_ = 0;
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,24 @@ class Engine {
     double fix_vector(const std::string& fix_id, int n) const;
     double fix_scalar(const std::string& fix_id) const;  // collective
 
+    // What a checkpoint keeps (engine_state.cpp). Of each atom position, velocity, force
+    // and what fixes keep with it: rows of node_values() numbers in the order of the
+    // atoms' ids, on the root only. Collective.
+    std::size_t node_values() const;
+    std::vector<double> gather_nodes(int atoms) const;
+    // Puts such rows back; all of them on every rank. Collective.
+    void put_nodes(std::span<const double> rows);
+    // This rank's shares of the sums over time that fixes keep, and back.
+    std::vector<double> fix_sums() const;
+    void put_fix_sums(std::span<const double> sums);
+    // The number of the step that comes first; before set_up.
+    void start_at(std::int64_t lammps_step);
+    // Atoms to the ranks of their present places and new lists of neighbours; forces are
+    // put back after it. For scenes where atoms migrate. Collective.
+    void renew_neighbours();
+
   private:
+    std::vector<double*> sums_in_fixes() const;
     int fix_number(const std::string& fix_id) const;
 
     MPI_Comm comm_;

@@ -43,6 +43,7 @@ void Participant::build() {
     engine_ =
         std::make_unique<Engine>(session_.world().local(), session_.out() / "lammps.log");
     for (const std::string& line : script.setup) engine_->command(line);
+    if (session_.restart()) engine_->start_at(session_.clock().step() * substeps_.count);
     engine_->set_up();
 
     fix_ids_ = script.fix_id;
@@ -60,6 +61,7 @@ void Participant::build() {
     if (scene().time.equilibrium) {
         rest_ = std::make_unique<RestFinder>(*engine_, scene(), substeps_.lammps_step_s);
     }
+    if (session_.restart()) restore_bodies(parts(), coupler::open_restart(session_));
     if (session_.world().coupled()) {
         coupling_ = std::make_unique<BodyCoupling>(session_, *engine_, script.first_node);
         if (scene().probes && scene().probes->interface_balance) {
@@ -108,8 +110,7 @@ void Participant::assemble_output(output::ProgressMode progress) {
                  {coupler::fluid_columns(scene()), coupler::interface_columns(scene())}) {
                 columns.insert(columns.end(), more.begin(), more.end());
             }
-            probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
-                                                          columns);
+            probes_ = coupler::open_probes(session_, columns);
         }
         tasks_.add_output(
             "probes", [this, every = session_.clock().every(scene().probes->every_s)] {
@@ -117,17 +118,31 @@ void Participant::assemble_output(output::ProgressMode progress) {
             });
     }
     if (scene().output.structure) {
+        if (session_.restart() && files_)
+            files_->resume(session_.clock(),
+                           session_.clock().every(scene().output.structure->every_s));
         tasks_.add_output(
             "write fields",
             [this, every = session_.clock().every(scene().output.structure->every_s)] {
                 if (session_.clock().step() % every == 0) write_fields();
             });
     }
+    if (scene().checkpoint) assemble_checkpoint();
     if (leads) {
         progress_ = coupler::progress_on_stdout(session_, progress);
         tasks_.add_output("progress",
                           [this] { progress_->update(session_.clock().step()); });
     }
+}
+
+void Participant::assemble_checkpoint() {
+    checkpoints_ = std::make_unique<coupler::Checkpoints>(
+        session_, [this](coupler::StateWriter* file) { save_structure(parts(), file); });
+    tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
+}
+
+StructureParts Participant::parts() {
+    return {session_, *engine_, atoms_, coupling_.get(), balance_.get()};
 }
 
 // A NaN in one node reaches its neighbours in the next substep: one look a coupled step
@@ -212,12 +227,18 @@ void Participant::run() {
     session_.log("absent: " + joined(scene::absent_effects(scene())));
     session_.log("structure step: " + tasks_.names());
     if (coupling_) coupling_->exchange_first();
+    if (!session_.restart()) start_anew();
+    if (session_.restart() && coupling_)
+        restore_coupling(parts(), coupler::open_restart(session_));
+    const double start = output::steady_seconds();
+    while (session_.running()) tasks_.run();
+    finish(output::steady_seconds() - start);
+}
+
+void Participant::start_anew() {
     if (rest_) rest_->find(0);
     if (scene().probes) write_probes();
     if (scene().output.structure) write_fields();
-    const double start = output::steady_seconds();
-    while (!session_.clock().done()) tasks_.run();
-    finish(output::steady_seconds() - start);
 }
 
 coupler::ParticipantReport Participant::make_report() const {
@@ -235,7 +256,7 @@ coupler::ParticipantReport Participant::make_report() const {
         if (task != advance_task) continue;
         structure.ns_per_element_step =
             1e9 * seconds /
-            (static_cast<double>(session_.clock().step()) * substeps_.count *
+            (static_cast<double>(session_.clock().steps_here()) * substeps_.count *
              static_cast<double>(structure.elements));
     }
     report.structure = structure;
@@ -249,10 +270,10 @@ void Participant::finish(double wall_s) {
             session_.world(), "", session_.timeout_s(), "final report")));
     }
     if (!session_.world().leads()) return;
+    if (checkpoints_) checkpoints_->finish();
     progress_->finish(session_.clock().step());
     coupler::write_summary(session_, reports, wall_s, probes_.get());
-    session_.log(fmt::format("done: {} steps in {:.1f} s; results in {}",
-                             session_.clock().step(), wall_s, session_.out().string()));
+    session_.log(coupler::end_line(session_, wall_s));
 }
 
 }  // namespace magfsi::lammps

@@ -7,7 +7,9 @@
 #include "adapters/bodies/structure_files.h"
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/come_to_rest.h"
+#include "adapters/lammps/structure_state.h"
 #include "adapters/lammps/substeps.h"
+#include "coupler/checkpoint/checkpoints.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/output/progress.h"
 #include "coupler/participants/session.h"
@@ -28,6 +30,9 @@ class Participant {
     void assemble_start();
     void assemble_coupling();
     void assemble_output(output::ProgressMode progress);
+    void assemble_checkpoint();
+    void start_anew();
+    StructureParts parts();
     void write_probes();
     void write_fields();
     std::vector<bodies::BodyLoads> collect_loads();
@@ -53,6 +58,7 @@ class Participant {
     std::unique_ptr<bodies::ProbeRow> probe_row_;
     std::unique_ptr<bodies::StructureFiles> files_;
     std::unique_ptr<output::ProbeFile> probes_;
+    std::unique_ptr<coupler::Checkpoints> checkpoints_;  // on every rank
     std::unique_ptr<output::Progress> progress_;
 };
 

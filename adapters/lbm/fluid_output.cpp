@@ -31,6 +31,17 @@ std::filesystem::path FluidFiles::piece(std::int64_t index, int rank) const {
     return folder_ / fmt::format("fluid_{:06d}_{}.vti", index, rank);
 }
 
+std::filesystem::path FluidFiles::whole(std::int64_t index) const {
+    return folder_ / fmt::format("fluid_{:06d}.pvti", index);
+}
+
+void FluidFiles::resume(const coupler::Clock& clock, std::int64_t every) {
+    for (std::int64_t step = 0; series_ && step <= clock.step(); step += every) {
+        if (std::filesystem::exists(whole(step / every)))
+            series_->add(clock.time_s(step), whole(step / every));
+    }
+}
+
 void FluidFiles::write(std::int64_t index, double time_s) {
     fluid_.macroscopic(velocity_, density_);
     std::vector<output::Field> fields;
@@ -59,9 +70,9 @@ void FluidFiles::write_index(std::int64_t index, double time_s) {
     if (wants(scene::FluidField::velocity)) types.push_back({"velocity", 3, false});
     if (wants(scene::FluidField::density)) types.push_back({"density", 1, false});
     if (wants(scene::FluidField::vorticity)) types.push_back({"vorticity", 3, false});
-    const auto file = folder_ / fmt::format("fluid_{:06d}.pvti", index);
-    output::write_pvti(file, grid_, {{0, 0, 0}, fluid_.config().cells}, pieces, types);
-    series_->add(time_s, file);
+    output::write_pvti(whole(index), grid_, {{0, 0, 0}, fluid_.config().cells}, pieces,
+                       types);
+    series_->add(time_s, whole(index));
 }
 
 }  // namespace magfsi::lbm

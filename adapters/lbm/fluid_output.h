@@ -10,6 +10,7 @@
 #include "coupler/output/pvd.h"
 #include "coupler/output/vti.h"
 #include "coupler/scene/scene.h"
+#include "coupler/step/clock.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi::lbm {
@@ -19,12 +20,16 @@ class FluidFiles {
     FluidFiles(MPI_Comm comm, const fluid::Fluid& fluid, const scene::FluidOutput& wanted,
                const std::filesystem::path& run_folder);
 
+    // After a restart: the series again up to the clock's step, one file every so many.
+    void resume(const coupler::Clock& clock, std::int64_t every);
+
     // Collective. index numbers the files.
     void write(std::int64_t index, double time_s);
 
   private:
     bool wants(scene::FluidField field) const;
     void write_index(std::int64_t index, double time_s);
+    std::filesystem::path whole(std::int64_t index) const;
     std::filesystem::path piece(std::int64_t index, int rank) const;
 
     MPI_Comm comm_;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "adapters/lbm/fluid_probes.h"
+#include "adapters/lbm/fluid_state.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
@@ -31,6 +32,7 @@ Participant::Participant(coupler::Session& session, output::ProgressMode progres
              to_config(*session.scene().fluid, session.clock().step_s())),
       lbm_(fluid_) {
     if (session.world().coupled()) join_structure();
+    if (session.restart()) restore();
     assemble();
 }
 
@@ -109,8 +111,7 @@ void Participant::assemble_output() {
     writes_probes_ = scene.probes && (balance_ || !scene.probes->fluid.empty());
     if (writes_probes_) {
         if (leads) {
-            probes_ = std::make_unique<output::ProbeFile>(session_.out() / "probes.csv",
-                                                          coupler::fluid_columns(scene));
+            probes_ = coupler::open_probes(session_, coupler::fluid_columns(scene));
         }
         tasks_.add_output("probes",
                           [this, every = session_.clock().every(scene.probes->every_s)] {
@@ -120,6 +121,10 @@ void Participant::assemble_output() {
     if (scene.output.fluid) {
         files_ = std::make_unique<FluidFiles>(session_.world().local(), fluid_,
                                               *scene.output.fluid, session_.out());
+        if (session_.restart()) {
+            files_->resume(session_.clock(),
+                           session_.clock().every(scene.output.fluid->every_s));
+        }
         tasks_.add_output(
             "write fields",
             [this, every = session_.clock().every(scene.output.fluid->every_s)] {
@@ -128,11 +133,25 @@ void Participant::assemble_output() {
                     files_->write(step / every, session_.clock().time_s());
             });
     }
+    if (scene.checkpoint) assemble_checkpoint();
     if (leads) {
         progress_ = coupler::progress_on_stdout(session_, progress_mode_);
         tasks_.add_output("progress",
                           [this] { progress_->update(session_.clock().step()); });
     }
+}
+
+void Participant::assemble_checkpoint() {
+    checkpoints_ = std::make_unique<coupler::Checkpoints>(
+        session_, [this](coupler::StateWriter* file) {
+            save_fluid(session_.world().local(), fluid_, balance_.get(), file);
+        });
+    tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
+}
+
+void Participant::restore() {
+    restore_fluid(session_.world().local(), coupler::open_restart(session_), fluid_,
+                  balance_.get());
 }
 
 // The velocities at the first positions, so that step 0 of the structure can start.
@@ -180,10 +199,12 @@ void Participant::run() {
     session_.log(fmt::format("absent: {}",
                              fmt::join(scene::absent_effects(session_.scene()), ", ")));
     if (exchange_) begin_coupling();
-    if (writes_probes_) write_probes();
-    if (files_) files_->write(0, 0);
+    if (!session_.restart()) {
+        if (writes_probes_) write_probes();
+        if (files_) files_->write(0, 0);
+    }
     const double start = output::steady_seconds();
-    while (!session_.clock().done()) tasks_.run();
+    while (session_.running()) tasks_.run();
     finish(output::steady_seconds() - start);
 }
 
@@ -200,8 +221,10 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task == advance_task) advance_s = seconds;
     }
-    fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
-                  static_cast<double>(session_.clock().step()) / advance_s;
+    if (session_.clock().steps_here() > 0) {
+        fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
+                      static_cast<double>(session_.clock().steps_here()) / advance_s;
+    }
     fluid.relaxation_time = fluid_.relaxation_time();
     fluid.spacing_m = fluid_.config().spacing_m;
     fluid.collision = fluid::to_string(fluid_.collision());
@@ -218,10 +241,10 @@ void Participant::finish(double wall_s) {
         return;
     }
     if (!session_.world().leads()) return;
+    if (checkpoints_) checkpoints_->finish();
     progress_->finish(session_.clock().step());
     coupler::write_summary(session_, {&report, 1}, wall_s, probes_.get());
-    session_.log(fmt::format("done: {} steps in {:.1f} s; results in {}",
-                             session_.clock().step(), wall_s, session_.out().string()));
+    session_.log(coupler::end_line(session_, wall_s));
 }
 
 }  // namespace magfsi::lbm

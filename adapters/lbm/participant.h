@@ -6,6 +6,7 @@
 
 #include "adapters/lbm/fluid_output.h"
 #include "adapters/lbm/lbm_fluid.h"
+#include "coupler/checkpoint/checkpoints.h"
 #include "coupler/exchange/fluid_exchange.h"
 #include "coupler/immersed_boundary/fluid_side.h"
 #include "coupler/output/probe_file.h"
@@ -27,6 +28,8 @@ class Participant {
     void assemble_turn();
     void assemble_meeting();
     void assemble_output();
+    void assemble_checkpoint();
+    void restore();
     void begin_coupling();
     void write_probes();
     void check_divergence();
@@ -47,6 +50,7 @@ class Participant {
     std::unique_ptr<FluidFiles> files_;
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<output::Progress> progress_;
+    std::unique_ptr<coupler::Checkpoints> checkpoints_;
     bool writes_probes_ = false;
 };
 

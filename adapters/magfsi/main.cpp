@@ -64,6 +64,8 @@ int main(int argc, char** argv) {
     add_scene_options(run, options);
     run.add_option("--out", options.run.out, "Run folder (default: runs/NAME)");
     run.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
+    run.add_option("--restart", options.run.restart,
+                   "Go on from a checkpoint: latest, or one of its files");
     add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"),
                       options);
     add_scene_options(

@@ -20,10 +20,13 @@ namespace {
 
 volatile pid_t child = 0;
 volatile std::sig_atomic_t told_to_end = 0;
+volatile std::sig_atomic_t first_word = SIGTERM;
 
+// mpirun kills a second after SIGTERM; SIGUSR1 it hands to every process, and waits.
 extern "C" void pass_on(int signal) {
+    const int word = told_to_end == 0 ? first_word : SIGTERM;
     told_to_end = signal;
-    if (child > 0) kill(child, SIGTERM);
+    if (child > 0) kill(child, word);
 }
 
 int all_ranks(const std::vector<Program>& programs) {
@@ -109,7 +112,8 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
     return words;
 }
 
-JobEnd run_job(const std::vector<Program>& programs) {
+JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
+    first_word = on_stop == OnStop::checkpoint ? SIGUSR1 : SIGTERM;
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
     const auto command = mpirun_command(programs);

@@ -25,7 +25,11 @@ int available_cores();
 // mpirun with the options that this machine and this number of ranks need, no others.
 std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
 
-// Runs it to the end. SIGINT and SIGTERM are passed on.
-JobEnd run_job(const std::vector<Program>& programs);
+// What SIGINT and SIGTERM lead to. checkpoint: participants that can are asked to write a
+// checkpoint and end in order; a second signal ends them at once.
+enum class OnStop { end, checkpoint };
+
+// Runs it to the end.
+JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop);
 
 }  // namespace magfsi::launch

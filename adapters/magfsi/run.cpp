@@ -9,6 +9,7 @@
 
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
+#include "coupler/checkpoint/restart.h"
 #include "coupler/output/atomic_file.h"
 #include "coupler/output/summary.h"
 #include "coupler/participants/arguments.h"
@@ -24,6 +25,12 @@ namespace {
 
 fs::path program(const char* name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
+}
+
+bool goes_on_in(const fs::path& out, const RunOptions& options) {
+    if (options.restart.empty()) return false;
+    std::error_code none;  // false where one of them is not there
+    return fs::equivalent(coupler::restart_folder(options.restart, out), out, none);
 }
 
 // What an earlier run left: its series would mix with the new one's.
@@ -56,6 +63,8 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),
                                        "--progress",
                                        isatty(STDOUT_FILENO) ? "terminal" : "plain"};
+    if (!options.restart.empty())
+        arguments.insert(arguments.end(), {"--restart", options.restart});
     for (const std::string& o : options.overrides)
         arguments.insert(arguments.end(), {"--set", o});
     std::vector<Program> programs;
@@ -139,20 +148,23 @@ int run(const RunOptions& options) {
     (void)explain(scene);
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
+    if (!options.restart.empty())
+        (void)coupler::find_restart(options.restart, out, scene);
     const auto programs = participants(scene, options, out);
-    clear_run_folder(out);
+    if (!goes_on_in(out, options)) clear_run_folder(out);
     fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));
     std::fflush(stdout);
 
-    const JobEnd end = run_job(programs);
+    const JobEnd end =
+        run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
     if (!end.lost.empty()) {
         fmt::print(stderr, "magfsi: lost a partner: {}\n", end.lost);
         write_lost(scene, out, end.lost);
         return coupler::exit_partner;
     }
     if (end.stopped) {
-        fmt::print(stderr, "magfsi: stopped on request; results so far are in {}\n",
-                   out.string());
+        fmt::print(stderr, "magfsi: stopped on request; results so far are in {}{}\n",
+                   out.string(), scene.checkpoint ? "; go on with --restart latest" : "");
         return coupler::exit_error;
     }
     return end.exit_code;

@@ -14,6 +14,7 @@ struct RunOptions {
     std::filesystem::path out;
     std::vector<std::string> overrides;
     std::map<std::string, int> ranks;  // structure, fluid
+    std::string restart;               // latest, a file of a checkpoint, or empty
 };
 
 // The exit code of the command line. Throws scene::SceneError on bad input.

@@ -32,12 +32,25 @@ void add_marker(InterfaceBalance& sum, const Vec3& impulse, const Vec3& fluid_ve
     sum.impulse_scale_n_s += norm(impulse[0], impulse[1], impulse[2]);
 }
 
-std::vector<double> BalanceRecord::collect(MPI_Comm comm) {
-    std::vector<double> mine;
+std::vector<double> BalanceRecord::values() const {
+    std::vector<double> all;
     for (const InterfaceBalance& b : steps_) {
-        mine.insert(mine.end(), {b.impulse_n_s[0], b.impulse_n_s[1], b.impulse_n_s[2],
-                                 b.work_j, b.impulse_scale_n_s, b.work_scale_j});
+        all.insert(all.end(), {b.impulse_n_s[0], b.impulse_n_s[1], b.impulse_n_s[2],
+                               b.work_j, b.impulse_scale_n_s, b.work_scale_j});
     }
+    return all;
+}
+
+void BalanceRecord::set(std::span<const double> values) {
+    steps_.clear();
+    for (std::size_t at = 0; at + balance_values <= values.size(); at += balance_values) {
+        const double* v = values.data() + at;
+        steps_.push_back({{v[0], v[1], v[2]}, v[3], v[4], v[5]});
+    }
+}
+
+std::vector<double> BalanceRecord::collect(MPI_Comm comm) {
+    const std::vector<double> mine = values();
     steps_.clear();
     std::vector<double> all(mine.size());
     MPI_Reduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE,

@@ -31,6 +31,10 @@ class BalanceRecord {
     // Sums over the ranks of comm (valid on its root), six numbers a step; starts anew.
     std::vector<double> collect(MPI_Comm comm);
 
+    // This rank's sums of those steps, six numbers a step, for a checkpoint, and back.
+    std::vector<double> values() const;
+    void set(std::span<const double> values);
+
   private:
     std::vector<InterfaceBalance> steps_;
 };

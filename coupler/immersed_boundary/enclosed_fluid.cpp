@@ -8,15 +8,20 @@ constexpr double follow = 0.1;  // of the change of acceleration in a coupled st
 
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
                              const EnclosedFluidScale& scale)
-    : scale_(scale), acceleration_(markers.size()), force_(markers.size()) {
+    : scale_(scale),
+      last_velocity_(markers.size()),
+      acceleration_(markers.size()),
+      force_(markers.size()) {
     mass_kg_.reserve(markers.size());
     for (const Marker& m : markers)
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
 }
 
+void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
+    last_velocity_.assign(fluid_velocity.begin(), fluid_velocity.end());
+}
+
 void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
-    if (last_velocity_.empty())
-        last_velocity_.assign(fluid_velocity.begin(), fluid_velocity.end());
     for (std::size_t m = 0; m < force_.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double now =

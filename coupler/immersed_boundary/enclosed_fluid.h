@@ -29,17 +29,22 @@ class EnclosedFluid {
   public:
     EnclosedFluid(std::span<const Marker> markers, const EnclosedFluidScale& scale);
 
-    // The fluid's velocity at every marker for the coming coupled step [m/s]. In the
-    // first step of a run the fluid is taken to move steadily.
+    // The fluid's velocity at every marker before the first coupled step [m/s], in which
+    // it is taken to move steadily; then for each coming step.
+    void start(std::span<const Vec3> fluid_velocity);
     void begin_step(std::span<const Vec3> fluid_velocity);
 
     // On every marker, constant over the coupled step [N].
     std::span<const Vec3> force() const { return force_; }
 
+    // What the next step needs of those before: for checkpoints.
+    std::span<Vec3> last_velocity() { return last_velocity_; }
+    std::span<Vec3> acceleration() { return acceleration_; }
+
   private:
     EnclosedFluidScale scale_;
     std::vector<double> mass_kg_;
-    std::vector<Vec3> last_velocity_;  // empty before the first step
+    std::vector<Vec3> last_velocity_;
     std::vector<Vec3> acceleration_;
     std::vector<Vec3> force_;
 };

@@ -48,6 +48,7 @@ class PenaltyForce {
     std::span<const Vec3> impulse() const { return impulse_; }
 
     const EnclosedFluid& enclosed() const { return enclosed_; }
+    EnclosedFluid& enclosed() { return enclosed_; }
 
   private:
     std::vector<Marker> markers_;

@@ -10,21 +10,31 @@
 namespace magfsi::output {
 namespace {
 
-std::filesystem::path temporary_of(std::filesystem::path path) {
-    return path += ".tmp";
+void sync(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw FileError(path, errno);
+    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (error != 0) throw FileError(path, error);
 }
 
 // A rename is durable only when the folder's own entry is on the disk.
 void sync_folder(const std::filesystem::path& file) {
-    const auto folder = file.has_parent_path() ? file.parent_path() : ".";
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) throw FileError(folder, errno);
-    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
-    ::close(descriptor);
-    if (error != 0) throw FileError(folder, error);
+    sync(file.has_parent_path() ? file.parent_path() : ".");
 }
 
 }  // namespace
+
+std::filesystem::path temporary_of(std::filesystem::path path) {
+    return path += ".tmp";
+}
+
+void publish(const std::filesystem::path& path, Survives survives) {
+    const auto temporary = temporary_of(path);
+    if (survives == Survives::power_cut) sync(temporary);
+    if (std::rename(temporary.c_str(), path.c_str()) != 0) throw FileError(path, errno);
+    if (survives == Survives::power_cut) sync_folder(path);
+}
 
 AtomicFile::AtomicFile(std::filesystem::path path, Survives survives)
     : path_(std::move(path)), survives_(survives), temporary_(temporary_of(path_)) {}

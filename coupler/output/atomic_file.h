@@ -32,4 +32,9 @@ class AtomicFile {
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Survives survives = Survives::kill);
 
+// For a file that another library writes: let it write and close temporary_of(path), then
+// publish(path).
+std::filesystem::path temporary_of(std::filesystem::path path);
+void publish(const std::filesystem::path& path, Survives survives);
+
 }  // namespace magfsi::output

@@ -14,9 +14,12 @@ FileError::FileError(const std::filesystem::path& path, int system_errno)
     : std::runtime_error(fmt::format("cannot write {}: {}", path.string(),
                                      std::generic_category().message(system_errno))) {}
 
-File::File(std::filesystem::path path) : path_(std::move(path)) {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+File::File(std::filesystem::path path, Open how) : path_(std::move(path)) {
+    const int start = how == Open::append ? 0 : O_TRUNC;
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | start | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw FileError(path_, errno);
+    const off_t end = how == Open::append ? ::lseek(descriptor_, 0, SEEK_END) : 0;
+    if (end > 0) size_bytes_ = static_cast<std::size_t>(end);
 }
 
 File::~File() {

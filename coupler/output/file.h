@@ -15,10 +15,12 @@ class FileError : public std::runtime_error {
     FileError(const std::filesystem::path& path, int system_errno);
 };
 
+enum class Open { empty, append };
+
 class File {
   public:
-    // Creates the file or empties it. The folder must exist.
-    explicit File(std::filesystem::path path);
+    // Creates the file, or empties it unless appended to. The folder must exist.
+    explicit File(std::filesystem::path path, Open how = Open::empty);
     ~File();
     File(const File&) = delete;
     File& operator=(const File&) = delete;

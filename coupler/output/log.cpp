@@ -19,8 +19,10 @@ class BelowErrorToStdout : public spdlog::sinks::stdout_sink_mt {
 }  // namespace
 
 std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file,
-                                         const std::string& name) {
-    File(file).close();  // spdlog would make missing folders and word the failure its way
+                                         const std::string& name, LogMode mode) {
+    if (mode == LogMode::anew)
+        File(file)
+            .close();  // spdlog would make missing folders and word the failure its way
     auto to_stdout = std::make_shared<BelowErrorToStdout>();
     auto to_stderr = std::make_shared<spdlog::sinks::stderr_sink_mt>();
     auto to_file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string());

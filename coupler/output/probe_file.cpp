@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "coupler/output/atomic_file.h"
 #include "coupler/output/number.h"
 
 namespace magfsi::output {
@@ -28,14 +31,57 @@ std::vector<std::string> checked(std::vector<std::string> columns) {
     return columns;
 }
 
+std::string header(const std::vector<std::string>& columns) {
+    std::string line = time_column;
+    for (const auto& name : columns) line += ',' + name;
+    return line + '\n';
+}
+
+std::vector<double> numbers(const std::string& line) {
+    std::vector<double> values;
+    const char* at = line.c_str();
+    for (char* end = nullptr;; at = end + 1) {
+        values.push_back(std::strtod(at, &end));
+        if (*end != ',') return values;
+    }
+}
+
+// Leaves the header and the complete rows up to a time. Returns the last one's values.
+std::vector<double> cut(const std::filesystem::path& path, const std::string& head,
+                        double until_s) {
+    std::string kept = head;
+    std::vector<double> last;
+    if (std::ifstream in(path); in) {
+        std::string line;
+        std::getline(in, line);
+        if (line + '\n' != head)
+            throw std::runtime_error(fmt::format(
+                "{}: other columns than those of this run; move the file away",
+                path.string()));
+        // A line that ends without a line break is torn.
+        while (std::getline(in, line) && !in.eof()) {
+            const auto row = numbers(line);
+            if (row.front() > until_s) break;
+            kept += line + '\n';
+            last.assign(row.begin() + 1, row.end());
+        }
+    }
+    write_atomically(path, kept);
+    return last;
+}
+
 }  // namespace
 
 ProbeFile::ProbeFile(const std::filesystem::path& path, std::vector<std::string> columns)
     : columns_(checked(std::move(columns))), file_(path) {
-    std::string header = time_column;
-    for (const auto& name : columns_) header += ',' + name;
-    file_.write_record(header + '\n');
+    file_.write_record(header(columns_));
 }
+
+ProbeFile::ProbeFile(const std::filesystem::path& path, std::vector<std::string> columns,
+                     double until_s)
+    : columns_(checked(std::move(columns))),
+      last_(cut(path, header(columns_), until_s)),
+      file_(path, Open::append) {}
 
 void ProbeFile::row(double time_s, std::span<const double> values) {
     if (values.size() != columns_.size())

@@ -20,6 +20,12 @@ class ProbeFile {
     // written.
     ProbeFile(const std::filesystem::path& path, std::vector<std::string> columns);
 
+    // After a restart: goes on with the file that is there and takes away its rows after
+    // `until_s`, which are about to come again. Without a file, a new one. Throws
+    // std::runtime_error when its columns are others.
+    ProbeFile(const std::filesystem::path& path, std::vector<std::string> columns,
+              double until_s);
+
     const std::vector<std::string>& columns() const { return columns_; }
 
     // One value a column. Throws std::invalid_argument on another count, FileError when

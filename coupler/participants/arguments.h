@@ -13,6 +13,7 @@ struct ParticipantArguments {
     std::filesystem::path scene;
     std::filesystem::path out;  // run folder; default runs/NAME of the scene
     std::vector<std::string> overrides;
+    std::string restart;  // "latest", a file of a checkpoint, or empty
     output::ProgressMode progress = output::ProgressMode::plain;
     bool help = false;
     std::string help_text;

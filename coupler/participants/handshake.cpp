@@ -55,6 +55,9 @@ void shake_hands(const World& world, const Agreement& mine, double timeout_s) {
     compare(world, "coupled step in picoseconds",
             static_cast<std::uint64_t>(mine.step_ps),
             static_cast<std::uint64_t>(theirs.step_ps), "{}");
+    compare(world, "step of the checkpoint to go on from",
+            static_cast<std::uint64_t>(mine.first_step),
+            static_cast<std::uint64_t>(theirs.first_step), "{}");
 }
 
 std::string swap_text(const World& world, const std::string& mine, double timeout_s,

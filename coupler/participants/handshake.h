@@ -11,10 +11,11 @@ namespace magfsi::coupler {
 
 // Same layout on both sides: all integers, so that there is nothing to round.
 struct Agreement {
-    std::int64_t protocol = 1;
+    std::int64_t protocol = 2;
     std::uint64_t scene_hash = 0;
-    std::int64_t steps = 0;    // coupled steps of the run
-    std::int64_t step_ps = 0;  // the coupled step in picoseconds, rounded
+    std::int64_t steps = 0;       // coupled steps of the run
+    std::int64_t step_ps = 0;     // the coupled step in picoseconds, rounded
+    std::int64_t first_step = 0;  // that of the checkpoint after a restart
 };
 
 // Exchanges the agreements of the two roots and compares. Throws PartnerLost naming the

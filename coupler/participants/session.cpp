@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/wait.h"
@@ -26,7 +27,9 @@ bool coupled(const scene::Scene& scene) {
 }  // namespace
 
 Session::Session(Role role, const ParticipantArguments& arguments, RunState& state)
-    : state_(state), world_(role, coupled(read(arguments, state))) {}
+    : state_(state),
+      restart_wanted_(arguments.restart),
+      world_(role, coupled(read(arguments, state))) {}
 
 double Session::timeout_s() const {
     return state_.scene.coupling ? state_.scene.coupling->timeout_s : startup_timeout_s;
@@ -34,18 +37,55 @@ double Session::timeout_s() const {
 
 void Session::begin(double step_s) {
     clock_ = std::make_unique<Clock>(step_s, state_.scene.time.end_s);
+    if (!restart_wanted_.empty()) find_restart(step_s);
     if (world_.coupled()) {
         Agreement mine;
         mine.scene_hash = state_.scene.hash;
         mine.steps = clock_->steps();
         mine.step_ps = std::llround(step_s * 1e12);
+        mine.first_step = clock_->first_step();
         shake_hands(world_, mine, startup_timeout_s);
     }
+    claim_run_folder();
+    if (!restart_) return;
+    for (const std::string& fault : restart_->skipped) log("skipped: " + fault);
+    log(fmt::format("restart at step {}, t = {:.6g} s", clock_->step(),
+                    clock_->time_s()));
+}
+
+void Session::find_restart(double step_s) {
+    restart_.emplace();
+    if (world_.root())
+        restart_ = coupler::find_restart(restart_wanted_, state_.out, state_.scene);
+    restart_->folder = restart_folder(restart_wanted_, state_.out);
+    StateHeader& header = restart_->header;
+    MPI_Bcast(&header, sizeof header, MPI_BYTE, 0, world_.local());
+    if (header.step_s != step_s) {
+        throw std::invalid_argument(
+            fmt::format("--restart: the checkpoint in {} has coupled steps of {:.17g} s, "
+                        "this run of {:.17g} s; set time.step to the former",
+                        restart_->folder.string(), header.step_s, step_s));
+    }
+    clock_->start_at(header.step);
+    state_.step = clock_->step();
+    state_.time_s = clock_->time_s();
+}
+
+void Session::claim_run_folder() {
     if (world_.root()) std::filesystem::create_directories(state_.out / "fields");
-    if (world_.leads()) std::filesystem::remove(state_.out / "summary.json");
+    if (world_.leads()) {
+        std::filesystem::remove(state_.out / "summary.json");
+        std::error_code none;  // false where one of them is not there
+        const bool goes_on =
+            restart_ && std::filesystem::equivalent(restart_->folder, state_.out, none);
+        // Those of another run, or of steps that this one is about to do again.
+        clear_checkpoints_after(state_.out, goes_on ? clock_->step() : -1);
+    }
     MPI_Barrier(world_.local());
     state_.started = true;
-    if (world_.leads()) logger_ = output::open_log(state_.out / "run.log", "magfsi");
+    if (!world_.leads()) return;
+    const auto mode = restart_ ? output::LogMode::append : output::LogMode::anew;
+    logger_ = output::open_log(state_.out / "run.log", "magfsi", mode);
 }
 
 void Session::log(const std::string& line) const {
@@ -56,7 +96,7 @@ void Session::complete_step() {
     clock_->tick();
     state_.step = clock_->step();
     state_.time_s = clock_->time_s();
-    if (stop_requested() != 0) {
+    if (stop_requested() != 0 && !stop_postponed()) {
         throw Stopped(fmt::format("told to end by signal {}", stop_requested()));
     }
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
 
 #include "coupler/participants/errors.h"
@@ -41,18 +42,30 @@ void sleep_exactly() {
     (void)done;
 }
 
+// Of mpirun's one second between SIGTERM and SIGKILL.
+constexpr auto patience_after_sigterm = std::chrono::milliseconds(300);
+
 volatile std::sig_atomic_t stop_signal = 0;
+bool postponed = false;
 
 extern "C" void remember_signal(int number) {
     stop_signal = number;
 }
 
+// How long ago this wait saw the signal.
+bool may_wait_on(Clock::duration since) {
+    if (!postponed) return false;
+    return stop_signal == SIGUSR1 || since < patience_after_sigterm;
+}
+
 template <typename Done>
 void wait_until(Done done, double timeout_s, const std::string& what) {
     const WaitingTime waiting;
+    std::optional<Clock::time_point> told;
     while (!done()) {
         const auto waited = Clock::now() - waiting.start;
-        if (stop_requested() != 0) {
+        if (stop_requested() != 0 && !told) told = Clock::now();
+        if (told && !may_wait_on(Clock::now() - *told)) {
             throw Stopped(fmt::format("told to end by signal {} while waiting for {}",
                                       stop_requested(), what));
         }
@@ -79,10 +92,19 @@ void catch_stop_signals() {
     action.sa_handler = &remember_signal;
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGUSR1, &action, nullptr);
 }
 
 int stop_requested() {
     return stop_signal;
+}
+
+void postpone_stop() {
+    postponed = true;
+}
+
+bool stop_postponed() {
+    return postponed;
 }
 
 void wait_all(std::span<MPI_Request> requests, double timeout_s,

@@ -26,9 +26,15 @@ void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
 // Seconds that this process has spent in these waits so far.
 double waited_s();
 
-// From now on SIGTERM and SIGINT set a flag that stop_requested reports; waits and the
-// step loop look at it.
+// From now on SIGTERM, SIGINT and SIGUSR1 set a flag that stop_requested reports; waits
+// and the step loop look at it.
 void catch_stop_signals();
 int stop_requested();  // the signal's number, 0 if none
+
+// From now on the step loop answers a signal, at the end of a coupled step, and waits go
+// on: after SIGUSR1, which the launcher sends for this, up to their timeout; after
+// SIGTERM for a moment only, since mpirun sends it too when a partner is gone.
+void postpone_stop();
+bool stop_postponed();
 
 }  // namespace magfsi::coupler

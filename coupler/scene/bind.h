@@ -340,6 +340,11 @@ void bind_keys(Io& io, Output& output) {
 }
 
 template <class Io>
+void bind_keys(Io& io, Checkpoint& checkpoint) {
+    io("every", checkpoint.every_s);
+}
+
+template <class Io>
 void bind_keys(Io& io, Scene& scene) {
     io("name", scene.name);
     io("time", scene.time);
@@ -353,6 +358,7 @@ void bind_keys(Io& io, Scene& scene) {
     io("coupling", scene.coupling);
     io("probes", scene.probes);
     io("output", scene.output);
+    io("checkpoint", scene.checkpoint);
 }
 
 }  // namespace magfsi::scene

@@ -72,10 +72,24 @@ void check_probes(const Scene& scene, const Marks& marks) {
     for (const PointProbe& point : probes.points) check_point(scene, point, marks);
 }
 
+void check_checkpoint(const Scene& scene, const Marks& marks) {
+    if (!scene.checkpoint) return;
+    if (scene.time.equilibrium)
+        refuse(marks.key({"checkpoint"}), "a checkpoint of a path of equilibria",
+               "it in runs with motion only",
+               "take the key away: a path starts anew at once from any of its points");
+    if (scene.coupling && scene.coupling->scheme == Scheme::parallel)
+        refuse(marks.key({"checkpoint"}), "a checkpoint in the parallel scheme",
+               "it in the serial scheme", "take coupling.scheme: serial");
+    check_interval(scene, scene.checkpoint->every_s,
+                   marks.value({"checkpoint", "every"}));
+}
+
 }  // namespace
 
 void check_outputs(const Scene& scene, const Marks& marks) {
     check_probes(scene, marks);
+    check_checkpoint(scene, marks);
     if (scene.output.structure) {
         if (scene.bodies.empty())
             refuse(marks.key({"output", "structure"}), "structure output without bodies",

@@ -22,6 +22,12 @@ std::uint64_t scene_hash(const Scene& scene) {
     return hash;
 }
 
+std::uint64_t state_hash(const Scene& scene) {
+    Scene endless = scene;
+    endless.time.end_s = 0;
+    return scene_hash(endless);
+}
+
 double path_step_s(const Scene& scene) {
     return scene.probes ? scene.probes->every_s : scene.time.end_s;
 }

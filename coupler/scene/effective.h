@@ -17,6 +17,10 @@ nlohmann::ordered_json effective_scene(const Scene& scene);
 // spelling of units do not matter. scene.hash itself is not looked at.
 std::uint64_t scene_hash(const Scene& scene);
 
+// The same whatever time.end is: scenes with equal ones go through the same states, so
+// that one may go on from a checkpoint of the other.
+std::uint64_t state_hash(const Scene& scene);
+
 // Coupled step [s]: time.step, or lattice_speed * spacing / expected_speed. Empty without
 // a fluid and time.step, where the bodies' own stable step rules.
 // Distance of the points on the path of equilibria [s]: that of the probe rows, or the

@@ -62,6 +62,7 @@ constexpr Effect effects[] = {
     {"moving walls", has_moving_wall},
     {"inlets and outlets", has_opening},
     {"obstacles", [](const Scene& s) { return s.fluid && !s.fluid->obstacles.empty(); }},
+    {"checkpoint", [](const Scene& s) { return s.checkpoint.has_value(); }},
 };
 
 std::vector<std::string> select(const Scene& scene, bool active) {

@@ -53,6 +53,10 @@ const Field& scene_fields() {
         coupling_fields().optional(),
         probes_fields().optional(),
         output_fields().optional(),
+        group("checkpoint", "Keeps the state, so that the run can go on from there "
+              "(--restart).", {
+            quantity("every", "s", "Time between states; the two newest are kept.").above(0),
+        }).optional(),
     });
     return scene;
 }

@@ -325,6 +325,11 @@ struct Output {
     std::optional<FluidOutput> fluid;
 };
 
+// The state of every participant, kept so that a run can go on from it.
+struct Checkpoint {
+    double every_s = 0;
+};
+
 struct Scene {
     std::string name;
     Time time;
@@ -338,6 +343,7 @@ struct Scene {
     std::optional<Coupling> coupling;  // always there with both bodies and a fluid
     std::optional<Probes> probes;
     Output output;
+    std::optional<Checkpoint> checkpoint;
 
     // Hash of the effective scene (after --set), the same for the same meaning: equal on
     // both sides of a coupled run or the handshake refuses.

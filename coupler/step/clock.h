@@ -18,9 +18,15 @@ class Clock {
     double step_s() const { return step_s_; }
     std::int64_t steps() const { return steps_; }
     std::int64_t step() const { return step_; }
-    double time_s() const { return static_cast<double>(step_) * step_s_; }
+    double time_s() const { return time_s(step_); }
+    double time_s(std::int64_t step) const { return static_cast<double>(step) * step_s_; }
     bool done() const { return step_ >= steps_; }
     void tick() { ++step_; }
+
+    // After a restart, before the first tick.
+    void start_at(std::int64_t step) { step_ = first_step_ = step; }
+    std::int64_t first_step() const { return first_step_; }
+    std::int64_t steps_here() const { return step_ - first_step_; }  // of this run
 
     // Every how many steps something happens that is wanted every interval_s.
     std::int64_t every(double interval_s) const {
@@ -38,7 +44,7 @@ class Clock {
 
     double step_s_;
     std::int64_t steps_;
-    std::int64_t step_ = 0;
+    std::int64_t step_ = 0, first_step_ = 0;
 };
 
 }  // namespace magfsi::coupler

@@ -1,5 +1,6 @@
 #include "coupler/step/report.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -122,12 +123,33 @@ ParticipantReport report_from_text(const std::string& text) {
     return report;
 }
 
+std::unique_ptr<output::ProbeFile> open_probes(const Session& session,
+                                               const std::vector<std::string>& columns) {
+    const auto file = session.out() / "probes.csv";
+    if (!session.restart()) return std::make_unique<output::ProbeFile>(file, columns);
+    return std::make_unique<output::ProbeFile>(file, columns, session.clock().time_s());
+}
+
+std::string end_line(const Session& session, double wall_s) {
+    if (session.stop_cause())
+        return fmt::format("stopped: {}; go on with --restart latest",
+                           *session.stop_cause());
+    return fmt::format("done: {} steps in {:.1f} s; results in {}",
+                       session.clock().steps_here(), wall_s, session.out().string());
+}
+
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
                    double wall_s, const output::ProbeFile* probes) {
     output::Summary summary;
     summary.scene = session.scene().name;
     summary.scene_hash = session.scene().hash;
     summary.outcome = output::Outcome::completed;
+    if (session.stop_cause()) {
+        summary.outcome = output::Outcome::stopped;
+        summary.cause = *session.stop_cause();
+    }
+    if (session.restart())
+        summary.extra["restarted_at_step"] = session.clock().first_step();
     summary.effects = scene::active_effects(session.scene());
     summary.absent_effects = scene::absent_effects(session.scene());
     summary.steps = session.clock().step();

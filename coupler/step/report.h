@@ -1,6 +1,7 @@
 // What each participant reports at the end, and the summary made of it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -32,8 +33,15 @@ ParticipantReport basic_report(const World& world, const TaskList& tasks,
 std::string to_text(const ParticipantReport& report);
 ParticipantReport report_from_text(const std::string& text);
 
-// summary.json of a completed run; only the lead calls it. probes: the columns and the
-// last row of probes.csv, nullptr without one.
+// probes.csv of this run, or after a restart its goings-on.
+std::unique_ptr<output::ProbeFile> open_probes(const Session& session,
+                                               const std::vector<std::string>& columns);
+
+// "done: 400 steps in 2.1 s; results in runs/swimmer", or how it was stopped.
+std::string end_line(const Session& session, double wall_s);
+
+// summary.json of a run that ended in order; only the lead calls it. probes: the columns
+// and the last row of probes.csv, nullptr without one.
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
                    double wall_s, const output::ProbeFile* probes);
 

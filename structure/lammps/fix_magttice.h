@@ -38,6 +38,9 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void write_restart(FILE* file) override;
     void restart(char* buffer) override;
     double memory_usage() override;
+    // "work_share", "lost_share": this rank's share of the work of the field and of what
+    // viscosity took [J].
+    void* extract(const char* name, int& dimension) override;
 
     const NodeRange& range() const { return range_; }
     const Lattice& lattice() const { return lattice_; }

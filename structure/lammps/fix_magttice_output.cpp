@@ -76,6 +76,13 @@ void FixMagttice::restart(char* buffer) {
     lost_j_ = comm->me == 0 ? totals[1] : 0.0;
 }
 
+void* FixMagttice::extract(const char* name, int& dimension) {
+    dimension = 0;
+    if (std::strcmp(name, "work_share") == 0) return &work_j_;
+    if (std::strcmp(name, "lost_share") == 0) return &lost_j_;
+    return nullptr;
+}
+
 double FixMagttice::memory_usage() {
     // Both the lattice and the packed batches hold about 50 numbers an element.
     return static_cast<double>(lattice_.elements.size() + kernel_.size()) * 50 *

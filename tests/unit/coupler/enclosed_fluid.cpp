@@ -16,6 +16,7 @@ std::vector<Marker> two_markers() {
 
 TEST(EnclosedFluid, in_still_fluid_is_buoyancy) {
     EnclosedFluid enclosed(two_markers(), {density, step_s, {0, 0, -9.81}});
+    enclosed.start(std::vector<Vec3>(2, Vec3{0.3, 0, 0}));
     for (int step = 0; step < 3; ++step) {
         enclosed.begin_step(std::vector<Vec3>(2, Vec3{0.3, 0, 0}));  // steady motion
         for (const Vec3& force : enclosed.force()) {

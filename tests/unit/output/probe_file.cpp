@@ -104,3 +104,34 @@ TEST(ProbeFile, a_disk_that_fills_inside_a_row_leaves_the_last_complete_row) {
     file.row(0.5, Row{5, 6});  // and goes on once there is room
     EXPECT_EQ(read(path), complete + "0.5,5,6\n");
 }
+
+TEST(ProbeFile, goes_on_after_the_rows_up_to_a_time) {
+    TemporaryFolder folder;
+    const auto path = folder / "probes.csv";
+    std::string whole;
+    {
+        ProbeFile file(path, {"a", "b"});
+        for (const double t : {0.0, 0.1, 0.2, 0.3}) {
+            file.row(t, Row{t / 3, -t});
+            if (t == 0.2) whole = read(path);
+        }
+    }
+    std::ofstream(path, std::ios::app) << "0.4,1";  // torn
+    ProbeFile file(path, {"a", "b"}, 0.1);
+    EXPECT_EQ(file.last_row()[0], 0.1 / 3);
+    EXPECT_EQ(file.last_row().size(), 2u);
+    file.row(0.2, Row{0.2 / 3, -0.2});
+    EXPECT_EQ(read(path), whole);
+}
+
+TEST(ProbeFile, goes_on_with_its_own_columns_only) {
+    TemporaryFolder folder;
+    const auto path = folder / "probes.csv";
+    ProbeFile(path, {"a", "b"}).row(0, Row{1, 2});
+    const std::string before = read(path);
+    EXPECT_THROW(ProbeFile(path, {"a", "c"}, 0), std::runtime_error);
+    EXPECT_EQ(read(path), before);
+    ProbeFile fresh(folder / "new.csv", {"a"}, 5);
+    EXPECT_EQ(read(folder / "new.csv"), "t[s],a\n");
+    EXPECT_TRUE(fresh.last_row().empty());
+}

@@ -12,9 +12,9 @@ using Names = std::vector<std::string>;
 
 TEST(Effects, of_a_swimmer) {
     const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
-    EXPECT_EQ(active_effects(s),
-              (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
-                     "immersed boundary", "fluid", "body force", "moving walls"}));
+    EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field", "gravity",
+                                        "damping", "clamps", "immersed boundary", "fluid",
+                                        "body force", "moving walls", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "platform", "friction", "contact",
                      "eddy viscosity", "inlets and outlets", "obstacles"}));
@@ -34,7 +34,7 @@ TEST(Effects, of_a_solid) {
               (Names{"viscosity", "field gradient", "gravity", "damping", "platform",
                      "friction", "contact", "clamps", "immersed boundary", "fluid",
                      "body force", "eddy viscosity", "moving walls", "inlets and outlets",
-                     "obstacles"}));
+                     "obstacles", "checkpoint"}));
 }
 
 TEST(Effects, of_a_channel) {

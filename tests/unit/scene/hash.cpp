@@ -44,6 +44,16 @@ TEST(Hash, ignores_comments_order_and_spelling) {
     EXPECT_EQ(read_scene(one.path()).hash, read_scene(another.path()).hash);
 }
 
+TEST(Hash, of_the_states_ignores_the_end_only) {
+    const auto state = [](const std::string& change) {
+        return state_hash(read_scene(test_folder / "complete/swimmer.yaml", {change}));
+    };
+    const auto as_it_is = state("time.end=120 ms");
+    EXPECT_EQ(state("time.end=240 ms"), as_it_is);
+    EXPECT_NE(state("time.step=19 us"), as_it_is);
+    EXPECT_NE(state("checkpoint.every=4 ms"), as_it_is);
+}
+
 TEST(Hash, is_that_of_the_values) {
     const Scene s = read_scene(test_folder / "minimal.yaml");
     EXPECT_EQ(s.hash, scene_hash(s));
@@ -115,7 +125,9 @@ std::vector<std::string> changes() {
             "output.structure.every=2 ms",
             "output.structure=",
             "output.fluid.every=1 ms",
-            "output.fluid.fields=[velocity]"};
+            "output.fluid.fields=[velocity]",
+            "checkpoint.every=4 ms",
+            "checkpoint="};
 }
 
 TEST(Hash, changes_with_each_value) {

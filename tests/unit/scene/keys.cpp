@@ -99,6 +99,7 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_TRUE(s.probes->interface_balance);
     EXPECT_EQ(s.output.structure->every_s, 1e-3);
     EXPECT_EQ(s.output.fluid->every_s, 2e-3);
+    EXPECT_EQ(s.checkpoint->every_s, 5e-3);
     EXPECT_EQ(s.output.fluid->fields,
               (std::vector{FluidField::vorticity, FluidField::density}));
 }

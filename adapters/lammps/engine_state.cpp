@@ -1,0 +1,119 @@
+// The motion's state, taken out of LAMMPS and put back by the atoms' ids.
+#include <algorithm>
+#include <string>
+
+#include "adapters/lammps/engine.h"
+#include "adapters/lammps/lammps_exit.h"
+#include "atom.h"
+#include "comm.h"
+#include "coupler/checkpoint/gather.h"
+#include "fix.h"
+#include "lammps.h"
+#include "modify.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+constexpr std::size_t motion_values = 9;  // position, velocity, force
+
+// Those that keep something with their atoms, over restarts too.
+std::vector<LAMMPS_NS::Fix*> keepers(const LAMMPS_NS::Modify& modify) {
+    std::vector<LAMMPS_NS::Fix*> found;
+    for (int i = 0; i < modify.nfix; ++i) {
+        if (modify.fix[i]->restart_peratom != 0) found.push_back(modify.fix[i]);
+    }
+    return found;
+}
+
+// LAMMPS counts the length of the record in.
+std::size_t kept_values(LAMMPS_NS::Fix& fix) {
+    return static_cast<std::size_t>(fix.maxsize_restart() - 1);
+}
+
+}  // namespace
+
+std::size_t Engine::node_values() const {
+    std::size_t values = motion_values;
+    for (LAMMPS_NS::Fix* fix : keepers(*lammps_->modify)) values += kept_values(*fix);
+    return values;
+}
+
+std::vector<double> Engine::gather_nodes(int atoms) const {
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    const std::size_t width = node_values();
+    std::vector<int> index;
+    std::vector<double> rows(width * static_cast<std::size_t>(atom.nlocal));
+    for (int i = 0; i < atom.nlocal; ++i) {
+        double* row = rows.data() + width * static_cast<std::size_t>(i);
+        std::copy_n(atom.x[i], 3, row);
+        std::copy_n(atom.v[i], 3, row + 3);
+        std::copy_n(atom.f[i], 3, row + 6);
+        double* at = row + motion_values;
+        for (LAMMPS_NS::Fix* fix : keepers(*lammps_->modify))
+            at += fix->pack_exchange(i, at);
+        index.push_back(static_cast<int>(atom.tag[i]) - 1);
+    }
+    return coupler::gather_rows(comm_, index, rows, width,
+                                static_cast<std::size_t>(atoms));
+}
+
+void Engine::put_nodes(std::span<const double> rows) {
+    const InsideLammps inside;
+    LAMMPS_NS::Atom& atom = *lammps_->atom;
+    const std::size_t width = node_values();
+    const auto row_of = [&](int i) {
+        return rows.data() + width * static_cast<std::size_t>(atom.tag[i] - 1);
+    };
+    for (int i = 0; i < atom.nlocal; ++i) {
+        std::copy_n(row_of(i), 3, atom.x[i]);
+        std::copy_n(row_of(i) + 3, 3, atom.v[i]);
+        std::vector<double> kept(row_of(i) + motion_values, row_of(i) + width);
+        double* at = kept.data();
+        for (LAMMPS_NS::Fix* fix : keepers(*lammps_->modify))
+            at += fix->unpack_exchange(i, at);
+    }
+    lammps_->comm->forward_comm();
+    // What fixes remember of the last evaluation (field, energies) becomes that of the
+    // places just set. The forces themselves hold velocities of a half step and of the
+    // fluid that nobody can evaluate again: those are put back as they were.
+    // One by one: Modify calls them within a run only.
+    for (int i = 0; i < lammps_->modify->nfix; ++i)
+        lammps_->modify->fix[i]->setup_pre_reverse(0, 0);
+    for (int i = 0; i < atom.nlocal; ++i) std::copy_n(row_of(i) + 6, 3, atom.f[i]);
+}
+
+std::vector<double*> Engine::sums_in_fixes() const {
+    std::vector<double*> sums;
+    for (int i = 0; i < lammps_->modify->nfix; ++i) {
+        for (const char* name : {"work_share", "lost_share"}) {
+            int dimension = 0;
+            void* found = lammps_->modify->fix[i]->extract(name, dimension);
+            if (found != nullptr) sums.push_back(static_cast<double*>(found));
+        }
+    }
+    return sums;
+}
+
+std::vector<double> Engine::fix_sums() const {
+    std::vector<double> values;
+    for (const double* sum : sums_in_fixes()) values.push_back(*sum);
+    return values;
+}
+
+void Engine::put_fix_sums(std::span<const double> values) {
+    std::size_t i = 0;
+    for (double* sum : sums_in_fixes()) *sum = values[i++];
+}
+
+void Engine::start_at(std::int64_t lammps_step) {
+    command("reset_timestep " + std::to_string(lammps_step));
+}
+
+void Engine::renew_neighbours() {
+    // Moves nothing, but ends by sending every atom to its rank, however far that is.
+    command("displace_atoms all move 0 0 0 units box");
+    set_up();
+}
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,42 @@
+// The task "checkpoint" of a participant: writes its state every so many coupled steps,
+// and once more when the run was told to end, which it then does in order.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "coupler/checkpoint/state_reader.h"
+#include "coupler/checkpoint/state_writer.h"
+#include "coupler/checkpoint/stop_agreement.h"
+#include "coupler/participants/session.h"
+
+namespace magfsi::coupler {
+
+class Checkpoints {
+  public:
+    // Collective over the participant; file is null but on its root.
+    using Save = std::function<void(StateWriter* file)>;
+
+    // For scenes with a checkpoint. From here on a signal no longer ends the run at once.
+    Checkpoints(Session& session, Save save);
+
+    // After everything else of a step that leaves files.
+    void end_step();
+
+    // When both sides have ended: takes away the checkpoints beyond those kept.
+    void finish() const;
+
+  private:
+    void write();
+
+    Session& session_;
+    Save save_;
+    std::int64_t every_;
+    StopAgreement stop_;
+};
+
+// This participant's file of the checkpoint that the session goes on from.
+StateReader open_restart(const Session& session);
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,44 @@
+#include "fluid_lbm/sampling/state.h"
+
+#include "fluid_lbm/boundary/x_ends.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+// use(p, first): the pointers of each row of the plane and the index of its first value.
+template <class Real, class Use>
+void each_row(const View& view, const PopulationRows<Real>& rows, int z, Use&& use) {
+    const std::size_t row_values = d3q19::directions * view.layout.nx;
+    for (int y = 0; y < view.layout.ny; ++y)
+        use(pointers(rows, view.layout, view.arrangement, y, z), y * row_values);
+}
+
+}  // namespace
+
+void read_plane(const View& view, int z, std::span<double> values) {
+    const bool swapped = view.arrangement == Arrangement::swapped;
+    view.populations.visit([&](const auto& rows) {
+        each_row(view, rows, z, [&](const auto& p, std::size_t at) {
+            if (swapped) open_x_ends(p, view.layout);
+            for (int x = 0; x < view.layout.nx; ++x) {
+                for (int q = 0; q < d3q19::directions; ++q) values[at++] = p.at[q][x];
+            }
+        });
+    });
+}
+
+void write_plane(const View& view, int z, std::span<const double> values) {
+    const bool swapped = view.arrangement == Arrangement::swapped;
+    view.populations.visit([&]<class Real>(const PopulationRows<Real>& rows) {
+        each_row(view, rows, z, [&](const auto& p, std::size_t at) {
+            for (int x = 0; x < view.layout.nx; ++x) {
+                for (int q = 0; q < d3q19::directions; ++q)
+                    p.at[q][x] = static_cast<Real>(values[at++]);
+            }
+            if (swapped) close_x_ends(p, view.layout);
+        });
+    });
+}
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,49 @@
+// A signal that reaches one rank at any step ends all ranks of both sides after the same
+// coupled step, and the step loop of neither waits for the other side's signal. The flag
+// stays set: a program of its own.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "coupler/checkpoint/stop_agreement.h"
+#include "coupler/participants/wait.h"
+#include "tests/mpi/coupler/split.h"
+
+namespace magfsi::coupler {
+namespace {
+
+constexpr std::int64_t steps = 20;
+
+// The step after which this rank ends; steps when nobody told it to.
+std::int64_t last_step(const World& world, int told_world_rank, std::int64_t told_at) {
+    StopAgreement stop(world, testing::timeout_s);
+    for (std::int64_t step = 1; step <= steps; ++step) {
+        if (testing::world_rank() == told_world_rank && step == told_at)
+            std::raise(SIGUSR1);
+        if (stop.reached(step, step == steps)) return step;
+    }
+    return steps;
+}
+
+TEST(StopTogether, without_a_signal_all_run_to_the_end) {
+    const World world(testing::role_in(1), true);
+    catch_stop_signals();
+    postpone_stop();
+    EXPECT_EQ(last_step(world, -1, 0), steps);
+}
+
+// A wait goes on where the scene has checkpoints: the step can be completed.
+TEST(StopTogether, one_step_after_the_structure_was_told) {
+    const World world(testing::role_in(1), true);
+    ASSERT_EQ(stop_requested(), 0);
+    const std::int64_t mine = last_step(world, 0, 7);
+    EXPECT_EQ(mine, 8);
+    std::int64_t first = mine;
+    std::int64_t last = mine;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT64_T, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, &last, 1, MPI_INT64_T, MPI_MAX, MPI_COMM_WORLD);
+    EXPECT_EQ(first, last);
+}
+
+}  // namespace
+}  // namespace magfsi::coupler

@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""On the same ranks a run that goes on from a checkpoint leaves the bytes of the one that was not
+interrupted: time series, fields and the next checkpoints."""
+
+import unittest
+from pathlib import Path
+
+import scenes
+from scenes import COUPLED, EVERY, FLUID, STRUCTURE, magfsi
+
+
+class SameBytes(unittest.TestCase):
+    def same(self, scene, settings, end, ranks):
+        whole = scenes.good(scene, settings, magfsi.new_folder(), ranks)
+        parts = scenes.interrupted(scene, settings, end, ranks)
+        expected, found = scenes.results(whole.folder), scenes.results(parts.folder)
+        self.assertEqual(list(found), list(expected))
+        self.assertGreater(len(expected), 3)
+        for name, content in expected.items():
+            self.assertEqual(found[name], content, name)
+        # Two a participant, the same ones.
+        kept = scenes.checkpoints(whole.folder)
+        self.assertEqual(scenes.checkpoints(parts.folder), kept)
+        self.assertEqual(len(kept), 4 if "structure=" in ranks and "fluid=" in ranks else 2)
+        for name in kept:
+            self.assertEqual((Path(parts.folder) / name).read_bytes(),
+                             (Path(whole.folder) / name).read_bytes(), name)
+        first, second = whole.summary(), parts.summary()
+        self.assertEqual(second["outcome"], "completed")
+        for key in ("steps", "simulated_s", "probes", "scene_hash"):
+            self.assertEqual(second[key], first[key], key)
+        self.assertLess(scenes.restarted_at(parts), second["steps"])
+        return parts
+
+    # The ends lie between two checkpoints and between two probe rows.
+    def test_swimmer(self):
+        self.same(magfsi.SMALL, COUPLED, "1.375 ms", "structure=1,fluid=1")
+
+    def test_swimmer_on_several_ranks(self):
+        self.same(magfsi.SMALL, COUPLED, "1.375 ms", "structure=2,fluid=3")
+
+    # Viscosity, field gradient, drag, a rough platform; contact looks for neighbours anew.
+    def test_every_effect_of_a_solid(self):
+        self.same(EVERY, STRUCTURE, "7.2 ms", "structure=1")
+
+    # Where atoms migrate their order is not that of the run before: without contact.
+    def test_solid_on_several_ranks(self):
+        self.same(EVERY, {**STRUCTURE, "contact": ""}, "7.2 ms", "structure=3")
+
+    def test_fluid(self):
+        self.same(magfsi.SMALL, FLUID, "1.375 ms", "fluid=2")
+
+    # The step of the checkpoint, 25, is odd: the other arrangement of the populations.
+    def test_fluid_in_single_precision(self):
+        self.same(magfsi.SMALL, {**FLUID, "fluid.precision": "float",
+                                 "checkpoint.every": "0.625 ms"}, "0.75 ms", "fluid=1")
+
+
+class Series(unittest.TestCase):
+    def test_two_restarts_and_rows_that_come_again(self):
+        settings = {**COUPLED, "checkpoint.every": "0.5 ms", "probes.every": "25 us"}
+        whole = scenes.good(magfsi.SMALL, settings, magfsi.new_folder())
+        folder = magfsi.new_folder()
+        scenes.good(magfsi.SMALL, {**settings, "time.end": "0.9 ms"}, folder)
+        second = scenes.good(magfsi.SMALL, {**settings, "time.end": "1.9 ms"}, folder,
+                             restart="latest")
+        self.assertEqual(scenes.restarted_at(second), 20)
+        third = scenes.good(magfsi.SMALL, settings, folder, restart="latest")
+        self.assertEqual(scenes.restarted_at(third), 60)
+        self.assertEqual(scenes.results(folder), scenes.results(whole.folder))
+        # One log for all.
+        self.assertEqual((Path(folder) / "run.log").read_text().count("restart at step"), 2)
+
+    def test_another_folder_takes_what_comes(self):
+        first = magfsi.new_folder()
+        scenes.good(magfsi.SMALL, {**COUPLED, "time.end": "1 ms"}, first)
+        file = Path(first) / "checkpoint_0000000020_fluid.h5"
+        result = scenes.good(magfsi.SMALL, {**COUPLED, "time.end": "1 ms"},
+                             magfsi.new_folder(), restart=file)
+        times = result.probes()["t[s]"]
+        self.assertAlmostEqual(times[0], 0.6e-3, delta=1e-9)
+        self.assertEqual(scenes.checkpoints(first)[0], file.name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,73 @@
+"""Small scenes with checkpoints, and how to start and go on with them."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import magfsi_runs as magfsi  # noqa: E402
+
+EVERY = magfsi.ROOT / "tests/scenes/every_structure_effect.yaml"
+
+# Overrides without a value take a key away.
+COUPLED = {"time.end": "2 ms", "checkpoint.every": "0.5 ms",
+           "output.structure.every": "0.25 ms", "output.fluid.every": "0.5 ms"}
+STRUCTURE = {"time.end": "10 ms", "checkpoint.every": "2 ms", "probes.every": "0.5 ms",
+             "output.structure.every": "1 ms"}
+FLUID = {"bodies": "", "gravity": "", "magnetic_field": "", "probes.bodies": "",
+         "probes.points": "", "probes.interface_balance": "", "time.end": "2 ms",
+         "checkpoint.every": "0.5 ms", "output.fluid.every": "0.5 ms",
+         "probes.fluid": "[kinetic_energy, mass, max_speed, enstrophy, obstacle_force]",
+         "fluid.smagorinsky.constant": "0.1",
+         "fluid.obstacles.ball.sphere": "{centre: [4 mm, 2 mm, 4 mm], diameter: 1.5 mm}",
+         # The ramp is longer than the run: the step number matters.
+         "fluid.boundaries.x_min": "{velocity_inlet: {velocity: [0.1 m/s, 0 m/s, 0 m/s], "
+                                   "ramp: 4 ms}}",
+         "fluid.boundaries.x_max": "{pressure_outlet: {}}",
+         "fluid.boundaries.z_min": "{no_slip: {velocity: [0.02 m/s, 0 m/s, 0 m/s]}}"}
+
+
+def command(scene, settings, folder, ranks=None, restart=None):
+    words = [magfsi.BIN / "magfsi", "run", scene, "--out", folder,
+             *magfsi.overrides(settings)]
+    if ranks:
+        words += ["--ranks", ranks]
+    if restart:
+        words += ["--restart", restart]
+    return words
+
+
+def run(scene, settings, folder, ranks=None, restart=None):
+    done = subprocess.run([str(w) for w in command(scene, settings, folder, ranks, restart)],
+                          capture_output=True, text=True, timeout=300)
+    return magfsi.Run(done.returncode, done.stdout, done.stderr, 0, folder)
+
+
+def good(*args, **named):
+    result = run(*args, **named)
+    if result.code != 0:
+        raise AssertionError(f"exit code {result.code}\n{result.out}\n{result.err}")
+    return result
+
+
+def interrupted(scene, settings, end, ranks=None, new_ranks=None):
+    """A run to `end` only, gone on with to the end of the scene."""
+    folder = magfsi.new_folder()
+    good(scene, {**settings, "time.end": end}, folder, ranks)
+    return good(scene, settings, folder, new_ranks or ranks, restart="latest")
+
+
+def results(folder):
+    """Every file of physics: series, fields and their indices."""
+    folder = Path(folder)
+    names = ["probes.csv", "structure.pvd", "fluid.pvd"]
+    files = [folder / n for n in names if (folder / n).exists()] + sorted(folder.glob("fields/*"))
+    return {str(f.relative_to(folder)): f.read_bytes() for f in files}
+
+
+def checkpoints(folder):
+    return sorted(p.name for p in Path(folder).glob("checkpoint*.h5"))
+
+
+def restarted_at(result):
+    return result.summary()["extra"]["restarted_at_step"]
