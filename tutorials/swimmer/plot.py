@@ -147,7 +147,7 @@ def draw_views(axes, probes, body, row):
         axes.text(x + 1.2, keys_z, text, va="center", fontsize=7, color=GREY,
                   bbox={"color": "white", "pad": 1})
     since_start_ms = np.abs(np.round(1e3 * (row.times - row.start_s), 2))
-    axes.set(xlim=row.x_limits, ylim=row.z_limits, ylabel="height z [mm]",
+    axes.set(xlim=row.x_limits, ylim=row.z_limits, ylabel="z [mm]",
              xlabel="time in the period [ms]", xticks=row.x(row.times),
              xticklabels=[f"{ms:g}" for ms in since_start_ms])
     axes.yaxis.set_major_locator(matplotlib.ticker.MultipleLocator(1))
@@ -161,7 +161,10 @@ def draw_height(axes, probes, body, row, reference):
     period_ms = 1e3 * row.period_s
     marks = np.arange(time_ms[0], time_ms[-1] + 1e-6 * period_ms, period_ms)
     at_marks = np.interp(marks, time_ms, height)
-    top = height.max() + 0.22 * np.ptp(height)
+    highest = height.max()
+    if reference:
+        highest = max(highest, 1e3 * column(reference, f"{body}.com_z[m]").max())
+    top = highest + 0.22 * np.ptp(height)
     start_ms = 1e3 * row.start_s
     axes.axvspan(start_ms, start_ms + period_ms, color="0.93", lw=0)
     axes.text(start_ms + period_ms / 2, height.min() - 0.03 * np.ptp(height),
