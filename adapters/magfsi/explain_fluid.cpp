@@ -30,9 +30,8 @@ struct LatticeValues {
 LatticeValues lattice_values(const scene::Fluid& fluid,
                              const fluid::FluidConfig& config) {
     LatticeValues v{fluid.spacing_m, config.time_step_s, fluid::relaxation_time(config)};
-    if (fluid::choose_collision(config) == fluid::Collision::trt) {
-        v.odd_rate = 1 / (0.5 + fluid::choose_magic_number(config) / (v.tau - 0.5));
-    }
+    if (fluid::choose_collision(config) == fluid::Collision::trt)
+        v.odd_rate = fluid::odd_rate(config);
     v.speed = fluid.expected_speed_m_s * v.step_s / v.spacing_m;
     v.mach = v.speed * std::sqrt(3.0);
     v.grid_reynolds = fluid.expected_speed_m_s * fluid.spacing_m / fluid.viscosity_m2_s;

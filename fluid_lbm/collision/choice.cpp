@@ -41,6 +41,10 @@ double choose_magic_number(const FluidConfig& config) {
     return tau >= trt_from ? 3.0 / 16 : (tau - 0.5) / 2;
 }
 
+double odd_rate(const FluidConfig& config) {
+    return odd_rate(1 / relaxation_time(config), choose_magic_number(config));
+}
+
 // Recursive regularisation is the one that survives unresolved turbulence (Taylor-Green
 // at Reynolds number 100,000 on 32^3 cells). But where a moving wall meets a resting one
 // it diverged or lost its way (cavity at Reynolds number 1000 on 64^2 cells, relaxation
@@ -59,9 +63,8 @@ std::string collision_reason(const FluidConfig& config) {
     text.precision(4);
     text << to_string(chosen);
     if (chosen == Collision::trt) {
-        const double magic = choose_magic_number(config);
-        text << " (magic number " << magic << ", odd rate " << odd_rate(1 / tau, magic)
-             << ")";
+        text << " (magic number " << choose_magic_number(config) << ", odd rate "
+             << odd_rate(config) << ")";
     }
     text << ": ";
     if (config.collision != Collision::automatic) {

@@ -11,5 +11,7 @@ namespace magfsi::fluid {
 Collision choose_collision(const FluidConfig& config);
 // config.magic_number, or the one for this relaxation time.
 double choose_magic_number(const FluidConfig& config);
+// Rate at which two-relaxation-time collision lets odd modes decay with it.
+double odd_rate(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

@@ -128,4 +128,16 @@ class LammpsRun {
     std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
 };
 
+// The same script on one rank and on all, which run the same steps.
+struct AloneAndTogether {
+    LammpsRun alone, together;
+
+    explicit AloneAndTogether(const LammpsScript& script)
+        : alone(MPI_COMM_SELF, script.setup), together(MPI_COMM_WORLD, script.setup) {}
+    void command(const std::string& text) {
+        alone.command(text);
+        together.command(text);
+    }
+};
+
 }  // namespace magfsi::structure::test

@@ -28,15 +28,11 @@ TEST_P(AnyRanks, GiveTheSameMotionEnergiesAndWork) {
     input.gravity_m_s2 = Vec3{0, 0, -9.81};
     input.drag_rate_1_s = 20;
     const test::SharedFolder folder;
-    const LammpsScript script = folder.write(input);
-
-    test::LammpsRun alone(MPI_COMM_SELF, script.setup);
-    test::LammpsRun together(MPI_COMM_WORLD, script.setup);
-    for (test::LammpsRun* run : {&alone, &together}) {
-        run->command("run 0");
-        run->command("run 200 pre no post no");
-        run->command("run 200 pre no post no");
-    }
+    test::AloneAndTogether runs(folder.write(input));
+    runs.command("run 0");
+    runs.command("run 200 pre no post no");
+    runs.command("run 200 pre no post no");
+    auto& [alone, together] = runs;
     const double difference = largest_difference(alone.gather("x"), together.gather("x"));
     const double difference_v =
         largest_difference(alone.gather("v"), together.gather("v"));

@@ -12,13 +12,10 @@ namespace {
 TEST(TwoMaterials, GiveTheSameMotionAndSumsOnAnyRanks) {
     const LammpsInput input = test::bending_bar();
     const test::SharedFolder folder;
-    const LammpsScript script = folder.write(input);
-    test::LammpsRun alone(MPI_COMM_SELF, script.setup);
-    test::LammpsRun together(MPI_COMM_WORLD, script.setup);
-    for (test::LammpsRun* run : {&alone, &together}) {
-        run->command("run 0");
-        run->command("run 400 pre no post no");
-    }
+    test::AloneAndTogether runs(folder.write(input));
+    runs.command("run 0");
+    runs.command("run 400 pre no post no");
+    auto& [alone, together] = runs;
     const auto a = alone.gather("x");
     const auto b = together.gather("x");
     double apart = 0;

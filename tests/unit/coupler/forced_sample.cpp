@@ -10,11 +10,15 @@ namespace {
 
 using namespace testing;
 
-TEST(ForcedSample, is_the_mean_of_before_and_after) {
+class ForcedSample : public ::testing::Test {
+  protected:
     const Grid grid = channel(1);
-    const TravellingMarkers markers(grid.spacing_m);
-    ArrayFluid fluid(grid, 0);
-    FluidSide side(fluid, grid.owned_by_rank[0], kernel, ArrayFluid::step_s);
+    const TravellingMarkers markers{grid.spacing_m};
+    ArrayFluid fluid{grid, 0};
+    FluidSide side{fluid, grid.owned_by_rank[0], kernel, ArrayFluid::step_s};
+};
+
+TEST_F(ForcedSample, is_the_mean_of_before_and_after) {
     // Four steps apart: about one cell, so that the rows overlap in part.
     const auto there = markers.positions(4);
     side.spread(markers.positions(0), markers.impulses(0));
@@ -37,11 +41,7 @@ TEST(ForcedSample, is_the_mean_of_before_and_after) {
 }
 
 // A fluid that has moved on is audited with what the markers felt before.
-TEST(ForcedSample, audit_with_the_velocities_that_were_felt) {
-    const Grid grid = channel(1);
-    const TravellingMarkers markers(grid.spacing_m);
-    ArrayFluid fluid(grid, 0);
-    FluidSide side(fluid, grid.owned_by_rank[0], kernel, ArrayFluid::step_s);
+TEST_F(ForcedSample, audit_with_the_velocities_that_were_felt) {
     const auto points = markers.positions(0);
     side.spread(points, markers.impulses(3));
     const auto felt = side.sample(points);
