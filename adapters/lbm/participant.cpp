@@ -8,10 +8,7 @@
 #include "adapters/lbm/fluid_probes.h"
 #include "adapters/lbm/fluid_state.h"
 #include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/immersed_boundary/grid_text.h"
-#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/errors.h"
-#include "coupler/participants/wait.h"
 #include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
@@ -19,96 +16,37 @@
 
 namespace magfsi::lbm {
 
-namespace {
-
-constexpr const char* advance_task = "advance fluid";
-
-}  // namespace
-
 Participant::Participant(coupler::Session& session, output::ProgressMode progress)
     : session_(session),
       progress_mode_(progress),
       fluid_(session.world().local(),
              to_config(*session.scene().fluid, session.clock().step_s())),
       lbm_(fluid_) {
-    if (session.world().coupled()) join_structure();
+    if (session.world().coupled())
+        coupling_ = std::make_unique<coupler::FluidCoupling>(session, lbm_);
     if (session.restart()) restore();
     assemble();
 }
 
-void Participant::join_structure() {
-    const scene::Coupling& coupling = *session_.scene().coupling;
-    exchange_ =
-        std::make_unique<coupler::FluidExchange>(session_.world(), session_.timeout_s());
-    immersed_boundary_ = std::make_unique<coupler::FluidSide>(
-        lbm_,
-        lbm_.grid().owned_by_rank[static_cast<std::size_t>(session_.world().rank())],
-        coupler::to_kernel(coupling.immersed_boundary.kernel), session_.clock().step_s());
-    if (session_.scene().probes && session_.scene().probes->interface_balance) {
-        balance_ = std::make_unique<coupler::BalanceRecord>();
-    }
-    coupler::swap_text(session_.world(), coupler::to_text(lbm_.grid()),
-                       coupler::startup_timeout_s, "description of the grid");
-}
-
 void Participant::assemble() {
-    const bool at_once =
-        exchange_ && session_.scene().coupling->scheme == scene::Scheme::parallel;
-    if (exchange_ && !at_once) assemble_turn();
-    tasks_.add(advance_task, [this] { lbm_.advance(); });
-    tasks_.add("count step", [this] { session_.complete_step(); });
-    if (at_once) assemble_meeting();
-    if (exchange_ && !at_once) {
-        tasks_.add_coupling("sample velocities", [this] {
-            exchange_->send(session_.clock().step() - 1,
-                            immersed_boundary_->sample(batch_->now_m));
-        });
+    if (coupling_) {
+        coupling_->add_tasks(tasks_);
+    } else {
+        tasks_.add(coupler::advance_fluid, [this] { lbm_.advance(); });
+        tasks_.add("count step", [this] { session_.complete_step(); });
     }
     tasks_.add("check divergence", [this] { check_divergence(); });
     assemble_output();
 }
 
-// Serial: the impulses of the structure's step act in the same step of the fluid.
-void Participant::assemble_turn() {
-    tasks_.add_coupling("wait for structure", [this] {
-        batch_ = &exchange_->receive(session_.clock().step());
-    });
-    tasks_.add_coupling("spread impulses", [this] {
-        immersed_boundary_->spread(batch_->before_m, batch_->impulse);
-    });
-    if (balance_) {
-        tasks_.add_coupling("audit interface",
-                            [this] { balance_->add(immersed_boundary_->received()); });
-    }
-}
-
-// Parallel: both have done step n. The impulses of the structure's step act in the
-// fluid's coming step; the U that the structure gets has half of their effect.
-void Participant::assemble_meeting() {
-    tasks_.add_coupling("wait for structure", [this] {
-        batch_ = &exchange_->receive(session_.clock().step() - 1);
-    });
-    tasks_.add_coupling("spread impulses", [this] {
-        immersed_boundary_->spread(batch_->before_m, batch_->impulse);
-    });
-    if (balance_) {
-        tasks_.add_coupling("audit interface", [this] {
-            balance_->add(
-                immersed_boundary_->received(immersed_boundary_->sampled_cells()));
-        });
-    }
-    tasks_.add_coupling("sample velocities", [this] {
-        exchange_->send(session_.clock().step() - 1,
-                        immersed_boundary_->sample_forced(
-                            batch_->now_m, session_.scene().fluid->density_kg_m3));
-        exchange_->finish_sending();
-    });
+coupler::BalanceRecord* Participant::balance() const {
+    return coupling_ ? coupling_->balance() : nullptr;
 }
 
 void Participant::assemble_output() {
     const scene::Scene& scene = session_.scene();
     const bool leads = session_.world().leads();
-    writes_probes_ = scene.probes && (balance_ || !scene.probes->fluid.empty());
+    writes_probes_ = scene.probes && (balance() || !scene.probes->fluid.empty());
     if (writes_probes_) {
         if (leads) {
             probes_ = coupler::open_probes(session_, coupler::fluid_columns(scene));
@@ -144,20 +82,14 @@ void Participant::assemble_output() {
 void Participant::assemble_checkpoint() {
     checkpoints_ = std::make_unique<coupler::Checkpoints>(
         session_, [this](coupler::StateWriter* file) {
-            save_fluid(session_.world().local(), fluid_, balance_.get(), file);
+            save_fluid(session_.world().local(), fluid_, balance(), file);
         });
     tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
 }
 
 void Participant::restore() {
     restore_fluid(session_.world().local(), coupler::open_restart(session_), fluid_,
-                  balance_.get());
-}
-
-// The velocities at the first positions, so that step 0 of the structure can start.
-void Participant::begin_coupling() {
-    batch_ = &exchange_->receive(-1);
-    exchange_->send(-1, immersed_boundary_->sample(batch_->now_m));
+                  balance());
 }
 
 void Participant::write_probes() {
@@ -166,8 +98,8 @@ void Participant::write_probes() {
         if (probes_) probes_->row(session_.clock().time_s(), numbers);
         return;
     }
-    if (balance_) {
-        const auto received = balance_->collect(session_.world().local());
+    if (balance()) {
+        const auto received = balance()->collect(session_.world().local());
         numbers.insert(numbers.end(), received.begin(), received.end());
     }
     if (session_.world().root()) {
@@ -198,7 +130,7 @@ void Participant::run() {
                              session_.scene().time.end_s, session_.clock().steps()));
     session_.log(fmt::format("absent: {}",
                              fmt::join(scene::absent_effects(session_.scene()), ", ")));
-    if (exchange_) begin_coupling();
+    if (coupling_) coupling_->begin();
     if (!session_.restart()) {
         if (writes_probes_) write_probes();
         if (files_) files_->write(0, 0);
@@ -219,7 +151,7 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
         static_cast<int>(std::max<std::int64_t>(1, fluid.cells / fewest_cells_a_rank));
     double advance_s = wall_s;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
-        if (task == advance_task) advance_s = seconds;
+        if (task == coupler::advance_fluid) advance_s = seconds;
     }
     if (session_.clock().steps_here() > 0) {
         fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *

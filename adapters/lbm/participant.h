@@ -7,11 +7,10 @@
 #include "adapters/lbm/fluid_output.h"
 #include "adapters/lbm/lbm_fluid.h"
 #include "coupler/checkpoint/checkpoints.h"
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/immersed_boundary/fluid_side.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/output/progress.h"
 #include "coupler/participants/session.h"
+#include "coupler/scheme/fluid_coupling.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -23,14 +22,11 @@ class Participant {
     void run();
 
   private:
-    void join_structure();
     void assemble();
-    void assemble_turn();
-    void assemble_meeting();
     void assemble_output();
     void assemble_checkpoint();
     void restore();
-    void begin_coupling();
+    coupler::BalanceRecord* balance() const;  // null where the scene has none
     void write_probes();
     void check_divergence();
     coupler::ParticipantReport make_report(double wall_s) const;
@@ -41,11 +37,7 @@ class Participant {
     fluid::Fluid fluid_;
     LbmFluid lbm_;
     coupler::TaskList tasks_;
-    // Present only with a structure:
-    std::unique_ptr<coupler::FluidExchange> exchange_;
-    std::unique_ptr<coupler::FluidSide> immersed_boundary_;
-    std::unique_ptr<coupler::BalanceRecord> balance_;
-    const coupler::MarkerBatch* batch_ = nullptr;
+    std::unique_ptr<coupler::FluidCoupling> coupling_;  // present only with a structure
     // Present only when the scene names them:
     std::unique_ptr<FluidFiles> files_;
     std::unique_ptr<output::ProbeFile> probes_;

@@ -1,0 +1,104 @@
+#include "coupler/scheme/fluid_coupling.h"
+
+#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/kernel_choice.h"
+#include "coupler/participants/wait.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+const scene::Coupling& coupling_of(const Session& session) {
+    return *session.scene().coupling;
+}
+
+bool at_once(const Session& session) {
+    return coupling_of(session).scheme == scene::Scheme::parallel;
+}
+
+}  // namespace
+
+FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
+    : session_(session),
+      fluid_(fluid),
+      exchange_(session.world(), session.timeout_s()),
+      immersed_boundary_(
+          fluid,
+          fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
+          to_kernel(coupling_of(session).immersed_boundary.kernel),
+          session.clock().step_s()) {
+    if (session.scene().probes && session.scene().probes->interface_balance)
+        balance_ = std::make_unique<BalanceRecord>();
+    swap_text(session.world(), to_text(fluid.grid()), startup_timeout_s,
+              "description of the grid");
+}
+
+void FluidCoupling::add_tasks(TaskList& tasks) {
+    if (at_once(session_))
+        add_meeting(tasks);
+    else
+        add_turn(tasks);
+}
+
+// Serial: the impulses of the structure's step act in the same step of the fluid.
+void FluidCoupling::add_turn(TaskList& tasks) {
+    add_reception(tasks);
+    add_audit(tasks, [this] { return immersed_boundary_.received(); });
+    add_advance(tasks);
+    add_count(tasks);
+    tasks.add_coupling("sample velocities", [this] {
+        exchange_.send(session_.clock().step() - 1,
+                       immersed_boundary_.sample(batch_->now_m));
+    });
+}
+
+// Parallel: both do step n at once, then meet. The impulses of the structure's step act
+// in the fluid's coming step; the U that the structure gets has half of their effect.
+void FluidCoupling::add_meeting(TaskList& tasks) {
+    add_advance(tasks);
+    add_reception(tasks);
+    add_audit(tasks, [this] {
+        return immersed_boundary_.received(immersed_boundary_.sampled_cells());
+    });
+    tasks.add_coupling("sample velocities", [this] {
+        exchange_.send(session_.clock().step(), sample_forced());
+        exchange_.finish_sending();
+    });
+    add_count(tasks);
+}
+
+void FluidCoupling::add_advance(TaskList& tasks) {
+    tasks.add(advance_fluid, [this] { fluid_.advance(); });
+}
+
+void FluidCoupling::add_count(TaskList& tasks) {
+    tasks.add("count step", [this] { session_.complete_step(); });
+}
+
+void FluidCoupling::add_reception(TaskList& tasks) {
+    tasks.add_coupling("wait for structure",
+                       [this] { batch_ = &exchange_.receive(session_.clock().step()); });
+    tasks.add_coupling("spread impulses", [this] {
+        immersed_boundary_.spread(batch_->before_m, batch_->impulse);
+    });
+}
+
+void FluidCoupling::add_audit(TaskList& tasks,
+                              std::function<InterfaceBalance()> received) {
+    if (!balance_) return;
+    tasks.add_coupling("audit interface", [this, received = std::move(received)] {
+        balance_->add(received());
+    });
+}
+
+std::span<const Vec3> FluidCoupling::sample_forced() {
+    return immersed_boundary_.sample_forced(batch_->now_m,
+                                            session_.scene().fluid->density_kg_m3);
+}
+
+void FluidCoupling::begin() {
+    batch_ = &exchange_.receive(-1);
+    exchange_.send(-1, immersed_boundary_.sample(batch_->now_m));
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,51 @@
+// The fluid's half of a coupled step, whatever the fluid: exchange, immersed boundary,
+// audit, and the order of its tasks in the scene's scheme. A fluid participant makes one
+// when it has a partner, and adds its own checks and outputs behind these tasks.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "coupler/exchange/fluid_exchange.h"
+#include "coupler/immersed_boundary/fluid_side.h"
+#include "coupler/participants/session.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::coupler {
+
+// Name of the task in which the fluid advances, in every scheme.
+inline constexpr const char* advance_fluid = "advance fluid";
+
+class FluidCoupling {
+  public:
+    // Sends the description of the fluid's grid to the structure; both outlive this.
+    FluidCoupling(Session& session, GridFluid& fluid);
+
+    // The coupled step up to its count: after these tasks the clock stands at t(n+1), and
+    // so does the fluid.
+    void add_tasks(TaskList& tasks);
+
+    // Before the first step: the velocities at the first positions.
+    void begin();
+
+    // Null unless the scene asks for it.
+    BalanceRecord* balance() const { return balance_.get(); }
+
+  private:
+    void add_turn(TaskList& tasks);
+    void add_meeting(TaskList& tasks);
+    void add_advance(TaskList& tasks);
+    void add_count(TaskList& tasks);
+    void add_reception(TaskList& tasks);
+    void add_audit(TaskList& tasks, std::function<InterfaceBalance()> received);
+    std::span<const Vec3> sample_forced();
+
+    Session& session_;
+    GridFluid& fluid_;
+    FluidExchange exchange_;
+    FluidSide immersed_boundary_;
+    std::unique_ptr<BalanceRecord> balance_;
+    const MarkerBatch* batch_ = nullptr;
+};
+
+}  // namespace magfsi::coupler
