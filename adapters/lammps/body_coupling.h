@@ -42,6 +42,13 @@ class BodyCoupling {
     std::span<const int> placed_index() const { return placed_index_; }
     std::size_t placed() const { return placed_; }
 
+    // What the markers of this rank told the fluid last and what it answered.
+    struct Exchanged {
+        std::span<const Vec3> position_m, impulse, velocity;
+    };
+    Exchanged exchanged() const { return {now_m_, force_->impulse(), fluid_velocity_}; }
+    const coupler::Grid& grid() const { return grid_; }
+
     std::size_t bodies() const { return bodies_; }
     // Sum over the ranks of the force on each body in the last step [N]. Collective.
     std::vector<Vec3> force_on_bodies() const;

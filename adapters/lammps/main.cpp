@@ -14,6 +14,6 @@ int main(int argc, char** argv) {
                 throw std::runtime_error("the scene has no bodies");
             const lammps::Substeps substeps = lammps::choose_substeps(session.scene());
             session.begin(substeps.coupled_step_s);
-            lammps::Participant(session, substeps, arguments.progress).run();
+            lammps::Participant(session, substeps, arguments).run();
         });
 }

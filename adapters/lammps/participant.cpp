@@ -26,11 +26,12 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 Participant::Participant(coupler::Session& session, const Substeps& substeps,
-                         output::ProgressMode progress)
+                         const coupler::ParticipantArguments& arguments)
     : session_(session), substeps_(substeps) {
     build();
     assemble();
-    assemble_output(progress);
+    assemble_output(arguments.progress);
+    if (arguments.record) assemble_record();
 }
 
 void Participant::build() {
@@ -141,6 +142,15 @@ void Participant::assemble_checkpoint() {
     tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
 }
 
+void Participant::assemble_record() {
+    if (!coupling_)
+        throw std::invalid_argument("--record: without a fluid nothing is exchanged");
+    recorder_ = std::make_unique<ExchangeRecorder>(
+        session_, *coupling_, coupler::fluid_columns(scene()).size());
+    tasks_.add_output("record exchange",
+                      [this] { recorder_->record(session_.clock().step() - 1); });
+}
+
 StructureParts Participant::parts() {
     return {session_, *engine_, atoms_, coupling_.get(), balance_.get()};
 }
@@ -184,6 +194,7 @@ void Participant::add_partner_values(std::vector<double>& row) {
     coupler::receive_numbers(session_.world(), session_.clock().step(), numbers,
                              session_.timeout_s());
     const std::span<const double> all(numbers);
+    if (recorder_) recorder_->keep_numbers(all.first(fluid_values));
     row.insert(row.end(), all.begin(),
                all.begin() + static_cast<std::ptrdiff_t>(fluid_values));
     if (!balance_) return;
@@ -230,6 +241,7 @@ void Participant::run() {
     if (!session_.restart()) start_anew();
     if (session_.restart() && coupling_)
         restore_coupling(parts(), coupler::open_restart(session_));
+    if (recorder_) recorder_->record(session_.clock().step() - 1);
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();
     finish(output::steady_seconds() - start);

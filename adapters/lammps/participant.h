@@ -7,6 +7,7 @@
 #include "adapters/bodies/structure_files.h"
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/come_to_rest.h"
+#include "adapters/lammps/exchange_recorder.h"
 #include "adapters/lammps/structure_state.h"
 #include "adapters/lammps/substeps.h"
 #include "coupler/checkpoint/checkpoints.h"
@@ -21,7 +22,7 @@ namespace magfsi::lammps {
 class Participant {
   public:
     Participant(coupler::Session& session, const Substeps& substeps,
-                output::ProgressMode progress);
+                const coupler::ParticipantArguments& arguments);
     void run();
 
   private:
@@ -31,6 +32,7 @@ class Participant {
     void assemble_coupling();
     void assemble_output(output::ProgressMode progress);
     void assemble_checkpoint();
+    void assemble_record();
     void start_anew();
     StructureParts parts();
     void write_probes();
@@ -54,6 +56,7 @@ class Participant {
     // Present only with a fluid:
     std::unique_ptr<BodyCoupling> coupling_;
     std::unique_ptr<coupler::BalanceRecord> balance_;
+    std::unique_ptr<ExchangeRecorder> recorder_;  // with --record
     // Present only when the scene names them, and only on the root:
     std::unique_ptr<bodies::ProbeRow> probe_row_;
     std::unique_ptr<bodies::StructureFiles> files_;

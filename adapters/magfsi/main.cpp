@@ -15,7 +15,7 @@ using namespace magfsi;
 
 struct Options {
     launch::RunOptions run;
-    std::string ranks, fluid;
+    std::string ranks, fluid, replay;
 };
 
 void add_scene_options(CLI::App& command, Options& options) {
@@ -40,6 +40,7 @@ int execute(CLI::App& app, Options& options) {
         options.run.overrides.push_back("fluid.solver=" + options.fluid);
     }
     options.run.ranks = launch::parse_ranks(options.ranks);
+    options.run.replay = launch::parse_replay(options.replay);
     const std::string command = app.get_subcommands().front()->get_name();
     if (command == "schema") {
         fmt::print("{}\n", scene::scene_schema().dump(2));
@@ -66,6 +67,10 @@ int main(int argc, char** argv) {
     run.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
     run.add_option("--restart", options.run.restart,
                    "Go on from a checkpoint: latest, or one of its files");
+    run.add_flag("--record", options.run.record,
+                 "Write exchange.record: all that the two sides tell each other");
+    run.add_option("--replay", options.replay,
+                   "Play one side from a record: fluid=RUN or structure=RUN");
     add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"),
                       options);
     add_scene_options(

@@ -76,6 +76,14 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
             given != options.ranks.end() ? given->second : default_ranks(scene, role);
         p.command = {program(name).string()};
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
+        if (const auto played = options.replay.find(role);
+            played != options.replay.end()) {
+            p.ranks = 1;
+            p.command.front() = program("magfsi-replay-").string() + role;
+            p.command.insert(p.command.end(), {"--replay", played->second.string()});
+        } else if (options.record && role == "structure") {
+            p.command.emplace_back("--record");
+        }
         programs.push_back(std::move(p));
     };
     const bool newton = scene.time.equilibrium && scene.time.equilibrium->method ==
@@ -92,6 +100,27 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         }
     }
     return programs;
+}
+
+void check_exchange(const scene::Scene& scene, const RunOptions& options,
+                    const fs::path& out) {
+    const bool replays = !options.replay.empty();
+    if (!replays && !options.record) return;
+    const char* option = replays ? "--replay" : "--record";
+    if (!scene.fluid || scene.bodies.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "{}: the scene has no {}; only a body in a fluid exchanges anything", option,
+            scene.fluid ? "bodies" : "fluid"));
+    }
+    for (const auto& [role, record] : options.replay) {
+        std::error_code none;  // false where one of them is not there
+        if (fs::equivalent(record.parent_path(), out, none)) {
+            throw std::invalid_argument(
+                fmt::format("--replay: the run folder {} is the recorded run's; give "
+                            "another with --out",
+                            out.string()));
+        }
+    }
 }
 
 // The survivors of a lost process may have had no time to say how it ended.
@@ -137,6 +166,26 @@ std::map<std::string, int> parse_ranks(const std::string& text) {
     return ranks;
 }
 
+std::map<std::string, fs::path> parse_replay(const std::string& text) {
+    if (text.empty()) return {};
+    const auto equals = text.find('=');
+    const std::string role = text.substr(0, equals);
+    if (equals == std::string::npos || (role != "structure" && role != "fluid")) {
+        throw std::invalid_argument(fmt::format(
+            "--replay: found '{}'; allowed is structure=RUN or fluid=RUN with "
+            "the folder of a run that had --record",
+            text));
+    }
+    fs::path record = text.substr(equals + 1);
+    if (fs::is_directory(record)) record /= "exchange.record";
+    if (!fs::is_regular_file(record)) {
+        throw std::invalid_argument(
+            fmt::format("--replay: there is no {}; make it with magfsi run --record",
+                        record.string()));
+    }
+    return {{role, fs::absolute(record)}};
+}
+
 int run(const RunOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
     if (scene.fluid && scene.fluid->solver == scene::FluidSolver::openfoam) {
@@ -150,6 +199,7 @@ int run(const RunOptions& options) {
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, scene);
+    check_exchange(scene, options, out);
     const auto programs = participants(scene, options, out);
     if (!goes_on_in(out, options)) clear_run_folder(out);
     fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));

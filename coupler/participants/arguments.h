@@ -13,7 +13,9 @@ struct ParticipantArguments {
     std::filesystem::path scene;
     std::filesystem::path out;  // run folder; default runs/NAME of the scene
     std::vector<std::string> overrides;
-    std::string restart;  // "latest", a file of a checkpoint, or empty
+    std::string restart;           // "latest", a file of a checkpoint, or empty
+    bool record = false;           // what both sides tell each other, to play it later
+    std::filesystem::path replay;  // the record that a replay participant plays
     output::ProgressMode progress = output::ProgressMode::plain;
     bool help = false;
     std::string help_text;

@@ -3,6 +3,7 @@
 exit code of the command line's contract."""
 
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -134,6 +135,41 @@ class Stopped(unittest.TestCase):
         self.assertEqual(run.code, 1, run.err)
         self.assertIn("stopped on request", run.err)
         self.assertEqual(run.summary()["outcome"], "stopped")
+
+
+class DiskFull(unittest.TestCase):
+    """A file that cannot grow fails as on a full disk: by the error of the write."""
+
+    def full(self, program, settings, name, limit_bytes):
+        folder = magfsi.new_folder()
+        # Ignored here, so by the programs too: a write beyond the limit then returns EFBIG.
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
+                                *magfsi.overrides({**LONG, **settings})],
+                               restore_signals=False)
+        wait_for_steps(folder)
+        resource.prlimit(process_of(folder, program), resource.RLIMIT_FSIZE,
+                         (limit_bytes, limit_bytes))
+        run = magfsi.finish(process, time.monotonic(), folder, LIMIT_S)
+        magfsi.report(f"{name}: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        self.assertEqual(run.code, 1, run.err)
+        self.assertRegex(run.err, rf"cannot write .*{name}.*: File too large")
+        self.assertRegex(run.err, r"step \d+")
+        self.assertEqual(run.summary()["outcome"], "stopped")
+        self.assertIn(name, run.summary()["cause"])
+        return folder
+
+    # A row is about 600 bytes.
+    def test_probes(self):
+        folder = self.full("magfsi-structure", {"probes.every": "25 us"}, "probes.csv", 100000)
+        text = (Path(folder) / "probes.csv").read_text()
+        self.assertTrue(text.endswith("\n"), "the last row is torn")
+
+    def test_fields_of_the_fluid(self):
+        self.full("magfsi-fluid-lbm", {"output.fluid.every": "1 ms"}, "fluid_0", 50000)
+
+    def test_checkpoint(self):
+        self.full("magfsi-fluid-lbm", {"checkpoint.every": "5 ms"}, "checkpoint_0", 50000)
 
 
 class Diverged(unittest.TestCase):

@@ -61,9 +61,10 @@ def finish(process, start, folder, limit_s):
     return Run(process.returncode, out, err, time.monotonic() - start, folder)
 
 
-def start(command):
+def start(command, **options):
     return subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True, start_new_session=True)
+                            stderr=subprocess.PIPE, text=True, start_new_session=True,
+                            **options)
 
 
 def run(scene, settings=None, ranks=None, limit_s=600, folder=None):

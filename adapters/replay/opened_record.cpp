@@ -1,0 +1,69 @@
+#include "adapters/replay/opened_record.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "coupler/step/probe_columns.h"
+
+namespace magfsi::replay {
+
+namespace {
+
+using coupler::RecordHeader;
+
+void check_scene(const scene::Scene& scene) {
+    if (scene.checkpoint) {
+        throw std::invalid_argument(
+            "--replay: a record has no state to keep; add --set checkpoint=");
+    }
+    if (scene.probes && scene.probes->interface_balance) {
+        throw std::invalid_argument(
+            "--replay: a record cannot audit the interface; add --set "
+            "probes.interface_balance=");
+    }
+}
+
+void check_steps(const RecordHeader& header, std::int64_t entries,
+                 const coupler::Clock& clock) {
+    if (header.step_s != clock.step_s()) {
+        throw std::invalid_argument(fmt::format(
+            "--replay: the record has coupled steps of {:.17g} s, this run of "
+            "{:.17g} s; set time.step to the former",
+            header.step_s, clock.step_s()));
+    }
+    if (header.first_step != clock.first_step()) {
+        throw std::invalid_argument(
+            fmt::format("--replay: the record starts at step {}, this run at step {}",
+                        header.first_step, clock.first_step()));
+    }
+    if (entries - 1 < clock.steps() - clock.first_step()) {
+        throw std::invalid_argument(fmt::format(
+            "--replay: the record ends after {} coupled steps, this run "
+            "takes {}; add --set time.end='{:.9g} s'",
+            entries - 1, clock.steps() - clock.first_step(),
+            static_cast<double>(entries - 1 + clock.first_step()) * clock.step_s()));
+    }
+}
+
+}  // namespace
+
+coupler::RecordReader open_record(const coupler::ParticipantArguments& arguments,
+                                  const coupler::Session& session) {
+    check_scene(session.scene());
+    if (session.world().size() != 1)
+        throw std::invalid_argument("--replay: a record is played by one rank");
+    coupler::RecordReader record(arguments.replay);
+    const RecordHeader& header = record.header();
+    check_steps(header, record.entries(), session.clock());
+    const auto wanted = coupler::fluid_columns(session.scene()).size();
+    if (header.numbers != wanted) {
+        throw std::invalid_argument(
+            fmt::format("--replay: the record has {} fluid values a probe row, the scene "
+                        "asks for {}; take the recorded scene's probes.fluid",
+                        header.numbers, wanted));
+    }
+    return record;
+}
+
+}  // namespace magfsi::replay

@@ -1,0 +1,143 @@
+// magfsi-replay-fluid: plays the fluid of a recorded run to a live structure, which is so
+// looked at alone.
+//   mpirun -n 1 magfsi-structure SCENE --out DIR
+//        : -n 1 magfsi-replay-fluid SCENE --out DIR --replay RUN/exchange.record
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "adapters/replay/difference_file.h"
+#include "adapters/replay/opened_record.h"
+#include "coupler/exchange/fluid_exchange.h"
+#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/participants/wait.h"
+#include "coupler/scene/effective.h"
+#include "coupler/step/report.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::replay {
+
+namespace {
+
+using coupler::Vec3;
+
+std::vector<std::size_t> by_place(std::span<const Vec3> points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return points[i]; });
+    return order;
+}
+
+// Of each live marker the recorded one that starts at its place: the live structure may
+// have other ranks, and so another order.
+std::vector<std::size_t> pair_up(std::span<const Vec3> live,
+                                 std::span<const Vec3> recorded) {
+    const auto mine = by_place(live);
+    const auto theirs = by_place(recorded);
+    std::vector<std::size_t> pairs(live.size());
+    bool same = live.size() == recorded.size();
+    for (std::size_t i = 0; same && i < live.size(); ++i) {
+        same = live[mine[i]] == recorded[theirs[i]];
+        pairs[mine[i]] = theirs[i];
+    }
+    if (!same) {
+        throw std::invalid_argument(fmt::format(
+            "--replay: the record has {} markers, this run {}, or they start elsewhere; "
+            "take the bodies, fluid.spacing and coupling.immersed_boundary of the "
+            "recorded scene",
+            recorded.size(), live.size()));
+    }
+    return pairs;
+}
+
+std::vector<Vec3> in_order(std::span<const Vec3> recorded,
+                           std::span<const std::size_t> pairs) {
+    std::vector<Vec3> sorted(pairs.size());
+    std::ranges::transform(pairs, sorted.begin(),
+                           [&](std::size_t i) { return recorded[i]; });
+    return sorted;
+}
+
+class Player {
+  public:
+    Player(coupler::Session& session, coupler::RecordReader record)
+        : session_(session),
+          record_(std::move(record)),
+          exchange_(session.world(), session.timeout_s()),
+          difference_(session, "m") {
+        coupler::Grid grid = record_.header().grid;
+        grid.owned_by_rank = {{{0, 0, 0}, grid.cells}};
+        coupler::swap_text(session.world(), coupler::to_text(grid),
+                           coupler::startup_timeout_s, "description of the grid");
+        assemble();
+    }
+
+    void run() {
+        entry_ = record_.read(0);
+        pairs_ = pair_up(exchange_.receive(-1).now_m, entry_.position_m);
+        exchange_.send(-1, in_order(entry_.velocity, pairs_));
+        if (sends_numbers() && !session_.restart()) send_numbers();
+        while (session_.running()) tasks_.run();
+        difference_.report("the structure's markers");
+        auto report = coupler::basic_report(session_.world(), tasks_);
+        report.name = "fluid (replay)";
+        coupler::swap_text(session_.world(), coupler::to_text(report),
+                           session_.timeout_s(), "final report");
+    }
+
+  private:
+    bool sends_numbers() const { return record_.header().numbers > 0; }
+
+    void send_numbers() {
+        coupler::send_numbers(session_.world(), session_.clock().step(), entry_.numbers,
+                              session_.timeout_s());
+    }
+
+    void assemble() {
+        tasks_.add_coupling("wait for structure", [this] {
+            batch_ = &exchange_.receive(session_.clock().step());
+        });
+        tasks_.add("read record",
+                   [this] { entry_ = record_.read(session_.clock().steps_here() + 1); });
+        tasks_.add("count step", [this] { session_.complete_step(); });
+        tasks_.add_coupling("send velocities", [this] {
+            exchange_.send(session_.clock().step() - 1,
+                           in_order(entry_.velocity, pairs_));
+        });
+        tasks_.add_output("compare", [this] {
+            difference_.add(batch_->now_m, in_order(entry_.position_m, pairs_));
+        });
+        if (!sends_numbers()) return;
+        const auto every = session_.clock().every(session_.scene().probes->every_s);
+        tasks_.add_output("probes", [this, every] {
+            if (session_.clock().step() % every == 0) send_numbers();
+        });
+    }
+
+    coupler::Session& session_;
+    coupler::RecordReader record_;
+    coupler::FluidExchange exchange_;
+    DifferenceFile difference_;
+    coupler::TaskList tasks_;
+    coupler::RecordEntry entry_;
+    const coupler::MarkerBatch* batch_ = nullptr;
+    std::vector<std::size_t> pairs_;  // the recorded marker of each live one
+};
+
+}  // namespace
+
+}  // namespace magfsi::replay
+
+int main(int argc, char** argv) {
+    using namespace magfsi;
+    return coupler::run_participant(
+        coupler::Role::fluid, "The fluid of a recorded run, played to a live structure",
+        argc, argv,
+        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
+            coupler::Session session(coupler::Role::fluid, arguments, state);
+            session.begin(*scene::coupled_step_s(session.scene()));
+            replay::Player(session, replay::open_record(arguments, session)).run();
+        });
+}

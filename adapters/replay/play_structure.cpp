@@ -1,0 +1,128 @@
+// magfsi-replay-structure: plays the structure of a recorded run to a live fluid, which
+// is so looked at alone.
+//   mpirun -n 1 magfsi-replay-structure SCENE --out DIR --replay RUN/exchange.record
+//        : -n 2 magfsi-fluid-lbm SCENE --out DIR
+#include "adapters/replay/difference_file.h"
+#include "adapters/replay/opened_record.h"
+#include "coupler/exchange/structure_exchange.h"
+#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/kernel_choice.h"
+#include "coupler/participants/wait.h"
+#include "coupler/scene/effective.h"
+#include "coupler/step/probe_columns.h"
+#include "coupler/step/progress_line.h"
+#include "coupler/step/report.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::replay {
+
+namespace {
+
+using coupler::Vec3;
+
+class Player {
+  public:
+    Player(coupler::Session& session, coupler::RecordReader record,
+           output::ProgressMode mode)
+        : session_(session),
+          record_(std::move(record)),
+          grid_(coupler::grid_from_text(coupler::swap_text(session.world(), "",
+                                                           coupler::startup_timeout_s,
+                                                           "description of the grid"))),
+          exchange_(
+              session.world(), grid_,
+              coupler::to_kernel(session.scene().coupling->immersed_boundary.kernel),
+              session.timeout_s()),
+          velocity_(record_.header().markers),
+          difference_(session, "m/s"),
+          progress_(coupler::progress_on_stdout(session, mode)) {
+        assemble();
+    }
+
+    void run() {
+        session_.log("structure step: " + tasks_.names());
+        entry_ = record_.read(0);
+        exchange_.send_first(entry_.position_m);
+        exchange_.receive(-1, velocity_);
+        if (probes_ && !session_.restart()) write_probes();
+        const double start = output::steady_seconds();
+        while (session_.running()) tasks_.run();
+        finish(output::steady_seconds() - start);
+    }
+
+  private:
+    void assemble() {
+        tasks_.add("read record", [this] {
+            before_m_ = std::move(entry_.position_m);
+            entry_ = record_.read(session_.clock().steps_here() + 1);
+        });
+        tasks_.add_coupling("send impulses", [this] {
+            exchange_.send(session_.clock().step(), before_m_, entry_.impulse,
+                           entry_.position_m);
+        });
+        tasks_.add_coupling("wait for fluid", [this] {
+            exchange_.receive(session_.clock().step(), velocity_);
+        });
+        tasks_.add("count step", [this] { session_.complete_step(); });
+        tasks_.add_output("compare",
+                          [this] { difference_.add(velocity_, entry_.velocity); });
+        if (record_.header().numbers > 0) {
+            probes_ =
+                coupler::open_probes(session_, coupler::fluid_columns(session_.scene()));
+            const auto every = session_.clock().every(session_.scene().probes->every_s);
+            tasks_.add_output("probes", [this, every] {
+                if (session_.clock().step() % every == 0) write_probes();
+            });
+        }
+        tasks_.add_output("progress",
+                          [this] { progress_->update(session_.clock().step()); });
+    }
+
+    void write_probes() {
+        std::vector<double> row(record_.header().numbers);
+        coupler::receive_numbers(session_.world(), session_.clock().step(), row,
+                                 session_.timeout_s());
+        probes_->row(session_.clock().time_s(), row);
+    }
+
+    void finish(double wall_s) {
+        std::vector<coupler::ParticipantReport> reports{
+            coupler::basic_report(session_.world(), tasks_)};
+        reports.front().name = "structure (replay)";
+        reports.push_back(coupler::report_from_text(coupler::swap_text(
+            session_.world(), "", session_.timeout_s(), "final report")));
+        progress_->finish(session_.clock().step());
+        coupler::write_summary(session_, reports, wall_s, probes_.get());
+        difference_.report("the fluid's velocities at the markers");
+        session_.log(coupler::end_line(session_, wall_s));
+    }
+
+    coupler::Session& session_;
+    coupler::RecordReader record_;
+    coupler::Grid grid_;
+    coupler::StructureExchange exchange_;
+    coupler::TaskList tasks_;
+    coupler::RecordEntry entry_;
+    std::vector<Vec3> before_m_, velocity_;
+    DifferenceFile difference_;
+    std::unique_ptr<output::ProbeFile> probes_;
+    std::unique_ptr<output::Progress> progress_;
+};
+
+}  // namespace
+
+}  // namespace magfsi::replay
+
+int main(int argc, char** argv) {
+    using namespace magfsi;
+    return coupler::run_participant(
+        coupler::Role::structure,
+        "The structure of a recorded run, played to a live fluid", argc, argv,
+        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
+            coupler::Session session(coupler::Role::structure, arguments, state);
+            session.begin(*scene::coupled_step_s(session.scene()));
+            replay::Player(session, replay::open_record(arguments, session),
+                           arguments.progress)
+                .run();
+        });
+}
