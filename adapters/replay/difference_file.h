@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/participants/session.h"
 

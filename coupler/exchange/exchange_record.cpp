@@ -95,7 +95,8 @@ RecordEntry RecordReader::read(std::int64_t entry) {
     RecordEntry result;
     result.step = static_cast<std::int64_t>(all.front());
     const double* at = all.data() + 1 + header_.numbers;
-    result.numbers.assign(all.data() + 1, at);
+    result.numbers.assign(all.begin() + 1,
+                          all.begin() + 1 + static_cast<std::ptrdiff_t>(header_.numbers));
     for (std::size_t m = 0; m < header_.markers; ++m, at += row_values) {
         result.position_m.push_back(get(at));
         result.impulse.push_back(get(at + 3));

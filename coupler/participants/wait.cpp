@@ -93,6 +93,8 @@ void catch_stop_signals() {
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGUSR1, &action, nullptr);
+    // A file beyond its size limit is then a failed write, which names the file.
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int stop_requested() {

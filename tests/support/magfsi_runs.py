@@ -61,10 +61,9 @@ def finish(process, start, folder, limit_s):
     return Run(process.returncode, out, err, time.monotonic() - start, folder)
 
 
-def start(command, **options):
+def start(command):
     return subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True, start_new_session=True,
-                            **options)
+                            stderr=subprocess.PIPE, text=True, start_new_session=True)
 
 
 def run(scene, settings=None, ranks=None, limit_s=600, folder=None):
