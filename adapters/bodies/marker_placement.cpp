@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/marker_area.h"
 #include "structure/mesh/depth.h"
 #include "structure/mesh/sheet.h"
 #include "structure/mesh/volume_points.h"
@@ -43,19 +44,25 @@ std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
                                    const scene::ImmersedBoundary& boundary,
                                    const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
-    const auto add = [&](const std::vector<structure::SurfacePoint>& points,
-                         double share) {
-        for (const auto& p : points)
-            markers.push_back({p.point, share * p.area_m2 * spacing.grid_m, 0, 0});
+    // faces: -1 the bottom, 1 the top, 2 both, of whose normals |U . n| sees no sign.
+    const auto add = [&](const std::vector<structure::SurfacePoint>& points, double share,
+                         int faces) {
+        for (const auto& p : points) {
+            markers.push_back({p.point, share * p.area_m2 * spacing.grid_m});
+            const double area_m2 = faces * p.area_m2;
+            set_area(
+                markers.back(), mesh,
+                {area_m2 * p.normal[0], area_m2 * p.normal[1], area_m2 * p.normal[2]});
+        }
     };
     if (both_faces) {
         const double depth_m = boundary.retraction * spacing.grid_m;
         for (const auto side : {structure::SheetSide::bottom, structure::SheetSide::top})
             add(structure::points_below_face(mesh, sheet, side, depth_m,
                                              spacing.marker_m),
-                0.5);
+                0.5, side == structure::SheetSide::top ? 1 : -1);
     } else {
-        add(structure::mid_surface_points(mesh, sheet, spacing.marker_m), 1);
+        add(structure::mid_surface_points(mesh, sheet, spacing.marker_m), 1, 2);
     }
     draw_back(markers, mesh, structure::rim_of(mesh, sheet),
               boundary.rim_retraction * spacing.grid_m, spacing.marker_m);
@@ -67,9 +74,11 @@ std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh,
                                          const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
     for (const auto& p : structure::volume_points(mesh, spacing.marker_m))
-        markers.push_back({p.point, p.volume_m3, 0, 0});
-    draw_back(markers, mesh, structure::boundary_quads(mesh),
-              boundary.retraction * spacing.grid_m, spacing.marker_m);
+        markers.push_back({p.point, p.volume_m3});
+    const auto surface = structure::boundary_quads(mesh);
+    draw_back(markers, mesh, surface, boundary.retraction * spacing.grid_m,
+              spacing.marker_m);
+    share_surface(markers, mesh, surface, spacing.marker_m);
     return markers;
 }
 

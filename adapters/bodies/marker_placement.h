@@ -15,6 +15,9 @@ struct PlacedMarker {
     double volume_m3 = 0;     // of fluid that it moves
     double displaced_m3 = 0;  // of the body that it stands for
     int body = 0;
+    // Of the surface that it stands for, as in MarkerArea of coupler/immersed_boundary;
+    // zero where it stands for none.
+    std::array<double, 8> first_edge{}, second_edge{};
 };
 
 // Markers of a body. The kernel smears a marker over some cells, which enlarges the body;
@@ -29,6 +32,8 @@ struct PlacedMarker {
 //                thickness
 //   volume       any body: each marker for its part of the volume
 // On a sheet a marker moves its area times one grid spacing: what the kernel takes along.
+// Markers of sheets stand for the surface of both faces, not of the rim; in other bodies
+// those nearest to the surface for all of it.
 // Where the scene does not say, sheets have both faces, other bodies the volume. number:
 // of the body. Throws std::invalid_argument on faces asked for of a body that is no
 // sheet.

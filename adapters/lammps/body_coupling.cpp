@@ -33,11 +33,13 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
     grid_ = coupler::grid_from_text(coupler::swap_text(
         session.world(), "", coupler::startup_timeout_s, "description of the grid"));
     const auto& boundary = scene.coupling->immersed_boundary;
+    const auto placed = place_all(scene);
     force_ = std::make_unique<coupler::PenaltyForce>(
-        own_markers(place_all(scene), first_node),
+        own_markers(placed, first_node),
         coupler::PenaltyScale{boundary.strength, scene.fluid->density_kg_m3,
                               session.clock().step_s()},
         bodies::to_gravity(scene).value_or(Vec3{}));
+    slip_ = std::make_unique<coupler::SlipRecord>(own_areas(placed));
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
         session.world(), grid_, coupler::to_kernel(boundary.kernel), session.timeout_s());
@@ -73,6 +75,17 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         placed_index_.push_back(static_cast<int>(&p - placed.data()));
     }
     return mine;
+}
+
+std::vector<coupler::MarkerArea> BodyCoupling::own_areas(
+    const std::vector<bodies::PlacedMarker>& placed) const {
+    std::vector<coupler::MarkerArea> areas;
+    for (std::size_t m = 0; m < placed_index_.size(); ++m) {
+        const auto& p = placed[static_cast<std::size_t>(placed_index_[m])];
+        if (p.first_edge == std::array<double, 8>{}) continue;
+        areas.push_back({static_cast<int>(m), p.first_edge, p.second_edge});
+    }
+    return areas;
 }
 
 std::vector<Vec3> BodyCoupling::marker_positions() const {
@@ -141,6 +154,15 @@ void BodyCoupling::audit(coupler::BalanceRecord& record) const {
         coupler::add_marker(given, impulse[m], fluid_velocity_[m]);
     }
     record.add(given);
+}
+
+void BodyCoupling::measure_slip() {
+    slip_->add(force_->markers(), fluid_velocity_, engine_.positions(),
+               engine_.velocities());
+}
+
+coupler::SlipReport BodyCoupling::slip() const {
+    return slip_->collect(session_.world().local());
 }
 
 }  // namespace magfsi::lammps

@@ -11,6 +11,7 @@
 #include "coupler/exchange/structure_exchange.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/penalty_force.h"
+#include "coupler/immersed_boundary/slip.h"
 #include "coupler/participants/session.h"
 
 namespace magfsi::lammps {
@@ -55,11 +56,17 @@ class BodyCoupling {
     // Adds the last step to the record, with the velocities sampled before it.
     void audit(coupler::BalanceRecord& record) const;
 
+    // One sample of how well the boundary holds, with the velocities just received.
+    void measure_slip();
+    coupler::SlipReport slip() const;  // collective
+
   private:
     std::vector<coupler::Marker> own_markers(
         const std::vector<bodies::PlacedMarker>& placed,
         const std::vector<int>& first_node);
     std::vector<Vec3> marker_positions() const;
+    std::vector<coupler::MarkerArea> own_areas(
+        const std::vector<bodies::PlacedMarker>& placed) const;
 
     const coupler::Session& session_;
     Engine& engine_;
@@ -68,6 +75,7 @@ class BodyCoupling {
     std::vector<int> placed_index_;
     std::size_t placed_ = 0;
     std::unique_ptr<coupler::PenaltyForce> force_;
+    std::unique_ptr<coupler::SlipRecord> slip_;
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
     std::vector<Vec3> last_velocity_;  // filled only by the parallel scheme

@@ -9,6 +9,7 @@
 #include "adapters/lammps/scene_to_input.h"
 #include "coupler/participants/errors.h"
 #include "coupler/scene/effective.h"
+#include "coupler/step/boundary_quality.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "structure/lammps/register_styles.h"
@@ -100,6 +101,16 @@ void Participant::assemble_coupling() {
     if (balance_)
         tasks_.add_coupling("audit interface", [this] { coupling_->audit(*balance_); });
     tasks_.add_coupling("wait for fluid", [this] { coupling_->receive_velocities(); });
+    tasks_.add_output("measure slip", [this, every = steps_between_samples()] {
+        if ((session_.clock().step() + 1) % every == 0) coupling_->measure_slip();
+    });
+}
+
+// With the probe rows, or a hundred times in a run without.
+std::int64_t Participant::steps_between_samples() const {
+    const coupler::Clock& clock = session_.clock();
+    if (scene().probes) return clock.every(scene().probes->every_s);
+    return std::max<std::int64_t>(1, clock.steps() / 100);
 }
 
 void Participant::assemble_output(output::ProgressMode progress) {
@@ -272,6 +283,10 @@ coupler::ParticipantReport Participant::make_report() const {
              static_cast<double>(structure.elements));
     }
     report.structure = structure;
+    if (coupling_) {
+        report.immersed_boundary = coupler::boundary_summary(coupling_->slip(), scene());
+        session_.log(coupler::to_text(*report.immersed_boundary));
+    }
     return report;
 }
 

@@ -30,6 +30,7 @@ class Participant {
     void assemble();
     void assemble_start();
     void assemble_coupling();
+    std::int64_t steps_between_samples() const;
     void assemble_output(output::ProgressMode progress);
     void assemble_checkpoint();
     void assemble_record();

@@ -47,6 +47,18 @@ Json object(const StructureSummary& structure) {
             {"substeps_per_step", structure.substeps_per_step}};
 }
 
+Json object(const BoundarySummary& b) {
+    return {{"markers", b.markers},
+            {"samples", b.samples},
+            {"no_slip_error", b.error},
+            {"no_slip_error_m_s", b.error_m_s},
+            {"largest_no_slip_error_m_s", b.largest_error_m_s},
+            {"leakage", b.leakage},
+            {"leakage_m3_s", b.leakage_m3_s},
+            {"marker_speed_m_s", b.marker_speed_m_s},
+            {"reference_speed_m_s", b.reference_speed_m_s}};
+}
+
 }  // namespace
 
 std::string_view to_text(Outcome outcome) {
@@ -84,6 +96,8 @@ Json to_json(const Summary& summary) {
     out["advice"] = summary.advice;
     if (summary.fluid) out["fluid"] = object(*summary.fluid);
     if (summary.structure) out["structure"] = object(*summary.structure);
+    if (summary.immersed_boundary)
+        out["immersed_boundary"] = object(*summary.immersed_boundary);
     out["memory_bytes"] = object(summary.memory_bytes);
     out["probes"] = object(summary.probes);
     out["extra"] = summary.extra;

@@ -34,6 +34,17 @@ struct StructureSummary {
     int substeps_per_step = 1;
 };
 
+// How well the immersed boundary held, measured at the markers (every probe row, or a
+// hundred times): coupler/immersed_boundary/slip.h. Shares are of the reference speed.
+struct BoundarySummary {
+    std::int64_t markers = 0, samples = 0;
+    double error_m_s = 0, largest_error_m_s = 0;  // rms of |U - V|; of the worst sample
+    double error = 0;
+    double leakage_m3_s = 0;
+    double leakage = 0;  // of the reference speed through a quarter of the surface
+    double marker_speed_m_s = 0, reference_speed_m_s = 0;
+};
+
 // Of one participant; seconds are means over its ranks.
 struct LoadSummary {
     double working_s = 0;
@@ -59,14 +70,15 @@ struct Summary {
     std::string advice;                       // empty where there is none
     std::optional<FluidSummary> fluid;
     std::optional<StructureSummary> structure;
+    std::optional<BoundarySummary> immersed_boundary;
     Named<std::int64_t> memory_bytes;  // by participant, all its ranks
     Named<double> probes;              // last values by column
     nlohmann::ordered_json extra = nlohmann::ordered_json::object();
 };
 
 // Keys as in the struct, save: scene_hash is 16 hexadecimal digits in a string; what is
-// not finite becomes null, for JSON knows no NaN; an absent fluid or structure has no
-// key.
+// not finite becomes null, for JSON knows no NaN; an absent fluid, structure or
+// immersed boundary has no key.
 nlohmann::ordered_json to_json(const Summary& summary);
 
 // Indented, atomic. Throws FileError.

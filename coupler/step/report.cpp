@@ -171,6 +171,8 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         summary.versions.insert(summary.versions.end(), report.versions.begin(),
                                 report.versions.end());
         if (report.fluid) summary.fluid = report.fluid;
+        if (report.immersed_boundary)
+            summary.immersed_boundary = report.immersed_boundary;
         if (report.structure) {
             summary.structure = report.structure;
             summary.substeps = summary.steps * report.structure->substeps_per_step;

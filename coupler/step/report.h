@@ -23,6 +23,8 @@ struct ParticipantReport {
     output::Named<std::string> versions;
     std::optional<output::FluidSummary> fluid;
     std::optional<output::StructureSummary> structure;
+    // Known to the structure, which leads: not in the text for the partner.
+    std::optional<output::BoundarySummary> immersed_boundary;
 };
 
 // Name, ranks, tasks, load and memory. idle_s: what this rank's solver has waited for its

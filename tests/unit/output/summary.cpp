@@ -79,6 +79,19 @@ TEST(Summary, absent_solvers_have_no_key_and_what_is_not_finite_is_null) {
     EXPECT_TRUE(read_back["probes"]["robot.com_z[m]"].is_null());
 }
 
+TEST(Summary, immersed_boundary_has_its_errors_absolute_and_relative) {
+    Summary s;
+    EXPECT_FALSE(to_json(s).contains("immersed_boundary"));
+    s.immersed_boundary = BoundarySummary{4680, 600, 2e-3, 5e-3, 0.02, 3e-10, 0.01, 0.1};
+    const auto json = to_json(s)["immersed_boundary"];
+    EXPECT_EQ(json["markers"], 4680);
+    EXPECT_EQ(json["no_slip_error"], 0.02);
+    EXPECT_EQ(json["no_slip_error_m_s"], 2e-3);
+    EXPECT_EQ(json["largest_no_slip_error_m_s"], 5e-3);
+    EXPECT_EQ(json["leakage"], 0.01);
+    EXPECT_EQ(json["leakage_m3_s"], 3e-10);
+}
+
 TEST(Summary, keeps_the_order_in_which_it_was_filled) {
     const auto json = to_json(diverged_run());
     EXPECT_EQ(json.begin().key(), "scene");

@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+"""summary.json tells how well the immersed boundary holds: better with a stronger one, the same
+on any ranks, and nothing of it without one."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
+import magfsi_runs as magfsi  # noqa: E402
+
+IB = "coupling.immersed_boundary."
+
+
+def quality(settings=None, ranks="structure=1,fluid=1"):
+    summary = magfsi.good_run(magfsi.SMALL, settings, ranks).summary()
+    boundary = summary["immersed_boundary"]
+    magfsi.report(f"{settings} {ranks}: no-slip error {boundary['no_slip_error']:.4f}, "
+                  f"leakage {boundary['leakage']:.4f}")
+    return boundary
+
+
+class BoundaryQuality(unittest.TestCase):
+    def test_a_stronger_boundary_slips_and_leaks_less(self):
+        weak, strong = quality({IB + "strength": 0.25}), quality()
+        self.assertEqual(strong["samples"], 40)  # one a probe row
+        self.assertLess(strong["no_slip_error"], 0.6 * weak["no_slip_error"])
+        self.assertLess(strong["leakage"], 0.6 * weak["leakage"])
+        # The sheet moves across itself, and so does its slip.
+        self.assertAlmostEqual(strong["leakage"] / strong["no_slip_error"], 1, delta=0.3)
+
+    def test_the_same_on_any_ranks(self):
+        one, four = quality(), quality(ranks="structure=2,fluid=2")
+        self.assertEqual(one["markers"], four["markers"])
+        for key in ("no_slip_error", "leakage", "marker_speed_m_s"):
+            # Nodes of the neighbour rank are half a LAMMPS step behind in their velocity:
+            # 2e-4 and 4e-4 were seen.
+            self.assertAlmostEqual(four[key] / one[key], 1, delta=5e-3)
+
+    def test_none_without_a_boundary(self):
+        summary = magfsi.good_run(magfsi.SMALL, {
+            "fluid": "", "bodies.robot.initial.position": "", "probes.fluid": "",
+            "probes.bodies": "[com]", "probes.interface_balance": "", "time.end": "1 ms",
+        }).summary()
+        self.assertNotIn("immersed_boundary", summary)
+
+
+if __name__ == "__main__":
+    unittest.main()
