@@ -34,11 +34,13 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
         session.world(), "", coupler::startup_timeout_s, "description of the grid"));
     const auto& boundary = scene.coupling->immersed_boundary;
     const auto placed = place_all(scene);
+    const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
+                                      session.clock().step_s()};
     force_ = std::make_unique<coupler::PenaltyForce>(
-        own_markers(placed, first_node),
-        coupler::PenaltyScale{boundary.strength, scene.fluid->density_kg_m3,
-                              session.clock().step_s()},
+        own_markers(placed, first_node), scale,
         bodies::to_gravity(scene).value_or(Vec3{}));
+    if (boundary.iterations > 1)
+        iterated_ = std::make_unique<coupler::IteratedForcing>(force_->markers(), scale);
     slip_ = std::make_unique<coupler::SlipRecord>(own_areas(placed));
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
@@ -104,7 +106,9 @@ void BodyCoupling::exchange_first() {
 }
 
 void BodyCoupling::begin_step() {
-    force_->begin_step(fluid_velocity_);
+    if (!iterated_) return force_->begin_step(fluid_velocity_);
+    force_->begin_step(fluid_velocity_, iterated_->impulse());
+    iterated_->begin_step();
 }
 
 void BodyCoupling::begin_step_with_mean() {
@@ -123,24 +127,37 @@ void BodyCoupling::send_impulses() {
     exchange_->send(session_.clock().step(), before_m_, force_->impulse(), now_m_);
 }
 
+void BodyCoupling::iterate_forcing() {
+    const std::int64_t step = session_.clock().step();
+    std::vector<Vec3> velocity(force_->markers().size());
+    for (int i = 1; i < session_.scene().coupling->immersed_boundary.iterations; ++i) {
+        exchange_->receive(step, velocity);
+        exchange_->send_more(step, before_m_,
+                             iterated_->correct(before_m_, now_m_, velocity), now_m_);
+    }
+}
+
 void BodyCoupling::receive_velocities() {
     exchange_->receive(session_.clock().step(), fluid_velocity_);
 }
 
 std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
-    return {{"fluid_velocity", fluid_velocity_},
-            {"enclosed_velocity", force_->enclosed().last_velocity()},
-            {"enclosed_acceleration", force_->enclosed().acceleration()}};
+    std::vector<MarkerArray> arrays{
+        {"fluid_velocity", fluid_velocity_},
+        {"enclosed_velocity", force_->enclosed().last_velocity()},
+        {"enclosed_acceleration", force_->enclosed().acceleration()}};
+    if (iterated_) arrays.push_back({"owed_impulse", iterated_->impulse()});
+    return arrays;
 }
 
 std::vector<Vec3> BodyCoupling::force_on_bodies() const {
     std::vector<Vec3> sum(bodies_);
     const auto impulse = force_->impulse();
-    const auto enclosed = force_->enclosed().force();
+    const auto constant = force_->constant_force();
     for (std::size_t m = 0; m < impulse.size(); ++m) {
         Vec3& force = sum[static_cast<std::size_t>(force_->markers()[m].body)];
         for (std::size_t d = 0; d < 3; ++d)
-            force[d] += enclosed[m][d] - impulse[m][d] / session_.clock().step_s();
+            force[d] += constant[m][d] - impulse[m][d] / session_.clock().step_s();
     }
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
                   MPI_SUM, session_.world().local());
@@ -151,7 +168,10 @@ void BodyCoupling::audit(coupler::BalanceRecord& record) const {
     coupler::InterfaceBalance given;
     const auto impulse = force_->impulse();
     for (std::size_t m = 0; m < impulse.size(); ++m) {
-        coupler::add_marker(given, impulse[m], fluid_velocity_[m]);
+        Vec3 all = impulse[m];
+        if (iterated_)
+            for (std::size_t d = 0; d < 3; ++d) all[d] += iterated_->impulse()[m][d];
+        coupler::add_marker(given, all, fluid_velocity_[m]);
     }
     record.add(given);
 }

@@ -10,6 +10,7 @@
 #include "adapters/lammps/engine.h"
 #include "coupler/exchange/structure_exchange.h"
 #include "coupler/immersed_boundary/balance.h"
+#include "coupler/immersed_boundary/iterated_forcing.h"
 #include "coupler/immersed_boundary/penalty_force.h"
 #include "coupler/immersed_boundary/slip.h"
 #include "coupler/participants/session.h"
@@ -29,6 +30,9 @@ class BodyCoupling {
     // that alternates from step to step, as the late forces excite it, cancels.
     void begin_step_with_mean();
     void send_impulses();  // what was given since, where and where the markers are now
+    // The fluid's slip under these impulses, answered until all iterations are done.
+    bool iterates() const { return iterated_ != nullptr; }
+    void iterate_forcing();
     void receive_velocities();
 
     // What this rank's markers carry from step to step, kept in checkpoints under its
@@ -76,6 +80,7 @@ class BodyCoupling {
     std::size_t placed_ = 0;
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::SlipRecord> slip_;
+    std::unique_ptr<coupler::IteratedForcing> iterated_;  // only with iterations
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
     std::vector<Vec3> last_velocity_;  // filled only by the parallel scheme

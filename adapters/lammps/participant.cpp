@@ -98,6 +98,8 @@ void Participant::assemble_start() {
 
 void Participant::assemble_coupling() {
     tasks_.add_coupling("send impulses", [this] { coupling_->send_impulses(); });
+    if (coupling_->iterates())
+        tasks_.add_coupling("iterate forcing", [this] { coupling_->iterate_forcing(); });
     if (balance_)
         tasks_.add_coupling("audit interface", [this] { coupling_->audit(*balance_); });
     tasks_.add_coupling("wait for fluid", [this] { coupling_->receive_velocities(); });
@@ -156,6 +158,10 @@ void Participant::assemble_checkpoint() {
 void Participant::assemble_record() {
     if (!coupling_)
         throw std::invalid_argument("--record: without a fluid nothing is exchanged");
+    if (coupling_->iterates())
+        throw std::invalid_argument(
+            "--record: coupling.immersed_boundary.iterations above 1 exchange more "
+            "messages a step than a record holds; take iterations: 1");
     recorder_ = std::make_unique<ExchangeRecorder>(
         session_, *coupling_, coupler::fluid_columns(scene()).size());
     tasks_.add_output("record exchange",

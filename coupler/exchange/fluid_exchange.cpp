@@ -48,6 +48,10 @@ void FluidExchange::renew(std::int64_t step) {
 
 const MarkerBatch& FluidExchange::receive(std::int64_t step) {
     if (step < 0 || (step > 0 && step % renew_every == 0)) renew(step);
+    return receive_more(step);
+}
+
+const MarkerBatch& FluidExchange::receive_more(std::int64_t step) {
     const double limit_s = step < 0 ? startup_timeout_s : timeout_s_;
     const std::string what = fmt::format("structure markers of step {}", step);
     wait_for_messages(world_.partner(), senders_, marker_tag, limit_s, what);

@@ -32,6 +32,9 @@ class FluidExchange {
     // The structure's message of a coupled step; -1 is the one before step 0.
     const MarkerBatch& receive(std::int64_t step);
 
+    // A further message of the same step, of the same markers.
+    const MarkerBatch& receive_more(std::int64_t step);
+
     // This rank's share of the velocities [m/s] at the batch's `now` positions.
     void send(std::int64_t step, std::span<const Vec3> velocity);
 

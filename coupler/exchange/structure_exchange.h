@@ -22,6 +22,13 @@ class StructureExchange {
     void send(std::int64_t step, std::span<const Vec3> before_m,
               std::span<const Vec3> impulse, std::span<const Vec3> now_m);
 
+    // Further impulses of the markers sent last, in the same step; answered like the
+    // first.
+    void send_more(std::int64_t step, std::span<const Vec3> before_m,
+                   std::span<const Vec3> impulse, std::span<const Vec3> now_m) {
+        post(step, before_m, impulse, now_m);
+    }
+
     // Before step 0: asks for the velocities at the first positions.
     void send_first(std::span<const Vec3> points_m);
 

@@ -17,12 +17,16 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
         std::swap(spread_rows_, sample_rows_);
     else
         spread_rows_.place(points_m);
+    density_.assign(3 * spread_rows_.cells(), 0.0);
+    spread_more(impulse);
+}
+
+void FluidSide::spread_more(std::span<const Vec3> impulse) {
     force_.resize(impulse.size());
     for (std::size_t m = 0; m < impulse.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             force_[m][d] = impulse[m][d] / coupled_step_s_;
     }
-    density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(force_, density_);
     fluid_.set_force(spread_rows_.rows(), density_);
 }

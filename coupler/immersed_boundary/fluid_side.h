@@ -19,6 +19,9 @@ class FluidSide {
     // Gives the impulses [N s] of a step to the fluid as forces over that step.
     void spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse);
 
+    // Adds impulses at the points of the last spread, to act in the same step.
+    void spread_more(std::span<const Vec3> impulse);
+
     // This rank's share of the velocities at the points.
     std::span<const Vec3> sample(std::span<const Vec3> points_m);
 

@@ -10,22 +10,29 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
       enclosed_(markers_,
                 {scale.fluid_density_kg_m3, scale.coupled_step_s, gravity_m_s2}),
       fluid_velocity_(markers_.size()),
-      impulse_(markers_.size()) {
+      impulse_(markers_.size()),
+      coupled_step_s_(scale.coupled_step_s) {
     kappa_.reserve(markers_.size());
     for (const Marker& m : markers_) kappa_.push_back(scale.coefficient(m));
 }
 
-void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
+void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity,
+                              std::span<const Vec3> owed) {
     std::copy(fluid_velocity.begin(), fluid_velocity.end(), fluid_velocity_.begin());
     std::fill(impulse_.begin(), impulse_.end(), Vec3{});
     enclosed_.begin_step(fluid_velocity);
+    if (owed.empty()) return;
+    paying_.assign(enclosed_.force().begin(), enclosed_.force().end());
+    for (std::size_t m = 0; m < owed.size(); ++m)
+        for (std::size_t d = 0; d < 3; ++d) paying_[m][d] -= owed[m][d] / coupled_step_s_;
 }
 
 void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
                          double duration_s) {
+    const std::span<const Vec3> constant = constant_force();
     for (std::size_t m = 0; m < markers_.size(); ++m) {
         const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        Vec3 force = enclosed_.force()[m];
+        Vec3 force = constant[m];
         for (std::size_t d = 0; d < 3; ++d) {
             const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
             impulse_[m][d] += given * duration_s;

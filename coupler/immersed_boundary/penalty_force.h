@@ -34,8 +34,10 @@ class PenaltyForce {
     const std::vector<Marker>& markers() const { return markers_; }
 
     // The fluid's velocity at every marker for the coming coupled step [m/s]; clears the
-    // impulses.
-    void begin_step(std::span<const Vec3> fluid_velocity);
+    // impulses. owed: what the fluid was given besides, which the body pays by a constant
+    // force over the step [N s]; empty: nothing.
+    void begin_step(std::span<const Vec3> fluid_velocity,
+                    std::span<const Vec3> owed = {});
 
     // One substep: adds the forces, with those of the enclosed fluid, to the nodes
     // (nodal_force[3 * node + d], [N]) and the impulse of duration_s to the markers'
@@ -47,7 +49,12 @@ class PenaltyForce {
     // What the markers gave to the fluid since begin_step [N s].
     std::span<const Vec3> impulse() const { return impulse_; }
 
-    const EnclosedFluid& enclosed() const { return enclosed_; }
+    // On every marker over the coupled step [N]: of the enclosed fluid, less what is
+    // paid.
+    std::span<const Vec3> constant_force() const {
+        return paying_.empty() ? enclosed_.force() : std::span<const Vec3>(paying_);
+    }
+
     EnclosedFluid& enclosed() { return enclosed_; }
 
   private:
@@ -56,6 +63,8 @@ class PenaltyForce {
     EnclosedFluid enclosed_;
     std::vector<Vec3> fluid_velocity_;
     std::vector<Vec3> impulse_;
+    std::vector<Vec3> paying_;  // filled only where something is owed
+    double coupled_step_s_;
 };
 
 }  // namespace magfsi::coupler

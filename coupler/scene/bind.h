@@ -297,6 +297,7 @@ void bind_keys(Io& io, ImmersedBoundary& boundary) {
     io("retraction", boundary.retraction);
     io("rim_retraction", boundary.rim_retraction);
     io("strength", boundary.strength);
+    io("iterations", boundary.iterations);
 }
 
 template <class Io>

@@ -121,6 +121,12 @@ void check_coupling(const Scene& scene, const Marks& marks) {
         refuse(marks.key({"coupling"}), "coupling without a fluid",
                "it with a fluid only", "add the key \"fluid\" or remove this one");
     check_has_bodies(scene, marks, "coupling");
+    // The impulses of an iteration must act in the step whose slip they answer.
+    if (scene.coupling->immersed_boundary.iterations > 1 &&
+        scene.coupling->scheme != Scheme::serial)
+        refuse(marks.value({"coupling", "immersed_boundary", "iterations"}),
+               "iterations of the forcing outside the serial scheme",
+               "1 in other schemes", "take coupling.scheme: serial");
 }
 
 }  // namespace

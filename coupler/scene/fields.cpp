@@ -117,6 +117,9 @@ Field coupling_fields() {
                 .at_most(2).or_default("0.9"),
             number("strength", "beta of eq. (13) as a fraction of 2 rho dV / dt; 1 is "
                    "direct forcing.").above(0).at_most(4).or_default("1.0"),
+            integer("iterations", "Of the forcing in a coupled step (multi-direct forcing): "
+                    "each after the first takes of what is left of the slip; 1 is direct "
+                    "forcing, beyond 2 sheets may oscillate.").at_least(1).at_most(4).or_default("1"),
         }).optional(),
     });
 }

@@ -279,6 +279,7 @@ struct ImmersedBoundary {
     double retraction = 0.4;         // of markers below the surface, in fluid spacings
     double rim_retraction = 0.9;     // at the rim of a sheet, likewise
     double strength = 1.0;           // beta of eq. (13) as a fraction of 2 rho dV / dt
+    int iterations = 1;  // of the forcing in a coupled step; 1: direct forcing
 };
 
 // Who works while the other waits: in turns, or both at once with the fluid one step

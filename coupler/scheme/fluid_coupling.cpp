@@ -43,6 +43,7 @@ void FluidCoupling::add_tasks(TaskList& tasks) {
 // Serial: the impulses of the structure's step act in the same step of the fluid.
 void FluidCoupling::add_turn(TaskList& tasks) {
     add_reception(tasks);
+    add_iterations(tasks);
     add_audit(tasks, [this] { return immersed_boundary_.received(); });
     add_advance(tasks);
     add_count(tasks);
@@ -61,7 +62,7 @@ void FluidCoupling::add_meeting(TaskList& tasks) {
         return immersed_boundary_.received(immersed_boundary_.sampled_cells());
     });
     tasks.add_coupling("sample velocities", [this] {
-        exchange_.send(session_.clock().step(), sample_forced());
+        exchange_.send(session_.clock().step(), sample_forced(batch_->now_m));
         exchange_.finish_sending();
     });
     add_count(tasks);
@@ -91,9 +92,26 @@ void FluidCoupling::add_audit(TaskList& tasks,
     });
 }
 
-std::span<const Vec3> FluidCoupling::sample_forced() {
-    return immersed_boundary_.sample_forced(batch_->now_m,
+std::span<const Vec3> FluidCoupling::sample_forced(std::span<const Vec3> points_m) {
+    return immersed_boundary_.sample_forced(points_m,
                                             session_.scene().fluid->density_kg_m3);
+}
+
+void FluidCoupling::add_iterations(TaskList& tasks) {
+    if (coupling_of(session_).immersed_boundary.iterations > 1)
+        tasks.add_coupling("iterate forcing", [this] { iterate_forcing(); });
+}
+
+// The structure, to which the shares of all fluid ranks add up, answers the slip that is
+// left with the impulses that remove it.
+void FluidCoupling::iterate_forcing() {
+    const std::int64_t step = session_.clock().step();
+    const int iterations = coupling_of(session_).immersed_boundary.iterations;
+    for (int i = 1; i < iterations; ++i) {
+        exchange_.send(step, sample_forced(batch_->before_m));
+        batch_ = &exchange_.receive_more(step);
+        immersed_boundary_.spread_more(batch_->impulse);
+    }
 }
 
 void FluidCoupling::begin() {

@@ -37,8 +37,10 @@ class FluidCoupling {
     void add_advance(TaskList& tasks);
     void add_count(TaskList& tasks);
     void add_reception(TaskList& tasks);
+    void add_iterations(TaskList& tasks);
     void add_audit(TaskList& tasks, std::function<InterfaceBalance()> received);
-    std::span<const Vec3> sample_forced();
+    void iterate_forcing();
+    std::span<const Vec3> sample_forced(std::span<const Vec3> points_m);
 
     Session& session_;
     GridFluid& fluid_;

@@ -39,6 +39,11 @@ class SameBytes(unittest.TestCase):
     def test_swimmer_on_several_ranks(self):
         self.same(magfsi.SMALL, COUPLED, "1.375 ms", "structure=2,fluid=3")
 
+    # What the body owes for the iterations of a step goes on in the next.
+    def test_swimmer_with_iterated_forcing(self):
+        self.same(magfsi.SMALL, {**COUPLED, "coupling.immersed_boundary.iterations": 2},
+                  "1.375 ms", "structure=1,fluid=1")
+
     # Viscosity, field gradient, drag, a rough platform; contact looks for neighbours anew.
     def test_every_effect_of_a_solid(self):
         self.same(EVERY, STRUCTURE, "7.2 ms", "structure=1")

@@ -87,6 +87,7 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_EQ(s.coupling->immersed_boundary.markers, Markers::both_faces);
     EXPECT_EQ(s.coupling->immersed_boundary.marker_spacing, 0.75);
     EXPECT_EQ(s.coupling->immersed_boundary.strength, 0.25);
+    EXPECT_EQ(s.coupling->immersed_boundary.iterations, 3);
     EXPECT_EQ(s.probes->every_s, 0.2e-3);
     EXPECT_EQ(s.probes->bodies, (std::vector{BodyQuantity::energy, BodyQuantity::com}));
     ASSERT_EQ(s.probes->points.size(), 2u);
