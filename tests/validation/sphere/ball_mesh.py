@@ -82,9 +82,19 @@ def ball(parts, layers, diameter):
     return mesh
 
 
-def write(path, mesh):
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(mesh.nodes))]
+SIDES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+
+
+def write(path, mesh, hold=False):
+    """hold: with the surface "all", which has every node, to clamp the ball by."""
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat"]
+    if hold:
+        lines += ["$PhysicalNames", "2", '3 1 "ball"', '2 2 "all"', "$EndPhysicalNames"]
+    lines += ["$Nodes", str(len(mesh.nodes))]
     lines += [f"{i + 1} {x:.12g} {y:.12g} {z:.12g}" for i, (x, y, z) in enumerate(mesh.nodes)]
-    lines += ["$EndNodes", "$Elements", str(len(mesh.elements))]
-    lines += [f"{i + 1} 5 2 1 1 " + " ".join(map(str, e)) for i, e in enumerate(mesh.elements)]
+    kinds = [("5 2 1 1", e) for e in mesh.elements]
+    if hold:
+        kinds += [("3 2 2 2", [e[n] for n in side]) for e in mesh.elements for side in SIDES]
+    lines += ["$EndNodes", "$Elements", str(len(kinds))]
+    lines += [f"{i + 1} {kind} " + " ".join(map(str, e)) for i, (kind, e) in enumerate(kinds)]
     path.write_text("\n".join([*lines, "$EndElements", ""]))
