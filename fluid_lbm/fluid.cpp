@@ -6,6 +6,7 @@
 #include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/initial_flow.h"
 #include "fluid_lbm/obstacle/check_obstacles.h"
+#include "fluid_lbm/parallel/gathered.h"
 #include "fluid_lbm/sampling/divergence.h"
 #include "fluid_lbm/sampling/state.h"
 #include "fluid_lbm/sampling/totals.h"
@@ -183,6 +184,30 @@ std::size_t Fluid::memory_bytes() const {
     const Obstacles* obstacles = state_->solver.obstacles();
     return state_->solver.populations().bytes() + state_->solver.forces().bytes() +
            (obstacles ? obstacles->bytes() : 0);
+}
+
+std::vector<CellRow> Fluid::solid_rows() const {
+    if (!state_->solver.obstacles()) return {};
+    const CellBox& box = state_->solver.owned();
+    std::vector<int> mine;  // y, z, x_begin, x_end
+    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
+        for (int y = box.lo[1]; y < box.hi[1]; ++y) {
+            const auto solid = [&](int x) {
+                return state_->solver.is_solid({x, y - box.lo[1], z - box.lo[2]});
+            };
+            for (int x = box.lo[0]; x < box.hi[0]; ++x) {
+                if (!solid(x)) continue;
+                const int begin = x;
+                while (x < box.hi[0] && solid(x)) ++x;
+                mine.insert(mine.end(), {y, z, begin, x});
+            }
+        }
+    }
+    const std::vector<int> all = gathered(state_->comm.get(), mine);
+    std::vector<CellRow> rows;
+    for (std::size_t i = 0; i < all.size(); i += 4)
+        rows.push_back({all[i], all[i + 1], all[i + 2], all[i + 3]});
+    return rows;
 }
 
 void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out) const {

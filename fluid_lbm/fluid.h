@@ -106,6 +106,9 @@ class Fluid {
     const std::vector<CellBox>& owned_by_rank() const;
     std::size_t memory_bytes() const;  // this rank
 
+    // Cells inside obstacles, of all ranks. Collective.
+    std::vector<CellRow> solid_rows() const;
+
     // Velocity before this step's force acts (sum of c f over rho), [m/s], three values a
     // cell, rows one after the other.
     void velocity(std::span<const CellRow> rows, std::span<double> out) const;

@@ -24,6 +24,13 @@ struct Material {
 // every mode with one layer, for edges of any ratio.
 enum class ElementVariant { full, mean_f, assumed_strain };
 
+// A face whose nodes keep their coordinate along one axis of space (0 x, 1 y, 2 z) and
+// are free along the others: a plane of symmetry, or plane strain with both faces held.
+struct Roller {
+    std::string face;
+    int axis = 2;
+};
+
 struct Body {
     std::string name;
     Mesh mesh;
@@ -36,6 +43,7 @@ struct Body {
     ElementVariant element = ElementVariant::full;
     std::vector<Vec3> magnetization_a_m;  // one an element; empty: not magnetic
     std::vector<std::string> clamps;      // faces held still
+    std::vector<Roller> rollers;
 };
 
 }  // namespace magfsi::structure

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -39,8 +40,43 @@ void draw_back(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
     if (!kept.empty()) markers = std::move(kept);  // a body all skin keeps what it has
 }
 
+// What bounds the body but no fluid: the ends along axes on which it continues, and where
+// it is clamped.
+class DryFaces {
+  public:
+    DryFaces(const scene::Body& body, const structure::Mesh& mesh,
+             const structure::Continues& continues)
+        : ends_(mesh, continues) {
+        for (const std::string& face : body.clamps) {
+            const auto found = mesh.faces.find(face);
+            if (found != mesh.faces.end())
+                clamped_.emplace_back(found->second.begin(), found->second.end());
+        }
+    }
+
+    std::vector<structure::SurfaceQuad> without(
+        std::vector<structure::SurfaceQuad> surface) const {
+        std::erase_if(surface, [this](const auto& quad) {
+            return ends_.hold(quad) || clamped(quad);
+        });
+        return surface;
+    }
+
+  private:
+    bool clamped(const structure::SurfaceQuad& quad) const {
+        return std::ranges::any_of(clamped_, [&](const std::set<int>& face) {
+            return std::ranges::all_of(quad.node,
+                                       [&](int node) { return face.contains(node); });
+        });
+    }
+
+    structure::MeshEnds ends_;
+    std::vector<std::set<int>> clamped_;
+};
+
 std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
                                    const structure::Sheet& sheet, bool both_faces,
+                                   const DryFaces& dry,
                                    const scene::ImmersedBoundary& boundary,
                                    const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
@@ -64,18 +100,18 @@ std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
     } else {
         add(structure::mid_surface_points(mesh, sheet, spacing.marker_m), 1, 2);
     }
-    draw_back(markers, mesh, structure::rim_of(mesh, sheet),
+    draw_back(markers, mesh, dry.without(structure::rim_of(mesh, sheet)),
               boundary.rim_retraction * spacing.grid_m, spacing.marker_m);
     return markers;
 }
 
-std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh,
+std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh, const DryFaces& dry,
                                          const scene::ImmersedBoundary& boundary,
                                          const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
     for (const auto& p : structure::volume_points(mesh, spacing.marker_m))
         markers.push_back({p.point, p.volume_m3});
-    const auto surface = structure::boundary_quads(mesh);
+    const auto surface = dry.without(structure::boundary_quads(mesh));
     draw_back(markers, mesh, surface, boundary.retraction * spacing.grid_m,
               spacing.marker_m);
     share_surface(markers, mesh, surface, spacing.marker_m);
@@ -96,10 +132,11 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
 
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const scene::ImmersedBoundary& boundary,
-                                        double grid_spacing_m, int number) {
+                                        double grid_spacing_m, int number,
+                                        const structure::Continues& continues) {
     const structure::Mesh mesh = to_mesh(body);
     const Spacings spacing{grid_spacing_m, boundary.marker_spacing * grid_spacing_m};
-    const auto sheet = structure::find_sheet(mesh);
+    const auto sheet = structure::find_sheet(mesh, continues);
     const bool surface = boundary.markers && *boundary.markers != scene::Markers::volume;
     if (surface && !sheet) {
         throw std::invalid_argument(
@@ -107,12 +144,27 @@ std::vector<PlacedMarker> place_markers(const scene::Body& body,
             "' is no sheet (columns of equally many elements between two large faces): "
             "its markers can only be coupling.immersed_boundary.markers: volume");
     }
+    const DryFaces dry(body, mesh, continues);
     const bool both_faces = boundary.markers != scene::Markers::mid_surface;
     auto markers = surface || (sheet && !boundary.markers)
-                       ? on_sheet(mesh, *sheet, both_faces, boundary, spacing)
-                       : through_volume(mesh, boundary, spacing);
+                       ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
+                       : through_volume(mesh, dry, boundary, spacing);
     share_body(markers, structure::volume_m3(mesh), number);
     return markers;
+}
+
+structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body) {
+    structure::Continues spans{};
+    const structure::Mesh mesh = to_mesh(body);
+    for (std::size_t d = 0; d < 3; ++d) {
+        const auto& turn = body.initial.rotation;
+        const bool turned = turn && (turn->plane[0] == static_cast<int>(d) ||
+                                     turn->plane[1] == static_cast<int>(d));
+        spans[d] = !turned &&
+                   fluid.boundaries[2 * d].kind == scene::BoundaryKind::periodic &&
+                   extent(mesh, static_cast<int>(d)) >= fluid.box_m[d] * (1 - 1e-6);
+    }
+    return spans;
 }
 
 }  // namespace magfsi::bodies

@@ -6,6 +6,7 @@
 
 #include "coupler/scene/scene.h"
 #include "structure/mesh/mesh.h"
+#include "structure/mesh/mesh_ends.h"
 
 namespace magfsi::bodies {
 
@@ -33,12 +34,17 @@ struct PlacedMarker {
 //   volume       any body: each marker for its part of the volume
 // On a sheet a marker moves its area times one grid spacing: what the kernel takes along.
 // Markers of sheets stand for the surface of both faces, not of the rim; in other bodies
-// those nearest to the surface for all of it.
-// Where the scene does not say, sheets have both faces, other bodies the volume. number:
-// of the body. Throws std::invalid_argument on faces asked for of a body that is no
-// sheet.
+// those nearest to the surface for all of it. Nothing is drawn back from where a body is
+// clamped, and so stands on something, nor from its ends along axes on which it
+// continues. Where the scene does not say, sheets have both faces, other bodies the
+// volume. number: of the body. Throws std::invalid_argument on faces asked for of a body
+// that is no sheet.
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const scene::ImmersedBoundary& boundary,
-                                        double grid_spacing_m, int number);
+                                        double grid_spacing_m, int number,
+                                        const structure::Continues& continues = {});
+
+// Along which axes a body spans the fluid's box from one periodic side to the other.
+structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body);
 
 }  // namespace magfsi::bodies

@@ -124,6 +124,10 @@ structure::Body to_body(const scene::Body& body) {
     }
     out.element = to_element(body.element);
     out.clamps = body.clamps;
+    for (const scene::Roller& roller : body.rollers) {
+        for (const std::string& face : roller.faces)
+            out.rollers.push_back({face, roller.axis});
+    }
     try {
         if (body.magnetization) {
             out.magnetization_a_m =

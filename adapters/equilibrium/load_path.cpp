@@ -34,7 +34,8 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
     const structure::StaticLoads start = loads_at(0);
     now_.nodes_m = placed_m_;
     // A clamped body takes its first load step by step; a free one is let go.
-    const bool at_rest = body_.clamps.empty() || body.initial.relaxed;
+    const bool free = body_.clamps.empty() && body_.rollers.empty();
+    const bool at_rest = free || body.initial.relaxed;
     if (loaded(start)) {
         now_ = at_rest ? solver_.release(placed_m_, start)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();

@@ -7,6 +7,7 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
+#include "coupler/immersed_boundary/solid_cells.h"
 #include "coupler/participants/wait.h"
 
 namespace magfsi::lammps {
@@ -16,9 +17,9 @@ namespace {
 std::vector<bodies::PlacedMarker> place_all(const scene::Scene& scene) {
     std::vector<bodies::PlacedMarker> all;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const auto markers =
-            bodies::place_markers(scene.bodies[b], scene.coupling->immersed_boundary,
-                                  scene.fluid->spacing_m, static_cast<int>(b));
+        const auto markers = bodies::place_markers(
+            scene.bodies[b], scene.coupling->immersed_boundary, scene.fluid->spacing_m,
+            static_cast<int>(b), bodies::spans_fluid(*scene.fluid, scene.bodies[b]));
         all.insert(all.end(), markers.begin(), markers.end());
     }
     return all;
@@ -49,11 +50,13 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
         [this](const double* velocity, double* force, double step_s) {
             force_->apply(velocity, force, step_s);
         });
-    now_m_ = marker_positions();
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
     const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) {
+    const coupler::SolidCells solid(grid_);
+    const auto kernel =
+        coupler::to_kernel(session_.scene().coupling->immersed_boundary.kernel);
     std::vector<coupler::Marker> mine;
     placed_ = placed.size();
     for (const bodies::PlacedMarker& p : placed) {
@@ -73,6 +76,9 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         marker.volume_m3 = p.volume_m3;
         marker.displaced_m3 = p.displaced_m3;
         marker.body = p.body;
+        const Vec3 at = coupler::at_marker(marker, engine_.positions());
+        const auto stencil = coupler::marker_stencil(grid_, kernel, at);
+        if (solid.fluid_share(stencil) < coupler::least_fluid_share) continue;
         mine.push_back(marker);
         placed_index_.push_back(static_cast<int>(&p - placed.data()));
     }
@@ -100,6 +106,7 @@ std::vector<Vec3> BodyCoupling::marker_positions() const {
 }
 
 void BodyCoupling::exchange_first() {
+    now_m_ = marker_positions();
     exchange_->send_first(now_m_);
     exchange_->receive(-1, fluid_velocity_);
     force_->enclosed().start(fluid_velocity_);

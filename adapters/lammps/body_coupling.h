@@ -19,7 +19,8 @@ namespace magfsi::lammps {
 
 class BodyCoupling {
   public:
-    // After engine.set_up(): a rank takes the markers of the elements whose first node it
+    // After engine.set_up(), with the bodies where they start, also before a restart: a
+    // rank takes the markers of the elements whose first node it
     // owns. first_node: atom id of each body's node 0.
     BodyCoupling(const coupler::Session& session, Engine& engine,
                  const std::vector<int>& first_node);

@@ -63,13 +63,13 @@ void Participant::build() {
     if (scene().time.equilibrium) {
         rest_ = std::make_unique<RestFinder>(*engine_, scene(), substeps_.lammps_step_s);
     }
-    if (session_.restart()) restore_bodies(parts(), coupler::open_restart(session_));
     if (session_.world().coupled()) {
         coupling_ = std::make_unique<BodyCoupling>(session_, *engine_, script.first_node);
         if (scene().probes && scene().probes->interface_balance) {
             balance_ = std::make_unique<coupler::BalanceRecord>();
         }
     }
+    if (session_.restart()) restore_bodies(parts(), coupler::open_restart(session_));
 }
 
 void Participant::assemble() {

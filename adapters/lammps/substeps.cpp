@@ -31,7 +31,8 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
         std::vector<double> drag(mass.size());
         const auto& boundary = scene.coupling->immersed_boundary;
         for (const auto& m :
-             bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0)) {
+             bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0,
+                                   bodies::spans_fluid(*scene.fluid, body))) {
             const double kappa = boundary.strength * 2 * scene.fluid->density_kg_m3 *
                                  m.volume_m3 / coupled_step_s;
             for (std::size_t a = 0; a < 8; ++a) {

@@ -13,6 +13,8 @@ LbmFluid::LbmFluid(fluid::Fluid& fluid) : fluid_(fluid) {
     for (const fluid::CellBox& box : fluid.owned_by_rank()) {
         grid_.owned_by_rank.push_back({box.lo, box.hi});
     }
+    for (const fluid::CellRow& r : fluid.solid_rows())
+        grid_.solid.push_back({r.y, r.z, r.x_begin, r.x_end});
 }
 
 std::span<const fluid::CellRow> LbmFluid::convert(

@@ -61,7 +61,8 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     if (scene.coupling) {
         text += fmt::format("    {} markers\n",
                             bodies::place_markers(body, scene.coupling->immersed_boundary,
-                                                  scene.fluid->spacing_m, 0)
+                                                  scene.fluid->spacing_m, 0,
+                                                  bodies::spans_fluid(*scene.fluid, body))
                                 .size());
     }
     return text;

@@ -14,16 +14,17 @@ struct CellBox {
     std::array<int, 3> lo{}, hi{};
 };
 
+// Cells x_begin <= x < x_end of one row, global indices.
+struct GridRow {
+    int y = 0, z = 0, x_begin = 0, x_end = 0;
+};
+
 struct Grid {
     double spacing_m = 0;
     std::array<int, 3> cells{};
     std::array<bool, 3> periodic{};
     std::vector<CellBox> owned_by_rank;
-};
-
-// Cells x_begin <= x < x_end of one row, global indices.
-struct GridRow {
-    int y = 0, z = 0, x_begin = 0, x_end = 0;
+    std::vector<GridRow> solid{};  // cells without fluid, of all ranks
 };
 
 }  // namespace magfsi::coupler

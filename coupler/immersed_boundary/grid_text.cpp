@@ -7,10 +7,13 @@ namespace magfsi::coupler {
 std::string to_text(const Grid& grid) {
     nlohmann::json boxes = nlohmann::json::array();
     for (const CellBox& box : grid.owned_by_rank) boxes.push_back({box.lo, box.hi});
+    nlohmann::json solid = nlohmann::json::array();
+    for (const GridRow& r : grid.solid) solid.push_back({r.y, r.z, r.x_begin, r.x_end});
     return nlohmann::json{{"spacing_m", grid.spacing_m},
                           {"cells", grid.cells},
                           {"periodic", grid.periodic},
-                          {"owned_by_rank", boxes}}
+                          {"owned_by_rank", boxes},
+                          {"solid", solid}}
         .dump();
 }
 
@@ -23,6 +26,8 @@ Grid grid_from_text(const std::string& text) {
     for (const auto& box : json.at("owned_by_rank")) {
         grid.owned_by_rank.push_back({box.at(0), box.at(1)});
     }
+    for (const auto& row : json.at("solid"))
+        grid.solid.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
     return grid;
 }
 

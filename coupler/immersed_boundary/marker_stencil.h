@@ -18,10 +18,10 @@ using MarkerStencil = std::array<Stencil1D, 3>;
 // Throws Diverged when the point lies outside a box without periodic sides.
 MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_m);
 
-// Index wrapped into [0, cells).
+// Index wrapped into [0, cells): more than once where a kernel is wider than the box.
 inline int wrapped(int index, int cells) {
-    if (index < 0) return index + cells;
-    if (index >= cells) return index - cells;
+    while (index < 0) index += cells;
+    while (index >= cells) index -= cells;
     return index;
 }
 

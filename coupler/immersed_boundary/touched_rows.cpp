@@ -5,7 +5,7 @@
 namespace magfsi::coupler {
 
 TouchedRows::TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel)
-    : grid_(&grid), box_(box), kernel_(kernel) {
+    : grid_(&grid), box_(box), kernel_(kernel), solid_(grid) {
     const auto rows = static_cast<std::size_t>(box.hi[1] - box.lo[1]) *
                       static_cast<std::size_t>(box.hi[2] - box.lo[2]);
     row_of_.assign(rows, -1);
@@ -15,12 +15,14 @@ int TouchedRows::slot(int y, int z) const {
     return (z - box_.lo[2]) * (box_.hi[1] - box_.lo[1]) + (y - box_.lo[1]);
 }
 
-// Visits the stencil's cells that this rank owns, as runs along x that do not wrap:
-// (row, first x, cells, their weights along x, the weight along y and z).
+// Visits the marker's cells that this rank owns and that hold fluid, as runs along x that
+// do not wrap: (row, first x, cells, their weights along x, the weight along y and z).
 template <typename Visit>
-void TouchedRows::for_each_run(const MarkerStencil& stencil, Visit&& visit) const {
-    const auto& [sx, sy, sz] = stencil;
-    std::array<Run, 2> runs;
+void TouchedRows::for_each_run(std::size_t marker, Visit&& visit) const {
+    const auto& [sx, sy, sz] = stencils_[marker];
+    const double share = share_[marker];
+    if (share == 0) return;
+    Runs runs;
     const std::size_t pieces = runs_along_x(sx, runs);
     for (int k = 0; k < sz.count; ++k) {
         const int z = wrapped(sz.first + k, grid_->cells[2]);
@@ -29,15 +31,31 @@ void TouchedRows::for_each_run(const MarkerStencil& stencil, Visit&& visit) cons
             const int y = wrapped(sy.first + j, grid_->cells[1]);
             if (y < box_.lo[1] || y >= box_.hi[1]) continue;
             const double wyz = sy.weight[static_cast<std::size_t>(j)] *
-                               sz.weight[static_cast<std::size_t>(k)];
-            for (std::size_t p = 0; p < pieces; ++p) visit(slot(y, z), runs[p], wyz);
+                               sz.weight[static_cast<std::size_t>(k)] / share;
+            for (std::size_t p = 0; p < pieces; ++p) {
+                if (share == 1) {
+                    visit(slot(y, z), runs[p], wyz);
+                    continue;
+                }
+                without_solid(y, z, runs[p],
+                              [&](const Run& part) { visit(slot(y, z), part, wyz); });
+            }
         }
     }
 }
 
-// A periodic side cuts a stencil in two; in what order they come decides about rounding.
-std::size_t TouchedRows::runs_along_x(const Stencil1D& sx,
-                                      std::array<Run, 2>& runs) const {
+template <typename Visit>
+void TouchedRows::without_solid(int y, int z, const Run& run, Visit&& visit) const {
+    for (int i = 0; i < run.cells;) {
+        int end = i;
+        while (end < run.cells && !solid_.at(run.x + end, y, z)) ++end;
+        if (end > i) visit(Run{run.x + i, end - i, run.weight + i});
+        i = end + 1;
+    }
+}
+
+// A periodic side cuts a stencil; in what order they come decides about rounding.
+std::size_t TouchedRows::runs_along_x(const Stencil1D& sx, Runs& runs) const {
     std::size_t pieces = 0;
     for (int i = 0; i < sx.count; ++i) {
         const int x = wrapped(sx.first + i, grid_->cells[0]);
@@ -69,9 +87,11 @@ void TouchedRows::place(std::span<const Vec3> points_m) {
     stencils_.clear();
     points_m_.assign(points_m.begin(), points_m.end());
     const int ny = box_.hi[1] - box_.lo[1];
+    share_.clear();
     for (const Vec3& point : points_m) {
         stencils_.push_back(marker_stencil(*grid_, kernel_, point));
-        for_each_run(stencils_.back(), [&](int at, const Run& run, double) {
+        share_.push_back(solid_.fluid_share(stencils_.back()));
+        for_each_run(stencils_.size() - 1, [&](int at, const Run& run, double) {
             widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, run.x, run.x + run.cells);
         });
     }
@@ -96,7 +116,7 @@ void TouchedRows::interpolate(std::span<const double> velocity,
                               std::span<Vec3> markers) const {
     for (std::size_t m = 0; m < stencils_.size(); ++m) {
         Vec3 sum{};
-        for_each_run(stencils_[m], [&](int at, const Run& run, double wyz) {
+        for_each_run(m, [&](int at, const Run& run, double wyz) {
             const double* u = velocity.data() + first_value(at, run.x);
             for (int i = 0; i < run.cells; ++i, u += 3) {
                 const double weight = wyz * run.weight[i];
@@ -111,7 +131,7 @@ void TouchedRows::spread(std::span<const Vec3> force_n, std::span<double> densit
     const double per_volume =
         1 / (grid_->spacing_m * grid_->spacing_m * grid_->spacing_m);
     for (std::size_t m = 0; m < stencils_.size(); ++m) {
-        for_each_run(stencils_[m], [&](int at, const Run& run, double wyz) {
+        for_each_run(m, [&](int at, const Run& run, double wyz) {
             double* f = density.data() + first_value(at, run.x);
             for (int i = 0; i < run.cells; ++i, f += 3) {
                 const double weight = wyz * run.weight[i] * per_volume;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupler/immersed_boundary/marker_stencil.h"
+#include "coupler/immersed_boundary/solid_cells.h"
 
 namespace magfsi::coupler {
 
@@ -40,9 +41,12 @@ class TouchedRows {
         int x = 0, cells = 0;
         const double* weight = nullptr;  // of each cell, along x
     };
+    using Runs = std::array<Run, max_support>;  // as many in a box of one cell
     template <typename Visit>
-    void for_each_run(const MarkerStencil& stencil, Visit&& visit) const;
-    std::size_t runs_along_x(const Stencil1D& sx, std::array<Run, 2>& runs) const;
+    void for_each_run(std::size_t marker, Visit&& visit) const;
+    template <typename Visit>
+    void without_solid(int y, int z, const Run& run, Visit&& visit) const;
+    std::size_t runs_along_x(const Stencil1D& sx, Runs& runs) const;
     std::size_t first_value(int at, int x) const;
     int slot(int y, int z) const;
     void widen(int y, int z, int x_begin, int x_end);
@@ -50,8 +54,10 @@ class TouchedRows {
     const Grid* grid_;
     CellBox box_;
     Kernel kernel_;
+    SolidCells solid_;
     std::vector<Vec3> points_m_;
     std::vector<MarkerStencil> stencils_;
+    std::vector<double> share_;  // of each marker's weights in the fluid
     std::vector<GridRow> rows_;
     std::vector<std::size_t> offset_;  // of each row's first cell
     std::vector<int> row_of_;          // (y, z) -> row, -1: not touched

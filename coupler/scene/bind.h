@@ -137,6 +137,12 @@ void bind_keys(Io& io, InitialState& initial) {
 }
 
 template <class Io>
+void bind_keys(Io& io, Roller& roller) {
+    io("face", roller.faces);
+    io("axis", AxisRef{roller.axis});
+}
+
+template <class Io>
 void bind_keys(Io& io, Body& body) {
     io("mesh", body.mesh);
     io("element", body.element);
@@ -144,6 +150,7 @@ void bind_keys(Io& io, Body& body) {
     io("material_regions", body.material_regions);
     io("magnetization", body.magnetization);
     io("clamps", body.clamps);
+    io("rollers", body.rollers);
     io("initial", body.initial);
 }
 

@@ -55,19 +55,43 @@ void check_node_count(const Body& body, const BoxMesh& box, const Marks& marks) 
 }
 
 // The faces of a Gmsh file are known when it is read.
-void check_clamps(const Body& body, const Marks& marks) {
-    if (std::holds_alternative<FileMesh>(body.mesh)) return;
+void check_face(const Body& body, const std::string& face, std::string_view list,
+                const Origin& here) {
     const std::vector<std::string> faces = words(names<Face>);
+    if (std::holds_alternative<FileMesh>(body.mesh)) return;
+    if (std::ranges::find(faces, face) == faces.end())
+        refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
+               joined(faces), did_you_mean(face, faces));
+}
+
+void check_clamps(const Body& body, const Marks& marks) {
     for (std::size_t i = 0; i < body.clamps.size(); ++i) {
         const std::string& clamp = body.clamps[i];
         const Origin& here = marks.item({"bodies", body.name, "clamps"}, i);
-        if (std::ranges::find(faces, clamp) == faces.end())
-            refuse(here, fmt::format("{} as a face of clamps", in_quotes(clamp)),
-                   joined(faces), did_you_mean(clamp, faces));
+        check_face(body, clamp, "clamps", here);
         const auto earlier = body.clamps.begin() + static_cast<std::ptrdiff_t>(i);
         if (std::find(body.clamps.begin(), earlier, clamp) != earlier)
             refuse(here, fmt::format("{} twice in clamps", in_quotes(clamp)),
                    "each face once");
+    }
+}
+
+void check_rollers(const Body& body, const Marks& marks) {
+    for (std::size_t i = 0; i < body.rollers.size(); ++i) {
+        const Origin& here = marks.item({"bodies", body.name, "rollers"}, i);
+        for (const std::string& face : body.rollers[i].faces)
+            check_face(body, face, "rollers", here);
+    }
+    // The relaxed shape is found before the body is turned.
+    const auto& turn = body.initial.rotation;
+    if (!body.initial.relaxed || !turn) return;
+    for (const Roller& roller : body.rollers) {
+        if (roller.axis != turn->plane[0] && roller.axis != turn->plane[1]) continue;
+        refuse(marks.key({"bodies", body.name, "rollers"}),
+               fmt::format("rollers along {} of a body that is relaxed and then turned "
+                           "about another axis",
+                           axes[static_cast<std::size_t>(roller.axis)]),
+               "rollers along the axis of initial.rotation, or no relaxed shape");
     }
 }
 
@@ -180,6 +204,7 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         if (box) check_node_count(body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);
+        check_rollers(body, marks);
         check_material_regions(body, marks);
         check_magnetization(body, marks);
         check_initial(scene, body, marks);

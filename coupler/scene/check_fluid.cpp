@@ -12,7 +12,7 @@ namespace magfsi::scene {
 namespace {
 
 constexpr double divides_within = 1e-6;  // of a side: far below what a cell resolves
-constexpr int least_cells = 4;           // the widest delta kernel spans 4 cells
+constexpr int least_cells = 4;  // the widest delta kernel spans 4 cells; it wraps
 
 bool divides(double side, double spacing) {
     const double cells = std::round(side / spacing);
@@ -48,11 +48,13 @@ std::string advice(const Fluid& fluid) {
 
 void check_spacing(const Fluid& fluid, const Marks& marks) {
     for (int i = 0; i < 3; ++i) {
-        if (fluid.box_m[i] / fluid.spacing_m < least_cells * (1 - divides_within))
+        const bool periodic = fluid.boundaries[2 * i].kind == BoundaryKind::periodic;
+        if (!periodic &&
+            fluid.box_m[i] / fluid.spacing_m < least_cells * (1 - divides_within))
             refuse(marks.value({"fluid", "spacing"}),
                    fmt::format("{:.3g} cells along {}", fluid.box_m[i] / fluid.spacing_m,
                                axis_names[i]),
-                   fmt::format("at least {} cells a side", least_cells),
+                   fmt::format("at least {} cells between walls", least_cells),
                    fmt::format("take a spacing of at most {}",
                                format_si(fluid.box_m[i] / least_cells, "m")));
         if (!divides(fluid.box_m[i], fluid.spacing_m))

@@ -53,6 +53,10 @@ constexpr Effect effects[] = {
      [](const Scene& s) {
          return any_body(s, [](const Body& b) { return !b.clamps.empty(); });
      }},
+    {"rollers",
+     [](const Scene& s) {
+         return any_body(s, [](const Body& b) { return !b.rollers.empty(); });
+     }},
     {"immersed boundary", [](const Scene& s) { return s.coupling.has_value(); }},
     {"fluid", [](const Scene& s) { return s.fluid.has_value(); }},
     {"body force",

@@ -119,6 +119,11 @@ Field bodies_fields() {
         magnetization().optional(),
         text("clamps", "Faces held still: x_min to z_max, or names of the Gmsh file.").list()
             .optional(),
+        list_of("rollers", "Faces held along one axis, free along the others: both faces "
+                "across the depth for plane strain, one for a plane of symmetry.", {
+            text("face", "As in `clamps`; one name, or a list.").one_or_list(),
+            axis("axis", "Of space, not of a turned body."),
+        }).optional(),
         initial().optional(),
     });
 }

@@ -127,6 +127,12 @@ struct InitialState {
     std::optional<RelaxedShape> relaxed;
 };
 
+// Faces held along one axis of space, free to slide along the others.
+struct Roller {
+    std::vector<std::string> faces;
+    int axis = 2;  // 0 x, 1 y, 2 z
+};
+
 enum class Face { x_min, x_max, y_min, y_max, z_min, z_max };
 
 struct Body {
@@ -137,6 +143,7 @@ struct Body {
     std::vector<RegionMaterial> material_regions;
     std::optional<Magnetization> magnetization;
     std::vector<std::string> clamps;  // faces; of a block x_min to z_max
+    std::vector<Roller> rollers;
     InitialState initial;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "structure/held_nodes.h"
 #include "structure/lattice/element_kernel.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/nodal_charge.h"
@@ -31,11 +32,12 @@ Array magnetic_forces(const Body& body, const Vec3& field_t) {
     return out;
 }
 
-// One for free nodes, zero for clamped ones.
-Array free_nodes(const Body& body) {
-    Array out = Array::Ones(3 * static_cast<Eigen::Index>(body.mesh.nodes.size()));
-    for (const std::string& face : body.clamps) {
-        for (int node : body.mesh.faces.at(face)) out.segment(3 * node, 3).setZero();
+// One where a node may move, zero where it is held.
+Array free_axes(const std::vector<HeldAxes>& held) {
+    Array out = Array::Ones(3 * static_cast<Eigen::Index>(held.size()));
+    for (Eigen::Index q = 0; q < out.size(); ++q) {
+        if (held[static_cast<std::size_t>(q / 3)][static_cast<std::size_t>(q % 3)])
+            out[q] = 0;
     }
     return out;
 }
@@ -98,7 +100,7 @@ RelaxedBody descend(const Body& body, const Vec3& field_t, const Array& magnetic
                     Array& x, const Array& mass) {
     ElementKernel kernel;
     kernel.assign(build_lattice(body));
-    const Array free = free_nodes(body);
+    const Array free = free_axes(held_axes(body));
     const double scale = magnetic.abs().maxCoeff();
     Fire fire(0.9 * stable_elastic_step_s(body), x.size());
     RelaxedBody out;
@@ -138,7 +140,7 @@ RelaxedBody relax(const Body& body, const Vec3& field_t) {
     }
     const Array start = x;
     out = descend(body, field_t, magnetic, x, mass);
-    if (body.clamps.empty()) put_centre_back(x, start, mass);
+    if (body.clamps.empty() && body.rollers.empty()) put_centre_back(x, start, mass);
     out.nodes_m.resize(body.mesh.nodes.size());
     for (Eigen::Index q = 0; q < x.size(); ++q) {
         out.nodes_m[static_cast<std::size_t>(q / 3)][static_cast<std::size_t>(q % 3)] =

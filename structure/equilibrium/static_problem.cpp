@@ -19,10 +19,17 @@ std::vector<int> three_times(std::vector<int> sizes) {
     return sizes;
 }
 
-std::string known_faces(const Mesh& mesh) {
-    std::string out;
-    for (const auto& [name, nodes] : mesh.faces) out += (out.empty() ? "" : ", ") + name;
-    return out.empty() ? "none" : out;
+// Without the rows and columns of held axes.
+void add_free(Eigen::Ref<Eigen::Matrix3d, 0, Eigen::OuterStride<>> block,
+              const Eigen::Matrix3d& tangent, const HeldAxes& row,
+              const HeldAxes& column) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (row[i] || column[j]) continue;
+            const auto p = static_cast<Eigen::Index>(i), q = static_cast<Eigen::Index>(j);
+            block(p, q) += tangent(p, q);
+        }
+    }
 }
 
 }  // namespace
@@ -67,23 +74,23 @@ StaticProblem::StaticProblem(const Body& body)
             element_reference(gather(body.mesh.nodes, body.mesh.elements[e]),
                               body.element, static_cast<int>(e)));
     }
-    hold_clamped_nodes();
+    hold_nodes();
     measure_sides();
     measure_stiffness();
 }
 
-void StaticProblem::hold_clamped_nodes() {
-    held_.assign(body_.mesh.nodes.size(), false);
-    for (const std::string& face : body_.clamps) {
-        const auto found = body_.mesh.faces.find(face);
-        if (found == body_.mesh.faces.end()) {
-            throw std::invalid_argument(
-                fmt::format("body {} is clamped at \"{}\", but its faces are {}",
-                            body_.name, face, known_faces(body_.mesh)));
-        }
-        for (int node : found->second) held_[node] = true;
-        free_ = free_ && found->second.empty();
+void StaticProblem::hold_nodes() {
+    held_ = held_axes(body_);
+    HeldAxes any{};
+    for (const HeldAxes& node : held_) {
+        for (std::size_t d = 0; d < 3; ++d) any[d] = any[d] || node[d];
     }
+    free_ = any == HeldAxes{};
+    if (free_ || any == HeldAxes{true, true, true}) return;
+    throw std::invalid_argument(fmt::format(
+        "body {} is held, but not along every axis: a static solution needs a "
+        "clamp, or rollers along x, y and z, or a free body",
+        body_.name));
 }
 
 void StaticProblem::measure_sides() {
@@ -137,8 +144,8 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     const KernelResult result =
         kernel_.add_forces_and_energy(x.data(), out.residual_n.data());
     for (std::size_t n = 0; n < held_.size(); ++n) {
-        if (held_[n]) {
-            out.residual_n.segment<3>(static_cast<Eigen::Index>(3 * n)).setZero();
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (held_[n][d]) out.residual_n[static_cast<Eigen::Index>(3 * n + d)] = 0;
         }
     }
     out.elastic_j = result.energy_j;
@@ -160,16 +167,14 @@ double StaticProblem::relative_residual(const Response& response,
 void StaticProblem::add_element(std::size_t element, const Matrix24& tangent) {
     const Hexahedron& nodes = body_.mesh.elements[element];
     for (int a = 0; a < 8; ++a) {
-        if (held_[nodes[a]]) continue;
         const int level = levels_.level[nodes[a]];
         for (int b = 0; b < 8; ++b) {
-            if (held_[nodes[b]]) continue;
             const int step = level - levels_.level[nodes[b]];
             if (step < 0 || step > 1) continue;
             Eigen::MatrixXd& block =
                 step == 0 ? matrix_.diagonal(level) : matrix_.below(level);
-            block.block<3, 3>(row(nodes[a]), row(nodes[b])) +=
-                tangent.block<3, 3>(3 * a, 3 * b);
+            add_free(block.block<3, 3>(row(nodes[a]), row(nodes[b])),
+                     tangent.block<3, 3>(3 * a, 3 * b), held_[nodes[a]], held_[nodes[b]]);
         }
     }
 }
@@ -179,11 +184,8 @@ void StaticProblem::finish_matrix(double foundation) {
         if (levels_.level[node] < 0) continue;
         auto block =
             matrix_.diagonal(levels_.level[node]).block<3, 3>(row(node), row(node));
-        if (held_[node]) {
-            block.setIdentity();
-        } else {
-            block.diagonal().array() += foundation * node_volume_m3_[node];
-        }
+        for (int d = 0; d < 3; ++d)
+            block(d, d) += held_[node][d] ? 1 : foundation * node_volume_m3_[node];
     }
 }
 
@@ -203,14 +205,17 @@ Eigen::VectorXd StaticProblem::solve(const Eigen::VectorXd& right_side) const {
     };
     const int nodes = static_cast<int>(held_.size());
     for (int node = 0; node < nodes; ++node) {
-        if (levels_.level[node] < 0 || held_[node]) continue;
-        ordered.segment<3>(place(node)) = right_side.segment<3>(3 * node);
+        if (levels_.level[node] < 0) continue;
+        for (int d = 0; d < 3; ++d)
+            ordered[place(node) + d] = held_[node][d] ? 0 : right_side[3 * node + d];
     }
     matrix_.solve_in_place(ordered);
     Eigen::VectorXd out = Eigen::VectorXd::Zero(right_side.size());
     for (int node = 0; node < nodes; ++node) {
-        if (levels_.level[node] < 0 || held_[node]) continue;
-        out.segment<3>(3 * node) = ordered.segment<3>(place(node));
+        if (levels_.level[node] < 0) continue;
+        for (int d = 0; d < 3; ++d) {
+            if (!held_[node][d]) out[3 * node + d] = ordered[place(node) + d];
+        }
     }
     return out;
 }

@@ -8,6 +8,7 @@
 #include "structure/body.h"
 #include "structure/equilibrium/block_tridiagonal.h"
 #include "structure/equilibrium/node_levels.h"
+#include "structure/held_nodes.h"
 #include "structure/lattice/element_energy.h"
 #include "structure/lattice/element_kernel.h"
 #include "structure/materials.h"
@@ -23,18 +24,19 @@ struct StaticLoads {
 // Three values a node throughout.
 class StaticProblem {
   public:
-    // Throws std::invalid_argument on a body without elements, an unknown clamp, or what
+    // Throws std::invalid_argument on a body without elements, an unknown face, rollers
+    // that leave a body without clamps free along an axis, or what
     // build_lattice refuses.
     explicit StaticProblem(const Body& body);
 
     const Body& body() const { return body_; }
-    // No face is clamped: translations, and turns about the field, cost no energy.
+    // Nothing is held: translations, and turns about the field, cost no energy.
     bool free() const { return free_; }
     const Material& material(std::size_t element) const {
         return material_of(body_, element);
     }
     double largest_shear_modulus_pa() const { return largest_shear_modulus_pa_; }
-    bool held(std::size_t node) const { return held_[node]; }
+    const HeldAxes& held(std::size_t node) const { return held_[node]; }
     const std::vector<ElementReference>& references() const { return references_; }
     const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
     double volume_m3() const { return volume_m3_; }
@@ -44,7 +46,7 @@ class StaticProblem {
     Eigen::VectorXd load(const StaticLoads& loads) const;
 
     struct Response {
-        Eigen::VectorXd residual_n;  // load + internal forces, zero at clamped nodes
+        Eigen::VectorXd residual_n;  // load + internal forces, zero where a node is held
         double elastic_j = 0;
         double smallest_j = 1;
         int element = -1;  // of smallest J
@@ -74,7 +76,7 @@ class StaticProblem {
     Positions8 element_positions(std::size_t element, const Eigen::VectorXd& x) const;
 
   private:
-    void hold_clamped_nodes();
+    void hold_nodes();
     void measure_sides();
     void measure_stiffness();
     int row(int node) const { return 3 * levels_.slot[node]; }
@@ -84,7 +86,7 @@ class StaticProblem {
     BlockTridiagonal matrix_;
     std::vector<ElementReference> references_;
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;
-    std::vector<bool> held_;
+    std::vector<HeldAxes> held_;
     ElementKernel kernel_;
     bool free_ = true;
     double volume_m3_ = 0;

@@ -3,6 +3,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "group.h"
 #include "modify.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "structure/lammps/bodies.h"
 #include "structure/lammps/failure.h"
 #include "structure/lammps/fix_magttice.h"
+#include "structure/lammps/names.h"
 
 namespace magfsi::structure {
 
@@ -36,6 +38,7 @@ QuietState FixMagtticeQuiet::state() {
         body->add_elastic_forces(elastic_.data());
     }
     comm->reverse_comm_fix(this);
+    let_go_of_reactions();
     std::array<double, 2> mine{};
     for (int i = 0; i < atom->nlocal; ++i) {
         if ((atom->mask[i] & groupbit) == 0) continue;
@@ -48,6 +51,19 @@ QuietState FixMagtticeQuiet::state() {
     std::array<double, 2> all{};
     MPI_Allreduce(mine.data(), all.data(), 2, MPI_DOUBLE, MPI_MAX, world);
     return {all[0], all[1]};
+}
+
+// On rollers the elastic force is the rollers' to balance, and no load. Clamped nodes are
+// outside the group.
+void FixMagtticeQuiet::let_go_of_reactions() {
+    for (std::size_t d = 0; d < 3; ++d) {
+        const int held = group->find(held_group(d).c_str());
+        if (held < 0) continue;
+        for (int i = 0; i < atom->nlocal; ++i) {
+            if ((atom->mask[i] & group->bitmask[held]) != 0)
+                elastic_[3 * static_cast<std::size_t>(i) + d] = atom->f[i][d];
+        }
+    }
 }
 
 double FixMagtticeQuiet::compute_vector(int i) {

@@ -25,6 +25,8 @@ class FixMagtticeQuiet : public LAMMPS_NS::Fix {
     void unpack_reverse_comm(int n, int* list, double* buffer) override;
 
   private:
+    void let_go_of_reactions();
+
     std::vector<double> elastic_;  // three values an atom, local and ghost
 };
 

@@ -9,8 +9,10 @@
 namespace magfsi::structure {
 namespace {
 
-// LAMMPS has 32 groups; "all", "clamped" and "moving" are taken.
-constexpr std::size_t most_bodies = 29;
+// LAMMPS has 32 groups; these are taken.
+const std::vector<std::string> own_groups{"all",    "clamped", "moving",
+                                          "held_x", "held_y",  "held_z"};
+constexpr std::size_t most_bodies = 26;
 
 std::string sanitized(const std::string& name) {
     std::string out = name.empty() ? "body" : name;
@@ -27,7 +29,7 @@ std::vector<std::string> lammps_names(const std::vector<Body>& bodies) {
         throw std::invalid_argument(fmt::format(
             "{} bodies found, LAMMPS has groups for {}", bodies.size(), most_bodies));
     }
-    std::vector<std::string> taken{"all", "clamped", "moving"};
+    std::vector<std::string> taken = own_groups;
     for (const Body& body : bodies) {
         const std::string wanted = sanitized(body.name);
         std::string name = wanted;
@@ -36,7 +38,11 @@ std::vector<std::string> lammps_names(const std::vector<Body>& bodies) {
         }
         taken.push_back(name);
     }
-    return {taken.begin() + 3, taken.end()};
+    return {taken.begin() + static_cast<std::ptrdiff_t>(own_groups.size()), taken.end()};
+}
+
+std::string held_group(std::size_t axis) {
+    return own_groups[3 + axis];
 }
 
 std::string quoted(const std::string& path) {

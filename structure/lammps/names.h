@@ -13,6 +13,9 @@ namespace magfsi::structure {
 // Throws std::invalid_argument on more bodies than LAMMPS has groups for.
 std::vector<std::string> lammps_names(const std::vector<Body>& bodies);
 
+// Of the nodes that slide on rollers: held along this axis, 0 to 2.
+std::string held_group(std::size_t axis);
+
 // In double quotes. Throws std::invalid_argument on a quote or a dollar sign, which
 // LAMMPS would read as its own.
 std::string quoted(const std::string& path);

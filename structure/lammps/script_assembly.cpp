@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "structure/held_nodes.h"
 #include "structure/lammps/names.h"
 #include "structure/lattice/lattice.h"
 #include "structure/materials.h"
@@ -13,20 +14,19 @@
 namespace magfsi::structure {
 namespace {
 
-std::vector<int> clamped_nodes(const Body& body) {
-    std::vector<int> out;
-    for (const std::string& face : body.clamps) {
-        const auto found = body.mesh.faces.find(face);
-        if (found == body.mesh.faces.end()) {
-            throw std::invalid_argument(fmt::format(
-                "body {} is clamped at {}, a face that its mesh lacks", body.name, face));
+// Nodes held along all axes are clamped, wherever that comes from.
+void add_held(Assembly& all, const Body& body, int first) {
+    const auto held = held_axes(body);
+    for (std::size_t n = 0; n < held.size(); ++n) {
+        const int id = first + static_cast<int>(n);
+        if (held[n] == HeldAxes{true, true, true}) {
+            all.clamped_ids.push_back(id);
+            continue;
         }
-        out.insert(out.end(), found->second.begin(), found->second.end());
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (held[n][d]) all.held_ids[d].push_back(id);
+        }
     }
-    std::ranges::sort(out);
-    const auto repeated = std::ranges::unique(out);
-    out.erase(repeated.begin(), repeated.end());
-    return out;
 }
 
 double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
@@ -49,7 +49,7 @@ void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         all.atoms.push_back({nodes[a], masses[a]});
     }
-    for (int node : clamped_nodes(body)) all.clamped_ids.push_back(first + node);
+    add_held(all, body, first);
     all.longest_diagonal_m =
         std::max(all.longest_diagonal_m, longest_diagonal(nodes, body));
 }

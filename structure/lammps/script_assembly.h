@@ -1,6 +1,7 @@
 // The bodies of a script put together: nodes numbered one body after the other.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct Assembly {
     std::vector<int> first_node;
     std::vector<std::string> name;  // fit for LAMMPS IDs and file names
     std::vector<int> clamped_ids;
-    double longest_diagonal_m = 0;  // of an element, where it starts
+    std::array<std::vector<int>, 3> held_ids;  // along x, y, z; not those of clamped_ids
+    double longest_diagonal_m = 0;             // of an element, where it starts
 };
 
 // Throws std::invalid_argument on input that write_lammps_input does not take.

@@ -109,6 +109,17 @@ void add_integration(Lines& lines, const LammpsInput& input, const Assembly& all
         lines.push_back("group moving subtract all clamped");
         moving = "moving";
     }
+    // After every fix that adds forces, as LAMMPS calls them in the order of the script;
+    // at rest along the axis at first, the nodes stay so. The fluid's force comes earlier
+    // in the step, before the forces of ghosts are summed.
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (all.held_ids[d].empty()) continue;
+        const std::string group = held_group(d);
+        lines.push_back(fmt::format("group {} id {}", group, id_ranges(all.held_ids[d])));
+        lines.push_back(fmt::format("fix {0} {0} setforce {1} {2} {3}", group,
+                                    d == 0 ? "0.0" : "NULL", d == 1 ? "0.0" : "NULL",
+                                    d == 2 ? "0.0" : "NULL"));
+    }
     if (input.quiet) lines.push_back(fmt::format("fix quiet {} magttice/quiet", moving));
     lines.push_back(fmt::format("fix integrate {} nve", moving));
     lines.push_back(fmt::format("timestep {:.17g}", input.time_step_s));

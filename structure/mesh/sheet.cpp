@@ -199,9 +199,16 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
 
 }  // namespace
 
-std::optional<Sheet> find_sheet(const Mesh& mesh) {
+std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues) {
     const Neighbours behind = face_neighbours(mesh);
-    const Chords chords = find_chords(mesh, behind);
+    Chords chords = find_chords(mesh, behind);
+    const MeshEnds ends_of_mesh(mesh, continues);
+    for (Chord& chord : chords.all) {
+        const bool ring = chord.ends[0].element < 0;
+        if (!ring && ends_of_mesh.hold(outer_quad(mesh, chord.ends[0])) &&
+            ends_of_mesh.hold(outer_quad(mesh, chord.ends[1])))
+            chord.length_m = INFINITY;
+    }
     const std::vector<int> across = columns_across(chords);
     if (across.empty()) return std::nullopt;
     std::vector<SurfaceQuad> ends;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "structure/mesh/mesh.h"
+#include "structure/mesh/mesh_ends.h"
 #include "structure/mesh/surface.h"
 #include "structure/mesh/surface_points.h"
 
@@ -31,8 +32,9 @@ struct Sheet {
 // every element once, all with as many layers, and whose ends form two separate sides.
 // The sheet may be curved or folded. Empty for other bodies, for sheets of one side
 // (Moebius) and for cubes of one element. The top is the side whose area vector points
-// towards +z (+y, +x where that vanishes, as on a closed shell).
-std::optional<Sheet> find_sheet(const Mesh& mesh);
+// towards +z (+y, +x where that vanishes, as on a closed shell). A body is never thin
+// along an axis on which it continues.
+std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues = {});
 
 // Quads of one side, outward, for surface_points.
 std::vector<SurfaceQuad> bottom_of(const Sheet& sheet);
