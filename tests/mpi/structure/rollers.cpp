@@ -22,7 +22,7 @@ TEST(Rollers, HoldOneCoordinateAndLeaveTheOthersFree) {
     const auto held = held_axes(input.bodies[0]);
     double fallen = 0;
     for (std::size_t q = 0; q < x.size(); ++q) {
-        if (held[q / 3][q % 3]) EXPECT_EQ(x[q], start[q]) << "value " << q;
+        EXPECT_TRUE(!held[q / 3][q % 3] || x[q] == start[q]) << "value " << q;
         if (q % 3 == 2) fallen += (x[q] - start[q]) * 3 / static_cast<double>(x.size());
     }
     // Nothing holds it along z: free fall, but for the 2 % that bending moves nodes

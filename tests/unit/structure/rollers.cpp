@@ -31,7 +31,7 @@ double elongation(const Body& body, double acceleration) {
     for (std::size_t n = 0; n < found.nodes_m.size(); ++n) {
         const auto held = held_axes(body)[n];
         for (int d = 0; d < 3; ++d)
-            if (held[d]) EXPECT_EQ(found.nodes_m[n][d], body.mesh.nodes[n][d]);
+            EXPECT_TRUE(!held[d] || found.nodes_m[n][d] == body.mesh.nodes[n][d]);
     }
     return sum / static_cast<double>(end.size());
 }
