@@ -8,6 +8,7 @@
 #include "fluid_lbm/obstacle/check_obstacles.h"
 #include "fluid_lbm/parallel/gathered.h"
 #include "fluid_lbm/sampling/divergence.h"
+#include "fluid_lbm/sampling/plane_flow.h"
 #include "fluid_lbm/sampling/state.h"
 #include "fluid_lbm/sampling/totals.h"
 #include "fluid_lbm/sampling/velocity_field.h"
@@ -288,6 +289,11 @@ void Fluid::set_populations(int plane, std::span<const double> values) {
 Totals Fluid::totals() const {
     return fluid::totals(state_->comm.get(), state_->solver, units(state_->config),
                          state_->lattice.wall_velocity);
+}
+
+PlaneFlow Fluid::plane_flow(int axis, double at_m) const {
+    return fluid::plane_flow(state_->comm.get(), state_->solver, units(state_->config),
+                             axis, at_m / state_->config.spacing_m);
 }
 
 std::vector<Vec3> Fluid::obstacle_forces() const {

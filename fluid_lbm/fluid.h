@@ -72,6 +72,12 @@ struct Totals {  // over all ranks, without the insides of obstacles
     double max_speed_m_s = 0;
 };
 
+struct PlaneFlow {           // through the fluid's part of a plane across the box
+    double flow_m3_s = 0;    // along the axis
+    Vec3 momentum_flux_n{};  // of density times velocity, without pressure
+    double pressure_pa = 0;  // gauge, mean over the plane
+};
+
 // What most likely made a cell diverge.
 enum class DivergenceCause { not_finite, force, relaxation_time, speed };
 
@@ -133,6 +139,8 @@ class Fluid {
     void set_populations(int plane, std::span<const double> values);
 
     Totals totals() const;  // collective
+    // Of the plane across `axis` (0 x, 1 y, 2 z) at a coordinate in the box. Collective.
+    PlaneFlow plane_flow(int axis, double at_m) const;
     // Force [N] of the fluid on each obstacle during the last step, in the order of the
     // configuration; zero before the first. By gauge pressure: an obstacle that touches a
     // wall feels none of the rest pressure. Collective.

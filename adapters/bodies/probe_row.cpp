@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/body_part.h"
 #include "adapters/bodies/scene_to_body.h"
 
 namespace magfsi::bodies {
@@ -61,6 +62,16 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
         point.start_m = position(point.at, start, point.first_node);
         points_.push_back(point);
     }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (!part) continue;
+        const auto found =
+            std::ranges::find(scene.bodies, part->body, &scene::Body::name);
+        const auto b = static_cast<std::size_t>(found - scene.bodies.begin());
+        parts_.push_back({bodies_[b].first,
+                          node_shares(elements_of(*part, bodies[b].mesh), bodies[b].mesh),
+                          bodies_[b].start_m});
+    }
 }
 
 bool ProbeRow::wants(const scene::Scene& scene, scene::BodyQuantity quantity) {
@@ -69,7 +80,8 @@ bool ProbeRow::wants(const scene::Scene& scene, scene::BodyQuantity quantity) {
 }
 
 std::vector<double> ProbeRow::values(double time_s, const NodalState& state,
-                                     const std::vector<BodyLoads>& loads) const {
+                                     const std::vector<BodyLoads>& loads,
+                                     const std::vector<Vec3>& force_on_parts_n) const {
     std::vector<double> row;
     if (field_) row.push_back(structure::polar_field_at(*field_, time_s).magnitude_t);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -81,7 +93,30 @@ std::vector<double> ProbeRow::values(double time_s, const NodalState& state,
         add(row, now);
         for (std::size_t d = 0; d < 3; ++d) row.push_back(now[d] - point.start_m[d]);
     }
+    add_parts(row, state, force_on_parts_n);
     return row;
+}
+
+void ProbeRow::add_parts(std::vector<double>& row, const NodalState& state,
+                         const std::vector<Vec3>& force_n) const {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const Part& part = parts_[p];
+        double mass = 0;
+        Vec3 moved{}, momentum{};
+        for (std::size_t i = 0; i < part.share.size(); ++i) {
+            const std::size_t n = part.first_node + i;
+            const double m = part.share[i] * state.mass_kg[n];
+            mass += m;
+            for (std::size_t d = 0; d < 3; ++d) {
+                moved[d] += m * (state.position_m[n][d] - part.start_m[i][d]);
+                momentum[d] += m * state.velocity_m_s[n][d];
+            }
+        }
+        for (double& u : moved) u /= mass;
+        add(row, moved);
+        add(row, momentum);
+        if (scene_.fluid) add(row, force_n.at(p));
+    }
 }
 
 }  // namespace magfsi::bodies

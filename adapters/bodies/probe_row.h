@@ -27,9 +27,11 @@ class ProbeRow {
     // Whether the scene has this column for its bodies.
     static bool wants(const scene::Scene& scene, scene::BodyQuantity quantity);
 
-    // In the order of coupler::body_columns.
+    // In the order of coupler::body_columns. force_on_parts_n: the fluid's, in the order
+    // of probes.integrals, of a scene with a fluid.
     std::vector<double> values(double time_s, const NodalState& state,
-                               const std::vector<BodyLoads>& loads) const;
+                               const std::vector<BodyLoads>& loads,
+                               const std::vector<Vec3>& force_on_parts_n = {}) const;
 
   private:
     struct Point {
@@ -37,10 +39,19 @@ class ProbeRow {
         std::size_t first_node = 0;
         Vec3 start_m{};
     };
+    struct Part {
+        std::size_t first_node = 0;
+        std::vector<double> share;  // of each node's mass
+        std::vector<Vec3> start_m;
+    };
+    void add_parts(std::vector<double>& row, const NodalState& state,
+                   const std::vector<Vec3>& force_n) const;
+
     const scene::Scene& scene_;
     std::optional<structure::FieldProgram> field_;
     std::vector<BodyNodes> bodies_;
     std::vector<Point> points_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace magfsi::bodies

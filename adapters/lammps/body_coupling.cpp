@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/body_part.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
@@ -25,6 +28,16 @@ std::vector<bodies::PlacedMarker> place_all(const scene::Scene& scene) {
     return all;
 }
 
+void add_to(Vec3& sum, const Vec3& force) {
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += force[d];
+}
+
+std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
+                  MPI_SUM, comm);
+    return sum;
+}
+
 }  // namespace
 
 BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
@@ -42,6 +55,7 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
         bodies::to_gravity(scene).value_or(Vec3{}));
     if (boundary.iterations > 1)
         iterated_ = std::make_unique<coupler::IteratedForcing>(force_->markers(), scale);
+    find_parts(placed);
     slip_ = std::make_unique<coupler::SlipRecord>(own_areas(placed));
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
@@ -157,18 +171,44 @@ std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
     return arrays;
 }
 
+void BodyCoupling::find_parts(const std::vector<bodies::PlacedMarker>& placed) {
+    const scene::Scene& scene = session_.scene();
+    if (!scene.probes) return;
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (!part) continue;
+        const auto body = std::ranges::find(scene.bodies, part->body, &scene::Body::name);
+        const auto b = static_cast<int>(body - scene.bodies.begin());
+        const auto in = bodies::elements_of(*part, bodies::to_mesh(*body));
+        auto& markers = parts_.emplace_back();
+        for (std::size_t m = 0; m < placed_index_.size(); ++m) {
+            const auto& p = placed[static_cast<std::size_t>(placed_index_[m])];
+            if (p.body == b && in[static_cast<std::size_t>(p.point.element)])
+                markers.push_back(m);
+        }
+    }
+}
+
+Vec3 BodyCoupling::force_on(std::size_t marker) const {
+    Vec3 force = force_->constant_force()[marker];
+    for (std::size_t d = 0; d < 3; ++d)
+        force[d] -= force_->impulse()[marker][d] / session_.clock().step_s();
+    return force;
+}
+
 std::vector<Vec3> BodyCoupling::force_on_bodies() const {
     std::vector<Vec3> sum(bodies_);
-    const auto impulse = force_->impulse();
-    const auto constant = force_->constant_force();
-    for (std::size_t m = 0; m < impulse.size(); ++m) {
-        Vec3& force = sum[static_cast<std::size_t>(force_->markers()[m].body)];
-        for (std::size_t d = 0; d < 3; ++d)
-            force[d] += constant[m][d] - impulse[m][d] / session_.clock().step_s();
+    for (std::size_t m = 0; m < force_->markers().size(); ++m)
+        add_to(sum[static_cast<std::size_t>(force_->markers()[m].body)], force_on(m));
+    return over_ranks(std::move(sum), session_.world().local());
+}
+
+std::vector<Vec3> BodyCoupling::force_on_parts() const {
+    std::vector<Vec3> sum(parts_.size());
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        for (const std::size_t m : parts_[p]) add_to(sum[p], force_on(m));
     }
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
-                  MPI_SUM, session_.world().local());
-    return sum;
+    return over_ranks(std::move(sum), session_.world().local());
 }
 
 void BodyCoupling::audit(coupler::BalanceRecord& record) const {

@@ -58,6 +58,8 @@ class BodyCoupling {
     std::size_t bodies() const { return bodies_; }
     // Sum over the ranks of the force on each body in the last step [N]. Collective.
     std::vector<Vec3> force_on_bodies() const;
+    // The same on each part of a body in probes.integrals, in their order.
+    std::vector<Vec3> force_on_parts() const;
     // Adds the last step to the record, with the velocities sampled before it.
     void audit(coupler::BalanceRecord& record) const;
 
@@ -70,6 +72,8 @@ class BodyCoupling {
         const std::vector<bodies::PlacedMarker>& placed,
         const std::vector<int>& first_node);
     std::vector<Vec3> marker_positions() const;
+    void find_parts(const std::vector<bodies::PlacedMarker>& placed);
+    Vec3 force_on(std::size_t marker) const;
     std::vector<coupler::MarkerArea> own_areas(
         const std::vector<bodies::PlacedMarker>& placed) const;
 
@@ -79,6 +83,7 @@ class BodyCoupling {
     std::size_t bodies_ = 0;
     std::vector<int> placed_index_;
     std::size_t placed_ = 0;
+    std::vector<std::vector<std::size_t>> parts_;  // markers of this rank
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::SlipRecord> slip_;
     std::unique_ptr<coupler::IteratedForcing> iterated_;  // only with iterations

@@ -224,9 +224,10 @@ void Participant::add_partner_values(std::vector<double>& row) {
 void Participant::write_probes() {
     const NodalState state = engine_->gather(atoms_);
     const auto loads = collect_loads();
+    const auto on_parts = coupling_ ? coupling_->force_on_parts() : std::vector<Vec3>{};
     std::vector<double> row;
     if (probe_row_) {
-        row = probe_row_->values(session_.clock().time_s(), state, loads);
+        row = probe_row_->values(session_.clock().time_s(), state, loads, on_parts);
     }
     if (coupling_) add_partner_values(row);
     if (!probes_) return;

@@ -35,6 +35,13 @@ void add_forces(std::vector<double>& values, const scene::Fluid& config,
     }
 }
 
+void add_plane(std::vector<double>& values, const fluid::PlaneFlow& through) {
+    values.push_back(through.flow_m3_s);
+    values.insert(values.end(), through.momentum_flux_n.begin(),
+                  through.momentum_flux_n.end());
+    values.push_back(through.pressure_pa);
+}
+
 }  // namespace
 
 ForceAxes force_axes(const scene::Fluid& fluid) {
@@ -74,6 +81,10 @@ std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& 
                 add_forces(values, *scene.fluid, fluid);
                 break;
         }
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        if (const auto* plane = std::get_if<scene::FluidPlane>(&integral.over))
+            add_plane(values, fluid.plane_flow(plane->axis, plane->at_m));
     }
     return values;
 }

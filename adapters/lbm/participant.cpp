@@ -46,7 +46,8 @@ coupler::BalanceRecord* Participant::balance() const {
 void Participant::assemble_output() {
     const scene::Scene& scene = session_.scene();
     const bool leads = session_.world().leads();
-    writes_probes_ = scene.probes && (balance() || !scene.probes->fluid.empty());
+    writes_probes_ =
+        scene.probes && (balance() || !coupler::fluid_columns(scene).empty());
     if (writes_probes_) {
         if (leads) {
             probes_ = coupler::open_probes(session_, coupler::fluid_columns(scene));

@@ -322,10 +322,28 @@ void bind_keys(Io& io, PointProbe& point) {
 }
 
 template <class Io>
+void bind_keys(Io& io, FluidPlane& plane) {
+    io("axis", AxisRef{plane.axis});
+    io("at", plane.at_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, BodyPart& part) {
+    io("body", part.body);
+    io("box", part.box_m);
+}
+
+template <class Io>
+void bind_keys(Io& io, IntegralProbe& integral) {
+    io.alternatives(integral.over, {"plane", "part"});
+}
+
+template <class Io>
 void bind_keys(Io& io, Probes& probes) {
     io("every", probes.every_s);
     io("bodies", probes.bodies);
     io("points", probes.points);
+    io("integrals", probes.integrals);
     io("fluid", probes.fluid);
     io("interface_balance", probes.interface_balance);
 }

@@ -20,17 +20,20 @@ void check_interval(const Scene& scene, double every_s, const Origin& where) {
            fmt::format("at least the coupled step of {}", format_si(*dt_s, "s")));
 }
 
+const Body& body_named(const Scene& scene, const std::string& name, const Origin& where) {
+    const auto body = std::ranges::find(scene.bodies, name, &Body::name);
+    if (body != scene.bodies.end()) return *body;
+    std::vector<std::string> bodies;
+    for (const Body& b : scene.bodies) bodies.push_back(b.name);
+    refuse(where, fmt::format("no body {}", in_quotes(name)),
+           bodies.empty() ? "scenes with bodies" : joined(bodies),
+           did_you_mean(name, bodies));
+}
+
 void check_point(const Scene& scene, const PointProbe& point, const Marks& marks) {
-    const auto body = std::ranges::find(scene.bodies, point.body, &Body::name);
-    if (body == scene.bodies.end()) {
-        std::vector<std::string> bodies;
-        for (const Body& b : scene.bodies) bodies.push_back(b.name);
-        refuse(marks.value({"probes", "points", point.name, "body"}),
-               fmt::format("no body {}", in_quotes(point.body)),
-               bodies.empty() ? "scenes with bodies" : joined(bodies),
-               did_you_mean(point.body, bodies));
-    }
-    const auto* box = std::get_if<BoxMesh>(&body->mesh);
+    const Body& body = body_named(scene, point.body,
+                                  marks.value({"probes", "points", point.name, "body"}));
+    const auto* box = std::get_if<BoxMesh>(&body.mesh);
     for (int i = 0; box && i < 3; ++i) {
         const double size = box->size_m[i];
         // A point on the surface may round to just outside.
@@ -40,6 +43,48 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
                            format_si(point.at_m[i], "m"), point.body),
                fmt::format("{} from 0 m to {} (the body's own frame)", axis_names[i],
                            format_si(size, "m")));
+    }
+}
+
+void check_plane(const Scene& scene, const std::string& name, const FluidPlane& plane,
+                 const Marks& marks) {
+    if (!scene.fluid || scene.fluid->solver != FluidSolver::lbm)
+        refuse(marks.key({"probes", "integrals", name, "plane"}),
+               "a plane without a fluid of the solver lbm", "it with fluid.solver: lbm");
+    const double side = scene.fluid->box_m[static_cast<std::size_t>(plane.axis)];
+    if (plane.at_m >= 0 && plane.at_m <= side) return;
+    refuse(
+        marks.value({"probes", "integrals", name, "plane", "at"}),
+        fmt::format("a plane at {} = {}, outside the fluid box", axis_names[plane.axis],
+                    format_si(plane.at_m, "m")),
+        fmt::format("{} from 0 m to {}", axis_names[plane.axis], format_si(side, "m")));
+}
+
+void check_part(const Scene& scene, const std::string& name, const BodyPart& part,
+                const Marks& marks) {
+    body_named(scene, part.body,
+               marks.value({"probes", "integrals", name, "part", "body"}));
+    for (std::size_t d = 0; part.box_m && d < 3; ++d) {
+        if ((*part.box_m)[0][d] < (*part.box_m)[1][d]) continue;
+        refuse(marks.value({"probes", "integrals", name, "part", "box"}),
+               fmt::format("a box that is empty along {}", axis_names[d]),
+               "[lower corner, upper corner]");
+    }
+}
+
+void check_integrals(const Scene& scene, const Marks& marks) {
+    for (const IntegralProbe& integral : scene.probes->integrals) {
+        const auto taken = [&](const auto& thing) { return thing.name == integral.name; };
+        if (std::ranges::any_of(scene.bodies, taken) ||
+            (scene.fluid && std::ranges::any_of(scene.fluid->obstacles, taken)))
+            refuse(marks.key({"probes", "integrals", integral.name}),
+                   fmt::format("an integral with the name of a body or an obstacle, {}",
+                               in_quotes(integral.name)),
+                   "names of its own, for columns that can be told apart");
+        if (const auto* plane = std::get_if<FluidPlane>(&integral.over))
+            check_plane(scene, integral.name, *plane, marks);
+        else
+            check_part(scene, integral.name, std::get<BodyPart>(integral.over), marks);
     }
 }
 
@@ -70,6 +115,7 @@ void check_probes(const Scene& scene, const Marks& marks) {
                "interface_balance without bodies in a fluid",
                "it with bodies and a fluid only");
     for (const PointProbe& point : probes.points) check_point(scene, point, marks);
+    check_integrals(scene, marks);
 }
 
 void check_checkpoint(const Scene& scene, const Marks& marks) {

@@ -124,6 +124,20 @@ Field probes_fields() {
             identifier("body", "Name of the body."),
             quantity("at", "m", "Place in the undeformed body, in its frame.").vector(3),
         }).optional(),
+        named("integrals", "Integrals by name, over a plane of the fluid or a part of a body.", {
+            group("plane", "Across the box, outside obstacles: volume flow, flux of momentum "
+                  "(of density times velocity), mean gauge pressure.", {
+                axis("axis", "Its normal; flow along it is positive."),
+                quantity("at", "m", "Where it cuts the axis."),
+            }).alternative(),
+            group("part", "Mean displacement by mass, momentum and, in a fluid, the fluid's "
+                  "force on it.", {
+                identifier("body", "Name of the body."),
+                quantity("box", "m", "Lower and upper corner, in the body's frame: elements "
+                         "whose centre lies there; without it, the whole body.")
+                    .rows(3, 2, 2).optional(),
+            }).alternative(),
+        }).optional(),
         choice<FluidQuantity>("fluid", "Columns for the fluid.").list().optional(),
         boolean("interface_balance", "Momentum and power given and received, in columns.")
             .or_default("false"),

@@ -311,10 +311,26 @@ struct PointProbe {
     Vec3 at_m{};  // in the body's frame, before placement
 };
 
+// Over the fluid in a plane across the box, outside obstacles.
+struct FluidPlane {
+    int axis = 0;  // its normal: 0 x, 1 y, 2 z
+    double at_m = 0;
+};
+// Over the elements of a body whose centre lies in a box of the body's frame.
+struct BodyPart {
+    std::string body;
+    std::optional<std::array<Vec3, 2>> box_m;  // absent: the whole body
+};
+struct IntegralProbe {
+    std::string name;
+    std::variant<FluidPlane, BodyPart> over;
+};
+
 struct Probes {
     double every_s = 0;
     std::vector<BodyQuantity> bodies;
-    std::vector<PointProbe> points;  // by name
+    std::vector<PointProbe> points;        // by name
+    std::vector<IntegralProbe> integrals;  // by name
     std::vector<FluidQuantity> fluid;
     bool interface_balance = false;  // momentum and power given and received, each step
 };

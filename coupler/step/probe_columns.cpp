@@ -40,6 +40,18 @@ void add_body(std::vector<std::string>& columns, const std::string& body,
     }
 }
 
+void add_part(std::vector<std::string>& columns, const std::string& name, bool in_fluid) {
+    for (const char axis : {'x', 'y', 'z'}) columns.push_back(name + ".u" + axis + "[m]");
+    add_vector(columns, name + ".momentum", "kg m/s");
+    if (in_fluid) add_vector(columns, name + ".fluid_force", "N");
+}
+
+void add_plane(std::vector<std::string>& columns, const std::string& name) {
+    columns.push_back(name + ".flow[m3/s]");
+    add_vector(columns, name + ".momentum_flux", "N");
+    columns.push_back(name + ".pressure[Pa]");
+}
+
 const char* column(scene::FluidQuantity quantity) {
     switch (quantity) {
         case scene::FluidQuantity::kinetic_energy:
@@ -72,6 +84,10 @@ std::vector<std::string> body_columns(const scene::Scene& scene) {
             columns.push_back(point.name + "_u" + axis + "[m]");
         }
     }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        if (std::holds_alternative<scene::BodyPart>(integral.over))
+            add_part(columns, integral.name, scene.fluid.has_value());
+    }
     return columns;
 }
 
@@ -88,6 +104,10 @@ std::vector<std::string> fluid_columns(const scene::Scene& scene) {
             columns.push_back(obstacle.name + ".lift[N]");
             add_vector(columns, obstacle.name + ".force", "N");
         }
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        if (std::holds_alternative<scene::FluidPlane>(integral.over))
+            add_plane(columns, integral.name);
     }
     return columns;
 }

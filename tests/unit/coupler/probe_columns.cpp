@@ -61,6 +61,23 @@ TEST(ProbeColumns, of_the_fluid) {
     EXPECT_EQ(fluid_columns(scene), (Names{"max_speed[m/s]", "mass[kg]"}));
 }
 
+TEST(ProbeColumns, of_integrals_on_the_side_that_they_are_of) {
+    auto scene = robot_in_water();
+    scene.probes->bodies.clear();
+    scene.probes->fluid.clear();
+    scene.probes->integrals = {{"fin", scene::BodyPart{"robot", {}}},
+                               {"gate", scene::FluidPlane{0, 1e-3}}};
+    EXPECT_EQ(
+        body_columns(scene),
+        (Names{"fin.ux[m]", "fin.uy[m]", "fin.uz[m]", "fin.momentum_x[kg m/s]",
+               "fin.momentum_y[kg m/s]", "fin.momentum_z[kg m/s]", "fin.fluid_force_x[N]",
+               "fin.fluid_force_y[N]", "fin.fluid_force_z[N]"}));
+    EXPECT_EQ(
+        fluid_columns(scene),
+        (Names{"gate.flow[m3/s]", "gate.momentum_flux_x[N]", "gate.momentum_flux_y[N]",
+               "gate.momentum_flux_z[N]", "gate.pressure[Pa]"}));
+}
+
 TEST(ProbeColumns, of_the_interface_only_when_asked_for) {
     auto scene = robot_in_water();
     EXPECT_TRUE(interface_columns(scene).empty());

@@ -59,6 +59,26 @@ TEST(Keys, of_a_body) {
     EXPECT_EQ(b.initial.relaxed->direction_rad, 2 * pi);
 }
 
+TEST(Keys, of_rollers_and_integrals) {
+    const Scene s = complete("elastic.yaml");
+    const auto& rollers = s.bodies[0].rollers;  // of the beam
+    ASSERT_EQ(rollers.size(), 2u);
+    EXPECT_EQ(rollers[0].faces, (std::vector<std::string>{"z_min", "z_max"}));
+    EXPECT_EQ(rollers[0].axis, 2);
+    EXPECT_EQ(rollers[1].faces, (std::vector<std::string>{"y_min"}));
+    EXPECT_EQ(rollers[1].axis, 1);
+    ASSERT_EQ(s.probes->integrals.size(), 2u);
+    EXPECT_EQ(s.probes->integrals[0].name, "all");
+    EXPECT_FALSE(std::get<BodyPart>(s.probes->integrals[0].over).box_m);
+    const auto& root = std::get<BodyPart>(s.probes->integrals[1].over);
+    EXPECT_EQ(root.body, "beam");
+    EXPECT_EQ((*root.box_m)[1], (Vec3{2e-3, 5e-3, 1e-3}));
+    const auto& plane =
+        std::get<FluidPlane>(complete("channel.yaml").probes->integrals.at(0).over);
+    EXPECT_EQ(plane.axis, 1);
+    EXPECT_EQ(plane.at_m, 3e-3);
+}
+
 TEST(Keys, of_the_fluid) {
     const Fluid f = *complete("swimmer.yaml").fluid;
     EXPECT_EQ(f.solver, FluidSolver::openfoam);
