@@ -19,6 +19,12 @@ std::vector<int> three_times(std::vector<int> sizes) {
     return sizes;
 }
 
+std::string known_faces(const Mesh& mesh) {
+    std::string out;
+    for (const auto& [name, nodes] : mesh.faces) out += (out.empty() ? "" : ", ") + name;
+    return out.empty() ? "none" : out;
+}
+
 // Without the rows and columns of held axes.
 void add_free(Eigen::Ref<Eigen::Matrix3d, 0, Eigen::OuterStride<>> block,
               const Eigen::Matrix3d& tangent, const HeldAxes& row,
@@ -80,6 +86,12 @@ StaticProblem::StaticProblem(const Body& body)
 }
 
 void StaticProblem::hold_nodes() {
+    for (const std::string& face : body_.clamps) {
+        if (body_.mesh.faces.contains(face)) continue;
+        throw std::invalid_argument(
+            fmt::format("body {} is clamped at \"{}\", but its faces are {}", body_.name,
+                        face, known_faces(body_.mesh)));
+    }
     held_ = held_axes(body_);
     HeldAxes any{};
     for (const HeldAxes& node : held_) {

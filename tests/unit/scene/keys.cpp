@@ -67,12 +67,13 @@ TEST(Keys, of_rollers_and_integrals) {
     EXPECT_EQ(rollers[0].axis, 2);
     EXPECT_EQ(rollers[1].faces, (std::vector<std::string>{"y_min"}));
     EXPECT_EQ(rollers[1].axis, 1);
-    ASSERT_EQ(s.probes->integrals.size(), 2u);
-    EXPECT_EQ(s.probes->integrals[0].name, "all");
-    EXPECT_FALSE(std::get<BodyPart>(s.probes->integrals[0].over).box_m);
-    const auto& root = std::get<BodyPart>(s.probes->integrals[1].over);
-    EXPECT_EQ(root.body, "beam");
-    EXPECT_EQ((*root.box_m)[1], (Vec3{2e-3, 5e-3, 1e-3}));
+    const auto integrals = complete("swimmer.yaml").probes->integrals;
+    ASSERT_EQ(integrals.size(), 2u);
+    EXPECT_EQ(integrals[0].name, "all");
+    EXPECT_FALSE(std::get<BodyPart>(integrals[0].over).box_m);
+    const auto& root = std::get<BodyPart>(integrals[1].over);
+    EXPECT_EQ(root.body, "robot");
+    EXPECT_EQ((*root.box_m)[1], (Vec3{1e-3, 1.5e-3, 0.2e-3}));
     const auto& plane =
         std::get<FluidPlane>(complete("channel.yaml").probes->integrals.at(0).over);
     EXPECT_EQ(plane.axis, 1);
