@@ -49,9 +49,9 @@ double relaxation_time(const FluidConfig& config) {
 
 void check(const FluidConfig& config) {
     for (int axis = 0; axis < 3; ++axis) {
-        // Rows along x are walked in one piece; across them one cell is its own neighbour.
-        const bool periodic =
-            config.boundaries[2 * axis].kind == BoundaryKind::periodic;
+        // Rows along x are walked in one piece; across them one cell is its own
+        // neighbour.
+        const bool periodic = config.boundaries[2 * axis].kind == BoundaryKind::periodic;
         const int least = axis > 0 && periodic ? 1 : 2;
         if (config.cells[axis] < least) {
             refuse("fluid has ", config.cells[axis], " cells along ", axis_name[axis],
