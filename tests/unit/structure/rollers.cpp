@@ -61,7 +61,8 @@ TEST(Rollers, NameTheFaceThatIsNotThere) {
         held_axes(body);
         FAIL();
     } catch (const std::invalid_argument& fault) {
-        EXPECT_NE(std::string(fault.what()).find("on rollers at lid,"), std::string::npos);
+        EXPECT_NE(std::string(fault.what()).find("on rollers at lid,"),
+                  std::string::npos);
     }
 }
 
