@@ -71,12 +71,6 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
     const coupler::SolidCells solid(grid_);
     const auto kernel =
         coupler::to_kernel(session_.scene().coupling->immersed_boundary.kernel);
-    std::vector<double> lightest;
-    for (const scene::Body& body : session_.scene().bodies) {
-        double& least = lightest.emplace_back(body.material.density_kg_m3);
-        for (const auto& region : body.material_regions)
-            least = std::min(least, region.material.density_kg_m3);
-    }
     std::vector<coupler::Marker> mine;
     placed_ = placed.size();
     for (const bodies::PlacedMarker& p : placed) {
@@ -96,8 +90,6 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         marker.volume_m3 = p.volume_m3;
         marker.displaced_m3 = p.displaced_m3;
         marker.body = p.body;
-        marker.density_ratio = lightest[static_cast<std::size_t>(p.body)] /
-                               session_.scene().fluid->density_kg_m3;
         const Vec3 at = coupler::at_marker(marker, engine_.positions());
         const auto stencil = coupler::marker_stencil(grid_, kernel, at);
         if (solid.fluid_share(stencil) < coupler::least_fluid_share) continue;

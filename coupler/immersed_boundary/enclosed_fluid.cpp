@@ -3,11 +3,7 @@
 namespace magfsi::coupler {
 
 namespace {
-// Of the change of acceleration in a coupled step.
-double follow(double density_ratio) {
-    if (density_ratio >= 1) return 1;
-    return density_ratio >= 0.5 ? 0.3 : 0.1;
-}
+constexpr double follow = 0.1;  // of the change of acceleration in a coupled step
 }  // namespace
 
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
@@ -17,10 +13,8 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
       acceleration_(markers.size()),
       force_(markers.size()) {
     mass_kg_.reserve(markers.size());
-    for (const Marker& m : markers) {
+    for (const Marker& m : markers)
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
-        follow_.push_back(follow(m.density_ratio));
-    }
 }
 
 void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
@@ -33,7 +27,7 @@ void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
             const double now =
                 (fluid_velocity[m][d] - last_velocity_[m][d]) / scale_.coupled_step_s;
             double& smooth = acceleration_[m][d];
-            smooth += follow_[m] * (now - smooth);
+            smooth += follow * (now - smooth);
             force_[m][d] = mass_kg_[m] * (smooth - scale_.gravity_m_s2[d]);
             last_velocity_[m][d] = fluid_velocity[m][d];
         }

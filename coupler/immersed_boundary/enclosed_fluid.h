@@ -2,7 +2,7 @@
 // body has its whole mass on the structure's side, so the inertia of the fluid inside is
 // taken away again, with the sampled velocity U for its motion, and its weight is the
 // buoyancy (Uhlmann 2005; Kempe, Froehlich 2012):
-//   F = rho_f dV (A - g),  A following dU/dt, of light bodies over ten coupled steps.
+//   F = rho_f dV (A - g),  A following dU/dt over about ten coupled steps.
 //
 // Light bodies stay stable: body and fluid are tied by the immersed boundary within the
 // step, so an error of A accelerates the body's mass, the fluid inside and the added mass
@@ -10,11 +10,6 @@
 // fluid's pressure, which is what C_added stands for, needs some steps to travel through
 // the body; followed at once, A diverged below a density ratio of 0.4, at a fifth of the
 // rate below 0.05. At a tenth a sheet of 0.01 times the fluid's density runs.
-//
-// A that lags by T feeds oscillations: of F = rho_f dV A the part in phase with the
-// velocity lets them grow at the rate rho_f / rho_s omega^2 T / 2. Bodies that are not
-// light follow at once. (A flag of ten times the fluid's density in a channel grew a beat
-// with the sound across the channel, tenfold a second, with ten steps of lag.)
 #pragma once
 
 #include <span>
@@ -48,7 +43,7 @@ class EnclosedFluid {
 
   private:
     EnclosedFluidScale scale_;
-    std::vector<double> mass_kg_, follow_;
+    std::vector<double> mass_kg_;
     std::vector<Vec3> last_velocity_;
     std::vector<Vec3> acceleration_;
     std::vector<Vec3> force_;

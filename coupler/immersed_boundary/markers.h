@@ -19,7 +19,6 @@ struct Marker {
     double volume_m3 = 0;
     double displaced_m3 = 0;
     int body = 0;
-    double density_ratio = 0;  // of the body, where it is lightest, to the fluid; 0: any
 };
 
 // Value of a nodal field (three numbers a node) at a marker.

@@ -39,19 +39,6 @@ TEST(EnclosedFluid, in_accelerated_fluid_is_mass_times_acceleration) {
     EXPECT_EQ(enclosed.force()[1][0], 0);
 }
 
-// A lag would feed oscillations; only light bodies need it.
-TEST(EnclosedFluid, of_a_dense_body_follows_at_once) {
-    auto markers = two_markers();
-    markers[0].density_ratio = 1;
-    markers[1].density_ratio = 0.3;
-    EnclosedFluid enclosed(markers, {density, step_s, {}});
-    enclosed.begin_step(std::vector<Vec3>(2));
-    enclosed.begin_step(std::vector<Vec3>(2, Vec3{0.2, 0, 0}));
-    const double whole = density * volume * 0.2 / step_s;
-    EXPECT_DOUBLE_EQ(enclosed.force()[0][0], whole);
-    EXPECT_DOUBLE_EQ(enclosed.force()[1][0], 0.1 * whole);
-}
-
 // The impulse of a whole change of velocity is that of the enclosed mass, however it is
 // smoothed.
 TEST(EnclosedFluid, keeps_the_momentum_of_a_jump) {
