@@ -1,0 +1,23 @@
+// Points, faces and cells of this rank's slab, in the order that OpenFOAM asks for.
+#pragma once
+
+#include "adapters/openfoam/engine/engine.h"
+#include "DynamicList.H"
+#include "face.H"
+#include "pointField.H"
+
+namespace magfsi::openfoam {
+
+struct BoxFaces {
+    Foam::pointField points;
+    Foam::DynamicList<Foam::face> faces;      // inner ones, then side by side
+    Foam::DynamicList<Foam::label> owner;     // of every face
+    Foam::DynamicList<Foam::label> neighbor;  // of the inner ones
+    Foam::label inner = 0;                    // faces between two cells of this rank
+    Foam::label of_side[6] = {};              // faces
+};
+
+// side_order: of the slab's sides in the list of faces.
+BoxFaces make_faces(const BoxMesh& box, const std::vector<int>& side_order);
+
+}  // namespace magfsi::openfoam

@@ -1,0 +1,57 @@
+// The wall between the coupler's C++20 and OpenFOAM's C++17: what one side needs to know of
+// the other, in plain types. The engine is a shared library of its own, so that a program
+// starts and says what is missing on a machine without OpenFOAM.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace magfsi::openfoam {
+
+enum class SideType { periodic, wall, open, symmetry };
+
+// A box of hexahedra between planes, cut into slabs across one axis, one slab a rank.
+struct BoxMesh {
+    std::array<std::vector<double>, 3> planes_m;  // of the whole box, ascending
+    std::array<SideType, 6> sides{};              // x_min, x_max, y_min ...
+    int cut_axis = 2;
+    std::vector<int> first_cell;  // of each rank along that axis, and the end of the last
+    int rank = 0;
+};
+
+struct EngineSetup {
+    std::string case_folder;  // absolute, with system/, constant/ and 0/
+    BoxMesh mesh;
+};
+
+// pimpleFoam's equations on this rank's cells. Values are three a cell with x fastest, then
+// y, then z, and stay where they are in memory for the engine's life. What OpenFOAM refuses
+// is thrown as std::runtime_error with its message.
+class Engine {
+  public:
+    virtual ~Engine() = default;
+
+    virtual double* velocity() = 0;  // [m/s]
+    // After velocities were set from outside: fluxes and boundaries follow. Collective.
+    virtual void take_velocity() = 0;
+
+    // Force over mass in the coming step [m/s2].
+    virtual double* acceleration() = 0;
+
+    // Given velocity of a side [m/s], three a face of this rank with the first axis of the
+    // plane fastest; null where this rank has none of it.
+    virtual double* side_velocity(int side) = 0;
+
+    // One time step. Collective.
+    virtual void advance() = 0;
+
+    // curl u [1/s], three a cell. Collective.
+    virtual void vorticity(double* out) = 0;
+};
+
+}  // namespace magfsi::openfoam
+
+// The library's only symbol. Collective over MPI_COMM_WORLD as the library sees it.
+extern "C" magfsi::openfoam::Engine* magfsi_openfoam_engine(
+    const magfsi::openfoam::EngineSetup& setup);

@@ -1,0 +1,162 @@
+// pimpleFoam on a fixed mesh. The momentum and pressure equations are the solver's own
+// files, taken in unchanged; what surrounds them here is its loop over time, turned inside
+// out so that each step is a call.
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+#include "adapters/openfoam/engine/box_mesh.h"
+#include "adapters/openfoam/engine/coupled_force.h"
+#include "adapters/openfoam/engine/engine.h"
+#include "fvCFD.H"
+#include "fvOptions.H"
+#include "pimpleControl.H"
+#include "singlePhaseTransportModel.H"
+#include "turbulentTransportModel.H"
+
+namespace magfsi::openfoam {
+
+namespace {
+
+static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three doubles");
+
+double* numbers(Foam::vectorField& field) {
+    return reinterpret_cast<double*>(field.data());
+}
+
+Foam::IOobject field_file(const char* name, const Foam::fvMesh& mesh) {
+    return {name, mesh.time().timeName(), mesh, Foam::IOobject::MUST_READ,
+            Foam::IOobject::NO_WRITE};
+}
+
+// Foam's FatalError and FatalIOError as exceptions of the standard library.
+template <class Work>
+auto guarded(Work&& work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const Foam::IOerror& e) {
+        throw std::runtime_error("OpenFOAM: " + e.message() + " (" + e.ioFileName() + ")");
+    } catch (const Foam::error& e) {
+        throw std::runtime_error("OpenFOAM: " + e.message());
+    }
+}
+
+class PimpleEngine final : public Engine {
+  public:
+    explicit PimpleEngine(const EngineSetup& setup)
+        : time_(Foam::Time::controlDictName, Foam::fileName(setup.case_folder).path(),
+                Foam::fileName(setup.case_folder).name(), "system", "constant", false,
+                false),
+          mesh_(make_mesh(time_, setup.mesh)),
+          pimple_(mesh_()),
+          p_(field_file("p", mesh_()), mesh_()),
+          u_(field_file("U", mesh_()), mesh_()),
+          phi_(Foam::IOobject("phi", time_.timeName(), mesh_()), Foam::fvc::flux(u_)),
+          transport_(u_, phi_),
+          turbulence_(Foam::incompressible::turbulenceModel::New(u_, phi_, transport_)),
+          zones_(mesh_()),
+          sources_(Foam::fv::options::New(mesh_())),
+          force_(new CoupledForce(mesh_())) {
+        Foam::setRefCell(p_, pimple_.dict(), reference_cell_, reference_pressure_);
+        mesh_->setFluxRequired(p_.name());
+        static_cast<Foam::fv::optionList&>(sources_).append(force_);
+        turbulence_->validate();
+    }
+
+    double* velocity() override { return numbers(u_.primitiveFieldRef()); }
+    double* acceleration() override { return numbers(force_->acceleration()); }
+
+    double* side_velocity(int side) override {
+        const auto name = side_names[static_cast<std::size_t>(side)];
+        const Foam::label patch = mesh_->boundaryMesh().findPatchID(name);
+        auto& values = u_.boundaryFieldRef()[patch];
+        return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
+    }
+
+    void take_velocity() override {
+        guarded([&] {
+            u_.correctBoundaryConditions();
+            phi_ = Foam::fvc::flux(u_);
+        });
+    }
+
+    void advance() override {
+        guarded([&] { step(); });
+    }
+
+    void vorticity(double* out) override {
+        guarded([&] {
+            const Foam::tmp<Foam::volVectorField> curl = Foam::fvc::curl(u_);
+            std::memcpy(out, curl().primitiveField().cdata(),
+                        sizeof(Foam::vector) *
+                            static_cast<std::size_t>(curl().primitiveField().size()));
+        });
+    }
+
+  private:
+    void step();
+
+    Foam::Time time_;
+    Foam::autoPtr<Foam::fvMesh> mesh_;
+    Foam::pimpleControl pimple_;
+    Foam::volScalarField p_;
+    Foam::volVectorField u_;
+    Foam::surfaceScalarField phi_;
+    Foam::singlePhaseTransportModel transport_;
+    Foam::autoPtr<Foam::incompressible::turbulenceModel> turbulence_;
+    Foam::IOMRFZoneList zones_;
+    Foam::fv::options& sources_;
+    CoupledForce* force_;  // of sources_
+    Foam::label reference_cell_ = 0;
+    Foam::scalar reference_pressure_ = 0;
+    Foam::scalar continuity_error_ = 0;
+};
+
+// The names are those that the solver's files use.
+void PimpleEngine::step() {
+    using namespace Foam;
+    fvMesh& mesh = mesh_();
+    Time& runTime = time_;
+    pimpleControl& pimple = pimple_;
+    volScalarField& p = p_;
+    volVectorField& U = u_;
+    surfaceScalarField& phi = phi_;
+    singlePhaseTransportModel& laminarTransport = transport_;
+    auto& turbulence = turbulence_;
+    IOMRFZoneList& MRF = zones_;
+    fv::options& fvOptions = sources_;
+    const label pRefCell = reference_cell_;
+    const scalar pRefValue = reference_pressure_;
+    scalar& cumulativeContErr = continuity_error_;
+    autoPtr<surfaceVectorField> Uf;  // of moving meshes only
+
+    ++runTime;
+    while (pimple.loop()) {
+#include "UEqn.H"
+        while (pimple.correct()) {
+#include "pEqn.H"
+        }
+        if (pimple.turbCorr()) {
+            laminarTransport.correct();
+            turbulence->correct();
+        }
+    }
+}
+
+}  // namespace
+
+}  // namespace magfsi::openfoam
+
+magfsi::openfoam::Engine* magfsi_openfoam_engine(
+    const magfsi::openfoam::EngineSetup& setup) {
+    using namespace magfsi::openfoam;
+    Foam::FatalError.throwExceptions();
+    Foam::FatalIOError.throwExceptions();
+    Foam::messageStream::level = 0;  // no log of every linear solve
+    if (setup.mesh.first_cell.size() > 2) {
+        int arguments = 0;
+        char** none = nullptr;
+        Foam::UPstream::init(arguments, none, false);
+    }
+    return guarded([&] { return new PimpleEngine(setup); });
+}
