@@ -1,8 +1,14 @@
 #include "adapters/lbm/lbm_fluid.h"
 
+#include <fmt/format.h>
+
+#include "adapters/lbm/fluid_probes.h"
+#include "adapters/lbm/fluid_state.h"
+#include "coupler/participants/errors.h"
+
 namespace magfsi::lbm {
 
-LbmFluid::LbmFluid(fluid::Fluid& fluid) : fluid_(fluid) {
+LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(fluid) {
     const fluid::FluidConfig& config = fluid.config();
     grid_.spacing_m = config.spacing_m;
     grid_.cells = config.cells;
@@ -36,6 +42,65 @@ void LbmFluid::set_force(std::span<const coupler::GridRow> rows,
 
 void LbmFluid::advance() {
     fluid_.step();
+}
+
+std::string LbmFluid::headline() const {
+    const fluid::FluidConfig& c = fluid_.config();
+    return fmt::format(
+        "{} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time {:.5g}, {} "
+        "collision, {} kernels",
+        c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
+        fluid_.relaxation_time(), fluid::to_string(fluid_.collision()), fluid_.kernel());
+}
+
+std::vector<double> LbmFluid::probe_values(const scene::Scene& scene) {
+    return lbm::probe_values(scene, fluid_);
+}
+
+void LbmFluid::field(scene::FluidField field, std::span<float> out) {
+    std::vector<float> other;
+    switch (field) {
+        case scene::FluidField::velocity:
+            other.resize(out.size() / 3);
+            fluid_.macroscopic(out, other);
+            break;
+        case scene::FluidField::density:
+            other.resize(out.size() * 3);
+            fluid_.macroscopic(other, out);
+            break;
+        case scene::FluidField::vorticity:
+            fluid_.vorticity(out);
+            break;
+    }
+}
+
+void LbmFluid::check_divergence() {
+    const auto fault = fluid_.diverged();
+    if (fault) throw coupler::Diverged(fluid::to_string(*fault));
+}
+
+output::FluidSummary LbmFluid::summary() const {
+    const auto& n = fluid_.config().cells;
+    output::FluidSummary summary;
+    summary.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
+    summary.relaxation_time = fluid_.relaxation_time();
+    summary.spacing_m = fluid_.config().spacing_m;
+    summary.collision = fluid::to_string(fluid_.collision());
+    summary.kernel = fluid_.kernel();
+    return summary;
+}
+
+double LbmFluid::waited_for_neighbors_s() const {
+    return fluid_.waited_for_neighbors_s();
+}
+
+void LbmFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) {
+    save_fluid(comm_, fluid_, balance, file);
+}
+
+void LbmFluid::restore(const coupler::StateReader& file,
+                       coupler::BalanceRecord* balance) {
+    restore_fluid(comm_, file, fluid_, balance);
 }
 
 }  // namespace magfsi::lbm

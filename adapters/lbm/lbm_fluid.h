@@ -1,16 +1,18 @@
-// fluid_lbm/ as a fluid that the coupler can drive.
+// fluid_lbm/ as a fluid that a participant can drive.
 #pragma once
+
+#include <mpi.h>
 
 #include <vector>
 
-#include "coupler/immersed_boundary/grid_fluid.h"
+#include "adapters/fluids/fluid_solver.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi::lbm {
 
-class LbmFluid final : public coupler::GridFluid {
+class LbmFluid final : public fluids::FluidSolver {
   public:
-    explicit LbmFluid(fluid::Fluid& fluid);
+    LbmFluid(MPI_Comm comm, fluid::Fluid& fluid);
 
     const coupler::Grid& grid() const override { return grid_; }
     void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
@@ -18,9 +20,20 @@ class LbmFluid final : public coupler::GridFluid {
                    std::span<const double> density) override;
     void advance() override;
 
+    std::string headline() const override;
+    std::vector<double> probe_values(const scene::Scene& scene) override;
+    void field(scene::FluidField field, std::span<float> out) override;
+    void check_divergence() override;
+    output::FluidSummary summary() const override;
+    double waited_for_neighbors_s() const override;
+    void save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) override;
+    void restore(const coupler::StateReader& file,
+                 coupler::BalanceRecord* balance) override;
+
   private:
     std::span<const fluid::CellRow> convert(std::span<const coupler::GridRow> rows);
 
+    MPI_Comm comm_;
     fluid::Fluid& fluid_;
     coupler::Grid grid_;
     std::vector<fluid::CellRow> rows_;

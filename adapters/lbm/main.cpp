@@ -1,7 +1,9 @@
 // magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside
 // magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
-#include "adapters/lbm/participant.h"
+#include "adapters/fluids/participant.h"
+#include "adapters/lbm/lbm_fluid.h"
+#include "adapters/lbm/scene_to_fluid.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/guard.h"
 #include "coupler/scene/effective.h"
@@ -15,6 +17,10 @@ int main(int argc, char** argv) {
             if (!session.scene().fluid)
                 throw std::runtime_error("the scene has no fluid");
             session.begin(*scene::coupled_step_s(session.scene()));
-            lbm::Participant(session, arguments.progress).run();
+            const MPI_Comm comm = session.world().local();
+            fluid::Fluid lattice(
+                comm, lbm::to_config(*session.scene().fluid, session.clock().step_s()));
+            lbm::LbmFluid fluid(comm, lattice);
+            fluids::Participant(session, fluid, arguments.progress).run();
         });
 }

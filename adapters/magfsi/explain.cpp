@@ -20,7 +20,10 @@ std::string explain(const scene::Scene& scene) {
         "scene '{}'\n  active, in step order: {}\n  absent: {}\n", scene.name,
         join(scene::active_effects(scene)), join(scene::absent_effects(scene)));
     if (!scene.bodies.empty()) text += explain_structure(scene);
-    if (scene.fluid) text += explain_fluid(scene);
+    if (scene.fluid) {
+        text += scene.fluid->solver == scene::FluidSolver::lbm ? explain_fluid(scene)
+                                                               : explain_openfoam(scene);
+    }
     return text;
 }
 

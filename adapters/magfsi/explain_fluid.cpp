@@ -111,7 +111,7 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
 std::string explain_fluid(const scene::Scene& scene) {
     const scene::Fluid& fluid = *scene.fluid;
     const auto config = lbm::to_config(fluid, *scene::coupled_step_s(scene));
-    if (fluid.solver == scene::FluidSolver::lbm) fluid::check(config);
+    fluid::check(config);
     const LatticeValues v = lattice_values(fluid, config);
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];

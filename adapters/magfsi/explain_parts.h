@@ -15,4 +15,7 @@ std::string explain_structure(const scene::Scene& scene);
 // use instead. Throws std::invalid_argument on what the solver refuses.
 std::string explain_fluid(const scene::Scene& scene);
 
+// Cells, step, Courant number, memory. Throws std::invalid_argument likewise.
+std::string explain_openfoam(const scene::Scene& scene);
+
 }  // namespace magfsi::launch

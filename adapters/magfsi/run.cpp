@@ -9,6 +9,7 @@
 
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
+#include "adapters/openfoam/engine_library.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/atomic_file.h"
 #include "coupler/output/summary.h"
@@ -40,6 +41,7 @@ void clear_run_folder(const fs::path& out) {
         fs::remove(out / name);
     }
     fs::remove_all(out / "fields");
+    fs::remove_all(out / "openfoam");
     fs::create_directories(out);
 }
 
@@ -90,7 +92,10 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
                                                       scene::EquilibriumMethod::newton;
     if (!scene.bodies.empty())
         add("structure", newton ? "magfsi-equilibrium" : "magfsi-structure");
-    if (scene.fluid) add("fluid", "magfsi-fluid-lbm");
+    if (scene.fluid) {
+        const bool lbm = scene.fluid->solver == scene::FluidSolver::lbm;
+        add("fluid", lbm ? "magfsi-fluid-lbm" : "magfsi-fluid-openfoam");
+    }
     for (const auto& given : options.ranks) {
         const std::string& role = given.first;
         if (std::ranges::none_of(programs,
@@ -189,8 +194,9 @@ std::map<std::string, fs::path> parse_replay(const std::string& text) {
 int run(const RunOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
     if (scene.fluid && scene.fluid->solver == scene::FluidSolver::openfoam) {
-        throw std::invalid_argument(
-            "fluid.solver: this build has no OpenFOAM participant; use lbm");
+        const std::string fault = openfoam::missing();
+        if (!fault.empty())
+            throw std::invalid_argument("fluid.solver: openfoam: " + fault);
     }
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.

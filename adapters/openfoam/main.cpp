@@ -1,1 +1,24 @@
-int main() {}
+// magfsi-fluid-openfoam: the fluid of a scene by OpenFOAM's pimpleFoam, alone or beside
+// magfsi-structure.
+//   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-openfoam SCENE --out
+//   DIR
+#include "adapters/fluids/participant.h"
+#include "adapters/openfoam/foam_fluid.h"
+#include "coupler/participants/guard.h"
+#include "coupler/scene/effective.h"
+
+int main(int argc, char** argv) {
+    using namespace magfsi;
+    return coupler::run_participant(
+        coupler::Role::fluid, "The fluid of a magfsi scene by OpenFOAM", argc, argv,
+        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
+            coupler::Session session(coupler::Role::fluid, arguments, state);
+            if (!session.scene().fluid)
+                throw std::runtime_error("the scene has no fluid");
+            session.begin(*scene::coupled_step_s(session.scene()));
+            openfoam::FoamFluid fluid(session.world().local(), *session.scene().fluid,
+                                      session.clock().step_s(),
+                                      session.out() / "openfoam");
+            fluids::Participant(session, fluid, arguments.progress).run();
+        });
+}

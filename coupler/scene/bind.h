@@ -278,6 +278,12 @@ void bind_keys(Io& io, Smagorinsky& smagorinsky) {
 }
 
 template <class Io>
+void bind_keys(Io& io, Grading& grading) {
+    io("uniform", grading.uniform_m);
+    io("growth", grading.growth);
+}
+
+template <class Io>
 void bind_keys(Io& io, Fluid& fluid) {
     io("solver", fluid.solver);
     io("box", fluid.box_m);
@@ -286,6 +292,8 @@ void bind_keys(Io& io, Fluid& fluid) {
     io("viscosity", fluid.viscosity_m2_s);
     io("expected_speed", fluid.expected_speed_m_s);
     io("lattice_speed", fluid.lattice_speed);
+    io("courant", fluid.courant);
+    io("grading", fluid.grading);
     io("collision", fluid.collision);
     io("magic_number", fluid.magic_number);
     io("precision", fluid.precision);

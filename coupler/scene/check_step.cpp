@@ -75,7 +75,6 @@ std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
 
 void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {
     const Fluid& fluid = *scene.fluid;
-    if (fluid.solver != FluidSolver::lbm) return;
     const double dx = fluid.spacing_m;
     const double beyond_half = 3 * fluid.viscosity_m2_s * dt_s / (dx * dx);
     const double tau = beyond_half + 0.5;
@@ -105,7 +104,7 @@ void check_step(const Scene& scene, const Marks& marks) {
                fmt::format("the end {} before the first step of {}",
                            format_si(scene.time.end_s, "s"), format_si(*dt_s, "s")),
                "at least one step");
-    if (!scene.fluid) return;
+    if (!scene.fluid || scene.fluid->solver != FluidSolver::lbm) return;
     check_speeds(scene, marks, *dt_s);
     check_relaxation(scene, marks, *dt_s);
 }

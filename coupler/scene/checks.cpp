@@ -43,6 +43,7 @@ void check_scene(const Scene& scene, const Marks& marks) {
     check_bodies(scene, marks);
     check_loads(scene, marks);
     check_fluid(scene, marks);
+    check_openfoam(scene, marks);
     check_step(scene, marks);
     check_outputs(scene, marks);
 }

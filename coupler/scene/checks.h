@@ -36,6 +36,7 @@ void check_scene(const Scene& scene, const Marks& marks);
 void check_bodies(const Scene& scene, const Marks& marks);
 void check_loads(const Scene& scene, const Marks& marks);
 void check_fluid(const Scene& scene, const Marks& marks);
+void check_openfoam(const Scene& scene, const Marks& marks);
 void check_step(const Scene& scene, const Marks& marks);
 void check_outputs(const Scene& scene, const Marks& marks);
 

@@ -36,7 +36,9 @@ std::optional<double> coupled_step_s(const Scene& scene) {
     if (scene.time.step_s) return scene.time.step_s;
     if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;
     const Fluid& fluid = *scene.fluid;
-    return fluid.lattice_speed * fluid.spacing_m / fluid.expected_speed_m_s;
+    const double cells_a_step =
+        fluid.solver == FluidSolver::openfoam ? fluid.courant : fluid.lattice_speed;
+    return cells_a_step * fluid.spacing_m / fluid.expected_speed_m_s;
 }
 
 }  // namespace magfsi::scene

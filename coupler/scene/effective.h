@@ -21,7 +21,8 @@ std::uint64_t scene_hash(const Scene& scene);
 // that one may go on from a checkpoint of the other.
 std::uint64_t state_hash(const Scene& scene);
 
-// Coupled step [s]: time.step, or lattice_speed * spacing / expected_speed. Empty without
+// Coupled step [s]: time.step, or lattice_speed (courant for openfoam) times
+// spacing / expected_speed. Empty without
 // a fluid and time.step, where the bodies' own stable step rules.
 // Distance of the points on the path of equilibria [s]: that of the probe rows, or the
 // whole path.

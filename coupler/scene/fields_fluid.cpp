@@ -96,6 +96,14 @@ Field fluid_fields() {
                  "needed without time.step.").above(0).optional(),
         number("lattice_speed", "That speed in cells a step: sets the step when time.step "
                "is absent.").above(0).at_most(0.25).or_default("0.05"),
+        number("courant", "The same for openfoam.").above(0).at_most(1).or_default("0.2"),
+        group("grading", "Larger cells away from the bodies, for openfoam; the lattice stays "
+              "uniform.", {
+            quantity("uniform", "m", "Lower and upper corner of the part with cubic cells.")
+                .rows(3, 2, 2),
+            number("growth", "Largest ratio of neighbouring cells.").above(1).at_most(1.5)
+                .or_default("1.1"),
+        }).optional(),
         choice<Collision>("collision", "Collision model of the lattice Boltzmann method.")
             .or_default("automatic"),
         number("magic_number", "Lambda of the collision trt; without it 3/16, which puts "

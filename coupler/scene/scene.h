@@ -252,6 +252,12 @@ struct Obstacle {
     std::variant<Sphere, Cylinder, Block, StlSurface> shape;
 };
 
+// Cubic cells in a part of the box, growing ones outside.
+struct Grading {
+    std::array<Vec3, 2> uniform_m{};  // lower and upper corner of the part
+    double growth = 1.1;              // largest ratio of neighbouring cells
+};
+
 struct Smagorinsky {
     double constant = 0;
 };
@@ -261,9 +267,11 @@ struct Fluid {
     Vec3 box_m{};
     double spacing_m = 0;
     double density_kg_m3 = 0;
-    double viscosity_m2_s = 0;      // kinematic
-    double expected_speed_m_s = 0;  // largest to resolve; 0: not given, time.step is
-    double lattice_speed = 0.05;    // that speed in lattice units (Mach limit)
+    double viscosity_m2_s = 0;       // kinematic
+    double expected_speed_m_s = 0;   // largest to resolve; 0: not given, time.step is
+    double lattice_speed = 0.05;     // that speed in lattice units (Mach limit)
+    double courant = 0.2;            // the same for openfoam, which has no such limit
+    std::optional<Grading> grading;  // of openfoam
     Collision collision = Collision::automatic;
     std::optional<double> magic_number;  // Lambda of trt; absent: by relaxation time
     Precision precision = Precision::double_;

@@ -1,8 +1,8 @@
 // Points, faces and cells of this rank's slab, in the order that OpenFOAM asks for.
 #pragma once
 
-#include "adapters/openfoam/engine/engine.h"
 #include "DynamicList.H"
+#include "adapters/openfoam/engine/engine.h"
 #include "face.H"
 #include "pointField.H"
 

@@ -23,8 +23,7 @@ Meeting meeting(const BoxMesh& box, int side) {
     if (side / 2 != box.cut_axis || ranks == 1) return {};
     const int next = box.rank + (side % 2 == 0 ? -1 : 1);
     if (next >= 0 && next < ranks) return {next, false};
-    const bool periodic =
-        box.sides[static_cast<std::size_t>(side)] == SideType::periodic;
+    const bool periodic = box.sides[static_cast<std::size_t>(side)] == SideType::periodic;
     return periodic ? Meeting{(next + ranks) % ranks, true} : Meeting{};
 }
 
@@ -120,9 +119,11 @@ std::vector<int> side_order(const BoxMesh& box) {
 
 Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box) {
     BoxFaces faces = make_faces(box, side_order(box));
+    // Read if present: so that fvSchemes and fvSolution are; there are no files of a
+    // mesh.
     Foam::autoPtr<Foam::fvMesh> mesh(new Foam::fvMesh(
         Foam::IOobject(Foam::fvMesh::defaultRegion, time.constant(), time,
-                       Foam::IOobject::NO_READ, Foam::IOobject::NO_WRITE),
+                       Foam::IOobject::READ_IF_PRESENT, Foam::IOobject::NO_WRITE),
         std::move(faces.points), Foam::faceList(std::move(faces.faces)),
         Foam::labelList(std::move(faces.owner)),
         Foam::labelList(std::move(faces.neighbor))));

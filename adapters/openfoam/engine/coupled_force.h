@@ -1,5 +1,5 @@
-// The force on the fluid as one of OpenFOAM's sources of momentum (fvOption), handed to it
-// from outside in every step.
+// The force on the fluid as one of OpenFOAM's sources of momentum (fvOption), handed to
+// it from outside in every step.
 #pragma once
 
 #include "fvOption.H"

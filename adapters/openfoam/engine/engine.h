@@ -1,6 +1,6 @@
-// The wall between the coupler's C++20 and OpenFOAM's C++17: what one side needs to know of
-// the other, in plain types. The engine is a shared library of its own, so that a program
-// starts and says what is missing on a machine without OpenFOAM.
+// The wall between the coupler's C++20 and OpenFOAM's C++17: what one side needs to know
+// of the other, in plain types. The engine is a shared library of its own, so that a
+// program starts and says what is missing on a machine without OpenFOAM.
 #pragma once
 
 #include <array>
@@ -25,22 +25,23 @@ struct EngineSetup {
     BoxMesh mesh;
 };
 
-// pimpleFoam's equations on this rank's cells. Values are three a cell with x fastest, then
-// y, then z, and stay where they are in memory for the engine's life. What OpenFOAM refuses
-// is thrown as std::runtime_error with its message.
+// pimpleFoam's equations on this rank's cells. Values are three a cell with x fastest,
+// then y, then z. What OpenFOAM refuses is thrown as std::runtime_error with its message.
 class Engine {
   public:
     virtual ~Engine() = default;
 
-    virtual double* velocity() = 0;  // [m/s]
-    // After velocities were set from outside: fluxes and boundaries follow. Collective.
-    virtual void take_velocity() = 0;
+    // [m/s]; until the next step, which moves it in memory.
+    virtual const double* velocity() const = 0;
 
-    // Force over mass in the coming step [m/s2].
+    // Starts anew from these; boundaries and fluxes follow. Collective.
+    virtual void set_velocity(const double* velocity) = 0;
+
+    // Force over mass in the coming step [m/s2]; stays where it is.
     virtual double* acceleration() = 0;
 
-    // Given velocity of a side [m/s], three a face of this rank with the first axis of the
-    // plane fastest; null where this rank has none of it.
+    // Given velocity of a side [m/s], three a face of this rank with the first axis of
+    // the plane fastest; null where this rank has none of it.
     virtual double* side_velocity(int side) = 0;
 
     // One time step. Collective.
@@ -48,6 +49,8 @@ class Engine {
 
     // curl u [1/s], three a cell. Collective.
     virtual void vorticity(double* out) = 0;
+
+    virtual std::string version() const = 0;  // of the libraries
 };
 
 }  // namespace magfsi::openfoam

@@ -1,13 +1,15 @@
 // pimpleFoam on a fixed mesh. The momentum and pressure equations are the solver's own
-// files, taken in unchanged; what surrounds them here is its loop over time, turned inside
-// out so that each step is a call.
-#include <cstring>
+// files, taken in unchanged; what surrounds them here is its loop over time, turned
+// inside out so that each step is a call.
+#include <algorithm>
+#include <cctype>
 #include <memory>
 #include <stdexcept>
 
 #include "adapters/openfoam/engine/box_mesh.h"
 #include "adapters/openfoam/engine/coupled_force.h"
 #include "adapters/openfoam/engine/engine.h"
+#include "foamVersion.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
 #include "pimpleControl.H"
@@ -29,15 +31,23 @@ Foam::IOobject field_file(const char* name, const Foam::fvMesh& mesh) {
             Foam::IOobject::NO_WRITE};
 }
 
+std::string one_line(std::string text) {
+    while (!text.empty() && std::isspace(text.back()) != 0) text.pop_back();
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text;
+}
+
 // Foam's FatalError and FatalIOError as exceptions of the standard library.
 template <class Work>
 auto guarded(Work&& work) -> decltype(work()) {
     try {
         return work();
     } catch (const Foam::IOerror& e) {
-        throw std::runtime_error("OpenFOAM: " + e.message() + " (" + e.ioFileName() + ")");
+        throw std::runtime_error("OpenFOAM: " + one_line(e.message()) + " (" +
+                                 e.ioFileName() + ")");
     } catch (const Foam::error& e) {
-        throw std::runtime_error("OpenFOAM: " + e.message());
+        throw std::runtime_error("OpenFOAM: " + one_line(e.message()));
     }
 }
 
@@ -63,7 +73,9 @@ class PimpleEngine final : public Engine {
         turbulence_->validate();
     }
 
-    double* velocity() override { return numbers(u_.primitiveFieldRef()); }
+    const double* velocity() const override {
+        return reinterpret_cast<const double*>(u_.primitiveField().cdata());
+    }
     double* acceleration() override { return numbers(force_->acceleration()); }
 
     double* side_velocity(int side) override {
@@ -73,8 +85,10 @@ class PimpleEngine final : public Engine {
         return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
     }
 
-    void take_velocity() override {
+    void set_velocity(const double* velocity) override {
         guarded([&] {
+            auto& values = u_.primitiveFieldRef();
+            std::copy_n(velocity, 3 * values.size(), numbers(values));
             u_.correctBoundaryConditions();
             phi_ = Foam::fvc::flux(u_);
         });
@@ -87,10 +101,14 @@ class PimpleEngine final : public Engine {
     void vorticity(double* out) override {
         guarded([&] {
             const Foam::tmp<Foam::volVectorField> curl = Foam::fvc::curl(u_);
-            std::memcpy(out, curl().primitiveField().cdata(),
-                        sizeof(Foam::vector) *
-                            static_cast<std::size_t>(curl().primitiveField().size()));
+            const Foam::vectorField& values = curl().primitiveField();
+            std::copy_n(reinterpret_cast<const double*>(values.cdata()),
+                        3 * values.size(), out);
         });
+    }
+
+    std::string version() const override {
+        return std::to_string(Foam::foamVersion::api);
     }
 
   private:

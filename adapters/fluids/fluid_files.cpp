@@ -1,30 +1,34 @@
-#include "adapters/lbm/fluid_output.h"
+#include "adapters/fluids/fluid_files.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "coupler/scene/names.h"
 
-namespace magfsi::lbm {
+namespace magfsi::fluids {
 
-FluidFiles::FluidFiles(MPI_Comm comm, const fluid::Fluid& fluid,
-                       const scene::FluidOutput& wanted,
-                       const std::filesystem::path& run_folder)
-    : comm_(comm), fluid_(fluid), fields_(wanted.fields), folder_(run_folder / "fields") {
-    MPI_Comm_rank(comm, &rank_);
-    const double h = fluid.config().spacing_m;
-    grid_.spacing_m = {h, h, h};
-    for (const fluid::CellBox& box : fluid.owned_by_rank())
-        extents_.push_back({box.lo, box.hi});
-    const std::size_t cells = extents_[static_cast<std::size_t>(rank_)].cells();
-    velocity_.resize(3 * cells);
-    density_.resize(cells);
-    if (wants(scene::FluidField::vorticity)) vorticity_.resize(3 * cells);
-    if (rank_ == 0)
-        series_ = std::make_unique<output::PvdSeries>(run_folder / "fluid.pvd");
+namespace {
+
+output::FieldType type_of(scene::FluidField field) {
+    const int components = field == scene::FluidField::density ? 1 : 3;
+    return {std::string(scene::name_of(field)), components, false};
 }
 
-bool FluidFiles::wants(scene::FluidField field) const {
-    return std::find(fields_.begin(), fields_.end(), field) != fields_.end();
+}  // namespace
+
+FluidFiles::FluidFiles(const coupler::World& world, FluidSolver& fluid,
+                       const scene::FluidOutput& wanted,
+                       const std::filesystem::path& run_folder)
+    : comm_(world.local()),
+      rank_(world.rank()),
+      fluid_(fluid),
+      fields_(wanted.fields),
+      folder_(run_folder / "fields") {
+    const double h = fluid.grid().spacing_m;
+    grid_.spacing_m = {h, h, h};
+    for (const coupler::CellBox& box : fluid.grid().owned_by_rank)
+        extents_.push_back({box.lo, box.hi});
+    if (rank_ == 0)
+        series_ = std::make_unique<output::PvdSeries>(run_folder / "fluid.pvd");
 }
 
 std::filesystem::path FluidFiles::piece(std::int64_t index, int rank) const {
@@ -43,17 +47,14 @@ void FluidFiles::resume(const coupler::Clock& clock, std::int64_t every) {
 }
 
 void FluidFiles::write(std::int64_t index, double time_s) {
-    fluid_.macroscopic(velocity_, density_);
+    const std::size_t cells = extents_[static_cast<std::size_t>(rank_)].cells();
     std::vector<output::Field> fields;
-    if (wants(scene::FluidField::velocity)) {
-        fields.push_back({"velocity", 3, std::span<const float>(velocity_)});
-    }
-    if (wants(scene::FluidField::density)) {
-        fields.push_back({"density", 1, std::span<const float>(density_)});
-    }
-    if (wants(scene::FluidField::vorticity)) {
-        fluid_.vorticity(vorticity_);
-        fields.push_back({"vorticity", 3, std::span<const float>(vorticity_)});
+    std::vector<std::vector<float>> values(fields_.size());
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const output::FieldType type = type_of(fields_[i]);
+        values[i].resize(cells * static_cast<std::size_t>(type.components));
+        fluid_.field(fields_[i], values[i]);
+        fields.push_back({type.name, type.components, std::span<const float>(values[i])});
     }
     output::write_vti(piece(index, rank_), grid_,
                       extents_[static_cast<std::size_t>(rank_)], fields);
@@ -67,12 +68,10 @@ void FluidFiles::write_index(std::int64_t index, double time_s) {
         pieces.push_back({piece(index, static_cast<int>(r)), extents_[r]});
     }
     std::vector<output::FieldType> types;
-    if (wants(scene::FluidField::velocity)) types.push_back({"velocity", 3, false});
-    if (wants(scene::FluidField::density)) types.push_back({"density", 1, false});
-    if (wants(scene::FluidField::vorticity)) types.push_back({"vorticity", 3, false});
-    output::write_pvti(whole(index), grid_, {{0, 0, 0}, fluid_.config().cells}, pieces,
+    for (const scene::FluidField field : fields_) types.push_back(type_of(field));
+    output::write_pvti(whole(index), grid_, {{0, 0, 0}, fluid_.grid().cells}, pieces,
                        types);
     series_->add(time_s, whole(index));
 }
 
-}  // namespace magfsi::lbm
+}  // namespace magfsi::fluids

@@ -1,11 +1,11 @@
-// The lattice-Boltzmann fluid as a participant: its coupled step, assembled from the
+// A fluid as a participant, whatever solves it: its coupled step, assembled from the
 // scene.
 #pragma once
 
 #include <memory>
 
-#include "adapters/lbm/fluid_output.h"
-#include "adapters/lbm/lbm_fluid.h"
+#include "adapters/fluids/fluid_files.h"
+#include "adapters/fluids/fluid_solver.h"
 #include "coupler/checkpoint/checkpoints.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/output/progress.h"
@@ -14,28 +14,27 @@
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
-namespace magfsi::lbm {
+namespace magfsi::fluids {
 
 class Participant {
   public:
-    Participant(coupler::Session& session, output::ProgressMode progress);
+    // fluid: at the session's step and state; both outlive this.
+    Participant(coupler::Session& session, FluidSolver& fluid,
+                output::ProgressMode progress);
     void run();
 
   private:
     void assemble();
     void assemble_output();
     void assemble_checkpoint();
-    void restore();
     coupler::BalanceRecord* balance() const;  // null where the scene has none
     void write_probes();
-    void check_divergence();
     coupler::ParticipantReport make_report(double wall_s) const;
     void finish(double wall_s);
 
     coupler::Session& session_;
     output::ProgressMode progress_mode_;
-    fluid::Fluid fluid_;
-    LbmFluid lbm_;
+    FluidSolver& fluid_;
     coupler::TaskList tasks_;
     std::unique_ptr<coupler::FluidCoupling> coupling_;  // present only with a structure
     // Present only when the scene names them:
@@ -46,4 +45,4 @@ class Participant {
     bool writes_probes_ = false;
 };
 
-}  // namespace magfsi::lbm
+}  // namespace magfsi::fluids

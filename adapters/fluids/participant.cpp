@@ -1,30 +1,23 @@
-#include "adapters/lbm/participant.h"
+#include "adapters/fluids/participant.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 
-#include "adapters/lbm/fluid_probes.h"
-#include "adapters/lbm/fluid_state.h"
-#include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/participants/errors.h"
 #include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 
-namespace magfsi::lbm {
+namespace magfsi::fluids {
 
-Participant::Participant(coupler::Session& session, output::ProgressMode progress)
-    : session_(session),
-      progress_mode_(progress),
-      fluid_(session.world().local(),
-             to_config(*session.scene().fluid, session.clock().step_s())),
-      lbm_(fluid_) {
+Participant::Participant(coupler::Session& session, FluidSolver& fluid,
+                         output::ProgressMode progress)
+    : session_(session), progress_mode_(progress), fluid_(fluid) {
     if (session.world().coupled())
-        coupling_ = std::make_unique<coupler::FluidCoupling>(session, lbm_);
-    if (session.restart()) restore();
+        coupling_ = std::make_unique<coupler::FluidCoupling>(session, fluid_);
+    if (session.restart()) fluid_.restore(coupler::open_restart(session_), balance());
     assemble();
 }
 
@@ -32,10 +25,10 @@ void Participant::assemble() {
     if (coupling_) {
         coupling_->add_tasks(tasks_);
     } else {
-        tasks_.add(coupler::advance_fluid, [this] { lbm_.advance(); });
+        tasks_.add(coupler::advance_fluid, [this] { fluid_.advance(); });
         tasks_.add("count step", [this] { session_.complete_step(); });
     }
-    tasks_.add("check divergence", [this] { check_divergence(); });
+    tasks_.add("check divergence", [this] { fluid_.check_divergence(); });
     assemble_output();
 }
 
@@ -58,7 +51,7 @@ void Participant::assemble_output() {
                           });
     }
     if (scene.output.fluid) {
-        files_ = std::make_unique<FluidFiles>(session_.world().local(), fluid_,
+        files_ = std::make_unique<FluidFiles>(session_.world(), fluid_,
                                               *scene.output.fluid, session_.out());
         if (session_.restart()) {
             files_->resume(session_.clock(),
@@ -82,19 +75,12 @@ void Participant::assemble_output() {
 
 void Participant::assemble_checkpoint() {
     checkpoints_ = std::make_unique<coupler::Checkpoints>(
-        session_, [this](coupler::StateWriter* file) {
-            save_fluid(session_.world().local(), fluid_, balance(), file);
-        });
+        session_, [this](coupler::StateWriter* file) { fluid_.save(balance(), file); });
     tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
 }
 
-void Participant::restore() {
-    restore_fluid(session_.world().local(), coupler::open_restart(session_), fluid_,
-                  balance());
-}
-
 void Participant::write_probes() {
-    std::vector<double> numbers = probe_values(session_.scene(), fluid_);
+    std::vector<double> numbers = fluid_.probe_values(session_.scene());
     if (!session_.world().coupled()) {
         if (probes_) probes_->row(session_.clock().time_s(), numbers);
         return;
@@ -109,20 +95,10 @@ void Participant::write_probes() {
     }
 }
 
-void Participant::check_divergence() {
-    const auto fault = fluid_.diverged();
-    if (fault) throw coupler::Diverged(fluid::to_string(*fault));
-}
-
 void Participant::run() {
     if (session_.world().root()) {
-        const auto& c = fluid_.config();
-        fmt::print(
-            "fluid: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time "
-            "{:.5g}, {} collision, {} kernels, {} rank(s)\nfluid step: {}\n",
-            c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
-            fluid_.relaxation_time(), fluid::to_string(fluid_.collision()),
-            fluid_.kernel(), session_.world().size(), tasks_.names());
+        fmt::print("fluid: {}, {} rank(s)\nfluid step: {}\n", fluid_.headline(),
+                   session_.world().size(), tasks_.names());
         std::fflush(stdout);
     }
     session_.log(fmt::format("scene '{}': {} to {:.6g} s in {} steps",
@@ -144,12 +120,10 @@ void Participant::run() {
 coupler::ParticipantReport Participant::make_report(double wall_s) const {
     auto report =
         coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbors_s());
-    const auto& n = fluid_.config().cells;
-    output::FluidSummary fluid;
-    fluid.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
-    constexpr std::int64_t fewest_cells_a_rank = 20000;
-    report.load.most_ranks =
-        static_cast<int>(std::max<std::int64_t>(1, fluid.cells / fewest_cells_a_rank));
+    output::FluidSummary fluid = fluid_.summary();
+    report.load.most_ranks = static_cast<int>(
+        std::max<std::int64_t>(1, fluid.cells / fluid_.fewest_cells_a_rank()));
+    for (const auto& version : fluid_.versions()) report.versions.push_back(version);
     double advance_s = wall_s;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task == coupler::advance_fluid) advance_s = seconds;
@@ -158,10 +132,6 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
         fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
                       static_cast<double>(session_.clock().steps_here()) / advance_s;
     }
-    fluid.relaxation_time = fluid_.relaxation_time();
-    fluid.spacing_m = fluid_.config().spacing_m;
-    fluid.collision = fluid::to_string(fluid_.collision());
-    fluid.kernel = fluid_.kernel();
     report.fluid = fluid;
     return report;
 }
@@ -180,4 +150,4 @@ void Participant::finish(double wall_s) {
     session_.log(coupler::end_line(session_, wall_s));
 }
 
-}  // namespace magfsi::lbm
+}  // namespace magfsi::fluids

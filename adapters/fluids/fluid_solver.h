@@ -1,0 +1,46 @@
+// What a fluid participant asks of its solver beyond the coupling's GridFluid.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupler/checkpoint/state_reader.h"
+#include "coupler/checkpoint/state_writer.h"
+#include "coupler/immersed_boundary/balance.h"
+#include "coupler/immersed_boundary/grid_fluid.h"
+#include "coupler/output/summary.h"
+#include "coupler/scene/scene.h"
+
+namespace magfsi::fluids {
+
+class FluidSolver : public coupler::GridFluid {
+  public:
+    // One line on what runs: cells, step, method.
+    virtual std::string headline() const = 0;
+
+    // In the order of coupler::fluid_columns. Collective.
+    virtual std::vector<double> probe_values(const scene::Scene& scene) = 0;
+
+    // Of this rank's cells of grid(), x fastest: 3 values a cell, density 1. Collective.
+    virtual void field(scene::FluidField field, std::span<float> out) = 0;
+
+    // Throws coupler::Diverged.
+    virtual void check_divergence() = 0;
+
+    // Cells, method; what it has waited for its own neighbours.
+    virtual output::FluidSummary summary() const = 0;
+    virtual output::Named<std::string> versions() const { return {}; }
+    virtual double waited_for_neighbors_s() const { return 0; }
+    // Below, a rank has too little to do.
+    virtual std::int64_t fewest_cells_a_rank() const { return 20000; }
+
+    // The fluid's half of a checkpoint. Collective; file is null but on the root, balance
+    // where the scene has none.
+    virtual void save(const coupler::BalanceRecord* balance,
+                      coupler::StateWriter* file) = 0;
+    virtual void restore(const coupler::StateReader& file,
+                         coupler::BalanceRecord* balance) = 0;
+};
+
+}  // namespace magfsi::fluids

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "adapters/magfsi/explain_parts.h"
+#include "adapters/openfoam/engine_library.h"
+#include "adapters/openfoam/scene_to_mesh.h"
+#include "coupler/scene/effective.h"
+
+namespace magfsi::launch {
+
+namespace {
+
+// Measured: fields, matrices and multigrid levels of pimpleFoam.
+constexpr double bytes_a_cell = 1500;
+// A time step of the second order needs several steps a cell at the fastest place.
+constexpr double most_courant = 0.5;
+constexpr double most_grid_reynolds = 50;
+
+std::string row(const char* name, const std::string& si) {
+    return fmt::format("  {:<34} {:>14}\n", name, si);
+}
+
+double largest_cell_m(const openfoam::BoxMesh& mesh) {
+    double largest = 0;
+    for (const auto& planes : mesh.planes_m) {
+        for (std::size_t i = 1; i < planes.size(); ++i)
+            largest = std::max(largest, planes[i] - planes[i - 1]);
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::string explain_openfoam(const scene::Scene& scene) {
+    const scene::Fluid& fluid = *scene.fluid;
+    const double step_s = *scene::coupled_step_s(scene);
+    const openfoam::BoxMesh mesh = openfoam::to_mesh(fluid, 0, 1);
+    const auto n = openfoam::mesh_cells(mesh);
+    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    std::string text = "\nfluid (OpenFOAM, pimpleFoam)                     SI\n";
+    text += row("spacing", fmt::format("{:.4g} mm", fluid.spacing_m * 1e3));
+    if (fluid.grading)
+        text += row("largest cell", fmt::format("{:.4g} mm", largest_cell_m(mesh) * 1e3));
+    text += row("time step", fmt::format("{:.4g} us", step_s * 1e6));
+    text += row("density", fmt::format("{:.5g} kg/m3", fluid.density_kg_m3));
+    text += row("viscosity", fmt::format("{:.4g} mm2/s", fluid.viscosity_m2_s * 1e6));
+    const double speed = fluid.expected_speed_m_s;
+    const double courant = speed * step_s / fluid.spacing_m;
+    const double grid_reynolds = speed * fluid.spacing_m / fluid.viscosity_m2_s;
+    if (speed > 0) {
+        text += row("expected speed", fmt::format("{:.4g} m/s", speed));
+        text += row("Courant number", fmt::format("{:.4g}", courant));
+        text += row("Reynolds number of a cell", fmt::format("{:.4g}", grid_reynolds));
+    }
+    text += fmt::format("  {} x {} x {} = {:.0f} cells, about {:.0f} MB\n", n[0], n[1],
+                        n[2], cells, cells * bytes_a_cell / 1e6);
+    if (courant > most_courant) {
+        text += fmt::format(
+            "  warning: a Courant number of {:.3g} is inaccurate: take a step of {:.3g} "
+            "us\n",
+            courant, step_s * most_courant / courant * 1e6);
+    }
+    if (grid_reynolds > most_grid_reynolds) {
+        text += fmt::format(
+            "  warning: at a cell's Reynolds number of {:.3g} shear layers are not "
+            "resolved: take a spacing of {:.3g} mm\n",
+            grid_reynolds, fluid.spacing_m * most_grid_reynolds / grid_reynolds * 1e3);
+    }
+    if (const std::string fault = openfoam::missing(); !fault.empty())
+        text += fmt::format("  warning: {}\n", fault);
+    return text;
+}
+
+}  // namespace magfsi::launch

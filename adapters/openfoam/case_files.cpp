@@ -1,0 +1,162 @@
+#include "adapters/openfoam/case_files.h"
+
+#include <fmt/format.h>
+
+#include "coupler/output/atomic_file.h"
+#include "coupler/scene/names.h"
+
+namespace magfsi::openfoam {
+
+namespace {
+
+// Times with as many digits as a double has, for a step is not a round number.
+constexpr const char* control = R"(
+application pimpleFoam;
+startFrom startTime;
+startTime 0;
+stopAt endTime;
+endTime 1e300;
+deltaT {:.17g};
+writeControl none;
+writeInterval 1;
+timeFormat general;
+timePrecision 15;
+runTimeModifiable false;
+)";
+
+// Second order in time and space. Central differences: what is compared is the physics,
+// and an upwind scheme would add viscosity of its own.
+constexpr const char* schemes = R"(
+ddtSchemes { default backward; }
+gradSchemes { default Gauss linear; }
+divSchemes
+{
+    default none;
+    div(phi,U) Gauss linear;
+    div((nuEff*dev2(T(grad(U))))) Gauss linear;
+}
+laplacianSchemes { default Gauss linear orthogonal; }
+interpolationSchemes { default linear; }
+snGradSchemes { default orthogonal; }
+)";
+
+// One pass of PISO with two pressure corrections, of second order at small Courant
+// numbers. maxIter keeps a diverged step from running on: it is named right after it.
+constexpr const char* solution = R"(
+solvers
+{
+    p
+    {
+        solver GAMG;
+        smoother GaussSeidel;
+        tolerance 1e-6;
+        relTol 0.05;
+        maxIter 100;
+    }
+    pFinal { $p; relTol 0; }
+    U
+    {
+        solver smoothSolver;
+        smoother symGaussSeidel;
+        tolerance 1e-8;
+        relTol 0;
+        maxIter 100;
+    }
+    UFinal { $U; }
+}
+PIMPLE
+{
+    nOuterCorrectors 1;
+    nCorrectors 2;
+    nNonOrthogonalCorrectors 0;
+    pRefCell 0;
+    pRefValue 0;
+}
+)";
+
+std::string vector(const scene::Vec3& v) {
+    return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
+}
+
+std::string velocity_at(const scene::Boundary& side) {
+    switch (side.kind) {
+        case scene::BoundaryKind::periodic:
+            return "type cyclic;";
+        case scene::BoundaryKind::free_slip:
+            return "type symmetryPlane;";
+        case scene::BoundaryKind::pressure_outlet:
+            return "type pressureInletOutletVelocity; value uniform (0 0 0);";
+        case scene::BoundaryKind::no_slip:
+        case scene::BoundaryKind::velocity_inlet:
+            break;
+    }
+    return fmt::format("type fixedValue; value uniform {};", vector(side.velocity_m_s));
+}
+
+std::string pressure_at(const scene::Boundary& side, double density_kg_m3) {
+    switch (side.kind) {
+        case scene::BoundaryKind::periodic:
+            return "type cyclic;";
+        case scene::BoundaryKind::free_slip:
+            return "type symmetryPlane;";
+        case scene::BoundaryKind::pressure_outlet:
+            return fmt::format("type fixedValue; value uniform {:.17g};",
+                               side.pressure_pa / density_kg_m3);
+        case scene::BoundaryKind::no_slip:
+        case scene::BoundaryKind::velocity_inlet:
+            break;
+    }
+    return "type zeroGradient;";
+}
+
+template <class AtSide>
+std::string field(const std::string& dimensions, const std::string& inside,
+                  AtSide&& at_side) {
+    std::string text =
+        fmt::format("dimensions {};\ninternalField uniform {};\nboundaryField\n{{\n",
+                    dimensions, inside);
+    for (std::size_t side = 0; side < 6; ++side) {
+        text += fmt::format("    {} {{ {} }}\n", scene::names<scene::Face>[side],
+                            at_side(side));
+    }
+    // Between ranks; groups of patches by their type.
+    for (const char* between : {"processor", "processorCyclic"}) {
+        text +=
+            fmt::format("    {0} {{ type {0}; value uniform {1}; }}\n", between, inside);
+    }
+    return text + "}\n";
+}
+
+void write(const std::filesystem::path& folder, const char* location, const char* name,
+           const char* type, const std::string& text) {
+    std::filesystem::create_directories(folder / location);
+    output::write_atomically(
+        folder / location / name,
+        fmt::format("FoamFile {{ version 2.0; format ascii; class {}; location \"{}\"; "
+                    "object {}; }}\n{}",
+                    type, location, name, text));
+}
+
+}  // namespace
+
+void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                double step_s) {
+    write(folder, "system", "controlDict", "dictionary",
+          fmt::format(fmt::runtime(control), step_s));
+    write(folder, "system", "fvSchemes", "dictionary", schemes);
+    write(folder, "system", "fvSolution", "dictionary", solution);
+    write(folder, "constant", "transportProperties", "dictionary",
+          fmt::format("transportModel Newtonian;\nnu {:.17g};\n", fluid.viscosity_m2_s));
+    write(folder, "constant", "turbulenceProperties", "dictionary",
+          "simulationType laminar;\n");
+    write(folder, "0", "U", "volVectorField",
+          field("[0 1 -1 0 0 0 0]",
+                vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
+                [&](std::size_t side) { return velocity_at(fluid.boundaries[side]); }));
+    write(folder, "0", "p", "volScalarField",
+          field("[0 2 -2 0 0 0 0]", "0", [&](std::size_t side) {
+              return pressure_at(fluid.boundaries[side], fluid.density_kg_m3);
+          }));
+}
+
+}  // namespace magfsi::openfoam

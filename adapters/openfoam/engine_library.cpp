@@ -1,0 +1,60 @@
+#include "adapters/openfoam/engine_library.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace magfsi::openfoam {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// OpenFOAM's libraries read etc/controlDict there while they are loaded.
+constexpr const char* debian_project_folder = "/usr/share/openfoam";
+constexpr const char* advice =
+    "install it with apt-get install openfoam, build with ./magfsi, or use fluid.solver: "
+    "lbm";
+
+fs::path library() {
+    return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" /
+           "libmagfsi_openfoam_engine.so";
+}
+
+fs::path project_folder() {
+    const char* given = std::getenv("WM_PROJECT_DIR");
+    return given ? given : debian_project_folder;
+}
+
+}  // namespace
+
+std::string missing() {
+    if (!fs::exists(library()))
+        return fmt::format("this build has no OpenFOAM; {}", advice);
+    const fs::path control = project_folder() / "etc" / "controlDict";
+    if (!fs::exists(control))
+        return fmt::format("OpenFOAM is not installed ({} is missing); {}",
+                           control.string(), advice);
+    return "";
+}
+
+std::unique_ptr<Engine> load_engine(const EngineSetup& setup) {
+    const std::string fault = missing();
+    if (!fault.empty()) throw std::runtime_error("fluid.solver: openfoam: " + fault);
+    setenv("WM_PROJECT_DIR", debian_project_folder, 0);
+    // Global: OpenFOAM's libraries find each other's tables of types by name.
+    void* handle = dlopen(library().c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (!handle) {
+        const char* why = dlerror();
+        throw std::runtime_error(
+            fmt::format("fluid.solver: openfoam: {}; {}", why, advice));
+    }
+    void* symbol = dlsym(handle, "magfsi_openfoam_engine");
+    if (!symbol) throw std::runtime_error("fluid.solver: openfoam: a stale library");
+    const auto make = reinterpret_cast<decltype(&magfsi_openfoam_engine)>(symbol);
+    return std::unique_ptr<Engine>(make(setup));
+}
+
+}  // namespace magfsi::openfoam

@@ -1,0 +1,36 @@
+// Sums over the cells of a box mesh, each cell with its volume.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace magfsi::openfoam {
+
+// Of a rank's cells along each axis [m]; cells are numbered with x fastest.
+using Widths = std::array<std::vector<double>, 3>;
+
+std::size_t cell_count(const Widths& width_m);
+std::array<std::size_t, 3> index_of(const Widths& width_m, std::size_t cell);
+double volume(const Widths& width_m, std::size_t cell);
+
+struct FlowSums {
+    double volume_m3 = 0;
+    double half_square_m5_s2 = 0;  // integral of u^2 / 2
+    double enstrophy_1_s2 = 0;     // mean of |curl u|^2 / 2
+    double max_speed_m_s = 0;
+};
+
+// velocity: three a cell; vorticity: the same, or empty. Collective.
+FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
+                   std::span<const double> vorticity);
+
+struct FastestCell {
+    std::size_t cell = 0;
+    double speed_m_s = 0;  // NaN where any is
+};
+FastestCell fastest_cell(std::size_t cells, const double* velocity);
+
+}  // namespace magfsi::openfoam

@@ -1,0 +1,251 @@
+#include "adapters/openfoam/foam_fluid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/openfoam/case_files.h"
+#include "adapters/openfoam/engine_library.h"
+#include "adapters/openfoam/flow_sums.h"
+#include "adapters/openfoam/graded_axis.h"
+#include "adapters/openfoam/inlet.h"
+#include "adapters/openfoam/scene_to_mesh.h"
+#include "adapters/openfoam/world_of_openfoam.h"
+#include "coupler/participants/errors.h"
+
+namespace magfsi::openfoam {
+
+namespace {
+
+int rank_in(MPI_Comm comm) {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    return rank;
+}
+
+int size_of(MPI_Comm comm) {
+    int size = 1;
+    MPI_Comm_size(comm, &size);
+    return size;
+}
+
+// Far beyond what the explicit force survives: numbers that mean nothing any more.
+constexpr double most_courant = 10;
+
+}  // namespace
+
+FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
+                     const std::filesystem::path& case_folder)
+    : comm_(comm),
+      fluid_(fluid),
+      step_s_(step_s),
+      mesh_(to_mesh(fluid, rank_in(comm), size_of(comm))),
+      cells_(mesh_cells(mesh_)),
+      grid_(to_grid(fluid, mesh_)) {
+    const auto cut = static_cast<std::size_t>(mesh_.cut_axis);
+    const auto rank = static_cast<std::size_t>(mesh_.rank);
+    first_[cut] = mesh_.first_cell[rank];
+    cells_[cut] = mesh_.first_cell[rank + 1] - first_[cut];
+    for (std::size_t d = 0; d < 3; ++d) {
+        cell_of_[d] = cell_of_uniform(mesh_.planes_m[d], fluid.spacing_m);
+        const double* plane = mesh_.planes_m[d].data() + first_[d];
+        for (int i = 0; i < cells_[d]; ++i)
+            width_m_[d].push_back(plane[i + 1] - plane[i]);
+    }
+    if (mesh_.rank == 0) write_case(case_folder, fluid, step_s);
+    MPI_Barrier(comm);
+    set_world(comm);
+    engine_ = load_engine({std::filesystem::absolute(case_folder).string(), mesh_});
+    acceleration_ = engine_->acceleration();
+    for (int side = 0; side < 6; ++side) {
+        if (fluid.boundaries[static_cast<std::size_t>(side)].kind !=
+            scene::BoundaryKind::velocity_inlet)
+            continue;
+        if (double* faces = engine_->side_velocity(side))
+            inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
+    }
+    clear_force();
+    set_inlets(0);
+}
+
+std::size_t FoamFluid::cell_at(int x, int y, int z) const {
+    const std::array<int, 3> at{x, y, z};
+    std::array<int, 3> i{};
+    for (std::size_t d = 0; d < 3; ++d)
+        i[d] = cell_of_[d][static_cast<std::size_t>(at[d])] - first_[d];
+    return static_cast<std::size_t>(i[0]) +
+           static_cast<std::size_t>(cells_[0]) *
+               (static_cast<std::size_t>(i[1]) +
+                static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(i[2]));
+}
+
+void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out) {
+    const double* from = engine_->velocity();
+    double* to = out.data();
+    for (const coupler::GridRow& row : rows) {
+        for (int x = row.x_begin; x < row.x_end; ++x, to += 3)
+            std::copy_n(from + 3 * cell_at(x, row.y, row.z), 3, to);
+    }
+}
+
+// A graded cell takes the force of every uniform one that it stands for, so that the sum
+// over the fluid is what the bodies gave.
+void FoamFluid::set_force(std::span<const coupler::GridRow> rows,
+                          std::span<const double> density) {
+    clear_force();
+    const double h = grid_.spacing_m;
+    const double* from = density.data();
+    for (const coupler::GridRow& row : rows) {
+        for (int x = row.x_begin; x < row.x_end; ++x, from += 3) {
+            const std::size_t cell = cell_at(x, row.y, row.z);
+            const double share = h * h * h / volume(width_m_, cell);
+            for (std::size_t d = 0; d < 3; ++d)
+                acceleration_[3 * cell + d] += from[d] * share / fluid_.density_kg_m3;
+            forced_.push_back(cell);
+        }
+    }
+}
+
+void FoamFluid::clear_force() {
+    scene::Vec3 everywhere{};
+    if (fluid_.body_force_n_m3) everywhere = *fluid_.body_force_n_m3;
+    for (double& f : everywhere) f /= fluid_.density_kg_m3;
+    for (const std::size_t cell : forced_)
+        std::ranges::copy(everywhere, acceleration_ + 3 * cell);
+    forced_.clear();
+    if (steps_ > 0) return;
+    for (std::size_t cell = 0; cell < cell_count(width_m_); ++cell)
+        std::ranges::copy(everywhere, acceleration_ + 3 * cell);
+}
+
+void FoamFluid::set_inlets(double time_s) {
+    for (const Inlet& inlet : inlets_) {
+        const auto& side = fluid_.boundaries[static_cast<std::size_t>(inlet.side)];
+        const double ramp = inlet_ramp(side, time_s);
+        for (std::size_t i = 0; i < 3 * inlet.shape.size(); ++i)
+            inlet.velocity[i] = ramp * inlet.shape[i / 3] * side.velocity_m_s[i % 3];
+    }
+}
+
+void FoamFluid::advance() {
+    ++steps_;
+    set_inlets(static_cast<double>(steps_) * step_s_);
+    engine_->advance();
+    clear_force();
+}
+
+void FoamFluid::start_from(Flow flow) {
+    std::vector<double> velocity(3 * cell_count(width_m_));
+    for (std::size_t cell = 0; cell < cell_count(width_m_); ++cell)
+        std::ranges::copy(flow(centre(cell)), velocity.data() + 3 * cell);
+    engine_->set_velocity(velocity.data());
+}
+
+scene::Vec3 FoamFluid::centre(std::size_t cell) const {
+    const auto i = index_of(width_m_, cell);
+    scene::Vec3 at{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        const auto plane = static_cast<std::size_t>(first_[d]) + i[d];
+        at[d] = (mesh_.planes_m[d][plane] + mesh_.planes_m[d][plane + 1]) / 2;
+    }
+    return at;
+}
+
+std::string FoamFluid::headline() const {
+    const auto n = mesh_cells(mesh_);
+    return fmt::format(
+        "{} x {} x {} cells of {:.4g} mm{}, step {:.4g} us, pimpleFoam of OpenFOAM {}",
+        n[0], n[1], n[2], fluid_.spacing_m * 1e3, fluid_.grading ? " and more" : "",
+        step_s_ * 1e6, versions().front().second);
+}
+
+std::vector<double> FoamFluid::probe_values(const scene::Scene& scene) {
+    const bool curl =
+        std::ranges::find(scene.probes->fluid, scene::FluidQuantity::enstrophy) !=
+        scene.probes->fluid.end();
+    std::vector<double> vorticity(curl ? 3 * cell_count(width_m_) : 0);
+    if (curl) engine_->vorticity(vorticity.data());
+    const FlowSums sums = flow_sums(comm_, width_m_, engine_->velocity(), vorticity);
+    std::vector<double> values;
+    for (const scene::FluidQuantity quantity : scene.probes->fluid) {
+        switch (quantity) {
+            case scene::FluidQuantity::kinetic_energy:
+                values.push_back(fluid_.density_kg_m3 * sums.half_square_m5_s2);
+                break;
+            case scene::FluidQuantity::enstrophy:
+                values.push_back(sums.enstrophy_1_s2);
+                break;
+            case scene::FluidQuantity::mass:
+                values.push_back(fluid_.density_kg_m3 * sums.volume_m3);
+                break;
+            case scene::FluidQuantity::max_speed:
+                values.push_back(sums.max_speed_m_s);
+                break;
+            case scene::FluidQuantity::obstacle_force:
+                break;  // a scene with obstacles is refused
+        }
+    }
+    return values;
+}
+
+void FoamFluid::field(scene::FluidField field, std::span<float> out) {
+    if (field == scene::FluidField::density) {
+        std::ranges::fill(out, static_cast<float>(fluid_.density_kg_m3));
+        return;
+    }
+    std::vector<double> curl;
+    const double* values = engine_->velocity();
+    if (field == scene::FluidField::vorticity) {
+        curl.resize(3 * cell_count(width_m_));
+        engine_->vorticity(curl.data());
+        values = curl.data();
+    }
+    const coupler::CellBox& box =
+        grid_.owned_by_rank[static_cast<std::size_t>(mesh_.rank)];
+    float* to = out.data();
+    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
+        for (int y = box.lo[1]; y < box.hi[1]; ++y) {
+            for (int x = box.lo[0]; x < box.hi[0]; ++x) {
+                const double* from = values + 3 * cell_at(x, y, z);
+                for (int d = 0; d < 3; ++d) *to++ = static_cast<float>(from[d]);
+            }
+        }
+    }
+}
+
+void FoamFluid::check_divergence() {
+    const FastestCell fastest = fastest_cell(cell_count(width_m_), engine_->velocity());
+    const double courant = fastest.speed_m_s * step_s_ / grid_.spacing_m;
+    if (courant < most_courant) return;  // false where it is not a number
+    const scene::Vec3 at = centre(fastest.cell);
+    throw coupler::Diverged(
+        fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "
+                    "{:.3g} cells "
+                    "a step; take a smaller step (fluid.courant) or a finer spacing",
+                    at[0], at[1], at[2], fastest.speed_m_s, courant));
+}
+
+output::FluidSummary FoamFluid::summary() const {
+    const auto n = mesh_cells(mesh_);
+    output::FluidSummary summary;
+    summary.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
+    summary.spacing_m = fluid_.spacing_m;
+    summary.kernel = "pimpleFoam";
+    return summary;
+}
+
+output::Named<std::string> FoamFluid::versions() const {
+    return {{"OpenFOAM", engine_->version()}};
+}
+
+void FoamFluid::save(const coupler::BalanceRecord*, coupler::StateWriter*) {
+    throw std::runtime_error("fluid.solver: openfoam keeps no checkpoints");
+}
+
+void FoamFluid::restore(const coupler::StateReader&, coupler::BalanceRecord*) {
+    throw std::invalid_argument(
+        "--restart: not with fluid.solver: openfoam; use lbm, or run from the start");
+}
+
+}  // namespace magfsi::openfoam

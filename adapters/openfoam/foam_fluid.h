@@ -1,0 +1,68 @@
+// OpenFOAM as a fluid that a participant can drive.
+#pragma once
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "adapters/fluids/fluid_solver.h"
+#include "adapters/openfoam/engine/engine.h"
+
+namespace magfsi::openfoam {
+
+class FoamFluid final : public fluids::FluidSolver {
+  public:
+    // Writes the case into case_folder and lets OpenFOAM read it. Throws
+    // std::runtime_error when OpenFOAM is missing or refuses. Collective.
+    FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
+              const std::filesystem::path& case_folder);
+
+    const coupler::Grid& grid() const override { return grid_; }
+    void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
+    void set_force(std::span<const coupler::GridRow> rows,
+                   std::span<const double> density) override;
+    void advance() override;
+
+    std::string headline() const override;
+    std::vector<double> probe_values(const scene::Scene& scene) override;
+    void field(scene::FluidField field, std::span<float> out) override;
+    void check_divergence() override;
+    output::FluidSummary summary() const override;
+    output::Named<std::string> versions() const override;
+    void save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) override;
+    void restore(const coupler::StateReader& file,
+                 coupler::BalanceRecord* balance) override;
+
+    // For flows that no scene has: velocity [m/s] by place [m]; at rest at time 0.
+    using Flow = scene::Vec3 (*)(const scene::Vec3& position_m);
+    void start_from(Flow flow);
+
+  private:
+    void set_inlets(double time_s);
+    void clear_force();
+    std::size_t cell_at(int x, int y, int z) const;
+    scene::Vec3 centre(std::size_t cell) const;
+
+    MPI_Comm comm_;
+    scene::Fluid fluid_;
+    double step_s_;
+    std::int64_t steps_ = 0;
+    BoxMesh mesh_;
+    std::array<int, 3> first_{}, cells_{};        // of this rank in the mesh
+    std::array<std::vector<int>, 3> cell_of_;     // mesh cell of each uniform one
+    std::array<std::vector<double>, 3> width_m_;  // of this rank's cells
+    coupler::Grid grid_;
+    std::unique_ptr<Engine> engine_;
+    double* acceleration_ = nullptr;   // the engine's
+    std::vector<std::size_t> forced_;  // cells
+    struct Inlet {
+        int side;
+        double* velocity;
+        std::vector<double> shape;
+    };
+    std::vector<Inlet> inlets_;
+};
+
+}  // namespace magfsi::openfoam

@@ -1,0 +1,99 @@
+#include "adapters/openfoam/inlet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace magfsi::openfoam {
+
+namespace {
+
+double falloff(scene::InletProfile profile, double s) {
+    if (profile == scene::InletProfile::uniform) return 1;
+    return std::max(0.0,
+                    1 - std::pow(s, profile == scene::InletProfile::parabolic ? 2 : 8));
+}
+
+// Over a whole side, along one axis of it; a plane of symmetry at one end doubles the
+// width.
+double between_sides(const scene::Fluid& fluid, scene::InletProfile profile,
+                     std::size_t axis, double at_m) {
+    const auto is_wall = [&](std::size_t side) {
+        return fluid.boundaries[side].kind == scene::BoundaryKind::no_slip;
+    };
+    const bool low = is_wall(2 * axis), high = is_wall(2 * axis + 1);
+    const double s = at_m / fluid.box_m[axis];
+    if (!low && !high) return 1;
+    if (low && high) return falloff(profile, std::abs(2 * s - 1));
+    return falloff(profile, low ? 1 - s : s);
+}
+
+double shape_at(const scene::Fluid& fluid, const scene::Boundary& inlet,
+                const std::array<std::size_t, 2>& axes,
+                const std::array<double, 2>& at_m) {
+    double shape = 1;
+    if (const auto* disc = std::get_if<scene::Disc>(&inlet.patch)) {
+        const double s =
+            2 * std::hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) /
+            disc->diameter_m;
+        return s > 1 ? 0 : falloff(inlet.profile, s);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (const auto* part = std::get_if<scene::Rectangle>(&inlet.patch)) {
+            const double s = 2 * std::abs(at_m[i] - part->centre_m[i]) / part->size_m[i];
+            shape *= s > 1 ? 0 : falloff(inlet.profile, s);
+        } else {
+            shape *= between_sides(fluid, inlet.profile, axes[i], at_m[i]);
+        }
+    }
+    return shape;
+}
+
+bool is_open(const scene::Boundary& inlet, const std::array<double, 2>& at_m) {
+    if (const auto* disc = std::get_if<scene::Disc>(&inlet.patch)) {
+        return 2 * std::hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) <=
+               disc->diameter_m;
+    }
+    const auto* part = std::get_if<scene::Rectangle>(&inlet.patch);
+    for (std::size_t i = 0; part && i < 2; ++i) {
+        if (2 * std::abs(at_m[i] - part->centre_m[i]) > part->size_m[i]) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
+    const auto normal = static_cast<std::size_t>(side / 2);
+    const std::array<std::size_t, 2> axes{normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
+    const auto is_here = [&](std::size_t axis, std::size_t cell) {
+        if (axis != static_cast<std::size_t>(mesh.cut_axis)) return true;
+        const auto i = static_cast<int>(cell);
+        const auto rank = static_cast<std::size_t>(mesh.rank);
+        return i >= mesh.first_cell[rank] && i < mesh.first_cell[rank + 1];
+    };
+    const scene::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
+    const auto& a = mesh.planes_m[axes[0]];
+    const auto& b = mesh.planes_m[axes[1]];
+    std::vector<double> shape;
+    double flux = 0, open_area = 0;
+    for (std::size_t j = 0; j + 1 < b.size(); ++j) {
+        for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+            const std::array<double, 2> at{(a[i] + a[i + 1]) / 2, (b[j] + b[j + 1]) / 2};
+            const double area = (a[i + 1] - a[i]) * (b[j + 1] - b[j]);
+            const double s = shape_at(fluid, inlet, axes, at);
+            if (is_here(axes[0], i) && is_here(axes[1], j)) shape.push_back(s);
+            flux += s * area;
+            if (is_open(inlet, at)) open_area += area;
+        }
+    }
+    for (double& s : shape) s *= flux > 0 ? open_area / flux : 0;
+    return shape;
+}
+
+double inlet_ramp(const scene::Boundary& inlet, double time_s) {
+    if (time_s >= inlet.ramp_s) return 1;
+    return (1 - std::cos(std::numbers::pi * time_s / inlet.ramp_s)) / 2;
+}
+
+}  // namespace magfsi::openfoam

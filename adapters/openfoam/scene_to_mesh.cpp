@@ -1,0 +1,92 @@
+#include "adapters/openfoam/scene_to_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "adapters/openfoam/graded_axis.h"
+
+namespace magfsi::openfoam {
+
+namespace {
+
+SideType to_side(scene::BoundaryKind kind) {
+    switch (kind) {
+        case scene::BoundaryKind::periodic:
+            return SideType::periodic;
+        case scene::BoundaryKind::no_slip:
+            return SideType::wall;
+        case scene::BoundaryKind::free_slip:
+            return SideType::symmetry;
+        case scene::BoundaryKind::velocity_inlet:
+        case scene::BoundaryKind::pressure_outlet:
+            break;
+    }
+    return SideType::open;
+}
+
+}  // namespace
+
+std::array<int, 3> mesh_cells(const BoxMesh& mesh) {
+    std::array<int, 3> cells{};
+    for (std::size_t d = 0; d < 3; ++d)
+        cells[d] = static_cast<int>(mesh.planes_m[d].size()) - 1;
+    return cells;
+}
+
+BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
+    BoxMesh mesh;
+    for (std::size_t d = 0; d < 3; ++d) {
+        UniformPart part;
+        if (fluid.grading) {
+            const auto& corners = fluid.grading->uniform_m;
+            part = {corners[0][d], corners[1][d], fluid.grading->growth};
+        }
+        mesh.planes_m[d] =
+            axis_planes(fluid.box_m[d], fluid.spacing_m, fluid.grading ? &part : nullptr);
+    }
+    for (std::size_t side = 0; side < 6; ++side)
+        mesh.sides[side] = to_side(fluid.boundaries[side].kind);
+    const auto cells = mesh_cells(mesh);
+    // Of equal lengths the last: its cuts are contiguous in memory.
+    for (int d = 0; d < 3; ++d) {
+        if (cells[static_cast<std::size_t>(d)] >=
+            cells[static_cast<std::size_t>(mesh.cut_axis)])
+            mesh.cut_axis = d;
+    }
+    const int long_side = cells[static_cast<std::size_t>(mesh.cut_axis)];
+    if (ranks > long_side) {
+        throw std::invalid_argument(
+            fmt::format("--ranks fluid={}: the mesh has {} layers of cells along its "
+                        "longest side; take at most that many",
+                        ranks, long_side));
+    }
+    for (int r = 0; r <= ranks; ++r) mesh.first_cell.push_back(r * long_side / ranks);
+    mesh.rank = rank;
+    return mesh;
+}
+
+coupler::Grid to_grid(const scene::Fluid& fluid, const BoxMesh& mesh) {
+    coupler::Grid grid;
+    grid.spacing_m = fluid.spacing_m;
+    for (std::size_t d = 0; d < 3; ++d) {
+        grid.cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / fluid.spacing_m));
+        grid.periodic[d] = mesh.sides[2 * d] == SideType::periodic;
+    }
+    const auto axis = static_cast<std::size_t>(mesh.cut_axis);
+    const auto cell = cell_of_uniform(mesh.planes_m[axis], fluid.spacing_m);
+    for (std::size_t r = 0; r + 1 < mesh.first_cell.size(); ++r) {
+        coupler::CellBox box{{}, grid.cells};
+        const auto index = [&](int first) {
+            return static_cast<int>(std::ranges::lower_bound(cell, first) - cell.begin());
+        };
+        box.lo[axis] = index(mesh.first_cell[r]);
+        box.hi[axis] = index(mesh.first_cell[r + 1]);
+        grid.owned_by_rank.push_back(box);
+    }
+    return grid;
+}
+
+}  // namespace magfsi::openfoam
