@@ -50,15 +50,6 @@ def wait_for_steps(folder):
     raise AssertionError("the run did not get going")
 
 
-def process_of(folder, name):
-    """Process id of the participant of this run folder."""
-    for line in subprocess.check_output(["ps", "-eo", "pid,args"], text=True).splitlines():
-        pid, _, args = line.strip().partition(" ")
-        if args.strip().startswith(str(magfsi.BIN / name)) and str(folder) in args:
-            return int(pid)
-    raise AssertionError(f"no {name} runs")
-
-
 class Alone(unittest.TestCase):
     def test_structure_without_fluid(self):
         run = finish(mpirun(structure("unused", {})), "unused")
@@ -95,7 +86,7 @@ class Lost(unittest.TestCase):
         process = magfsi.start(command)
         wait_for_steps(folder)
         began = time.monotonic()
-        os.kill(process_of(folder, name), signal.SIGKILL)
+        os.kill(magfsi.process_of(folder, name), signal.SIGKILL)
         run = magfsi.finish(process, began, folder, LIMIT_S)
         magfsi.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
         self.assertEqual(run.code, 4, run.err)
@@ -115,7 +106,7 @@ class Lost(unittest.TestCase):
         process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
                                 *magfsi.overrides({**LONG, "coupling.timeout": "2 s"})])
         wait_for_steps(folder)
-        stopped = process_of(folder, "magfsi-structure")
+        stopped = magfsi.process_of(folder, "magfsi-structure")
         began = time.monotonic()
         os.kill(stopped, signal.SIGSTOP)
         run = magfsi.finish(process, began, folder, LIMIT_S)
@@ -145,7 +136,7 @@ class DiskFull(unittest.TestCase):
         process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
                                 *magfsi.overrides({**LONG, **settings})])
         wait_for_steps(folder)
-        resource.prlimit(process_of(folder, program), resource.RLIMIT_FSIZE,
+        resource.prlimit(magfsi.process_of(folder, program), resource.RLIMIT_FSIZE,
                          (limit_bytes, limit_bytes))
         run = magfsi.finish(process, time.monotonic(), folder, LIMIT_S)
         magfsi.report(f"{name}: ended after {run.seconds:.2f} s: {run.err.strip()}")

@@ -83,6 +83,15 @@ def good_run(*args, **named):
     return result
 
 
+def process_of(folder, name):
+    """Process id of the participant of this run folder."""
+    for line in subprocess.check_output(["ps", "-eo", "pid,args"], text=True).splitlines():
+        pid, _, args = line.strip().partition(" ")
+        if args.strip().startswith(str(BIN / name)) and str(folder) in args:
+            return int(pid)
+    raise AssertionError(f"no {name} runs")
+
+
 def report(text):
     """Figures go to CTest's log."""
     print(text, file=sys.stderr, flush=True)

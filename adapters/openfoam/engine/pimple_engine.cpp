@@ -171,7 +171,7 @@ magfsi::openfoam::Engine* magfsi_openfoam_engine(
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
     Foam::messageStream::level = 0;  // no log of every linear solve
-    if (setup.mesh.first_cell.size() > 2) {
+    if (setup.mesh.first_cell.size() > 2 && !Foam::UPstream::parRun()) {
         int arguments = 0;
         char** none = nullptr;
         Foam::UPstream::init(arguments, none, false);

@@ -1,0 +1,45 @@
+#!/usr/bin/python3
+"""What fluid.solver: openfoam cannot do is refused before anything is written, with what to do
+instead; so is a machine without OpenFOAM."""
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import magfsi_runs as magfsi  # noqa: E402
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, settings, *words):
+        folder = Path(magfsi.new_folder()) / "run"
+        run = magfsi.run(magfsi.SMALL, {"fluid.solver": "openfoam", **settings}, folder=folder,
+                         limit_s=60)
+        self.assertEqual(run.code, 2, run.err)
+        self.assertEqual(len(run.err.strip().splitlines()), 1, run.err)
+        for word in words:
+            self.assertIn(word, run.err)
+        self.assertFalse(folder.exists())
+
+    def test_openfoam_is_missing(self):
+        os.environ["WM_PROJECT_DIR"] = "/nonexistent"
+        try:
+            self.refused({}, "OpenFOAM", "apt-get install openfoam")
+        finally:
+            del os.environ["WM_PROJECT_DIR"]
+
+    def test_obstacles(self):
+        self.refused({"fluid.obstacles": "{ball: {sphere: {centre: [1 mm, 1 mm, 1 mm], "
+                                         "diameter: 1 mm}}}"}, "obstacles", "lbm")
+
+    def test_checkpoints(self):
+        self.refused({"checkpoint.every": "1 ms"}, "checkpoint", "lbm")
+
+    def test_a_uniform_part_beyond_the_box(self):
+        self.refused({"fluid.grading.uniform": "[[1 mm, 1 mm, 1 mm], [9 mm, 3 mm, 5 mm]]"},
+                     "uniform", "along x")
+
+
+if __name__ == "__main__":
+    unittest.main()
