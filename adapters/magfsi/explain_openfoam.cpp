@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "adapters/magfsi/explain_parts.h"
 #include "adapters/openfoam/engine_library.h"
@@ -33,6 +34,11 @@ double largest_cell_m(const openfoam::BoxMesh& mesh) {
 }  // namespace
 
 std::string explain_openfoam(const scene::Scene& scene) {
+    if (scene.checkpoint) {
+        throw std::invalid_argument(
+            "checkpoint: not with fluid.solver openfoam; set solver: lbm, or leave it "
+            "out");
+    }
     const scene::Fluid& fluid = *scene.fluid;
     const double step_s = *scene::coupled_step_s(scene);
     const openfoam::BoxMesh mesh = openfoam::to_mesh(fluid, 0, 1);

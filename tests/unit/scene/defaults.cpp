@@ -27,6 +27,8 @@ TEST(Defaults, of_the_table_are_those_of_the_structs) {
     EXPECT_EQ(s.gravity->direction, Gravity{}.direction);
     EXPECT_EQ(s.fluid->solver, Fluid{}.solver);
     EXPECT_EQ(s.fluid->lattice_speed, Fluid{}.lattice_speed);
+    EXPECT_EQ(s.fluid->courant, Fluid{}.courant);
+    EXPECT_FALSE(s.fluid->grading);
     EXPECT_EQ(s.fluid->collision, Fluid{}.collision);
     for (std::size_t face = 0; face < 6; ++face) {
         EXPECT_EQ(s.fluid->boundaries[face].kind, Boundary{}.kind);

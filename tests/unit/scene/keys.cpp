@@ -89,6 +89,10 @@ TEST(Keys, of_the_fluid) {
     EXPECT_EQ(f.viscosity_m2_s, 1e-6);
     EXPECT_EQ(f.expected_speed_m_s, 0.5);
     EXPECT_EQ(f.lattice_speed, 0.06);
+    EXPECT_EQ(f.courant, 0.3);
+    ASSERT_TRUE(f.grading);
+    EXPECT_EQ(f.grading->uniform_m[1], (Vec3{6e-3, 3e-3, 4e-3}));
+    EXPECT_EQ(f.grading->growth, 1.2);
     EXPECT_EQ(f.collision, Collision::bgk);
     EXPECT_EQ(f.boundaries[0].kind, BoundaryKind::periodic);
     EXPECT_EQ(f.boundaries[1].kind, BoundaryKind::periodic);

@@ -64,6 +64,8 @@ TEST(CoupledStep, is_the_given_one_or_that_of_the_lattice_speed) {
     const auto minimal = test_folder / "minimal.yaml";
     // 0.05 * 1 mm / 0.5 m/s, to the rounding of two operations.
     EXPECT_DOUBLE_EQ(*coupled_step_s(read_scene(minimal)), 1e-4);
+    EXPECT_DOUBLE_EQ(*coupled_step_s(read_scene(minimal, {"fluid.solver=openfoam"})),
+                     4e-4);
     EXPECT_EQ(coupled_step_s(read_scene(minimal, {"time.step=50 us"})), 5e-5);
     EXPECT_EQ(coupled_step_s(read_scene(test_folder / "complete/elastic.yaml")),
               std::nullopt);
