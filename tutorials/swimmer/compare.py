@@ -27,7 +27,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 HERE = pathlib.Path(__file__).resolve().parent
 TOP = HERE.parents[1]
 LATTICE_SPEED = 0.05  # of the scene
-UNIFORM = "[[5.2 mm, 2.8 mm, 2 mm], [10.8 mm, 5.2 mm, 7 mm]]"  # where the robot is
+UNIFORM = "[[4 mm, 2.4 mm, 1.6 mm], [12 mm, 5.6 mm, 8 mm]]"  # robot and near wake
 COLORS = {"lbm": "0.1", "openfoam": "#c2410c"}
 NAMES = {"lbm": "lattice Boltzmann", "openfoam": "OpenFOAM"}
 INSTANTS = 9
