@@ -39,6 +39,13 @@ std::string explain_openfoam(const scene::Scene& scene) {
             "checkpoint: not with fluid.solver openfoam; set solver: lbm, or leave it "
             "out");
     }
+    for (const auto& integral : scene.probes.value_or(scene::Probes{}).integrals) {
+        if (!std::holds_alternative<scene::FluidPlane>(integral.over)) continue;
+        throw std::invalid_argument(fmt::format(
+            "probes.integrals.{}: no planes of the fluid with fluid.solver openfoam; set "
+            "solver: lbm, or leave it out",
+            integral.name));
+    }
     const scene::Fluid& fluid = *scene.fluid;
     const double step_s = *scene::coupled_step_s(scene);
     const openfoam::BoxMesh mesh = openfoam::to_mesh(fluid, 0, 1);
