@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupler/scene/checks.h"
+#include "coupler/scene/names.h"
 #include "coupler/scene/unit.h"
 
 namespace magfsi::scene {
@@ -127,6 +128,18 @@ void check_coupling(const Scene& scene, const Marks& marks) {
         refuse(marks.value({"coupling", "immersed_boundary", "iterations"}),
                "iterations of the forcing outside the serial scheme",
                "1 in other schemes", "take coupling.scheme: serial");
+    const Coupling& coupling = *scene.coupling;
+    if (coupling.iteration && coupling.scheme != Scheme::implicit)
+        refuse(marks.key({"coupling", "iteration"}),
+               fmt::format("iteration in the {} scheme", name_of(coupling.scheme)),
+               "it in the implicit scheme only",
+               "add scheme: implicit or remove this key");
+    if (coupling.scheme == Scheme::parallel &&
+        coupling.sampled_velocity == SampledVelocity::linear)
+        refuse(marks.value({"coupling", "sampled_velocity"}),
+               "sampled_velocity: linear in the parallel scheme",
+               "frozen, which there is the mean of the last two samples",
+               "remove this key or take another scheme");
 }
 
 }  // namespace

@@ -93,11 +93,44 @@ Field magnetic_field_fields() {
     });
 }
 
+Field iteration_fields() {
+    return group("iteration", "Of the implicit scheme: how a step is repeated.", {
+        choice<Acceleration>("acceleration", "How the next guess is made.")
+            .or_default("iqn_ils"),
+        number("velocity_tolerance", "The step has converged when the fluid answers to the "
+               "guess of its velocities at the markers with the same velocities, up to this "
+               "part of their root mean square.").above(0).at_most(0.1).or_default("1e-4"),
+        integer("most", "Iterations in a step.").at_least(2).at_most(1000).or_default("20"),
+        choice<Unconverged>("unconverged", "What a step does that has not converged then: "
+                            "end the run, or go on and be counted.").or_default("stop"),
+        choice<FirstGuess>("first_guess", "constant: the velocities of the step's start; "
+                           "linear: they go on to change as in the step before.")
+            .or_default("linear"),
+        number("relaxation", "Part of the residual that is added to the guess; aitken and "
+               "iqn_ils begin with it.").above(0).at_most(1).or_default("0.5"),
+        integer("columns", "Of iqn_ils: pairs of answers that it may build on.")
+            .at_least(1).at_most(200).or_default("40"),
+        integer("reused_steps", "Of iqn_ils: coupled steps before this one whose pairs are "
+                "kept.").at_least(0).at_most(100).or_default("8"),
+        choice<ColumnFilter>("filter", "Of iqn_ils: a pair goes when what is new in it is "
+                             "below filter_limit of all pairs (qr1), or of itself (qr2).")
+            .or_default("qr2"),
+        number("filter_limit", "Of iqn_ils.").above(0).at_most(0.9).or_default("1e-2"),
+    });
+}
+
 Field coupling_fields() {
     return group("coupling", "How bodies and fluid meet; all keys have defaults.", {
         choice<Scheme>("scheme", "serial: structure and fluid take turns; parallel: both "
-                       "work at once, and the fluid feels the bodies one step late.")
+                       "work at once, and the fluid feels the bodies one step late; "
+                       "implicit: they repeat each step until both agree on its end.")
             .or_default("serial"),
+        choice<SampledVelocity>("sampled_velocity", "What bodies feel of the fluid in their "
+                                "substeps. frozen: its velocity at the step's start "
+                                "(implicit: at its end); linear: a straight line through "
+                                "the two, in the serial scheme through the last two. "
+                                "Without it: linear if implicit, else frozen.").optional(),
+        iteration_fields().optional(),
         integer("substeps", "Structure steps in a coupled step; without it, from the "
                 "bodies' stable step.").at_least(1).at_most(100000).optional(),
         quantity("timeout", "s", "Longest wait for the partner before the run is given up.")

@@ -43,8 +43,23 @@ template <>
 inline constexpr std::array names<Markers> =
     std::to_array<std::string_view>({"mid_surface", "both_faces", "volume"});
 template <>
-inline constexpr std::array names<Scheme> = std::to_array<std::string_view>({"serial",
-                                                                             "parallel"});
+inline constexpr std::array names<Scheme> =
+    std::to_array<std::string_view>({"serial", "parallel", "implicit"});
+template <>
+inline constexpr std::array names<SampledVelocity> =
+    std::to_array<std::string_view>({"frozen", "linear"});
+template <>
+inline constexpr std::array names<Acceleration> =
+    std::to_array<std::string_view>({"under_relaxation", "aitken", "iqn_ils"});
+template <>
+inline constexpr std::array names<ColumnFilter> =
+    std::to_array<std::string_view>({"qr1", "qr2"});
+template <>
+inline constexpr std::array names<FirstGuess> =
+    std::to_array<std::string_view>({"constant", "linear"});
+template <>
+inline constexpr std::array names<Unconverged> =
+    std::to_array<std::string_view>({"stop", "go_on"});
 template <>
 inline constexpr std::array names<BodyQuantity> = std::to_array<std::string_view>(
     {"com", "speed", "shape", "max_displacement", "fluid_force", "energy"});

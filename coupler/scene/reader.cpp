@@ -32,6 +32,14 @@ void normalise(Vec3& v) {
     for (double& component : v) component /= length > 0 ? length : 1;
 }
 
+void complete(Coupling& coupling) {
+    const bool implicit = coupling.scheme == Scheme::implicit;
+    if (implicit && !coupling.iteration) coupling.iteration.emplace();
+    if (!coupling.sampled_velocity)
+        coupling.sampled_velocity =
+            implicit ? SampledVelocity::linear : SampledVelocity::frozen;
+}
+
 // Defaults that depend on other keys; files of the scene count from its folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
@@ -54,6 +62,7 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
+    if (scene.coupling) complete(*scene.coupling);
 }
 
 }  // namespace
