@@ -183,8 +183,8 @@ double Fluid::waited_for_neighbors_s() const {
 
 std::size_t Fluid::memory_bytes() const {
     const Obstacles* obstacles = state_->solver.obstacles();
-    return state_->solver.populations().bytes() + state_->solver.forces().bytes() +
-           (obstacles ? obstacles->bytes() : 0);
+    return state_->solver.populations().bytes() + state_->solver.kept_bytes() +
+           state_->solver.forces().bytes() + (obstacles ? obstacles->bytes() : 0);
 }
 
 std::vector<CellRow> Fluid::solid_rows() const {
@@ -268,6 +268,14 @@ void Fluid::vorticity(std::span<float> out) const {
 
 void Fluid::step() {
     state_->solver.step();
+}
+
+void Fluid::keep() {
+    state_->solver.keep();
+}
+
+void Fluid::go_back() {
+    state_->solver.go_back();
 }
 
 std::int64_t Fluid::steps_done() const {

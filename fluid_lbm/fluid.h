@@ -124,6 +124,11 @@ class Fluid {
     void set_force(std::span<const CellRow> rows, std::span<const double> force);
 
     void step();
+    // For a step that is taken again with other forces: notes the state between two
+    // steps, and goes back to it from the end of the step, any number of times. Between
+    // go_back() and step() only set_force() may be called, in the same rows.
+    void keep();
+    void go_back();
     // Seconds that this rank has waited for its neighbours in steps so far.
     double waited_for_neighbors_s() const;
     std::int64_t steps_done() const;

@@ -36,6 +36,18 @@ std::optional<Obstacles> make_obstacles(const SolverConfig& config, const CellBo
                                     config.periodic, options, populations, layout);
 }
 
+// Whether nothing else changes populations in a step.
+bool sweep_is_all(const SolverConfig& config) {
+    for (int side = 0; side < 6; ++side) {
+        const BoundaryKind kind = config.sides[side].kind;
+        const bool plain = config.periodic[side / 2] ||
+                           (kind == BoundaryKind::no_slip &&
+                            config.wall_velocity[side] == std::array<double, 3>{});
+        if (!plain) return false;
+    }
+    return config.solids.empty() && !config.body_force;
+}
+
 }  // namespace
 
 Solver::Solver(MPI_Comm comm, const SolverConfig& config)
@@ -53,7 +65,8 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       boundaries_(comm, decomposition_, rank_, config.sides, config.wall_velocity,
                   populations_, layout_, obstacles_ ? &obstacles_->map() : nullptr),
       kernels_(config.kernels),
-      collision_(config.collision) {
+      collision_(config.collision),
+      kept_(sweep_is_all(config)) {
     for (int side = 0; side < 6; ++side) {
         open_sides_[side] = config.sides[side].kind != BoundaryKind::periodic &&
                             config.sides[side].kind != BoundaryKind::no_slip;
@@ -85,17 +98,46 @@ void Solver::settle_obstacles() {
     if (obstacles_) obstacles_->settle(populations_, layout_, arrangement_);
 }
 
-void Solver::step() {
-    const bool natural = arrangement_ == Arrangement::natural;
+void Solver::keep() {
+    kept_.keep(view());
+}
+
+void Solver::go_back() {
+    set_steps_done(steps_done_ - 1);
+    kept_.put_back(view());
+    again_ = true;
+    // What the forces of that time have done is undone.
+    const bool undone =
+        unsound_ && (!kept_.by_rows() || kept_.has(unsound_->cell.y, unsound_->cell.z));
+    if (undone) unsound_.reset();
+}
+
+void Solver::sweep_and_exchange(Exchange exchange) {
+    if (again_ && kept_.by_rows()) {
+        // The other rows stand at the step's end already, and what travelled for them is
+        // sent once more as it was.
+        sweep_boxes(kept_.rows());
+        halo_.start(exchange);
+        halo_.advance();
+        halo_.finish();
+        return;
+    }
     const std::span<const RowBox> inner = inner_rows_;
     const std::size_t half = inner.size() / 2;
-    boundaries_.look_at_outlets(populations_, arrangement_);
     sweep_boxes(rows_at_cuts_);
-    halo_.start(natural ? Exchange::fill : Exchange::give_back);
+    halo_.start(exchange);
     sweep_boxes(inner.first(half));
     halo_.advance();
     sweep_boxes(inner.subspan(half));
     halo_.finish();
+}
+
+void Solver::step() {
+    const bool natural = arrangement_ == Arrangement::natural;
+    kept_.note_rows(view(), forces_.claimed_rows());
+    boundaries_.look_at_outlets(populations_, arrangement_);
+    sweep_and_exchange(natural ? Exchange::fill : Exchange::give_back);
+    again_ = false;
     arrangement_ = natural ? Arrangement::swapped : Arrangement::natural;
     apply_boundaries();
     forces_.clear();

@@ -17,6 +17,7 @@
 #include "fluid_lbm/parallel/halo.h"
 #include "fluid_lbm/parallel/row_boxes.h"
 #include "fluid_lbm/sampling/macroscopic.h"
+#include "fluid_lbm/streaming/kept_state.h"
 #include "fluid_lbm/streaming/kernel_choice.h"
 #include "fluid_lbm/streaming/unsound.h"
 
@@ -81,12 +82,18 @@ class Solver {
         arrangement_ = steps % 2 == 0 ? Arrangement::natural : Arrangement::swapped;
     }
 
+    // For steps that are taken again (fluid.h).
+    void keep();
+    void go_back();
+    std::size_t kept_bytes() const { return kept_.bytes(); }
+
     // The first cell of this rank that a step found no longer sound, lattice units; found
     // in passing by the step whose collision acts on it.
     const std::optional<Unsound>& unsound() const { return unsound_; }
 
   private:
     void sweep_boxes(std::span<const RowBox> boxes);
+    void sweep_and_exchange(Exchange exchange);
     void apply_boundaries();
 
     Decomposition decomposition_;
@@ -104,6 +111,8 @@ class Solver {
     Arrangement arrangement_ = Arrangement::natural;
     std::int64_t steps_done_ = 0;
     std::optional<Unsound> unsound_;
+    KeptState kept_;
+    bool again_ = false;  // the coming step is one that is taken again
 };
 
 }  // namespace magfsi::fluid

@@ -130,7 +130,7 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
     }
     if (session_.clock().steps_here() > 0) {
         fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
-                      static_cast<double>(session_.clock().steps_here()) / advance_s;
+                      static_cast<double>(lbm_.advances()) / advance_s;
     }
     report.fluid = fluid;
     return report;

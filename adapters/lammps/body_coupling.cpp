@@ -8,6 +8,7 @@
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/body_part.h"
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/lammps/body_iterations.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/immersed_boundary/solid_cells.h"
@@ -38,6 +39,18 @@ std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
     return sum;
 }
 
+coupler::PenaltyScale penalty_scale(const coupler::Session& session) {
+    const scene::Scene& scene = session.scene();
+    coupler::PenaltyScale scale{scene.coupling->immersed_boundary.strength,
+                                scene.fluid->density_kg_m3, session.clock().step_s()};
+    if (scene.coupling->scheme == scene::Scheme::implicit) scale.enclosed_follow = 1;
+    return scale;
+}
+
+std::span<double> flat(std::span<Vec3> v) {
+    return {v.empty() ? nullptr : v.front().data(), 3 * v.size()};
+}
+
 }  // namespace
 
 BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
@@ -48,8 +61,7 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
         session.world(), "", coupler::startup_timeout_s, "description of the grid"));
     const auto& boundary = scene.coupling->immersed_boundary;
     const auto placed = place_all(scene);
-    const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
-                                      session.clock().step_s()};
+    const coupler::PenaltyScale scale = penalty_scale(session);
     force_ = std::make_unique<coupler::PenaltyForce>(
         own_markers(placed, first_node), scale,
         bodies::to_gravity(scene).value_or(Vec3{}));
@@ -64,6 +76,16 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
         [this](const double* velocity, double* force, double step_s) {
             force_->apply(velocity, force, step_s);
         });
+    const std::size_t markers = force_->markers().size();
+    const auto& coupling = *scene.coupling;
+    const bool two_samples = coupling.scheme != scene::Scheme::serial ||
+                             coupling.sampled_velocity == scene::SampledVelocity::linear;
+    if (two_samples) last_velocity_.resize(markers);
+    if (coupling.scheme == scene::Scheme::parallel) {
+        before_m_.resize(markers);
+        under_way_.resize(markers);
+    }
+    if (coupling.scheme == scene::Scheme::implicit) start_iterations();
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
@@ -121,9 +143,20 @@ std::vector<Vec3> BodyCoupling::marker_positions() const {
 
 void BodyCoupling::exchange_first() {
     now_m_ = marker_positions();
+    if (session_.restart()) {
+        if (under_way_.empty())
+            exchange_->send_first(now_m_);
+        else
+            exchange_->send_first(before_m_, under_way_, now_m_);
+        // The checkpoint has them already, to the last bit.
+        std::vector<Vec3> again(fluid_velocity_.size());
+        exchange_->receive(-1, again);
+        return;
+    }
     exchange_->send_first(now_m_);
     exchange_->receive(-1, fluid_velocity_);
     force_->enclosed().start(fluid_velocity_);
+    if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
 }
 
 void BodyCoupling::begin_step() {
@@ -133,7 +166,6 @@ void BodyCoupling::begin_step() {
 }
 
 void BodyCoupling::begin_step_with_mean() {
-    if (last_velocity_.empty()) last_velocity_ = fluid_velocity_;
     for (std::size_t m = 0; m < last_velocity_.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             last_velocity_[m][d] = 0.5 * (last_velocity_[m][d] + fluid_velocity_[m][d]);
@@ -142,10 +174,23 @@ void BodyCoupling::begin_step_with_mean() {
     last_velocity_ = fluid_velocity_;
 }
 
+void BodyCoupling::begin_step_extrapolated() {
+    std::vector<Vec3> end = fluid_velocity_;
+    for (std::size_t m = 0; m < end.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            end[m][d] += fluid_velocity_[m][d] - last_velocity_[m][d];
+    }
+    begin_step();
+    force_->let_change(fluid_velocity_, end);
+    last_velocity_ = fluid_velocity_;
+}
+
 void BodyCoupling::send_impulses() {
     before_m_ = std::move(now_m_);
     now_m_ = marker_positions();
-    exchange_->send(session_.clock().step(), before_m_, force_->impulse(), now_m_);
+    const int iteration = iterations_ ? current_iteration() : 0;
+    exchange_->send({session_.clock().step(), iteration}, before_m_, force_->impulse(),
+                    now_m_);
 }
 
 void BodyCoupling::iterate_forcing() {
@@ -163,12 +208,19 @@ void BodyCoupling::receive_velocities() {
 }
 
 std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
-    std::vector<MarkerArray> arrays{
-        {"fluid_velocity", fluid_velocity_},
-        {"enclosed_velocity", force_->enclosed().last_velocity()},
-        {"enclosed_acceleration", force_->enclosed().acceleration()}};
-    if (iterated_) arrays.push_back({"owed_impulse", iterated_->impulse()});
-    return arrays;
+    std::vector<MarkerArray> all{
+        {"fluid_velocity", flat(fluid_velocity_)},
+        {"enclosed_velocity", flat(force_->enclosed().last_velocity())},
+        {"enclosed_acceleration", flat(force_->enclosed().acceleration())}};
+    if (!last_velocity_.empty()) all.push_back({"last_velocity", flat(last_velocity_)});
+    if (!under_way_.empty()) {
+        std::ranges::copy(force_->impulse(), under_way_.begin());
+        all.push_back({"before", flat(before_m_)});
+        all.push_back({"impulse", flat(under_way_)});
+    }
+    if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
+    if (iterations_) add_learnt(all);
+    return all;
 }
 
 void BodyCoupling::find_parts(const std::vector<bodies::PlacedMarker>& placed) {

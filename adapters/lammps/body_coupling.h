@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "adapters/bodies/marker_placement.h"
@@ -13,6 +14,7 @@
 #include "coupler/immersed_boundary/iterated_forcing.h"
 #include "coupler/immersed_boundary/penalty_force.h"
 #include "coupler/immersed_boundary/slip.h"
+#include "coupler/output/summary.h"
 #include "coupler/participants/session.h"
 
 namespace magfsi::lammps {
@@ -24,11 +26,16 @@ class BodyCoupling {
     // owns. first_node: atom id of each body's node 0.
     BodyCoupling(const coupler::Session& session, Engine& engine,
                  const std::vector<int>& first_node);
+    ~BodyCoupling();
 
-    void exchange_first();  // velocities for step 0
-    void begin_step();      // the sampled velocities become the step's
-    // Parallel scheme: the mean of the last two samples, in which a response of the fluid
+    void
+    exchange_first();  // velocities for the first step; after restore_carried, if any
+
+    // The sampled velocities become the step's: held still; in a straight line through
+    // the last two; or, parallel scheme, their mean, in which a response of the fluid
     // that alternates from step to step, as the late forces excite it, cancels.
+    void begin_step();
+    void begin_step_extrapolated();
     void begin_step_with_mean();
     void send_impulses();  // what was given since, where and where the markers are now
     // The fluid's slip under these impulses, answered until all iterations are done.
@@ -36,13 +43,27 @@ class BodyCoupling {
     void iterate_forcing();
     void receive_velocities();
 
+    // Implicit scheme (body_iterations.cpp). A step: keep_state; then begin_iteration,
+    // LAMMPS's steps, send_impulses, receive_answer, repeat, as long as that says so;
+    // then accept_answer.
+    void keep_state();
+    void begin_iteration();
+    void receive_answer();
+    bool repeat();
+    void accept_answer();
+    const output::IterationSummary* repetitions() const;  // null in other schemes
+
     // What this rank's markers carry from step to step, kept in checkpoints under its
-    // name; each has one vector a marker.
+    // name; each has three numbers a marker.
     struct MarkerArray {
-        const char* name;
-        std::span<Vec3> values;
+        std::string name;
+        std::span<double> values;
     };
     std::vector<MarkerArray> carried();
+    // Numbers that are the same on all ranks; with them, after a restart, a fresh object
+    // makes room for what is carried. Empty but in the implicit scheme.
+    std::vector<double> carried_numbers() const;
+    void make_room(std::span<const double> numbers);
     // Of each marker of this rank its number among all: body after body, in the order in
     // which they were placed.
     std::span<const int> placed_index() const { return placed_index_; }
@@ -76,6 +97,9 @@ class BodyCoupling {
     Vec3 force_on(std::size_t marker) const;
     std::vector<coupler::MarkerArea> own_areas(
         const std::vector<bodies::PlacedMarker>& placed) const;
+    void start_iterations();
+    int current_iteration() const;
+    void add_learnt(std::vector<MarkerArray>& all);
 
     const coupler::Session& session_;
     Engine& engine_;
@@ -89,7 +113,11 @@ class BodyCoupling {
     std::unique_ptr<coupler::IteratedForcing> iterated_;  // only with iterations
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
-    std::vector<Vec3> last_velocity_;  // filled only by the parallel scheme
+    // A step before fluid_velocity_; empty where the scheme looks at one sample only.
+    std::vector<Vec3> last_velocity_;
+    std::vector<Vec3> under_way_;  // parallel scheme: impulses, filled for checkpoints
+    struct Iterations;
+    std::unique_ptr<Iterations> iterations_;  // implicit scheme
 };
 
 }  // namespace magfsi::lammps

@@ -65,6 +65,18 @@ class Engine {
     // This rank's shares of the sums over time that fixes keep, and back.
     std::vector<double> fix_sums() const;
     void put_fix_sums(std::span<const double> sums);
+    // The same in memory and by place, for a coupled step that is done again: between the
+    // two, atoms keep their ranks and places there (no contact). Of the fixes' sums and
+    // what they keep with atoms, too (engine_snapshot.cpp). go_back is collective.
+    struct Snapshot {
+        std::int64_t step = 0;
+        std::vector<double> position, velocity;  // of local and ghost atoms
+        std::vector<double> force, kept;         // of local atoms
+        std::vector<double> sums;
+    };
+    void keep(Snapshot& snapshot) const;
+    void go_back(const Snapshot& snapshot);
+
     // The number of the step that comes first; before set_up.
     void start_at(std::int64_t lammps_step);
     // Atoms to the ranks of their present places and new lists of neighbours; forces are
@@ -72,6 +84,7 @@ class Engine {
     void renew_neighbours();
 
   private:
+    void look_again();
     std::vector<double*> sums_in_fixes() const;
     int fix_number(const std::string& fix_id) const;
 

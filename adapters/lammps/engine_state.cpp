@@ -3,11 +3,11 @@
 #include <string>
 
 #include "adapters/lammps/engine.h"
+#include "adapters/lammps/keeping_fixes.h"
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
 #include "comm.h"
 #include "coupler/checkpoint/gather.h"
-#include "fix.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -17,25 +17,12 @@ namespace {
 
 constexpr std::size_t motion_values = 9;  // position, velocity, force
 
-// Those that keep something with their atoms, over restarts too.
-std::vector<LAMMPS_NS::Fix*> keepers(const LAMMPS_NS::Modify& modify) {
-    std::vector<LAMMPS_NS::Fix*> found;
-    for (int i = 0; i < modify.nfix; ++i) {
-        if (modify.fix[i]->restart_peratom != 0) found.push_back(modify.fix[i]);
-    }
-    return found;
-}
-
-// LAMMPS counts the length of the record in.
-std::size_t kept_values(LAMMPS_NS::Fix& fix) {
-    return static_cast<std::size_t>(fix.maxsize_restart() - 1);
-}
-
 }  // namespace
 
 std::size_t Engine::node_values() const {
     std::size_t values = motion_values;
-    for (LAMMPS_NS::Fix* fix : keepers(*lammps_->modify)) values += kept_values(*fix);
+    for (LAMMPS_NS::Fix* fix : keeping_fixes(*lammps_->modify))
+        values += kept_values(*fix);
     return values;
 }
 
@@ -50,7 +37,7 @@ std::vector<double> Engine::gather_nodes(int atoms) const {
         std::copy_n(atom.v[i], 3, row + 3);
         std::copy_n(atom.f[i], 3, row + 6);
         double* at = row + motion_values;
-        for (LAMMPS_NS::Fix* fix : keepers(*lammps_->modify))
+        for (LAMMPS_NS::Fix* fix : keeping_fixes(*lammps_->modify))
             at += fix->pack_exchange(i, at);
         index.push_back(static_cast<int>(atom.tag[i]) - 1);
     }
@@ -70,17 +57,22 @@ void Engine::put_nodes(std::span<const double> rows) {
         std::copy_n(row_of(i) + 3, 3, atom.v[i]);
         std::vector<double> kept(row_of(i) + motion_values, row_of(i) + width);
         double* at = kept.data();
-        for (LAMMPS_NS::Fix* fix : keepers(*lammps_->modify))
+        for (LAMMPS_NS::Fix* fix : keeping_fixes(*lammps_->modify))
             at += fix->unpack_exchange(i, at);
     }
     lammps_->comm->forward_comm();
-    // What fixes remember of the last evaluation (field, energies) becomes that of the
-    // places just set. The forces themselves hold velocities of a half step and of the
-    // fluid that nobody can evaluate again: those are put back as they were.
+    look_again();
+    // Forces hold velocities of a half step and of the fluid that nobody can evaluate
+    // again: those are put back as they were.
+    for (int i = 0; i < atom.nlocal; ++i) std::copy_n(row_of(i) + 6, 3, atom.f[i]);
+}
+
+// What fixes remember of the last evaluation (field, energies) becomes that of the
+// places just set.
+void Engine::look_again() {
     // One by one: Modify calls them within a run only.
     for (int i = 0; i < lammps_->modify->nfix; ++i)
         lammps_->modify->fix[i]->setup_pre_reverse(0, 0);
-    for (int i = 0; i < atom.nlocal; ++i) std::copy_n(row_of(i) + 6, 3, atom.f[i]);
 }
 
 std::vector<double*> Engine::sums_in_fixes() const {

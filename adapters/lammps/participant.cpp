@@ -73,27 +73,58 @@ void Participant::build() {
 }
 
 void Participant::assemble() {
+    if (coupling_ && scene().coupling->scheme == scene::Scheme::implicit) {
+        assemble_iterations();
+        tasks_.add("count step", [this] { session_.complete_step(); });
+        return;
+    }
     if (coupling_) assemble_start();
     if (rest_) {
         tasks_.add("come to rest", [this] {
             rest_->find(static_cast<double>(session_.clock().step() + 1) *
                         session_.clock().step_s());
         });
+        tasks_.add("check finite", [this] { check_finite(); });
     } else {
-        tasks_.add(advance_task, [this] { engine_->advance(substeps_.count); });
+        add_advance();
     }
-    tasks_.add("check finite", [this] { check_finite(); });
     if (coupling_) assemble_coupling();
     tasks_.add("count step", [this] { session_.complete_step(); });
 }
 
+void Participant::add_advance() {
+    tasks_.add(advance_task, [this] { engine_->advance(substeps_.count); });
+    tasks_.add("check finite", [this] { check_finite(); });
+}
+
 void Participant::assemble_start() {
-    if (scene().coupling->scheme == scene::Scheme::parallel) {
+    const auto& coupling = *scene().coupling;
+    if (coupling.scheme == scene::Scheme::parallel) {
         tasks_.add_coupling("take mean fluid velocity",
                             [this] { coupling_->begin_step_with_mean(); });
+    } else if (coupling.sampled_velocity == scene::SampledVelocity::linear) {
+        tasks_.add_coupling("extrapolate fluid velocity",
+                            [this] { coupling_->begin_step_extrapolated(); });
     } else {
         tasks_.add_coupling("take fluid velocity", [this] { coupling_->begin_step(); });
     }
+}
+
+// Implicit: a guess of the fluid's velocities at the step's end, both sides' steps under
+// it, the fluid's answer; again until the two are the same.
+void Participant::assemble_iterations() {
+    tasks_.add("keep state", [this] { coupling_->keep_state(); });
+    const std::size_t first = tasks_.size();
+    tasks_.add_coupling("guess fluid velocity", [this] { coupling_->begin_iteration(); });
+    add_advance();
+    tasks_.add_coupling("send impulses", [this] { coupling_->send_impulses(); });
+    tasks_.add_coupling("wait for fluid", [this] { coupling_->receive_answer(); });
+    tasks_.add_coupling("judge answer", [this] { again_ = coupling_->repeat(); });
+    tasks_.repeat_from(first, [this] { return again_; });
+    if (balance_)
+        tasks_.add_coupling("audit interface", [this] { coupling_->audit(*balance_); });
+    tasks_.add_coupling("take fluid velocity", [this] { coupling_->accept_answer(); });
+    add_slip();
 }
 
 void Participant::assemble_coupling() {
@@ -103,6 +134,10 @@ void Participant::assemble_coupling() {
     if (balance_)
         tasks_.add_coupling("audit interface", [this] { coupling_->audit(*balance_); });
     tasks_.add_coupling("wait for fluid", [this] { coupling_->receive_velocities(); });
+    add_slip();
+}
+
+void Participant::add_slip() {
     tasks_.add_output("measure slip", [this, every = steps_between_samples()] {
         if ((session_.clock().step() + 1) % every == 0) coupling_->measure_slip();
     });
@@ -162,6 +197,11 @@ void Participant::assemble_record() {
         throw std::invalid_argument(
             "--record: coupling.immersed_boundary.iterations above 1 exchange more "
             "messages a step than a record holds; take iterations: 1");
+    if (coupling_->repetitions()) {
+        throw std::invalid_argument(
+            "--record: an implicit step has many exchanges, which cannot be played; take "
+            "coupling.scheme: serial");
+    }
     recorder_ = std::make_unique<ExchangeRecorder>(
         session_, *coupling_, coupler::fluid_columns(scene()).size());
     tasks_.add_output("record exchange",
@@ -255,10 +295,10 @@ void Participant::run() {
                           substeps_.coupled_step_s * 1e6, substeps_.count));
     session_.log("absent: " + joined(scene::absent_effects(scene())));
     session_.log("structure step: " + tasks_.names());
-    if (coupling_) coupling_->exchange_first();
-    if (!session_.restart()) start_anew();
     if (session_.restart() && coupling_)
         restore_coupling(parts(), coupler::open_restart(session_));
+    if (coupling_) coupling_->exchange_first();
+    if (!session_.restart()) start_anew();
     if (recorder_) recorder_->record(session_.clock().step() - 1);
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();
@@ -284,16 +324,20 @@ coupler::ParticipantReport Participant::make_report() const {
     structure.substeps_per_step = substeps_.count;
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task != advance_task) continue;
-        structure.ns_per_element_step =
-            1e9 * seconds /
-            (static_cast<double>(session_.clock().steps_here()) * substeps_.count *
-             static_cast<double>(structure.elements));
+        const auto* repeated = coupling_ ? coupling_->repetitions() : nullptr;
+        const std::int64_t advances =
+            repeated ? repeated->iterations : session_.clock().steps_here();
+        structure.ns_per_element_step = 1e9 * seconds /
+                                        (static_cast<double>(advances) * substeps_.count *
+                                         static_cast<double>(structure.elements));
     }
     report.structure = structure;
     if (coupling_) {
         report.immersed_boundary = coupler::boundary_summary(coupling_->slip(), scene());
         session_.log(coupler::to_text(*report.immersed_boundary));
     }
+    if (coupling_ && coupling_->repetitions())
+        report.iterations = *coupling_->repetitions();
     return report;
 }
 

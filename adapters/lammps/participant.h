@@ -31,6 +31,9 @@ class Participant {
     void assemble_start();
     void assemble_coupling();
     std::int64_t steps_between_samples() const;
+    void assemble_iterations();
+    void add_advance();
+    void add_slip();
     void assemble_output(output::ProgressMode progress);
     void assemble_checkpoint();
     void assemble_record();
@@ -56,6 +59,7 @@ class Participant {
     std::unique_ptr<RestFinder> rest_;  // present only for equilibria
     // Present only with a fluid:
     std::unique_ptr<BodyCoupling> coupling_;
+    bool again_ = false;  // implicit scheme: the step is repeated
     std::unique_ptr<coupler::BalanceRecord> balance_;
     std::unique_ptr<ExchangeRecorder> recorder_;  // with --record
     // Present only when the scene names them, and only on the root:

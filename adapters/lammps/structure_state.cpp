@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "coupler/checkpoint/gather.h"
@@ -14,7 +15,7 @@ using coupler::StateReader;
 using coupler::StateWriter;
 
 std::string table_of(const BodyCoupling::MarkerArray& array) {
-    return std::string("marker_") + array.name;
+    return "marker_" + array.name;
 }
 
 void save_shares(MPI_Comm comm, const char* table, std::span<const double> mine,
@@ -27,14 +28,13 @@ void save_shares(MPI_Comm comm, const char* table, std::span<const double> mine,
 void save_markers(const StructureParts& parts, StateWriter* file) {
     BodyCoupling& coupling = *parts.coupling;
     for (const auto& array : coupling.carried()) {
-        const std::span<const double> values(
-            array.values.empty() ? nullptr : array.values.front().data(),
-            3 * array.values.size());
         const auto all =
             coupler::gather_rows(parts.session.world().local(), coupling.placed_index(),
-                                 values, 3, coupling.placed());
+                                 array.values, 3, coupling.placed());
         if (file) file->table(table_of(array), all, {coupling.placed(), 3});
     }
+    const auto numbers = coupling.carried_numbers();
+    if (file) file->table("numbers", numbers, {numbers.size()});
 }
 
 void broadcast(std::vector<double>& values, std::size_t size, MPI_Comm comm) {
@@ -92,12 +92,13 @@ void restore_bodies(const StructureParts& parts, const StateReader& file) {
 
 void restore_coupling(const StructureParts& parts, const StateReader& file) {
     BodyCoupling& coupling = *parts.coupling;
+    if (file.has("numbers")) coupling.make_room(file.table("numbers"));
     const auto index = coupling.placed_index();
     for (const auto& array : coupling.carried()) {
         const auto all = rows_of(file, table_of(array), coupling.placed(), 3);
         for (std::size_t m = 0; m < index.size(); ++m) {
-            const double* row = all.data() + 3 * index[m];
-            array.values[m] = {row[0], row[1], row[2]};
+            const double* row = all.data() + 3 * static_cast<std::size_t>(index[m]);
+            std::copy_n(row, 3, array.values.data() + 3 * m);
         }
     }
     if (parts.balance && file.has("balance"))

@@ -23,7 +23,7 @@ struct StructureParts {
 void save_structure(const StructureParts& parts, coupler::StateWriter* file);
 
 // The two halves of a restart, each collective: the bodies after engine.set_up and before
-// markers look for their places, the rest after the first exchange with the fluid. Throw
+// markers look for their places, the rest before the first exchange with the fluid. Throw
 // coupler::StateFault when the file is of other meshes.
 void restore_bodies(const StructureParts& parts, const coupler::StateReader& file);
 void restore_coupling(const StructureParts& parts, const coupler::StateReader& file);

@@ -42,6 +42,15 @@ void LbmFluid::set_force(std::span<const coupler::GridRow> rows,
 
 void LbmFluid::advance() {
     fluid_.step();
+    ++advances_;
+}
+
+void LbmFluid::keep() {
+    fluid_.keep();
+}
+
+void LbmFluid::go_back() {
+    fluid_.go_back();
 }
 
 std::string LbmFluid::headline() const {

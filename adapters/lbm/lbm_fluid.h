@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "adapters/fluids/fluid_solver.h"
@@ -19,6 +20,10 @@ class LbmFluid final : public fluids::FluidSolver {
     void set_force(std::span<const coupler::GridRow> rows,
                    std::span<const double> density) override;
     void advance() override;
+    void keep() override;
+    void go_back() override;
+
+    std::int64_t advances() const { return advances_; }  // repeated ones, too
 
     std::string headline() const override;
     std::vector<double> probe_values(const scene::Scene& scene) override;
@@ -37,6 +42,7 @@ class LbmFluid final : public fluids::FluidSolver {
     fluid::Fluid& fluid_;
     coupler::Grid grid_;
     std::vector<fluid::CellRow> rows_;
+    std::int64_t advances_ = 0;
 };
 
 }  // namespace magfsi::lbm

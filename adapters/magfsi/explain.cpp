@@ -24,6 +24,7 @@ std::string explain(const scene::Scene& scene) {
         text += scene.fluid->solver == scene::FluidSolver::lbm ? explain_fluid(scene)
                                                                : explain_openfoam(scene);
     }
+    if (scene.coupling) text += explain_coupling(scene);
     return text;
 }
 

@@ -11,6 +11,9 @@ namespace magfsi::launch {
 // only the mesh can tell.
 std::string explain_structure(const scene::Scene& scene);
 
+// The scheme in words, what it costs, and which one is recommended for these densities.
+std::string explain_coupling(const scene::Scene& scene);
+
 // SI and lattice values side by side, the collision and why, warnings with the values to
 // use instead. Throws std::invalid_argument on what the solver refuses.
 std::string explain_fluid(const scene::Scene& scene);

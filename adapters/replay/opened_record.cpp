@@ -13,6 +13,11 @@ namespace {
 using coupler::RecordHeader;
 
 void check_scene(const scene::Scene& scene) {
+    if (scene.coupling && scene.coupling->scheme == scene::Scheme::implicit) {
+        throw std::invalid_argument(
+            "--replay: a record has one exchange a step, the implicit scheme many; add "
+            "--set coupling.scheme=serial --set coupling.iteration=");
+    }
     if (scene.checkpoint) {
         throw std::invalid_argument(
             "--replay: a record has no state to keep; add --set checkpoint=");

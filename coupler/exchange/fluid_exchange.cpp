@@ -46,12 +46,13 @@ void FluidExchange::renew(std::int64_t step) {
     batch_.now_m.resize(total);
 }
 
-const MarkerBatch& FluidExchange::receive(std::int64_t step) {
-    if (step < 0 || (step > 0 && step % renew_every == 0)) renew(step);
-    return receive_more(step);
+const MarkerBatch& FluidExchange::receive(const Occasion& when) {
+    if (renews_partners(when)) renew(when.step);
+    return receive_more(when);
 }
 
-const MarkerBatch& FluidExchange::receive_more(std::int64_t step) {
+const MarkerBatch& FluidExchange::receive_more(const Occasion& when) {
+    const std::int64_t step = when.step;
     const double limit_s = step < 0 ? startup_timeout_s : timeout_s_;
     const std::string what = fmt::format("structure markers of step {}", step);
     wait_for_messages(world_.partner(), senders_, marker_tag, limit_s, what);
@@ -65,16 +66,16 @@ const MarkerBatch& FluidExchange::receive_more(std::int64_t step) {
     }
     wait_all(requests, limit_s, what);
     sending_.clear();
-    unpack(step);
+    unpack(when);
     return batch_;
 }
 
-void FluidExchange::unpack(std::int64_t step) {
+void FluidExchange::unpack(const Occasion& when) {
     std::size_t m = 0;
     for (std::size_t s = 0; s < count_.size(); ++s) {
         if (count_[s] == 0) continue;
         const auto count = static_cast<std::size_t>(count_[s]);
-        check_header(in_[s], step, count, fmt::format("structure rank {}", s));
+        check_header(in_[s], when, count, fmt::format("structure rank {}", s));
         const double* at = in_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values) {
             batch_.before_m[m] = get(at);
@@ -84,13 +85,13 @@ void FluidExchange::unpack(std::int64_t step) {
     }
 }
 
-void FluidExchange::send(std::int64_t step, std::span<const Vec3> velocity) {
+void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity) {
     std::size_t m = 0;
     for (std::size_t s = 0; s < count_.size(); ++s) {
         if (count_[s] == 0) continue;
         const auto count = static_cast<std::size_t>(count_[s]);
         out_[s].resize(velocity_message_size(count));
-        write_header(out_[s], step, count);
+        write_header(out_[s], when, count);
         double* at = out_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values)
             put(at, velocity[m]);

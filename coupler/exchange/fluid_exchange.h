@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "coupler/exchange/message.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/world.h"
 
@@ -30,13 +31,13 @@ class FluidExchange {
     FluidExchange& operator=(const FluidExchange&) = delete;
 
     // The structure's message of a coupled step; -1 is the one before step 0.
-    const MarkerBatch& receive(std::int64_t step);
+    const MarkerBatch& receive(const Occasion& when);
 
     // A further message of the same step, of the same markers.
-    const MarkerBatch& receive_more(std::int64_t step);
+    const MarkerBatch& receive_more(const Occasion& when);
 
     // This rank's share of the velocities [m/s] at the batch's `now` positions.
-    void send(std::int64_t step, std::span<const Vec3> velocity);
+    void send(const Occasion& when, std::span<const Vec3> velocity);
 
     // Waits until the structure has them. A message too long for MPI's buffers moves only
     // while both sides are inside MPI: without this the structure may wait for a whole
@@ -45,7 +46,7 @@ class FluidExchange {
 
   private:
     void renew(std::int64_t step);
-    void unpack(std::int64_t step);
+    void unpack(const Occasion& when);
 
     const World& world_;
     double timeout_s_;

@@ -14,7 +14,7 @@ namespace magfsi::coupler {
 constexpr int marker_tag = 81;    // structure -> fluid
 constexpr int velocity_tag = 82;  // fluid -> structure
 
-constexpr std::size_t message_header = 2;  // step, number of markers
+constexpr std::size_t message_header = 3;  // step, iteration, number of markers
 constexpr std::size_t marker_values = 9;   // position now, impulse, position next
 constexpr std::size_t velocity_values = 3;
 
@@ -25,11 +25,22 @@ inline std::size_t velocity_message_size(std::size_t markers) {
     return message_header + velocity_values * markers;
 }
 
-void write_header(std::vector<double>& message, std::int64_t step, std::size_t markers);
+// Which exchange a message belongs to: the coupled step, -1 before the first, and how
+// often an implicit scheme has repeated it.
+struct Occasion {
+    std::int64_t step = 0;
+    int iteration = 0;
+    Occasion(std::int64_t step_number, int repeated = 0)
+        : step(step_number), iteration(repeated) {}
+};
 
-// Throws PartnerLost when the message is of another step or of another number of markers.
-void check_header(std::span<const double> message, std::int64_t step, std::size_t markers,
-                  const std::string& sender);
+void write_header(std::vector<double>& message, const Occasion& when,
+                  std::size_t markers);
+
+// Throws PartnerLost when the message is of another step or iteration, or of another
+// number of markers.
+void check_header(std::span<const double> message, const Occasion& when,
+                  std::size_t markers, const std::string& sender);
 
 inline void put(double* at, const Vec3& v) {
     at[0] = v[0];

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "coupler/exchange/message.h"
 #include "coupler/immersed_boundary/delta_kernel.h"
 #include "coupler/immersed_boundary/grid.h"
 
@@ -14,6 +15,13 @@ namespace magfsi::coupler {
 
 constexpr std::int64_t renew_every = 8;  // coupled steps
 constexpr int renew_margin_cells = 2;  // 0.25 cells a step, more than the Mach limit lets
+
+// Markers of a step may be those of a new table: before the first and in every eighth,
+// but not again when it is repeated.
+inline bool renews_partners(const Occasion& when) {
+    if (when.iteration > 0) return false;
+    return when.step < 0 || (when.step > 0 && when.step % renew_every == 0);
+}
 
 // Whether a marker at point_m, moved by up to the margin, touches a cell of the box.
 bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& point_m);

@@ -36,13 +36,13 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
              fmt::format("partner table of step {}", step));
 }
 
-void StructureExchange::post(std::int64_t step, std::span<const Vec3> before_m,
+void StructureExchange::post(const Occasion& when, std::span<const Vec3> before_m,
                              std::span<const Vec3> impulse, std::span<const Vec3> now_m) {
     sending_.clear();
     for (std::size_t f = 0; f < table_.size(); ++f) {
         if (table_[f].empty()) continue;
         out_[f].resize(marker_message_size(table_[f].size()));
-        write_header(out_[f], step, table_[f].size());
+        write_header(out_[f], when, table_[f].size());
         double* at = out_[f].data() + message_header;
         for (const int marker : table_[f]) {
             const auto m = static_cast<std::size_t>(marker);
@@ -58,24 +58,30 @@ void StructureExchange::post(std::int64_t step, std::span<const Vec3> before_m,
 }
 
 void StructureExchange::send_first(std::span<const Vec3> points_m) {
-    renew(-1, points_m);
     const std::vector<Vec3> nothing(points_m.size());
-    post(-1, points_m, nothing, points_m);
+    send_first(points_m, nothing, points_m);
 }
 
-void StructureExchange::send(std::int64_t step, std::span<const Vec3> before_m,
+void StructureExchange::send_first(std::span<const Vec3> before_m,
+                                   std::span<const Vec3> impulse,
+                                   std::span<const Vec3> now_m) {
+    renew(-1, now_m);
+    post(-1, before_m, impulse, now_m);
+}
+
+void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_m,
                              std::span<const Vec3> impulse, std::span<const Vec3> now_m) {
-    if (step > 0 && step % renew_every == 0) renew(step, before_m);
-    check_margin(grid_, renewed_at_, now_m, step);
-    post(step, before_m, impulse, now_m);
+    if (renews_partners(when)) renew(when.step, before_m);
+    check_margin(grid_, renewed_at_, now_m, when.step);
+    post(when, before_m, impulse, now_m);
 }
 
-void StructureExchange::receive(std::int64_t step, std::span<Vec3> velocity) {
+void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity) {
     std::vector<int> ranks;
     for (std::size_t f = 0; f < table_.size(); ++f) {
         if (!table_[f].empty()) ranks.push_back(static_cast<int>(f));
     }
-    const std::string what = fmt::format("fluid velocities of step {}", step);
+    const std::string what = fmt::format("fluid velocities of step {}", when.step);
     wait_for_messages(world_.partner(), ranks, velocity_tag, timeout_s_, what);
     std::vector<MPI_Request> requests(sending_);
     for (std::size_t f = 0; f < table_.size(); ++f) {
@@ -91,7 +97,7 @@ void StructureExchange::receive(std::int64_t step, std::span<Vec3> velocity) {
     std::fill(velocity.begin(), velocity.end(), Vec3{});
     for (std::size_t f = 0; f < table_.size(); ++f) {
         if (table_[f].empty()) continue;
-        check_header(in_[f], step, table_[f].size(), fmt::format("fluid rank {}", f));
+        check_header(in_[f], when, table_[f].size(), fmt::format("fluid rank {}", f));
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
             for (std::size_t d = 0; d < 3; ++d)

@@ -19,7 +19,7 @@ class StructureExchange {
 
     // What the markers of this rank did in coupled step `step`: where they were (the
     // impulse acts there), the impulse given to the fluid [N s], where they are now.
-    void send(std::int64_t step, std::span<const Vec3> before_m,
+    void send(const Occasion& when, std::span<const Vec3> before_m,
               std::span<const Vec3> impulse, std::span<const Vec3> now_m);
 
     // Further impulses of the markers sent last, in the same step; answered like the
@@ -29,19 +29,22 @@ class StructureExchange {
         post(step, before_m, impulse, now_m);
     }
 
-    // Before step 0: asks for the velocities at the first positions.
+    // Before the first step: asks for the velocities at the first positions.
     void send_first(std::span<const Vec3> points_m);
+    // After a restart, with what was under way between the two sides.
+    void send_first(std::span<const Vec3> before_m, std::span<const Vec3> impulse,
+                    std::span<const Vec3> now_m);
 
     // The fluid's velocity [m/s] at the positions sent last: the sum of the ranks'
     // shares.
-    void receive(std::int64_t step, std::span<Vec3> velocity);
+    void receive(const Occasion& when, std::span<Vec3> velocity);
 
     // Fluid ranks this rank talks to at present.
     int partners() const;
 
   private:
     void renew(std::int64_t step, std::span<const Vec3> points_m);
-    void post(std::int64_t step, std::span<const Vec3> before_m,
+    void post(const Occasion& when, std::span<const Vec3> before_m,
               std::span<const Vec3> impulse, std::span<const Vec3> now_m);
 
     const World& world_;

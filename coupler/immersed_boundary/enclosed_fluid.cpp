@@ -2,10 +2,6 @@
 
 namespace magfsi::coupler {
 
-namespace {
-constexpr double follow = 0.1;  // of the change of acceleration in a coupled step
-}  // namespace
-
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
                              const EnclosedFluidScale& scale)
     : scale_(scale),
@@ -27,7 +23,7 @@ void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
             const double now =
                 (fluid_velocity[m][d] - last_velocity_[m][d]) / scale_.coupled_step_s;
             double& smooth = acceleration_[m][d];
-            smooth += follow * (now - smooth);
+            smooth += scale_.follow * (now - smooth);
             force_[m][d] = mass_kg_[m] * (smooth - scale_.gravity_m_s2[d]);
             last_velocity_[m][d] = fluid_velocity[m][d];
         }

@@ -9,7 +9,9 @@
 // together, and comes back smaller by rho_f / (rho_s + rho_f (1 + C_added)). But the
 // fluid's pressure, which is what C_added stands for, needs some steps to travel through
 // the body; followed at once, A diverged below a density ratio of 0.4, at a fifth of the
-// rate below 0.05. At a tenth a sheet of 0.01 times the fluid's density runs.
+// rate below 0.05. At a tenth a sheet of 0.01 times the fluid's density runs. All this is
+// so for U from before the step; in a step that is repeated until U is that of its own
+// end, A may follow at once.
 #pragma once
 
 #include <span>
@@ -23,6 +25,7 @@ struct EnclosedFluidScale {
     double fluid_density_kg_m3 = 0;
     double coupled_step_s = 0;
     Vec3 gravity_m_s2{};
+    double follow = 0.1;  // part of the change of dU/dt that A takes on in a coupled step
 };
 
 class EnclosedFluid {

@@ -12,11 +12,14 @@ FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
       sample_rows_(fluid.grid(), owned, kernel) {}
 
 void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse) {
-    // Impulses act where the velocities were sampled last, as a rule.
-    if (sample_rows_.placed_at(points_m))
-        std::swap(spread_rows_, sample_rows_);
-    else
-        spread_rows_.place(points_m);
+    // Impulses act where the velocities were sampled last, as a rule; in a step that is
+    // repeated, where they acted before.
+    if (!spread_rows_.placed_at(points_m)) {
+        if (sample_rows_.placed_at(points_m))
+            std::swap(spread_rows_, sample_rows_);
+        else
+            spread_rows_.place(points_m);
+    }
     density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_more(impulse);
 }

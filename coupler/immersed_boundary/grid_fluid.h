@@ -25,6 +25,13 @@ class GridFluid {
 
     // One coupled step.
     virtual void advance() = 0;
+
+    // For schemes that repeat a step: keep() notes the state between two steps, in
+    // memory; go_back() returns to it from the step's end, as often as is wanted. Between
+    // go_back() and the next advance() only set_force() is called, in the same rows. A
+    // fluid without these can take part in the other schemes only.
+    virtual void keep();
+    virtual void go_back();
 };
 
 }  // namespace magfsi::coupler

@@ -19,6 +19,7 @@ struct PenaltyScale {
     double strength = 1;
     double fluid_density_kg_m3 = 0;
     double coupled_step_s = 0;
+    double enclosed_follow = EnclosedFluidScale{}.follow;
 
     // Drag coefficient [kg/s] of a marker.
     double coefficient(const Marker& marker) const {
@@ -38,6 +39,13 @@ class PenaltyForce {
     // force over the step [N s]; empty: nothing.
     void begin_step(std::span<const Vec3> fluid_velocity,
                     std::span<const Vec3> owed = {});
+
+    // After begin_step: U is not held over the coupled step but goes linearly from start
+    // to end; each substep has that of its middle.
+    void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
+
+    // After begin_step: U is held at another value, but for the enclosed fluid's sake.
+    void hold(std::span<const Vec3> fluid_velocity);
 
     // One substep: adds the forces, with those of the enclosed fluid, to the nodes
     // (nodal_force[3 * node + d], [N]) and the impulse of duration_s to the markers'
@@ -61,10 +69,14 @@ class PenaltyForce {
     std::vector<Marker> markers_;
     std::vector<double> kappa_;
     EnclosedFluid enclosed_;
+    void follow(double duration_s);
+
+    double coupled_step_s_;
+    double elapsed_s_ = 0;  // of the coupled step
     std::vector<Vec3> fluid_velocity_;
+    std::vector<Vec3> start_, change_;  // of U over the step; empty where it is held
     std::vector<Vec3> impulse_;
     std::vector<Vec3> paying_;  // filled only where something is owed
-    double coupled_step_s_;
 };
 
 }  // namespace magfsi::coupler

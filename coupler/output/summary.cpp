@@ -59,6 +59,18 @@ Json object(const BoundarySummary& b) {
             {"reference_speed_m_s", b.reference_speed_m_s}};
 }
 
+Json object(const IterationSummary& i) {
+    const double steps = i.steps > 0 ? static_cast<double>(i.steps) : 1;
+    return {{"acceleration", i.acceleration},
+            {"measure", i.measure},
+            {"tolerance", i.tolerance},
+            {"mean", static_cast<double>(i.iterations) / steps},
+            {"most", i.most},
+            {"unconverged_steps", i.unconverged},
+            {"mean_residual", i.residual_sum / steps},
+            {"worst_residual", i.worst_residual}};
+}
+
 }  // namespace
 
 std::string_view to_text(Outcome outcome) {
@@ -94,6 +106,7 @@ Json to_json(const Summary& summary) {
     out["load"] = object(summary.load);
     if (summary.coupling_overhead) out["coupling_overhead"] = *summary.coupling_overhead;
     out["advice"] = summary.advice;
+    if (summary.iterations) out["iterations"] = object(*summary.iterations);
     if (summary.fluid) out["fluid"] = object(*summary.fluid);
     if (summary.structure) out["structure"] = object(*summary.structure);
     if (summary.immersed_boundary)

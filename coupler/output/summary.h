@@ -45,6 +45,18 @@ struct BoundarySummary {
     double marker_speed_m_s = 0, reference_speed_m_s = 0;
 };
 
+// Of an implicit scheme: what its steps took until they converged.
+struct IterationSummary {
+    std::string acceleration;
+    std::string measure;   // what is to stay the same from one iteration to the next
+    double tolerance = 0;  // relative
+    std::int64_t steps = 0, iterations = 0;
+    int most = 0;                  // iterations in a step
+    std::int64_t unconverged = 0;  // steps that went on all the same
+    double residual_sum = 0;       // of the last residuals of all steps, for their mean
+    double worst_residual = 0;
+};
+
 // Of one participant; seconds are means over its ranks.
 struct LoadSummary {
     double working_s = 0;
@@ -68,6 +80,7 @@ struct Summary {
     Named<LoadSummary> load;
     std::optional<double> coupling_overhead;  // share of the wall time
     std::string advice;                       // empty where there is none
+    std::optional<IterationSummary> iterations;
     std::optional<FluidSummary> fluid;
     std::optional<StructureSummary> structure;
     std::optional<BoundarySummary> immersed_boundary;

@@ -124,9 +124,6 @@ void check_checkpoint(const Scene& scene, const Marks& marks) {
         refuse(marks.key({"checkpoint"}), "a checkpoint of a path of equilibria",
                "it in runs with motion only",
                "take the key away: a path starts anew at once from any of its points");
-    if (scene.coupling && scene.coupling->scheme == Scheme::parallel)
-        refuse(marks.key({"checkpoint"}), "a checkpoint in the parallel scheme",
-               "it in the serial scheme", "take coupling.scheme: serial");
     check_interval(scene, scene.checkpoint->every_s,
                    marks.value({"checkpoint", "every"}));
 }

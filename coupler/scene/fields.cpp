@@ -126,9 +126,10 @@ Field coupling_fields() {
                        "implicit: they repeat each step until both agree on its end.")
             .or_default("serial"),
         choice<SampledVelocity>("sampled_velocity", "What bodies feel of the fluid in their "
-                                "substeps. frozen: its velocity at the step's start "
-                                "(implicit: at its end); linear: a straight line through "
-                                "the two, in the serial scheme through the last two. "
+                                "substeps. frozen: its velocity at the step's start, or "
+                                "the mean of two samples (parallel, implicit); linear: a "
+                                "straight line through the velocities at the step's two "
+                                "ends, in the serial scheme through the last two. "
                                 "Without it: linear if implicit, else frozen.").optional(),
         iteration_fields().optional(),
         integer("substeps", "Structure steps in a coupled step; without it, from the "

@@ -3,6 +3,7 @@
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
+#include "coupler/scheme/verdict.h"
 
 namespace magfsi::coupler {
 
@@ -34,10 +35,14 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
 }
 
 void FluidCoupling::add_tasks(TaskList& tasks) {
-    if (at_once(session_))
-        add_meeting(tasks);
-    else
-        add_turn(tasks);
+    switch (coupling_of(session_).scheme) {
+        case scene::Scheme::serial:
+            return add_turn(tasks);
+        case scene::Scheme::parallel:
+            return add_meeting(tasks);
+        case scene::Scheme::implicit:
+            return add_repeated_turn(tasks);
+    }
 }
 
 // Serial: the impulses of the structure's step act in the same step of the fluid.
@@ -68,6 +73,36 @@ void FluidCoupling::add_meeting(TaskList& tasks) {
     add_count(tasks);
 }
 
+// Implicit: as serial, from the same state again until the structure is content.
+void FluidCoupling::add_repeated_turn(TaskList& tasks) {
+    tasks.add("keep state", [this] { keep_state(); });
+    const std::size_t first = tasks.size();
+    add_reception(tasks);
+    add_advance(tasks);
+    tasks.add_coupling("sample velocities", [this] {
+        exchange_.send({session_.clock().step(), iteration_},
+                       immersed_boundary_.sample(batch_->now_m));
+    });
+    tasks.add_coupling("wait for verdict", [this] { hear_verdict(); });
+    tasks.repeat_from(first, [this] { return again_; });
+    add_audit(tasks, [this] { return immersed_boundary_.received(felt_); });
+    add_count(tasks);
+}
+
+void FluidCoupling::keep_state() {
+    fluid_.keep();
+    iteration_ = 0;
+    if (balance_) felt_ = immersed_boundary_.sampled_cells();
+}
+
+void FluidCoupling::hear_verdict() {
+    again_ = receive_verdict(session_.world(), {session_.clock().step(), iteration_},
+                             session_.timeout_s());
+    if (!again_) return;
+    fluid_.go_back();
+    ++iteration_;
+}
+
 void FluidCoupling::add_advance(TaskList& tasks) {
     tasks.add(advance_fluid, [this] { fluid_.advance(); });
 }
@@ -77,8 +112,9 @@ void FluidCoupling::add_count(TaskList& tasks) {
 }
 
 void FluidCoupling::add_reception(TaskList& tasks) {
-    tasks.add_coupling("wait for structure",
-                       [this] { batch_ = &exchange_.receive(session_.clock().step()); });
+    tasks.add_coupling("wait for structure", [this] {
+        batch_ = &exchange_.receive({session_.clock().step(), iteration_});
+    });
     tasks.add_coupling("spread impulses", [this] {
         immersed_boundary_.spread(batch_->before_m, batch_->impulse);
     });
@@ -116,7 +152,13 @@ void FluidCoupling::iterate_forcing() {
 
 void FluidCoupling::begin() {
     batch_ = &exchange_.receive(-1);
-    exchange_.send(-1, immersed_boundary_.sample(batch_->now_m));
+    if (!at_once(session_) || !session_.restart()) {
+        exchange_.send(-1, immersed_boundary_.sample(batch_->now_m));
+        return;
+    }
+    // The impulses of the step before the checkpoint are still to act.
+    immersed_boundary_.spread(batch_->before_m, batch_->impulse);
+    exchange_.send(-1, sample_forced(batch_->now_m));
 }
 
 }  // namespace magfsi::coupler

@@ -34,6 +34,7 @@ class FluidCoupling {
   private:
     void add_turn(TaskList& tasks);
     void add_meeting(TaskList& tasks);
+    void add_repeated_turn(TaskList& tasks);
     void add_advance(TaskList& tasks);
     void add_count(TaskList& tasks);
     void add_reception(TaskList& tasks);
@@ -41,6 +42,8 @@ class FluidCoupling {
     void add_audit(TaskList& tasks, std::function<InterfaceBalance()> received);
     void iterate_forcing();
     std::span<const Vec3> sample_forced(std::span<const Vec3> points_m);
+    void keep_state();
+    void hear_verdict();
 
     Session& session_;
     GridFluid& fluid_;
@@ -48,6 +51,10 @@ class FluidCoupling {
     FluidSide immersed_boundary_;
     std::unique_ptr<BalanceRecord> balance_;
     const MarkerBatch* batch_ = nullptr;
+    // Of the implicit scheme:
+    int iteration_ = 0;
+    bool again_ = false;
+    std::vector<double> felt_;  // the cells' velocities at t(n); only for the audit
 };
 
 }  // namespace magfsi::coupler

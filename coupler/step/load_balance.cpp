@@ -28,8 +28,12 @@ struct Choice {
     double gain = 1;
 };
 
+bool in_turns(Scheme scheme) {
+    return scheme != Scheme::parallel;
+}
+
 double together(Scheme scheme, double a, double b) {
-    return scheme == Scheme::serial ? a + b : std::max(a, b);
+    return in_turns(scheme) ? a + b : std::max(a, b);
 }
 
 double predicted_s(const Choice& choice, const SideLoad& structure,
@@ -41,8 +45,8 @@ double predicted_s(const Choice& choice, const SideLoad& structure,
 
 bool fits(const Choice& c, int cores) {
     // Sides that take turns may share cores.
-    return c.scheme == Scheme::serial ? std::max(c.structure, c.fluid) <= cores
-                                      : c.structure + c.fluid <= cores;
+    return in_turns(c.scheme) ? std::max(c.structure, c.fluid) <= cores
+                              : c.structure + c.fluid <= cores;
 }
 
 struct Run {
@@ -87,7 +91,7 @@ double coupling_overhead(Scheme scheme, const SideLoad& structure,
     const double steps_s = std::min(structure.steps_s, fluid.steps_s);
     if (steps_s <= 0) return 0;
     // Outputs of the two sides overlap in either scheme.
-    const double needed_s = scheme == Scheme::serial
+    const double needed_s = in_turns(scheme)
                                 ? structure.solver_s + fluid.solver_s +
                                       std::max(structure.output_s, fluid.output_s)
                                 : std::max(structure.solver_s + structure.output_s,
@@ -100,10 +104,12 @@ std::optional<std::string> advice(Scheme scheme, const SideLoad& structure,
     if (wall_s < shortest_run_s) return std::nullopt;
     const Run run{structure, fluid, wall_s, cores};
     const Choice now{scheme, structure.ranks, fluid.ranks};
-    const Scheme other = scheme == Scheme::serial ? Scheme::parallel : Scheme::serial;
     Choice best = best_ranks(scheme, run, now);
-    const Choice changed = best_ranks(other, run, now);
-    if (changed.gain > least_gain_of_scheme * best.gain) best = changed;
+    if (scheme != Scheme::implicit) {  // that one was asked for for another reason
+        const Scheme other = scheme == Scheme::serial ? Scheme::parallel : Scheme::serial;
+        const Choice changed = best_ranks(other, run, now);
+        if (changed.gain > least_gain_of_scheme * best.gain) best = changed;
+    }
     if (best.gain < least_gain) return std::nullopt;
     return in_words(now, best, run);
 }

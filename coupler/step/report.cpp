@@ -173,6 +173,7 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         if (report.fluid) summary.fluid = report.fluid;
         if (report.immersed_boundary)
             summary.immersed_boundary = report.immersed_boundary;
+        if (report.iterations) summary.iterations = report.iterations;
         if (report.structure) {
             summary.structure = report.structure;
             summary.substeps = summary.steps * report.structure->substeps_per_step;

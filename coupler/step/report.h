@@ -25,6 +25,8 @@ struct ParticipantReport {
     std::optional<output::StructureSummary> structure;
     // Known to the structure, which leads: not in the text for the partner.
     std::optional<output::BoundarySummary> immersed_boundary;
+    // Of the side that leads, and so not among what is sent.
+    std::optional<output::IterationSummary> iterations;
 };
 
 // Name, ranks, tasks, load and memory. idle_s: what this rank's solver has waited for its

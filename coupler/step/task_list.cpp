@@ -16,12 +16,26 @@ void TaskList::add_output(std::string name, std::function<void()> work) {
     tasks_.push_back({std::move(name), std::move(work), TaskKind::output});
 }
 
+void TaskList::repeat_from(std::size_t first, std::function<bool()> again) {
+    loops_.push_back({first, tasks_.size() - 1, std::move(again)});
+}
+
+void TaskList::run(Task& task) {
+    const auto guard = timer_.measure(task.name);
+    const double waited_before_s = waited_s();
+    task.work();
+    task.waiting_s += waited_s() - waited_before_s;
+}
+
 void TaskList::run() {
-    for (Task& task : tasks_) {
-        const auto guard = timer_.measure(task.name);
-        const double waited_before_s = waited_s();
-        task.work();
-        task.waiting_s += waited_s() - waited_before_s;
+    auto loop = loops_.begin();
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        run(tasks_[i]);
+        if (loop == loops_.end() || i != loop->last) continue;
+        if (loop->again())
+            i = loop->first - 1;  // unsigned: wraps to 0 with the increment
+        else
+            ++loop;
     }
 }
 
@@ -38,9 +52,14 @@ std::vector<TaskTime> TaskList::times() const {
 
 std::string TaskList::names() const {
     std::string all;
-    for (const Task& task : tasks_) {
-        if (!all.empty()) all += ", ";
-        all += task.name;
+    auto loop = loops_.begin();
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        if (i > 0) all += ", ";
+        if (loop != loops_.end() && i == loop->first) all += "repeat (";
+        all += tasks_[i].name;
+        if (loop == loops_.end() || i != loop->last) continue;
+        all += ")";
+        ++loop;
     }
     return all;
 }

@@ -26,10 +26,16 @@ class TaskList {
     void add_coupling(std::string name, std::function<void()> work);
     void add_output(std::string name, std::function<void()> work);
 
-    // Every task once, each timed under its name.
+    // The tasks from number `first` on up to here are done again as long as `again` says
+    // so after the last of them.
+    std::size_t size() const { return tasks_.size(); }
+    void repeat_from(std::size_t first, std::function<bool()> again);
+
+    // Every task, each timed under its name.
     void run();
 
-    std::string names() const;  // "advance structure, send impulses, ..."
+    // "advance structure, send impulses, ..."; what is repeated stands in brackets.
+    std::string names() const;
     const output::TaskTimer& timer() const { return timer_; }
     std::vector<TaskTime> times() const;  // of the tasks that ran, in their order
 
@@ -40,7 +46,14 @@ class TaskList {
         TaskKind kind;
         double waiting_s = 0;
     };
+    struct Loop {
+        std::size_t first = 0, last = 0;
+        std::function<bool()> again;
+    };
+    void run(Task& task);
+
     std::vector<Task> tasks_;
+    std::vector<Loop> loops_;  // in order, none inside another
     output::TaskTimer timer_;
 };
 

@@ -31,6 +31,9 @@ class ForcedRows {
     // rank.
     void add(int y, int z, int x_begin, std::span<const double> force, double factor);
 
+    // z * ny + y of the rows with a force of their own, in no order.
+    std::span<const int> claimed_rows() const { return claimed_rows_; }
+
     // Real must be the storage's type.
     template <class Real>
     ForcePointers<Real> row(int y, int z) const {

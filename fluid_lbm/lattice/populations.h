@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "fluid_lbm/lattice/d3q19.h"
 #include "fluid_lbm/lattice/row_layout.h"
@@ -67,6 +68,9 @@ class Populations {
     }
     std::ptrdiff_t row_stride() const { return row_stride_; }  // elements
     std::size_t bytes() const { return bytes_; }
+    std::span<std::byte> all_bytes() const {
+        return {static_cast<std::byte*>(memory_.get()), bytes_};
+    }
     void* memory() const { return first_; }
     std::ptrdiff_t offset(int q, int row) const {  // bytes from memory()
         return (q * array_stride_ + row * row_stride_) *

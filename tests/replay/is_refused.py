@@ -53,6 +53,11 @@ class Refused(unittest.TestCase):
             *self.play(), settings={"probes.interface_balance": "true",
                                     "time.end": "0.5 ms"}))
 
+    def test_implicit(self):
+        implicit = {"time.end": "0.5 ms", "coupling.scheme": "implicit"}
+        self.assertIn("coupling.scheme: serial", self.refused("--record", settings=implicit))
+        self.assertIn("coupling.scheme=serial", self.refused(*self.play(), settings=implicit))
+
     def test_own_folder(self):
         self.assertIn("--out", self.refused(*self.play(), folder=self.recorded.folder))
 

@@ -44,6 +44,23 @@ class SameBytes(unittest.TestCase):
         self.same(magfsi.SMALL, {**COUPLED, "coupling.immersed_boundary.iterations": 2},
                   "1.375 ms", "structure=1,fluid=1")
 
+    # Impulses of the last step are under way when the checkpoint is written.
+    def test_swimmer_in_the_parallel_scheme(self):
+        for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
+            self.same(magfsi.SMALL, {**COUPLED, "coupling.scheme": "parallel"}, "1.375 ms",
+                      ranks)
+
+    def test_swimmer_with_extrapolated_velocity(self):
+        self.same(magfsi.SMALL, {**COUPLED, "coupling.sampled_velocity": "linear"},
+                  "1.375 ms", "structure=1,fluid=1")
+
+    # What the steps before have taught goes on, to the last bit.
+    def test_swimmer_in_the_implicit_scheme(self):
+        implicit = {**COUPLED, "coupling.scheme": "implicit"}
+        self.same(magfsi.SMALL, implicit, "1.375 ms", "structure=2,fluid=3")
+        self.same(magfsi.SMALL, {**implicit, "coupling.iteration.acceleration": "aitken"},
+                  "1.375 ms", "structure=1,fluid=1")
+
     # Viscosity, field gradient, drag, a rough platform; contact looks for neighbours anew.
     def test_every_effect_of_a_solid(self):
         self.same(EVERY, STRUCTURE, "7.2 ms", "structure=1")

@@ -47,6 +47,11 @@ class OtherRanks(unittest.TestCase):
         self.close(magfsi.SMALL, COUPLED, "1.375 ms", "structure=3,fluid=2",
                    "structure=1,fluid=1", BOUND)
 
+    def test_swimmer_in_other_schemes(self):
+        for scheme in ("parallel", "implicit"):
+            self.close(magfsi.SMALL, {**COUPLED, "coupling.scheme": scheme}, "1.375 ms",
+                       "structure=2,fluid=3", "structure=1,fluid=1", BOUND)
+
     def test_solid(self):
         self.close(EVERY, STRUCTURE, "7.2 ms", "structure=1", "structure=3", BOUND)
 

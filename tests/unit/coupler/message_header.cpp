@@ -20,6 +20,7 @@ TEST(MessageHeader, another_step_is_refused_with_both_numbers) {
     write_header(message, 41, 2);
     EXPECT_THROW(check_header(message, 40, 2, "structure rank 1"), PartnerLost);
     EXPECT_THROW(check_header(message, 41, 3, "structure rank 1"), PartnerLost);
+    EXPECT_THROW(check_header(message, {40, 1}, 3, "structure rank 1"), PartnerLost);
     try {
         check_header(message, 42, 2, "structure rank 1");
         ADD_FAILURE() << "no exception";

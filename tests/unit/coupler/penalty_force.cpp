@@ -48,6 +48,31 @@ TEST(PenaltyForce, one_marker_by_hand) {
     EXPECT_NEAR(penalty.impulse()[0][2], kappa * 0.5 * 5e-6, rounding * kappa * 5e-6);
 }
 
+// Constant forces on a marker at rest in a fluid that gathers speed: each of the uneven
+// substeps has the velocity of its middle, and together they have the mean of the ends.
+TEST(PenaltyForce, fluid_velocity_that_changes_within_the_step) {
+    Marker marker;
+    marker.weight = {1, 0, 0, 0, 0, 0, 0, 0};
+    marker.volume_m3 = 1e-12;
+    PenaltyForce penalty({marker}, scale, {});
+    penalty.begin_step(std::vector<Vec3>{{9, 9, 9}});
+    penalty.let_change(std::vector<Vec3>{{0.1, 0, 0}}, std::vector<Vec3>{{0.5, 0, -2}});
+    const double at_rest[3] = {};
+    double force[3] = {};
+    const double kappa = 7.5e-5;          // kg/s
+    penalty.apply(at_rest, force, 5e-6);  // of 2e-5
+    EXPECT_NEAR(force[0], kappa * (0.1 + 0.4 * 0.125), rounding * kappa);
+    penalty.apply(at_rest, force, 1e-5);
+    penalty.apply(at_rest, force, 5e-6);
+    EXPECT_NEAR(penalty.impulse()[0][0], -kappa * 0.3 * 2e-5, rounding * kappa * 2e-5);
+    EXPECT_NEAR(penalty.impulse()[0][2], kappa * 1.0 * 2e-5, rounding * kappa * 2e-5);
+    // The next step is held again unless told otherwise.
+    penalty.begin_step(std::vector<Vec3>{{0.2, 0, 0}});
+    penalty.apply(at_rest, force, 1e-5);
+    penalty.apply(at_rest, force, 1e-5);
+    EXPECT_NEAR(penalty.impulse()[0][0], -kappa * 0.2 * 2e-5, rounding * kappa * 2e-5);
+}
+
 // Newton's third law over a coupled step of uneven substeps: the impulse of the nodes'
 // forces and the markers' impulses cancel, also marker by marker through the shape
 // functions.

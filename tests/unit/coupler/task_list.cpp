@@ -22,6 +22,35 @@ TEST(TaskList, runs_in_the_order_of_adding_every_time) {
     EXPECT_EQ(tasks.names(), "advance, send, wait");
 }
 
+TEST(TaskList, repeats_a_part_as_long_as_it_is_told_to) {
+    TaskList tasks;
+    std::string ran;
+    int left = 0;
+    tasks.add("keep", [&] {
+        ran += 'k';
+        left = 2;
+    });
+    const std::size_t first = tasks.size();
+    tasks.add("guess", [&] { ran += 'g'; });
+    tasks.add("judge", [&] { ran += 'j'; });
+    tasks.repeat_from(first, [&] { return left-- > 0; });
+    tasks.add("accept", [&] { ran += 'a'; });
+    tasks.run();
+    tasks.run();
+    EXPECT_EQ(ran, "kgjgjgjakgjgjgja");
+    EXPECT_EQ(tasks.names(), "keep, repeat (guess, judge), accept");
+}
+
+TEST(TaskList, repeats_from_the_very_first) {
+    TaskList tasks;
+    int ran = 0;
+    tasks.add("only", [&] { ++ran; });
+    tasks.repeat_from(0, [&] { return ran < 3; });
+    tasks.run();
+    EXPECT_EQ(ran, 3);
+    EXPECT_EQ(tasks.names(), "repeat (only)");
+}
+
 TEST(TaskList, no_task_no_name) {
     TaskList tasks;
     tasks.run();

@@ -65,6 +65,21 @@ TEST(Defaults, fill_the_coupling_of_bodies_in_a_fluid) {
     EXPECT_FALSE(minimal({"bodies=", "magnetic_field=", "gravity="}).coupling);
 }
 
+TEST(Defaults, of_the_coupling_follow_its_scheme) {
+    const Scene serial = minimal();
+    EXPECT_FALSE(serial.coupling->iteration);
+    EXPECT_EQ(serial.coupling->sampled_velocity, SampledVelocity::frozen);
+    const Scene s = minimal({"coupling.scheme=implicit"});
+    EXPECT_EQ(s.coupling->sampled_velocity, SampledVelocity::linear);
+    EXPECT_EQ(minimal({"coupling.scheme=implicit", "coupling.iteration={}"}).hash,
+              s.hash);
+    const Iteration& i = *s.coupling->iteration;
+    EXPECT_EQ(i.acceleration, Acceleration::iqn_ils);
+    EXPECT_EQ(i.most, Iteration{}.most);
+    EXPECT_EQ(i.velocity_tolerance, Iteration{}.velocity_tolerance);
+    EXPECT_EQ(i.filter_limit, Iteration{}.filter_limit);
+}
+
 TEST(Defaults, do_not_reach_absent_effects) {
     const Scene s = minimal({"fluid=", "gravity=", "output=", "probes="});
     EXPECT_FALSE(s.fluid || s.gravity || s.damping || s.coupling || s.probes);

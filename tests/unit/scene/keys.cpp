@@ -106,6 +106,19 @@ TEST(Keys, of_the_fluid) {
 
 TEST(Keys, of_coupling_and_outputs) {
     const Scene s = complete("swimmer.yaml");
+    EXPECT_EQ(s.coupling->scheme, Scheme::implicit);
+    EXPECT_EQ(s.coupling->sampled_velocity, SampledVelocity::frozen);
+    const Iteration& i = *s.coupling->iteration;
+    EXPECT_EQ(i.acceleration, Acceleration::aitken);
+    EXPECT_EQ(i.velocity_tolerance, 2e-3);
+    EXPECT_EQ(i.most, 15);
+    EXPECT_EQ(i.unconverged, Unconverged::go_on);
+    EXPECT_EQ(i.first_guess, FirstGuess::constant);
+    EXPECT_EQ(i.relaxation, 0.25);
+    EXPECT_EQ(i.columns, 30);
+    EXPECT_EQ(i.reused_steps, 3);
+    EXPECT_EQ(i.filter, ColumnFilter::qr1);
+    EXPECT_EQ(i.filter_limit, 1e-5);
     EXPECT_EQ(s.coupling->substeps, 12);
     EXPECT_EQ(s.coupling->timeout_s, 30);
     EXPECT_EQ(s.coupling->immersed_boundary.kernel, Kernel::four_point);

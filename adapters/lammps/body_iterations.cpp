@@ -1,0 +1,107 @@
+// The structure rank's half of a step that is repeated until the fluid answers to a guess
+// of its velocities with the same velocities.
+#include "adapters/lammps/body_iterations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace magfsi::lammps {
+
+namespace {
+
+// Cells a step: a hundred-millionth of the lattice's largest speeds is rounding.
+constexpr double rest_lattice_speed = 1e-9;
+
+// Held at its end the fluid would lead the body by half a step, which is a negative added
+// mass of kappa dt / 2 a marker, as large as the fluid that it moves: light sheets
+// diverge.
+std::vector<Vec3> mean(std::span<const Vec3> a, std::span<const Vec3> b) {
+    std::vector<Vec3> all(a.size());
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) all[m][d] = 0.5 * (a[m][d] + b[m][d]);
+    }
+    return all;
+}
+
+}  // namespace
+
+BodyCoupling::~BodyCoupling() = default;
+
+void BodyCoupling::start_iterations() {
+    const scene::Coupling& coupling = *session_.scene().coupling;
+    const double rest_m_s =
+        rest_lattice_speed * grid_.spacing_m / session_.clock().step_s();
+    iterations_.reset(new Iterations{
+        coupler::FixedPoint(session_.world(),
+                            {*coupling.iteration, rest_m_s, session_.timeout_s()},
+                            force_->markers().size()),
+        coupling.sampled_velocity == scene::SampledVelocity::linear,
+        {},
+        force_->enclosed(),
+        {},
+        std::vector<Vec3>(force_->markers().size())});
+}
+
+int BodyCoupling::current_iteration() const {
+    return iterations_->fixed_point.iteration();
+}
+
+void BodyCoupling::keep_state() {
+    engine_.keep(iterations_->bodies);
+    iterations_->enclosed = force_->enclosed();
+    iterations_->markers_m = now_m_;
+    iterations_->fixed_point.begin_step(fluid_velocity_, last_velocity_);
+}
+
+void BodyCoupling::begin_iteration() {
+    const auto guess = iterations_->fixed_point.guess();
+    force_->begin_step(guess);
+    if (iterations_->linear)
+        force_->let_change(fluid_velocity_, guess);
+    else
+        force_->hold(mean(fluid_velocity_, guess));
+}
+
+void BodyCoupling::receive_answer() {
+    exchange_->receive({session_.clock().step(), current_iteration()},
+                       iterations_->answer);
+}
+
+bool BodyCoupling::repeat() {
+    const bool again =
+        iterations_->fixed_point.repeat(session_.clock().step(), iterations_->answer);
+    if (!again) return false;
+    engine_.go_back(iterations_->bodies);
+    force_->enclosed() = iterations_->enclosed;
+    now_m_ = iterations_->markers_m;
+    return true;
+}
+
+void BodyCoupling::accept_answer() {
+    last_velocity_ = fluid_velocity_;
+    fluid_velocity_ = iterations_->answer;
+    // It took the guess for the velocity at the step's end.
+    std::ranges::copy(fluid_velocity_, force_->enclosed().last_velocity().begin());
+}
+
+const output::IterationSummary* BodyCoupling::repetitions() const {
+    return iterations_ ? &iterations_->fixed_point.record() : nullptr;
+}
+
+void BodyCoupling::add_learnt(std::vector<MarkerArray>& all) {
+    int number = 0;
+    for (const auto& vector : iterations_->fixed_point.acceleration().vectors())
+        all.push_back({fmt::format("iteration_{:03d}", number++), vector});
+}
+
+std::vector<double> BodyCoupling::carried_numbers() const {
+    if (!iterations_) return {};
+    return iterations_->fixed_point.acceleration().numbers();
+}
+
+void BodyCoupling::make_room(std::span<const double> numbers) {
+    iterations_->fixed_point.acceleration().make_room(numbers, 3 * force_->markers().size());
+}
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,19 @@
+// What BodyCoupling has more of in an implicit scheme.
+#pragma once
+
+#include "adapters/lammps/body_coupling.h"
+#include "coupler/scheme/fixed_point.h"
+
+namespace magfsi::lammps {
+
+struct BodyCoupling::Iterations {
+    coupler::FixedPoint fixed_point;
+    bool linear;  // over the substeps
+    // At the start of the step:
+    Engine::Snapshot bodies;
+    coupler::EnclosedFluid enclosed;
+    std::vector<Vec3> markers_m;
+    std::vector<Vec3> answer;
+};
+
+}  // namespace magfsi::lammps

@@ -1,0 +1,102 @@
+#include "coupler/scheme/fixed_point.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/participants/errors.h"
+#include "coupler/scene/names.h"
+#include "coupler/scheme/inner_product.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+std::span<double> flat(std::span<Vec3> v) {
+    return {v.empty() ? nullptr : v.front().data(), 3 * v.size()};
+}
+std::span<const double> flat(std::span<const Vec3> v) {
+    return {v.empty() ? nullptr : v.front().data(), 3 * v.size()};
+}
+
+// The norm of as many velocities of this size in the markers of all ranks.
+double norm_of_all(MPI_Comm comm, double size, std::size_t markers) {
+    double count = static_cast<double>(markers);
+    MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_DOUBLE, MPI_SUM, comm);
+    return size * std::sqrt(count);
+}
+
+}  // namespace
+
+FixedPoint::FixedPoint(const World& world, const Setting& setting, std::size_t markers)
+    : world_(world),
+      setting_(setting),
+      rest_norm_m_s_(norm_of_all(world.local(), setting.rest_m_s, markers)),
+      acceleration_(make_acceleration(world.local(), setting.iteration)),
+      verdict_(world, setting.timeout_s),
+      guess_(markers) {
+    record_.measure = "fluid velocity at the markers";
+    record_.acceleration = scene::name_of(setting.iteration.acceleration);
+    record_.tolerance = setting.iteration.velocity_tolerance;
+}
+
+void FixedPoint::begin_step(std::span<const Vec3> now, std::span<const Vec3> before) {
+    iteration_ = 0;
+    std::ranges::copy(now, guess_.begin());
+    if (setting_.iteration.first_guess == scene::FirstGuess::constant) return;
+    for (std::size_t m = 0; m < guess_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) guess_[m][d] += now[m][d] - before[m][d];
+    }
+}
+
+double FixedPoint::measure(std::span<const double> answer) const {
+    const auto guess = flat(std::span<const Vec3>(guess_));
+    std::vector<double> residual(answer.begin(), answer.end());
+    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= guess[i];
+    return norm(world_.local(), residual) /
+           std::max(norm(world_.local(), answer), rest_norm_m_s_);
+}
+
+void FixedPoint::count(double residual, bool converged) {
+    ++record_.steps;
+    record_.iterations += iteration_ + 1;
+    record_.most = std::max(record_.most, iteration_ + 1);
+    record_.residual_sum += residual;
+    record_.worst_residual = std::max(record_.worst_residual, residual);
+    if (!converged) ++record_.unconverged;
+}
+
+bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
+    const scene::Iteration& wanted = setting_.iteration;
+    const auto answered = flat(answer);
+    const double residual = measure(answered);
+    if (!std::isfinite(residual)) {
+        throw Diverged(fmt::format(
+            "iteration {} of coupled step {} gave velocities that are not finite; take a "
+            "smaller time step or a smaller coupling.iteration.relaxation",
+            iteration_ + 1, step));
+    }
+    const bool converged = residual <= wanted.velocity_tolerance;
+    const bool again = !converged && iteration_ + 1 < wanted.most;
+    if (!converged && !again && wanted.unconverged == scene::Unconverged::stop) {
+        throw Diverged(fmt::format(
+            "coupled step {} has not converged: after {} iterations the {} changes by "
+            "{:.3g} of itself, allowed is {:.3g} "
+            "(coupling.iteration.velocity_tolerance); "
+            "take a smaller time step, acceleration: iqn_ils, a larger "
+            "coupling.iteration.most, or unconverged: go_on",
+            step, iteration_ + 1, record_.measure, residual, wanted.velocity_tolerance));
+    }
+    verdict_.send({step, iteration_}, again);
+    if (again) {
+        acceleration_->improve(flat(std::span<Vec3>(guess_)), answered);
+        ++iteration_;
+        return true;
+    }
+    acceleration_->end_step(flat(std::span<const Vec3>(guess_)), answered);
+    count(residual, converged);
+    return false;
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,62 @@
+// The implicit step as a fixed point for the fluid's velocities at the markers at its
+// end: guess, measure, verdict, next guess. On the structure's ranks, each with its own
+// markers.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "coupler/immersed_boundary/grid.h"
+#include "coupler/output/summary.h"
+#include "coupler/scheme/acceleration.h"
+#include "coupler/scheme/verdict.h"
+
+namespace magfsi::coupler {
+
+class FixedPoint {
+  public:
+    struct Setting {
+        scene::Iteration iteration;
+        // Velocities below are at rest: residuals are measured by it there [m/s].
+        double rest_m_s = 0;
+        double timeout_s = 0;
+    };
+
+    // markers: of this rank. Collective over the structure.
+    FixedPoint(const World& world, const Setting& setting, std::size_t markers);
+
+    // The first guess, from the velocities at the step's start and those a step earlier.
+    void begin_step(std::span<const Vec3> now, std::span<const Vec3> before);
+
+    std::span<const Vec3> guess() const { return guess_; }
+    int iteration() const { return iteration_; }  // from 0 in each step
+
+    // Takes the fluid's answer to the guess and tells the fluid whether the step is
+    // repeated, which is returned; the next guess is ready then. Throws Diverged when a
+    // step has not converged and the scene says to stop, or when the answer is not
+    // finite. Collective over the structure.
+    bool repeat(std::int64_t step, std::span<const Vec3> answer);
+
+    // What it took so far.
+    const output::IterationSummary& record() const { return record_; }
+
+    // For checkpoints.
+    Acceleration& acceleration() { return *acceleration_; }
+    const Acceleration& acceleration() const { return *acceleration_; }
+
+  private:
+    double measure(std::span<const double> answer) const;
+    void count(double residual, bool converged);
+
+    const World& world_;
+    Setting setting_;
+    double rest_norm_m_s_ = 0;  // of all markers' velocities
+    std::unique_ptr<Acceleration> acceleration_;
+    VerdictSender verdict_;
+    std::vector<Vec3> guess_;
+    int iteration_ = 0;
+    output::IterationSummary record_;
+};
+
+}  // namespace magfsi::coupler
