@@ -28,8 +28,8 @@ class BodyCoupling {
                  const std::vector<int>& first_node);
     ~BodyCoupling();
 
-    void
-    exchange_first();  // velocities for the first step; after restore_carried, if any
+    // Velocities for the first step; after a checkpoint's arrays are in their places.
+    void exchange_first();
 
     // The sampled velocities become the step's: held still; in a straight line through
     // the last two; or, parallel scheme, their mean, in which a response of the fluid
