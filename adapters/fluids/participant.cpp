@@ -128,9 +128,11 @@ coupler::ParticipantReport Participant::make_report(double wall_s) const {
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task == coupler::advance_fluid) advance_s = seconds;
     }
-    if (session_.clock().steps_here() > 0) {
+    const std::int64_t advances =
+        coupling_ ? coupling_->advances() : session_.clock().steps_here();
+    if (advances > 0) {
         fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
-                      static_cast<double>(lbm_.advances()) / advance_s;
+                      static_cast<double>(advances) / advance_s;
     }
     report.fluid = fluid;
     return report;

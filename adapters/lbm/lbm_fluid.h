@@ -3,7 +3,6 @@
 
 #include <mpi.h>
 
-#include <cstdint>
 #include <vector>
 
 #include "adapters/fluids/fluid_solver.h"
@@ -23,8 +22,6 @@ class LbmFluid final : public fluids::FluidSolver {
     void keep() override;
     void go_back() override;
 
-    std::int64_t advances() const { return advances_; }  // repeated ones, too
-
     std::string headline() const override;
     std::vector<double> probe_values(const scene::Scene& scene) override;
     void field(scene::FluidField field, std::span<float> out) override;
@@ -42,7 +39,6 @@ class LbmFluid final : public fluids::FluidSolver {
     fluid::Fluid& fluid_;
     coupler::Grid grid_;
     std::vector<fluid::CellRow> rows_;
-    std::int64_t advances_ = 0;
 };
 
 }  // namespace magfsi::lbm

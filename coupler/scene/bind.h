@@ -2,6 +2,7 @@
 // writing (json_writer.h), so that what is stored is also dumped and hashed.
 #pragma once
 
+#include "coupler/scene/bind_coupling.h"
 #include "coupler/scene/scene.h"
 
 namespace magfsi::scene {
@@ -302,41 +303,6 @@ void bind_keys(Io& io, Fluid& fluid) {
     io("obstacles", fluid.obstacles);
     io("initial_velocity", fluid.initial_velocity_m_s);
     io("body_force", fluid.body_force_n_m3);
-}
-
-template <class Io>
-void bind_keys(Io& io, ImmersedBoundary& boundary) {
-    io("kernel", boundary.kernel);
-    io("markers", boundary.markers);
-    io("marker_spacing", boundary.marker_spacing);
-    io("retraction", boundary.retraction);
-    io("rim_retraction", boundary.rim_retraction);
-    io("strength", boundary.strength);
-    io("iterations", boundary.iterations);
-}
-
-template <class Io>
-void bind_keys(Io& io, Iteration& iteration) {
-    io("acceleration", iteration.acceleration);
-    io("velocity_tolerance", iteration.velocity_tolerance);
-    io("most", iteration.most);
-    io("unconverged", iteration.unconverged);
-    io("first_guess", iteration.first_guess);
-    io("relaxation", iteration.relaxation);
-    io("columns", iteration.columns);
-    io("reused_steps", iteration.reused_steps);
-    io("filter", iteration.filter);
-    io("filter_limit", iteration.filter_limit);
-}
-
-template <class Io>
-void bind_keys(Io& io, Coupling& coupling) {
-    io("scheme", coupling.scheme);
-    io("sampled_velocity", coupling.sampled_velocity);
-    io("iteration", coupling.iteration);
-    io("substeps", coupling.substeps);
-    io("timeout", coupling.timeout_s);
-    io("immersed_boundary", coupling.immersed_boundary);
 }
 
 template <class Io>

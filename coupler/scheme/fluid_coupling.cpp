@@ -104,7 +104,10 @@ void FluidCoupling::hear_verdict() {
 }
 
 void FluidCoupling::add_advance(TaskList& tasks) {
-    tasks.add(advance_fluid, [this] { fluid_.advance(); });
+    tasks.add(advance_fluid, [this] {
+        fluid_.advance();
+        ++advances_;
+    });
 }
 
 void FluidCoupling::add_count(TaskList& tasks) {

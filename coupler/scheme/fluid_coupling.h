@@ -28,6 +28,9 @@ class FluidCoupling {
     // Before the first step: the velocities at the first positions.
     void begin();
 
+    // Of the fluid so far, repeated ones, too.
+    std::int64_t advances() const { return advances_; }
+
     // Null unless the scene asks for it.
     BalanceRecord* balance() const { return balance_.get(); }
 
@@ -51,6 +54,7 @@ class FluidCoupling {
     FluidSide immersed_boundary_;
     std::unique_ptr<BalanceRecord> balance_;
     const MarkerBatch* batch_ = nullptr;
+    std::int64_t advances_ = 0;
     // Of the implicit scheme:
     int iteration_ = 0;
     bool again_ = false;
