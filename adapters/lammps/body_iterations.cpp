@@ -101,7 +101,8 @@ std::vector<double> BodyCoupling::carried_numbers() const {
 }
 
 void BodyCoupling::make_room(std::span<const double> numbers) {
-    iterations_->fixed_point.acceleration().make_room(numbers, 3 * force_->markers().size());
+    iterations_->fixed_point.acceleration().make_room(numbers,
+                                                      3 * force_->markers().size());
 }
 
 }  // namespace magfsi::lammps
