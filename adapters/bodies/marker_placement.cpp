@@ -40,8 +40,12 @@ void draw_back(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
     if (!kept.empty()) markers = std::move(kept);  // a body all skin keeps what it has
 }
 
+bool all_in(const std::set<int>& face, const structure::SurfaceQuad& quad) {
+    return std::ranges::all_of(quad.node, [&](int node) { return face.contains(node); });
+}
+
 // What bounds the body but no fluid: the ends along axes on which it continues, and where
-// it is clamped.
+// it is clamped to something. A body that is held all around has fluid there.
 class DryFaces {
   public:
     DryFaces(const scene::Body& body, const structure::Mesh& mesh,
@@ -49,8 +53,12 @@ class DryFaces {
         : ends_(mesh, continues) {
         for (const std::string& face : body.clamps) {
             const auto found = mesh.faces.find(face);
-            if (found != mesh.faces.end())
-                clamped_.emplace_back(found->second.begin(), found->second.end());
+            if (found == mesh.faces.end()) continue;
+            std::set<int> nodes(found->second.begin(), found->second.end());
+            if (!std::ranges::all_of(
+                    structure::boundary_quads(mesh),
+                    [&](const auto& quad) { return all_in(nodes, quad); }))
+                clamped_.push_back(std::move(nodes));
         }
     }
 
@@ -64,10 +72,8 @@ class DryFaces {
 
   private:
     bool clamped(const structure::SurfaceQuad& quad) const {
-        return std::ranges::any_of(clamped_, [&](const std::set<int>& face) {
-            return std::ranges::all_of(quad.node,
-                                       [&](int node) { return face.contains(node); });
-        });
+        return std::ranges::any_of(clamped_,
+                                   [&](const auto& face) { return all_in(face, quad); });
     }
 
     structure::MeshEnds ends_;
