@@ -1,7 +1,7 @@
 // magfsi-fluid-openfoam: the fluid of a scene by OpenFOAM's pimpleFoam, alone or beside
 // magfsi-structure.
-//   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-openfoam SCENE --out
-//   DIR
+//   mpirun -n 1 magfsi-structure SCENE --out DIR
+//        : -n 2 magfsi-fluid-openfoam SCENE --out DIR
 #include "adapters/fluids/participant.h"
 #include "adapters/openfoam/foam_fluid.h"
 #include "coupler/participants/guard.h"

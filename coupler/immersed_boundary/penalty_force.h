@@ -66,11 +66,11 @@ class PenaltyForce {
     EnclosedFluid& enclosed() { return enclosed_; }
 
   private:
+    void follow(double duration_s);
+
     std::vector<Marker> markers_;
     std::vector<double> kappa_;
     EnclosedFluid enclosed_;
-    void follow(double duration_s);
-
     double coupled_step_s_;
     double elapsed_s_ = 0;  // of the coupled step
     std::vector<Vec3> fluid_velocity_;
