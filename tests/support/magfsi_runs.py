@@ -95,3 +95,16 @@ def process_of(folder, name):
 def report(text):
     """Figures go to CTest's log."""
     print(text, file=sys.stderr, flush=True)
+
+
+# Of the worst step: two orders above the 1e-16 of a sum of some 1e4 terms of either sign.
+BALANCE_BOUND = 1e-12
+
+
+def check_interface_balance(test, result, label):
+    """The fluid gets all the momentum and power that the bodies give, in every step."""
+    probes = result.probes()
+    worst = [max(probes[f"interface.{what}_mismatch[1]"]) for what in ("momentum", "power")]
+    report(f"{label}: worst step: mismatch of momentum {worst[0]:.1e}, power {worst[1]:.1e}")
+    test.assertLess(max(worst), BALANCE_BOUND, label)
+    test.assertGreater(sum(worst), 0, "exactly zero would mean: not measured")
