@@ -57,7 +57,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
     MPI_Barrier(comm);
     set_world(comm);
     engine_ = load_engine({std::filesystem::absolute(case_folder).string(), mesh_});
-    acceleration_ = engine_->acceleration();
+    if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
         if (fluid.boundaries[static_cast<std::size_t>(side)].kind !=
             scene::BoundaryKind::velocity_inlet)
@@ -65,8 +65,13 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
         if (double* faces = engine_->side_velocity(side))
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
     }
-    clear_force();
     set_inlets(0);
+}
+
+void FoamFluid::begin_force() {
+    acceleration_ = engine_->acceleration();
+    for (std::size_t cell = 0; cell < cell_count(width_m_); ++cell)
+        std::ranges::copy(everywhere(), acceleration_ + 3 * cell);
 }
 
 std::size_t FoamFluid::cell_at(int x, int y, int z) const {
@@ -93,6 +98,7 @@ void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<doubl
 // over the fluid is what the bodies gave.
 void FoamFluid::set_force(std::span<const coupler::GridRow> rows,
                           std::span<const double> density) {
+    if (acceleration_ == nullptr) begin_force();
     clear_force();
     const double h = grid_.spacing_m;
     const double* from = density.data();
@@ -107,16 +113,17 @@ void FoamFluid::set_force(std::span<const coupler::GridRow> rows,
     }
 }
 
+scene::Vec3 FoamFluid::everywhere() const {
+    scene::Vec3 acceleration{};
+    if (fluid_.body_force_n_m3) acceleration = *fluid_.body_force_n_m3;
+    for (double& a : acceleration) a /= fluid_.density_kg_m3;
+    return acceleration;
+}
+
 void FoamFluid::clear_force() {
-    scene::Vec3 everywhere{};
-    if (fluid_.body_force_n_m3) everywhere = *fluid_.body_force_n_m3;
-    for (double& f : everywhere) f /= fluid_.density_kg_m3;
     for (const std::size_t cell : forced_)
-        std::ranges::copy(everywhere, acceleration_ + 3 * cell);
+        std::ranges::copy(everywhere(), acceleration_ + 3 * cell);
     forced_.clear();
-    if (steps_ > 0) return;
-    for (std::size_t cell = 0; cell < cell_count(width_m_); ++cell)
-        std::ranges::copy(everywhere, acceleration_ + 3 * cell);
 }
 
 void FoamFluid::set_inlets(double time_s) {

@@ -41,7 +41,9 @@ class FoamFluid final : public fluids::FluidSolver {
 
   private:
     void set_inlets(double time_s);
+    void begin_force();
     void clear_force();
+    scene::Vec3 everywhere() const;  // acceleration by the body force
     std::size_t cell_at(int x, int y, int z) const;
     scene::Vec3 centre(std::size_t cell) const;
 
@@ -55,7 +57,7 @@ class FoamFluid final : public fluids::FluidSolver {
     std::array<std::vector<double>, 3> width_m_;  // of this rank's cells
     coupler::Grid grid_;
     std::unique_ptr<Engine> engine_;
-    double* acceleration_ = nullptr;   // the engine's
+    double* acceleration_ = nullptr;   // the engine's; null before the first force
     std::vector<std::size_t> forced_;  // cells
     struct Inlet {
         int side;

@@ -1,6 +1,8 @@
 #include "adapters/openfoam/engine/coupled_force.h"
 
 #include "fvMatrices.H"
+#include "fvcFlux.H"
+#include "fvcReconstruct.H"
 
 namespace magfsi::openfoam {
 
@@ -13,7 +15,18 @@ CoupledForce::CoupledForce(const Foam::fvMesh& mesh)
 }
 
 void CoupledForce::addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
-    equation += acceleration_;
+    equation += acceleration_();
+}
+
+void CoupledForce::constrain(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
+    response_ = 1 / equation.A();
+}
+
+void CoupledForce::correct(Foam::volVectorField& velocity) {
+    Foam::volVectorField push(response_() * acceleration_);
+    push.correctBoundaryConditions();  // of neighbours on other ranks
+    velocity += Foam::fvc::reconstruct(Foam::fvc::flux(push)) - push;
+    velocity.correctBoundaryConditions();
 }
 
 }  // namespace magfsi::openfoam

@@ -37,7 +37,8 @@ class Engine {
     // Starts anew from these; boundaries and fluxes follow. Collective.
     virtual void set_velocity(const double* velocity) = 0;
 
-    // Force over mass in the coming step [m/s2]; stays where it is.
+    // Force over mass in the coming step [m/s2], zero at first; stays where it is. The
+    // first call makes the source of momentum: a flow without forces has none.
     virtual double* acceleration() = 0;
 
     // Given velocity of a side [m/s], three a face of this rank with the first axis of

@@ -65,18 +65,22 @@ class PimpleEngine final : public Engine {
           transport_(u_, phi_),
           turbulence_(Foam::incompressible::turbulenceModel::New(u_, phi_, transport_)),
           zones_(mesh_()),
-          sources_(Foam::fv::options::New(mesh_())),
-          force_(new CoupledForce(mesh_())) {
+          sources_(Foam::fv::options::New(mesh_())) {
         Foam::setRefCell(p_, pimple_.dict(), reference_cell_, reference_pressure_);
         mesh_->setFluxRequired(p_.name());
-        static_cast<Foam::fv::optionList&>(sources_).append(force_);
         turbulence_->validate();
     }
 
     const double* velocity() const override {
         return reinterpret_cast<const double*>(u_.primitiveField().cdata());
     }
-    double* acceleration() override { return numbers(force_->acceleration()); }
+    double* acceleration() override {
+        if (force_ == nullptr) {
+            force_ = new CoupledForce(mesh_());
+            static_cast<Foam::fv::optionList&>(sources_).append(force_);
+        }
+        return numbers(force_->acceleration());
+    }
 
     double* side_velocity(int side) override {
         const auto name = side_names[static_cast<std::size_t>(side)];
@@ -124,7 +128,7 @@ class PimpleEngine final : public Engine {
     Foam::autoPtr<Foam::incompressible::turbulenceModel> turbulence_;
     Foam::IOMRFZoneList zones_;
     Foam::fv::options& sources_;
-    CoupledForce* force_;  // of sources_
+    CoupledForce* force_ = nullptr;  // of sources_, once there is a force
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;
     Foam::scalar continuity_error_ = 0;
