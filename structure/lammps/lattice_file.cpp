@@ -5,56 +5,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "structure/mesh/numbered_lines.h"
+
 namespace magfsi::structure {
-namespace {
-
-// Reads line by line, past comments and blanks, and knows where it is for the errors.
-class Reader {
-  public:
-    explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file) {
-        if (!stream_) {
-            throw std::runtime_error(
-                fmt::format("cannot open the lattice file {}", file.string()));
-        }
-    }
-
-    std::istringstream line(const char* expected) {
-        std::string text;
-        while (std::getline(stream_, text)) {
-            ++number_;
-            const auto first = text.find_first_not_of(" \t\r");
-            if (first != std::string::npos && text[first] != '#') {
-                return std::istringstream(text);
-            }
-        }
-        fail(expected);
-    }
-
-    std::size_t count(const char* keyword, const char* expected) {
-        std::istringstream fields = line(expected);
-        std::string found;
-        long long value = -1;
-        if (!(fields >> found >> value) || found != keyword || value < 1) fail(expected);
-        return static_cast<std::size_t>(value);
-    }
-
-    [[noreturn]] void fail(const char* expected) const {
-        throw std::runtime_error(fmt::format("lattice file {}, line {}: expected {}",
-                                             file_.string(), number_, expected));
-    }
-
-  private:
-    std::filesystem::path file_;
-    std::ifstream stream_;
-    int number_ = 0;
-};
-
-}  // namespace
 
 void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path& file) {
     try {
@@ -81,28 +38,23 @@ void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path&
 }
 
 LatticeFile read_lattice_file(const std::filesystem::path& file) {
-    Reader reader(file);
+    NumberedLines lines("lattice file", file);
     LatticeFile out;
-    out.nodes_m.resize(reader.count("nodes", "\"nodes N\" with N of at least 1"));
-    for (Vec3& x : out.nodes_m) {
-        const char* expected = "three coordinates of a node";
-        std::istringstream fields = reader.line(expected);
-        if (!(fields >> x[0] >> x[1] >> x[2])) reader.fail(expected);
-    }
-    out.elements.resize(reader.count("elements", "\"elements M\" with M of at least 1"));
+    out.nodes_m = lines.nodes(1);
+    out.elements.resize(lines.count("elements", 1));
     out.magnetization_a_m.resize(out.elements.size());
     out.element_material.resize(out.elements.size());
     for (std::size_t e = 0; e < out.elements.size(); ++e) {
         const char* expected =
             "eight node numbers and the magnetisation of an element, and perhaps the "
             "number of its material";
-        std::istringstream fields = reader.line(expected);
+        std::istringstream fields = lines.next(expected);
         for (int& node : out.elements[e]) fields >> node;
         Vec3& m = out.magnetization_a_m[e];
-        if (!(fields >> m[0] >> m[1] >> m[2])) reader.fail(expected);
+        if (!(fields >> m[0] >> m[1] >> m[2])) lines.fail(expected);
         int& material = out.element_material[e];
         if (!(fields >> std::ws).eof() && (!(fields >> material) || material < 0)) {
-            reader.fail(expected);
+            lines.fail(expected);
         }
     }
     if (std::ranges::all_of(out.element_material, [](int m) { return m == 0; })) {

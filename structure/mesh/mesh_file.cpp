@@ -4,95 +4,57 @@
 #include <fmt/os.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "structure/mesh/centre_line.h"
+#include "structure/mesh/numbered_lines.h"
 
 namespace magfsi::structure {
 namespace {
 
-// Reads line by line, past comments, and knows where it is for the errors.
-class Reader {
-  public:
-    explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file) {
-        if (!stream_) {
-            throw std::runtime_error(
-                fmt::format("cannot open the mesh file {}", file.string()));
-        }
-    }
-
-    std::string line(const char* expected) {
-        std::string text;
-        while (std::getline(stream_, text)) {
-            ++number_;
-            if (text.empty() || text[0] != '#') return text;
-        }
-        fail(expected);
-    }
-
-    std::size_t count(const std::string& keyword) {
-        const std::string expected = fmt::format("\"{} N\"", keyword);
-        std::istringstream fields(line(expected.c_str()));
-        std::string found;
-        long long value = -1;
-        if (!(fields >> found >> value) || found != keyword || value < 0) {
-            fail(expected.c_str());
-        }
-        return static_cast<std::size_t>(value);
-    }
-
-    [[noreturn]] void fail(const char* expected) const {
-        throw std::runtime_error(fmt::format("mesh file {}, line {}: expected {}",
-                                             file_.string(), number_, expected));
-    }
-
-  private:
-    std::filesystem::path file_;
-    std::ifstream stream_;
-    int number_ = 0;
-};
-
-int read_node(std::istream& fields, const Reader& reader, std::size_t nodes) {
+int read_node(std::istream& fields, const NumberedLines& lines, std::size_t nodes) {
     int node = -1;
     if (!(fields >> node) || node < 0 || static_cast<std::size_t>(node) >= nodes) {
-        reader.fail("numbers of nodes, from 0 and below their count");
+        lines.fail("numbers of nodes, from 0 and below their count");
     }
     return node;
 }
 
-void read_elements(Reader& reader, Mesh& mesh) {
-    mesh.elements.resize(reader.count("elements"));
+void read_elements(NumberedLines& lines, Mesh& mesh) {
+    mesh.elements.resize(lines.count("elements", 0));
     const int regions = static_cast<int>(mesh.region_names.size());
     for (Hexahedron& element : mesh.elements) {
         const char* expected = "eight node numbers and the region of an element";
-        std::istringstream fields(reader.line(expected));
-        for (int& node : element) node = read_node(fields, reader, mesh.nodes.size());
+        std::istringstream fields = lines.next(expected);
+        for (int& node : element) node = read_node(fields, lines, mesh.nodes.size());
         int region = -1;
         if (!(fields >> region) || region < (regions > 0 ? 0 : -1) || region >= regions) {
-            reader.fail(expected);
+            lines.fail(expected);
         }
         if (regions > 0) mesh.region.push_back(region);
     }
 }
 
-std::map<std::string, std::vector<int>> read_groups(Reader& reader, const char* keyword,
+std::map<std::string, std::vector<int>> read_groups(NumberedLines& lines,
+                                                    const char* keyword,
                                                     std::size_t nodes) {
     std::map<std::string, std::vector<int>> groups;
-    for (std::size_t left = reader.count(keyword); left > 0; --left) {
+    for (std::size_t left = lines.count(keyword, 0); left > 0; --left) {
         const char* expected = "the count of nodes and the name of a group";
-        std::istringstream title(reader.line(expected));
+        std::istringstream title = lines.next(expected);
         long long count = -1;
         std::string name;
         if (!(title >> count) || count < 0 || title.get() != ' ' ||
             !std::getline(title, name)) {
-            reader.fail(expected);
+            lines.fail(expected);
         }
-        std::istringstream fields(reader.line("the node numbers of a group"));
+        std::vector<int>& nodes_of_group = groups[name];
+        if (count == 0) continue;
+        std::istringstream fields = lines.next("the node numbers of a group");
         for (long long n = 0; n < count; ++n) {
-            groups[name].push_back(read_node(fields, reader, nodes));
+            nodes_of_group.push_back(read_node(fields, lines, nodes));
         }
     }
     return groups;
@@ -132,19 +94,15 @@ void write_mesh_file(const Mesh& mesh, const std::filesystem::path& file) {
 }
 
 Mesh read_mesh_file(const std::filesystem::path& file) {
-    Reader reader(file);
+    NumberedLines lines("mesh file", file);
     Mesh mesh;
-    mesh.nodes.resize(reader.count("nodes"));
-    for (Vec3& x : mesh.nodes) {
-        const char* expected = "three coordinates of a node";
-        std::istringstream fields(reader.line(expected));
-        if (!(fields >> x[0] >> x[1] >> x[2])) reader.fail(expected);
-    }
-    mesh.region_names.resize(reader.count("regions"));
-    for (std::string& name : mesh.region_names) name = reader.line("a region's name");
-    read_elements(reader, mesh);
-    mesh.faces = read_groups(reader, "faces", mesh.nodes.size());
-    mesh.points = read_groups(reader, "points", mesh.nodes.size());
+    mesh.nodes = lines.nodes(0);
+    mesh.region_names.resize(lines.count("regions", 0));
+    for (std::string& name : mesh.region_names)
+        name = lines.next("a region's name").str();
+    read_elements(lines, mesh);
+    mesh.faces = read_groups(lines, "faces", mesh.nodes.size());
+    mesh.points = read_groups(lines, "points", mesh.nodes.size());
     if (const auto line = mesh.points.find("centre_line"); line != mesh.points.end()) {
         mesh.centre_line = line_through(mesh, line->second);
     }

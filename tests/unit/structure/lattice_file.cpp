@@ -60,7 +60,7 @@ TEST_F(LatticeFileTest, ErrorsNameTheLineAndWhatItShouldHold) {
     write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2\n");
     EXPECT_NE(error().find("line 4: expected eight node numbers"), std::string::npos);
     write("nodes 1\n0 0 0\n");
-    EXPECT_NE(error().find("expected \"elements M\""), std::string::npos);
+    EXPECT_NE(error().find("expected \"elements N\""), std::string::npos);
 }
 
 TEST_F(LatticeFileTest, AFileThatIsNotThereIsNamed) {
