@@ -1,13 +1,19 @@
 // magfsi explain: what a scene will do, before it does it.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "adapters/magfsi/ranks.h"
 #include "coupler/scene/scene.h"
 
 namespace magfsi::launch {
 
 // Effects in step order and those absent; SI and lattice values side by side; memory.
 std::string explain(const scene::Scene& scene);
+
+// For programs: name, scene_hash (as in summary.json), version of magfsi, ranks by role,
+// and with a fluid its spacing_m and step_s.
+nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks);
 
 }  // namespace magfsi::launch

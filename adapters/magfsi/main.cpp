@@ -16,6 +16,7 @@ using namespace magfsi;
 struct Options {
     launch::RunOptions run;
     std::string ranks, fluid, replay;
+    bool json = false;
 };
 
 void add_scene_options(CLI::App& command, Options& options) {
@@ -28,10 +29,25 @@ void add_scene_options(CLI::App& command, Options& options) {
     command.add_option("--fluid", options.fluid, "Fluid solver: lbm or openfoam");
 }
 
+void add_ranks(CLI::App& command, Options& options) {
+    command.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
+}
+
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     (void)launch::explain(scene);  // what only mesh and solvers can refuse
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
+    return coupler::exit_done;
+}
+
+int explain(const Options& options) {
+    const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
+    const std::string text = launch::explain(scene);
+    const auto ranks = launch::choose_ranks(scene, options.run.ranks);
+    if (options.json)
+        fmt::print("{}\n", launch::facts(scene, ranks).dump(2));
+    else
+        fmt::print("{}", text);
     return coupler::exit_done;
 }
 
@@ -47,11 +63,7 @@ int execute(CLI::App& app, Options& options) {
         return coupler::exit_done;
     }
     if (command == "check") return check(options);
-    if (command == "explain") {
-        fmt::print("{}", launch::explain(scene::read_scene(options.run.scene,
-                                                           options.run.overrides)));
-        return coupler::exit_done;
-    }
+    if (command == "explain") return explain(options);
     return launch::run(options.run);
 }
 
@@ -64,7 +76,7 @@ int main(int argc, char** argv) {
     CLI::App& run = *app.add_subcommand("run", "Run a scene");
     add_scene_options(run, options);
     run.add_option("--out", options.run.out, "Run folder (default: runs/NAME)");
-    run.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
+    add_ranks(run, options);
     run.add_option("--restart", options.run.restart,
                    "Go on from a checkpoint: latest, or one of its files");
     run.add_flag("--record", options.run.record,
@@ -73,10 +85,11 @@ int main(int argc, char** argv) {
                    "Play one side from a record: fluid=RUN or structure=RUN");
     add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"),
                       options);
-    add_scene_options(
-        *app.add_subcommand("explain",
-                            "Effects, steps, lattice values and memory of a scene"),
-        options);
+    CLI::App& explain = *app.add_subcommand(
+        "explain", "Effects, steps, lattice values and memory of a scene");
+    add_scene_options(explain, options);
+    add_ranks(explain, options);
+    explain.add_flag("--json", options.json, "Key figures for programs");
     app.add_subcommand("schema", "JSON Schema of the scene file");
     try {
         app.parse(argc, argv);

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
@@ -45,21 +43,6 @@ void clear_run_folder(const fs::path& out) {
     fs::create_directories(out);
 }
 
-int default_ranks(const scene::Scene& scene, const std::string& role) {
-    if (role == "structure") return 1;
-    // Where structure and fluid take turns the fluid may have every core, where both work
-    // at once all but the structure's, as long as each rank has enough cells to be worth
-    // its messages.
-    const bool at_once =
-        scene.coupling && scene.coupling->scheme == scene::Scheme::parallel;
-    const int cores = std::max(1, available_cores() - (at_once ? 1 : 0));
-    constexpr double fewest_cells_a_rank = 20000;
-    double cells = 1;
-    for (const double length : scene.fluid->box_m)
-        cells *= length / scene.fluid->spacing_m;
-    return std::clamp(static_cast<int>(cells / fewest_cells_a_rank), 1, cores);
-}
-
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,
                                   const fs::path& out) {
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),
@@ -69,13 +52,12 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         arguments.insert(arguments.end(), {"--restart", options.restart});
     for (const std::string& o : options.overrides)
         arguments.insert(arguments.end(), {"--set", o});
+    const Ranks ranks = choose_ranks(scene, options.ranks);
     std::vector<Program> programs;
     const auto add = [&](const std::string& role, const char* name) {
         Program p;
         p.role = role;
-        const auto given = options.ranks.find(role);
-        p.ranks =
-            given != options.ranks.end() ? given->second : default_ranks(scene, role);
+        p.ranks = ranks.at(role);
         p.command = {program(name).string()};
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
         if (const auto played = options.replay.find(role);
@@ -95,14 +77,6 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     if (scene.fluid) {
         const bool lbm = scene.fluid->solver == scene::FluidSolver::lbm;
         add("fluid", lbm ? "magfsi-fluid-lbm" : "magfsi-fluid-openfoam");
-    }
-    for (const auto& given : options.ranks) {
-        const std::string& role = given.first;
-        if (std::ranges::none_of(programs,
-                                 [&](const Program& p) { return p.role == role; })) {
-            throw std::invalid_argument(fmt::format("--ranks {}={}: the scene has no {}",
-                                                    role, given.second, role));
-        }
     }
     return programs;
 }
@@ -148,28 +122,6 @@ void write_lost(const scene::Scene& scene, const fs::path& out,
 }
 
 }  // namespace
-
-std::map<std::string, int> parse_ranks(const std::string& text) {
-    std::map<std::string, int> ranks;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, ',');) {
-        const auto equals = part.find('=');
-        const std::string role = part.substr(0, equals);
-        const std::string number =
-            equals == std::string::npos ? "" : part.substr(equals + 1);
-        const bool digits = !number.empty() && number.size() < 6 &&
-                            number.find_first_not_of("0123456789") == std::string::npos;
-        if ((role != "structure" && role != "fluid") || !digits ||
-            std::stoi(number) < 1) {
-            throw std::invalid_argument(
-                fmt::format("--ranks: found '{}'; allowed is structure=N,fluid=M with N "
-                            "and M of 1 or more",
-                            part));
-        }
-        ranks[role] = std::stoi(number);
-    }
-    return ranks;
-}
 
 std::map<std::string, fs::path> parse_replay(const std::string& text) {
     if (text.empty()) return {};

@@ -7,23 +7,22 @@
 #include <string>
 #include <vector>
 
+#include "adapters/magfsi/ranks.h"
+
 namespace magfsi::launch {
 
 struct RunOptions {
     std::filesystem::path scene;
     std::filesystem::path out;
     std::vector<std::string> overrides;
-    std::map<std::string, int> ranks;  // structure, fluid
-    std::string restart;               // latest, a file of a checkpoint, or empty
-    bool record = false;               // write exchange.record
+    Ranks ranks;          // those that are given
+    std::string restart;  // latest, a file of a checkpoint, or empty
+    bool record = false;  // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
 };
 
 // The exit code of the command line. Throws scene::SceneError on bad input.
 int run(const RunOptions& options);
-
-// "structure=1,fluid=2". Throws std::invalid_argument.
-std::map<std::string, int> parse_ranks(const std::string& text);
 
 // "fluid=runs/swimmer": one side and the run folder, or the record in it, that it plays.
 // Throws std::invalid_argument.

@@ -1,0 +1,81 @@
+"""magfsi study: runs a scene over a product of settings, and what accuracy costs in time."""
+import argparse
+import shlex
+import signal
+import sys
+from pathlib import Path
+
+import findings
+import marked
+import product
+import runs as store
+import tables
+from study_file import read_study
+
+EXIT_DONE, EXIT_ERROR, EXIT_INPUT = 0, 1, 2
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="magfsi study", description=__doc__,
+        epilog="Runs that are done are kept in OUT/runs and not done again. docs/accuracy has "
+               "the shipped studies and says what a study file holds.")
+    parser.add_argument("study", type=Path, help="study file, or a folder with a study.yaml")
+    parser.add_argument("--out", type=Path, help="runs and results (default: runs/study_NAME)")
+    parser.add_argument("--results", type=Path,
+                        help="folder for runs.csv, figure.png, results.md (default: OUT)")
+    parser.add_argument("--list", action="store_true", help="print the runs, and run nothing")
+    parser.add_argument("--again", action="store_true", help="repeat all runs")
+    return parser.parse_args()
+
+
+def _list(planned):
+    for run in planned:
+        state = run.record.get("outcome") or ("done" if store.is_done(run) else "to do")
+        print(f"{state}: {run.cell.text()}")
+
+
+def _conclude(study, planned, results):
+    import figure  # matplotlib is slow to start, and mistakes are to be told at once
+    findings.add_errors(study, planned)
+    results.mkdir(parents=True, exist_ok=True)
+    tables.write_csv(study, planned, results / "runs.csv")
+    drawn = figure.draw(study, planned, results / "figure.png")
+    words = ["./magfsi", "study", *sys.argv[1:]]
+    page = tables.page(study, planned, shlex.join(words))
+    if not drawn:
+        page = page.replace("\n![Error against seconds](figure.png)\n", "")
+    (results / "results.md").write_text(page)
+    print(page)
+    print(f"{results}/runs.csv, results.md" + (", figure.png" if drawn else ""))
+
+
+def _end(*_):
+    raise KeyboardInterrupt  # which ends the run under way, too
+
+
+def main():
+    signal.signal(signal.SIGTERM, _end)
+    chosen = arguments()
+    study = read_study(chosen.study)
+    out = chosen.out or Path("runs") / f"study_{study.name}"
+    planned = store.plan(study, product.cells(study), out)
+    if chosen.list:
+        _list(planned)
+        return
+    store.do(study, planned, chosen.again)
+    _conclude(study, planned, chosen.results or out)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except marked.InputError as error:
+        print(error, file=sys.stderr)
+        sys.exit(EXIT_INPUT)
+    except KeyboardInterrupt:
+        print("magfsi study: interrupted; the same command goes on", file=sys.stderr)
+        sys.exit(EXIT_ERROR)
+    except OSError as error:
+        print(f"magfsi study: {error}", file=sys.stderr)
+        sys.exit(EXIT_ERROR)

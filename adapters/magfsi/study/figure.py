@@ -1,0 +1,127 @@
+"""Error against seconds, both logarithmic, with the Pareto front; legible in grey."""
+import math
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
+
+import findings  # noqa: E402
+from tables import percent  # noqa: E402
+
+INK, GREY = "0.1", "0.45"
+MARKERS = "os^Dv<>phX*P"
+FADED = ("0.0", "0.45", "0.25", "0.6")
+LINES = ("-", "--", ":", "-.")
+
+
+def _plain(value, _=None):
+    return f"{value:g}"
+
+
+def _points(study, group, norm):
+    known = [r for r in findings.with_errors(group, norm) if r.errors[norm.name] > 0]
+    return ([findings.cost(study, r) for r in known],
+            [100 * r.errors[norm.name] for r in known], known)
+
+
+def _spread(heights, gap):
+    """Moved apart to at least gap, in their order, as little as it takes."""
+    order = sorted(range(len(heights)), key=lambda i: heights[i])
+    out = list(heights)
+    for _ in range(200):
+        moved = False
+        for low, high in zip(order, order[1:]):
+            short = gap - (out[high] - out[low])
+            if short > 1e-9:
+                out[low] -= short / 2
+                out[high] += short / 2
+                moved = True
+        if not moved:
+            break
+    return out
+
+
+def _label_series(axes, ends):
+    """Names beside the axes at the right, each tied to the end of its line."""
+    to_axes = axes.transData + axes.transAxes.inverted()
+    at = [to_axes.transform(end) for _, end, _ in ends]
+    pixels = axes.get_window_extent().height
+    heights = _spread([y for _, y in at], 10.5 * axes.figure.dpi / 72 / pixels)
+    for (label, end, colour), height in zip(ends, heights):
+        axes.annotate(label, end, xytext=(1.03, height), textcoords="axes fraction",
+                      fontsize=7, color=colour, va="center", annotation_clip=False,
+                      arrowprops={"arrowstyle": "-", "color": "0.75", "lw": 0.5,
+                                  "shrinkA": 1, "shrinkB": 4})
+
+
+def _front(study, axes, runs, norm):
+    front = [r for r in findings.pareto(study, runs, norm) if r.errors[norm.name] > 0]
+    x = [findings.cost(study, r) for r in front]
+    y = [100 * r.errors[norm.name] for r in front]
+    axes.step(x, y, where="post", color=INK, lw=2.2, alpha=0.25, zorder=1,
+              solid_capstyle="round")
+    axes.plot(x, y, "o", ms=9, mfc="none", mec=INK, mew=0.8, zorder=4)
+    varied = study.order_axis or next(iter(study.axes))
+    for run, cost, error in zip(front, x, y):
+        axes.annotate(run.cell.label(varied), (cost, error), xytext=(-6, -7),
+                      textcoords="offset points", fontsize=6.5, color=INK, ha="right",
+                      va="top")
+
+
+def _limits(axes, runs, study, norm):
+    x, y, _ = _points(study, runs, norm)
+    axes.set_xlim(min(x) / 2.2, max(x) * 1.6)
+    axes.set_ylim(min([*y, *(100 * t for t in study.targets)]) / 2,
+                  max([*y, 100 * study.targets[0]]) * 1.6)
+
+
+def _panel(study, axes, runs, norm):
+    axes.set(xscale="log", yscale="log",
+             xlabel=("processor time [s]" if study.cost == "core" else "wall time [s]"),
+             ylabel=f"error of {norm.probe.split('[')[0]}, {norm.norm.replace('_', ' ')} [%]")
+    _limits(axes, runs, study, norm)
+    ends = []
+    groups = [(label, *_points(study, group, norm))
+              for label, group in findings.series(study, runs).items()]
+    for number, (label, x, y, known) in enumerate(g for g in groups if g[1]):
+        colour = FADED[number % len(FADED)]
+        axes.plot(x, y, LINES[number % len(LINES)] if study.size else "",
+                  marker=MARKERS[number % len(MARKERS)], ms=4.5, color=colour, mew=0, lw=0.9,
+                  zorder=3)
+        ends.append((label, (x[-1], y[-1]), colour))
+    _front(study, axes, runs, norm)
+    for target in study.targets:
+        axes.axhline(100 * target, color=GREY, lw=0.6, ls=(0, (1, 2)), zorder=0)
+        axes.text(0.005, 100 * target, percent(target), fontsize=7, color=GREY, va="bottom",
+                  transform=axes.get_yaxis_transform())
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(FuncFormatter(_plain))
+        axis.set_minor_formatter(NullFormatter())
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    return ends
+
+
+def draw(study, runs, path):
+    """False if there is nothing to draw."""
+    norms = [n for n in study.norms
+             if any(r.errors.get(n.name, 0) > 0 and math.isfinite(findings.cost(study, r))
+                    for r in runs)]
+    if not norms:
+        return False
+    plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "xtick.major.width": 0.6,
+                         "ytick.major.width": 0.6})
+    figure, axes = plt.subplots(len(norms), 1, figsize=(6.4, 4.0 * len(norms)), squeeze=False)
+    panels = [(room, _panel(study, room, runs, norm)) for room, norm in zip(axes.flat, norms)]
+    numbers = study.order_axis or next(iter(study.axes))
+    axes.flat[0].set_title(f"{study.name}: lines by {', '.join(study.series) or 'nothing'}; "
+                           f"rings: Pareto front, with {numbers}", loc="left", fontsize=8)
+    figure.tight_layout(rect=(0, 0, 0.8, 1))
+    figure.canvas.draw()
+    for room, ends in panels:
+        _label_series(room, ends)
+    figure.savefig(path, dpi=180)
+    plt.close(figure)
+    return True

@@ -1,0 +1,121 @@
+"""What the runs of a study tell: errors, order, price, the cheapest setting."""
+import math
+
+import norms
+from norms import NoError
+
+
+def _reference_run(norm, run, runs):
+    """The finest completed run with the axes that the reference names; the others as in run,
+    save the one that is refined."""
+    wanted = norm.reference.finest
+    def alike(other):
+        return all(other.cell.label(axis) == wanted.get(axis, run.cell.label(axis))
+                   for axis in run.cell.settings if axis != run.order_axis or axis in wanted)
+    candidates = [r for r in runs if r.completed() and alike(r)]
+    return min(candidates, key=lambda r: r.cell.size) if candidates else None
+
+
+def add_errors(study, runs):
+    """To each completed run; the reference run itself gets none."""
+    for run in runs:
+        run.order_axis = study.order_axis
+    for norm in study.norms:
+        for run in runs:
+            if not run.completed():
+                continue
+            try:
+                finest = None
+                if norm.reference.finest is not None:
+                    other = _reference_run(norm, run, runs)
+                    if other is None:
+                        raise NoError("no completed run to compare with")
+                    if other is run or other.key == run.key:
+                        raise NoError("reference")
+                    run.compared_size = other.cell.size
+                    finest = norms.course(other, norm)
+                run.errors[norm.name] = norms.error(norm, run, finest)
+            except NoError as why:
+                run.notes[norm.name] = str(why)
+
+
+def verdict(study, run):
+    """right, wrong, or how it ended; for studies that say what is right."""
+    if not run.completed():
+        return run.record["outcome"]
+    if all(note == "reference" for note in run.notes.values()) and not run.errors:
+        return "reference"
+    if run.notes and any(note != "reference" for note in run.notes.values()):
+        return "wrong"
+    good = all(e <= study.right_within for e in run.errors.values())
+    return "right" if good else "wrong"
+
+
+def series(study, runs):
+    """{label: runs with an error, from coarse to fine}."""
+    groups = {}
+    for run in runs:
+        label = ", ".join(run.cell.label(axis) for axis in study.series) or "all"
+        groups.setdefault(label, []).append(run)
+    for group in groups.values():
+        group.sort(key=lambda r: -(r.cell.size or 0))
+    return groups
+
+
+def cost(study, run):
+    return run.record["core_s"] if study.cost == "core" else run.summary.get("wall_s", math.nan)
+
+
+def with_errors(runs, norm):
+    return [r for r in runs if norm.name in r.errors]
+
+
+def pareto(study, runs, norm):
+    """Runs than which none is both cheaper and more accurate, from cheap to dear."""
+    front, best = [], math.inf
+    for run in sorted(with_errors(runs, norm), key=lambda r: (cost(study, r), r.errors[norm.name])):
+        if run.errors[norm.name] < best:
+            front.append(run)
+            best = run.errors[norm.name]
+    return front
+
+
+def _order_against(e1, h1, e2, h2, h_reference):
+    """p of error = C (h^p - h_reference^p): what a run of finite size leaves to compare with."""
+    def ratio(p):
+        return (h1**p - h_reference**p) / (h2**p - h_reference**p)
+    low, high = 0.01, 12.0
+    if not ratio(low) < e1 / e2 < ratio(high):
+        return None
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if ratio(middle) < e1 / e2 else (low, middle)
+    return (low + high) / 2
+
+
+def order(group, norm):
+    """Observed, from the two finest runs with an error; None where they tell none."""
+    known = [r for r in with_errors(group, norm) if r.cell.size and r.errors[norm.name] > 0]
+    if len(known) < 2 or known[-2].cell.size == known[-1].cell.size:
+        return None
+    coarse, fine = known[-2:]
+    e1, e2 = coarse.errors[norm.name], fine.errors[norm.name]
+    h1, h2 = coarse.cell.size, fine.cell.size
+    if norm.reference.finest is not None:
+        return _order_against(e1, h1, e2, h2, fine.compared_size)
+    return math.log(e1 / e2) / math.log(h1 / h2)
+
+
+def cost_exponent(study, group):
+    """Of cost ~ size^-q, from the two finest completed runs."""
+    known = [r for r in group if r.completed() and r.cell.size]
+    if len(known) < 2 or known[-2].cell.size == known[-1].cell.size:
+        return None
+    coarse, fine = known[-2:]
+    return math.log(cost(study, fine) / cost(study, coarse)) / math.log(
+        coarse.cell.size / fine.cell.size)
+
+
+def cheapest(study, runs, norm, most):
+    good = [r for r in with_errors(runs, norm) if r.errors[norm.name] <= most]
+    return min(good, key=lambda r: cost(study, r)) if good else None

@@ -1,0 +1,34 @@
+"""Numbers with a unit, "0.2 mm", for axes of figures. Checking them is the scene's matter."""
+import re
+
+PREFIXES = {"": 1, "p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "c": 1e-2, "k": 1e3, "M": 1e6,
+            "G": 1e9}
+# Unit: that of SI and its size in it.
+UNITS = {"m": ("m", 1), "s": ("s", 1), "g": ("kg", 1e-3), "Pa": ("Pa", 1), "Hz": ("1/s", 1),
+         "T": ("T", 1), "min": ("s", 60), "h": ("s", 3600), "deg": ("rad", 0.017453292519943295),
+         "rad": ("rad", 1), "N": ("N", 1), "m/s": ("m/s", 1), "m2/s": ("m2/s", 1)}
+PATTERN = re.compile(r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(.*)$")
+
+
+def size_of(unit):
+    """(SI unit, factor) or None."""
+    if unit == "":
+        return "1", 1.0
+    for name, (si, factor) in UNITS.items():
+        prefix = unit[:len(unit) - len(name)]
+        if unit.endswith(name) and prefix in PREFIXES:
+            power = 2 if name == "m2/s" else 1
+            return si, factor * PREFIXES[prefix]**power
+    return None
+
+
+def parse(text):
+    """(number in SI, SI unit), or None of what is no quantity."""
+    match = PATTERN.match(text.strip())
+    size = size_of(match.group(2)) if match else None
+    if size is None:
+        return None
+    try:
+        return float(match.group(1)) * size[1], size[0]
+    except ValueError:
+        return None

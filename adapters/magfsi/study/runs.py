@@ -1,0 +1,166 @@
+"""Runs that are done are kept by what they are, and not done again."""
+import datetime
+import hashlib
+import json
+import os
+import re
+import shutil
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import machine
+import marked
+import norms
+import program
+from product import Cell
+
+RECORD = "study.json"  # in the run folder; its presence says that the run is done
+
+
+@dataclass
+class Run:
+    cell: Cell
+    key: str = ""
+    folder: Path | None = None
+    facts: dict = field(default_factory=dict)
+    record: dict = field(default_factory=dict)  # outcome, cause, core_s, ...
+    summary: dict = field(default_factory=dict)
+    errors: dict = field(default_factory=dict)  # by norm; absent where there is none
+    notes: dict = field(default_factory=dict)  # why there is none
+
+    def completed(self):
+        return self.record.get("outcome") == "completed"
+
+
+def _files_of(scene):
+    """Meshes and tables that the scene reads: the scene's hash knows their names only."""
+    def walk(value):
+        if value.is_map():
+            for key, child in value.entries().items():
+                if key == "file" and not child.is_map():
+                    yield scene.parent / child.text()
+                yield from walk(child)
+        elif value.is_list():
+            for child in value.items():
+                yield from walk(child)
+    return [f for f in walk(marked.read(scene)) if f.is_file()]
+
+
+def _scene_file(study):
+    return study.scene / "scene.yaml" if study.scene.is_dir() else study.scene
+
+
+def _key(facts, files):
+    text = json.dumps([facts["scene_hash"], facts["ranks"], facts["version"]], sort_keys=True)
+    digest = hashlib.sha256(text.encode())
+    for path in files:
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _blame(study, cause):
+    """The axis whose key the program does not take, by its message."""
+    named = re.match(r"--set ([^:]+):", cause)
+    for axis in study.axes.values():
+        for setting in axis.settings:
+            if named and named.group(1) in setting.sets:
+                return axis.key_mark or setting.mark
+    return study.scene_mark
+
+
+def _check_input(study, runs):
+    """A value with which no run can be is a mistake in the study."""
+    def none_can(some):
+        return some and all(not r.facts for r in some)
+    if none_can(runs):
+        cause = runs[0].record["cause"]
+        _blame(study, cause).refuse(f"what no run can have ({cause})", "a scene that can run")
+    for axis in study.axes.values():
+        for setting in axis.settings:
+            mine = [r for r in runs if r.cell.settings[axis.name] is setting]
+            if none_can(mine):
+                setting.mark.refuse(f"what no run can have ({mine[0].record['cause']})",
+                                    "a scene that can run")
+
+
+def plan(study, cells, out):
+    """All runs, each with its key; those that the program refuses are rows of their own."""
+    scene = _scene_file(study)
+    runs, files = [], None
+    for cell in cells:
+        run = Run(cell)
+        facts, fault = program.explain(scene, cell)
+        if facts:
+            files = _files_of(scene) if files is None else files
+            run.facts, run.key = facts, _key(facts, files)
+            run.folder = out / "runs" / run.key
+        else:
+            run.record = {"outcome": "refused", "cause": fault}
+        runs.append(run)
+    _check_input(study, runs)
+    return runs
+
+
+def is_done(run):
+    return bool(run.key) and (run.folder / RECORD).exists()
+
+
+def _load(run):
+    """What the run left; False if it is not done."""
+    try:
+        run.record = json.loads((run.folder / RECORD).read_text())
+    except (OSError, ValueError):
+        return False
+    try:
+        run.summary = json.loads((run.folder / "summary.json").read_text())
+    except (OSError, ValueError):
+        run.summary = {}
+    return True
+
+
+def _execute(study, run, build):
+    shutil.rmtree(run.folder, ignore_errors=True)
+    run.folder.parent.mkdir(parents=True, exist_ok=True)
+    load = os.getloadavg()[0]
+    ended = program.run(_scene_file(study), run.cell, run.folder, study.limit_s)
+    run.folder.mkdir(parents=True, exist_ok=True)
+    try:
+        run.summary = json.loads((run.folder / "summary.json").read_text())
+    except (OSError, ValueError):
+        run.summary = {}
+    outcome, cause = run.summary.get("outcome"), run.summary.get("cause", "")
+    if ended.code == program.EXIT_INPUT:
+        outcome, cause = "refused", ended.error
+    elif ended.code != 0 and outcome in (None, "completed", "stopped"):
+        outcome, cause = "stopped", ended.error or cause or f"exit code {ended.code}"
+    run.record = {"outcome": outcome, "cause": cause, "exit_code": ended.code,
+                  "core_s": ended.core_s, "elapsed_s": ended.elapsed_s, "build": build,
+                  "load_before": load, "run": run.cell.text(),
+                  "date": datetime.date.today().isoformat(), "machine": machine.describe()}
+    partial = run.folder / (RECORD + ".part")
+    partial.write_text(json.dumps(run.record, indent=2) + "\n")
+    partial.replace(run.folder / RECORD)
+
+
+def do(study, runs, again=False):
+    """Those that are missing, one after the other; returns how many were run now."""
+    build, now, others = program.build(), set(), 0
+    for number, run in enumerate(runs, 1):
+        if not run.key:
+            continue
+        done = _load(run)
+        # The same scene in two cells is one run.
+        if not done or (again and run.key not in now):
+            print(f"{number} of {len(runs)}: {run.cell.text()}", end=" ", flush=True)
+            _execute(study, run, build)
+            now.add(run.key)
+            print(f"{run.record['outcome']} in {run.record['elapsed_s']:.1f} s "
+                  f"{run.record['cause']}".rstrip(), flush=True)
+            norms.check_probes(study, run)
+        elif run.record.get("build") != build:
+            others += 1
+    if others:
+        print(f"{others} of {len(runs)} runs are kept from another build of magfsi; --again "
+              "repeats them", file=sys.stderr)
+    return len(now)

@@ -1,0 +1,274 @@
+"""What a study file says."""
+import csv
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import marked
+from expression import Formula
+from quantity import parse
+
+NORMS = ("final", "max", "max_relative", "l2", "peak", "mean", "amplitude")
+
+
+@dataclass
+class Setting:
+    """A value of an axis: how it is called, what it sets, and its place in the file."""
+    label: str
+    sets: dict  # key path: text for --set; "ranks" is the option of that name
+    value: object  # number in SI, list of numbers, or text: for formulas and figures
+    mark: marked.Value
+
+
+@dataclass
+class Axis:
+    name: str
+    settings: list
+    unit: str | None  # of all values, None where they are words or lists
+    key_mark: marked.Value | None  # where all settings are of one key
+
+
+@dataclass
+class Reference:
+    """Exactly one of: a number, a formula of t, a table, the finest run."""
+    number: float | None = None
+    formula: Formula | None = None
+    times: list | None = None
+    values: list | None = None
+    finest: dict | None = None  # axis: label that the finest run has
+
+
+@dataclass
+class Norm:
+    name: str
+    probe: str
+    norm: str
+    reference: Reference
+    change: bool = False  # of the probe since its first row
+    factor: float = 1.0
+    start_s: float = float("-inf")
+    mark: marked.Value = None
+
+
+@dataclass
+class Study:
+    file: Path
+    name: str
+    scene: Path
+    sets: dict
+    ranks: str
+    limit_s: float
+    axes: dict
+    pairs: list
+    skip: list
+    order_axis: str | None
+    size: Formula | None
+    expected: dict
+    series: list
+    norms: list
+    targets: list
+    right_within: float | None
+    cost: str
+    top: marked.Value = field(repr=False, default=None)
+    scene_mark: marked.Value = field(repr=False, default=None)
+
+
+def _common_unit(values):
+    units = {v[1] for v in values if v}
+    return units.pop() if len(units) == 1 and all(values) else None
+
+
+def _plain(value):
+    """A list of numbers, a number, or the text."""
+    if value.is_list():
+        numbers = [parse(item.text()) for item in value.items()]
+        return [n[0] for n in numbers] if all(numbers) else value.text()
+    number = parse(value.text())
+    return number[0] if number else value.text()
+
+
+def _setting(key, value):
+    label = "default" if value.is_null() else value.text()
+    return Setting(label, {key: "" if value.is_null() else value.text()}, _plain(value), value)
+
+
+def _axis(name, value):
+    keys = value.keys(("key", "values"), ("values",))
+    if not name.isidentifier() or name in ("t", "wall", "core", "error"):
+        value.refuse(f'the axis "{name}"', "a name of letters, digits and _, a letter first, "
+                     "other than t, wall, core, error")
+    if keys["key"]:
+        key = keys["key"].scalar()
+        settings = [_setting(key, item) for item in keys["values"].items("a list of values")]
+    else:
+        settings = []
+        for label, entry in keys["values"].entries("a list with key, or a map of name: "
+                                                   "{path.to.key: value}").items():
+            sets = {k: "" if v.is_null() else v.text() for k, v in entry.entries().items()}
+            number = parse(label)
+            settings.append(Setting(label, sets, number[0] if number else label, entry))
+    if not settings:
+        keys["values"].refuse("no values", "at least one")
+    unit = _common_unit([parse(s.label) for s in settings])
+    return Axis(name, settings, unit, keys["key"])
+
+
+def _formula(value, names):
+    try:
+        formula = Formula(value.scalar("a formula"))
+    except ValueError as error:
+        value.refuse(str(error), "numbers, + - * / **, exp, log, sqrt, sin, cos, tan, tanh, "
+                     f"abs, pi, {', '.join(names)}")
+    unknown = sorted(formula.names - set(names))
+    if unknown:
+        value.refuse(f'the name "{unknown[0]}"', f"one of {', '.join(names)}")
+    return formula
+
+
+def _table(value, folder):
+    keys = value.keys(("file", "time", "time_factor", "value", "value_factor"),
+                      ("file", "time", "value"))
+    path = folder / keys["file"].scalar()
+    try:
+        with open(path, newline="") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    except OSError as error:
+        keys["file"].refuse(f"{path}: {error.strerror.lower()}", "a CSV file")
+    columns = []
+    for which in ("time", "value"):
+        name = keys[which].scalar()
+        if not rows or name not in rows[0]:
+            keys[which].refuse(f'"{name}"', f"a column of {path}: {', '.join(rows[0] if rows else [])}")
+        factor = keys[f"{which}_factor"]
+        scale = factor.number() if factor else 1.0
+        columns.append([scale * float(row[name]) for row in rows])
+    return Reference(times=columns[0], values=columns[1])
+
+
+def _reference(value, axes, folder):
+    if not value.is_map():
+        if value.text() == "finest":
+            return Reference(finest={})
+        return Reference(number=value.number())
+    kinds = ("value", "formula", "table", "finest")
+    keys = value.keys(kinds)
+    given = [k for k in kinds if keys[k]]
+    if len(given) != 1:
+        value.refuse(", ".join(given) or "none", f"exactly one of {', '.join(kinds)}")
+    if keys["value"]:
+        return Reference(number=keys["value"].number())
+    if keys["formula"]:
+        return Reference(formula=_formula(keys["formula"], ["t", *axes]))
+    if keys["table"]:
+        return _table(keys["table"], folder)
+    return Reference(finest=_chosen(keys["finest"], axes, single=True))
+
+
+def _chosen(value, axes, single=False):
+    """{axis: label} or {axis: [labels]}, checked."""
+    out = {}
+    for name, chosen in value.entries().items():
+        if name not in axes:
+            chosen.refuse(f'the axis "{name}"', f"one of {', '.join(axes)}")
+        labels = [s.label for s in axes[name].settings]
+        several = chosen.is_list() and chosen.text() not in labels and not single
+        wanted = chosen.items() if several else [chosen]
+        for label in wanted:
+            if label.text() not in labels:
+                label.refuse(label.shown(), f"a value of this axis: {', '.join(labels)}")
+        out[name] = [w.text() for w in wanted] if not single else wanted[0].text()
+    return out
+
+
+def _norm(name, value, axes, folder):
+    keys = value.keys(("probe", "norm", "reference", "change", "factor", "from"),
+                      ("probe", "norm", "reference"))
+    norm = Norm(name, keys["probe"].scalar(), keys["norm"].choice(NORMS),
+                _reference(keys["reference"], axes, folder), mark=keys["probe"])
+    if keys["change"]:
+        norm.change = keys["change"].choice(("true", "false")) == "true"
+    if keys["factor"]:
+        norm.factor = keys["factor"].number()
+    if keys["from"]:
+        time = parse(keys["from"].scalar())
+        if not time or time[1] != "s":
+            keys["from"].refuse(keys["from"].shown(), "a time such as 20 ms")
+        norm.start_s = time[0]
+    if norm.norm in ("max", "max_relative", "l2") and norm.reference.number is not None:
+        keys["reference"].refuse("one number", f"a course in time for the norm {norm.norm}: "
+                                 "formula, table or finest")
+    return norm
+
+
+def _time(value, default):
+    if not value:
+        return default
+    time = parse(value.scalar())
+    if not time or time[1] != "s" or time[0] <= 0:
+        value.refuse(value.shown(), "a time such as 10 min")
+    return time[0]
+
+
+def _order(value, axes):
+    if not value:
+        return None, None, {}
+    keys = value.keys(("axis", "size", "expected", "expected_cost"), ("axis",))
+    name = keys["axis"].choice(tuple(axes))
+    if not keys["size"] and any(not isinstance(s.value, float) for s in axes[name].settings):
+        keys["axis"].refuse(f'"{name}", whose values are no numbers',
+                            "this with size: a formula such as 1 / " + name)
+    size = _formula(keys["size"], list(axes)) if keys["size"] else Formula(name)
+    expected = {what: keys[key].number() for what, key in
+                (("order", "expected"), ("cost", "expected_cost")) if keys[key]}
+    return name, size, expected
+
+
+def _names(value, axes):
+    names = [item.choice(tuple(axes)) for item in value.items()]
+    return names
+
+
+def _pairs(value, axes):
+    pairs = []
+    for item in value.items("a list of lists of axes"):
+        names = _names(item, axes)
+        if len({len(axes[n].settings) for n in names}) > 1:
+            item.refuse("axes with " + ", ".join(str(len(axes[n].settings)) for n in names)
+                        + " values", "axes of the same length")
+        pairs.append(names)
+    return pairs
+
+
+KEYS = ("name", "scene", "set", "ranks", "limit", "axes", "pairs", "skip", "order", "series",
+        "errors", "targets", "right_within", "cost")
+
+
+def read_study(path):
+    """Throws marked.InputError."""
+    path = Path(path)
+    if path.is_dir():
+        path = path / "study.yaml"
+    top = marked.read(path)
+    keys = top.keys(KEYS, ("scene", "axes", "errors"))
+    folder = path.parent
+    axes = {name: _axis(name, value) for name, value in keys["axes"].entries().items()}
+    order_axis, size, expected = _order(keys["order"], axes)
+    norms = [_norm(n, v, axes, folder) for n, v in keys["errors"].entries().items()]
+    if not norms:
+        keys["errors"].refuse("no errors", "at least one")
+    if not order_axis and any(n.reference.finest is not None for n in norms):
+        keys["errors"].refuse("the reference finest", "it with order.axis, which says what is "
+                              "fine")
+    targets = [v.share() for v in keys["targets"].items()] if keys["targets"] else [
+        0.1, 0.03, 0.01]
+    sets = {k: "" if v.is_null() else v.text()
+            for k, v in keys["set"].entries().items()} if keys["set"] else {}
+    return Study(
+        path, keys["name"].scalar() if keys["name"] else path.resolve().parent.name,
+        folder / keys["scene"].scalar(), sets, keys["ranks"].scalar() if keys["ranks"] else "",
+        _time(keys["limit"], 86400.0), axes, _pairs(keys["pairs"], axes) if keys["pairs"] else [],
+        [_chosen(v, axes) for v in keys["skip"].items()] if keys["skip"] else [],
+        order_axis, size, expected,
+        _names(keys["series"], axes) if keys["series"] else [n for n in axes if n != order_axis],
+        norms, targets, keys["right_within"].share() if keys["right_within"] else None,
+        keys["cost"].choice(("wall", "core")) if keys["cost"] else "wall", top,
+        keys["scene"])
