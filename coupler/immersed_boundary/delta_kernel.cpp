@@ -37,16 +37,4 @@ double delta(Kernel kernel, double r) {
     return 0;
 }
 
-Stencil1D stencil_1d(Kernel kernel, double position_in_cells) {
-    Stencil1D s;
-    s.count = support(kernel);
-    const double centred = position_in_cells - 0.5;  // cell i sits at i
-    const double low = centred - 0.5 * s.count;
-    s.first = static_cast<int>(std::floor(low)) + 1;
-    for (int k = 0; k < s.count; ++k) {
-        s.weight[static_cast<std::size_t>(k)] = delta(kernel, centred - (s.first + k));
-    }
-    return s;
-}
-
 }  // namespace magfsi::coupler

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 namespace magfsi::coupler {
 
@@ -27,6 +28,42 @@ struct Stencil1D {
     std::array<double, max_support> weight{};
 };
 
-Stencil1D stencil_1d(Kernel kernel, double position_in_cells);
+// Without a call or a branch: every marker needs three of them a step.
+inline int floor_of(double x) {
+    const int toward_zero = static_cast<int>(x);
+    return toward_zero - (x < toward_zero);
+}
+
+// All weights at once: by the kernels' own conditions (sum, first moment, even and odd
+// cells) they follow from one root. Into its place, for a copy costs as much again.
+inline void set_stencil(Stencil1D& s, Kernel kernel, double position_in_cells) {
+    s.count = support(kernel);
+    const double centred = position_in_cells - 0.5;  // cell i sits at i
+    s.first = floor_of(centred - 0.5 * s.count) + 1;
+    auto& w = s.weight;
+    if (kernel == Kernel::two_point) {
+        const double r = centred - s.first;
+        w[0] = 1 - r;
+        w[1] = r;
+    } else if (kernel == Kernel::three_point) {
+        const double r = centred - (s.first + 1);
+        w[1] = (1 + std::sqrt(1 - 3 * r * r)) * (1.0 / 3);
+        w[0] = 0.5 * (1 - w[1] - r);
+        w[2] = 0.5 * (1 - w[1] + r);
+    } else {
+        const double r = centred - (s.first + 1);
+        const double root = std::sqrt(1 + 4 * r * (1 - r));
+        w[0] = 0.125 * (3 - 2 * r - root);
+        w[1] = 0.125 * (3 - 2 * r + root);
+        w[2] = 0.125 * (1 + 2 * r + root);
+        w[3] = 0.125 * (1 + 2 * r - root);
+    }
+}
+
+inline Stencil1D stencil_1d(Kernel kernel, double position_in_cells) {
+    Stencil1D s;
+    set_stencil(s, kernel, position_in_cells);
+    return s;
+}
 
 }  // namespace magfsi::coupler

@@ -36,18 +36,23 @@ Stencil1D cut_at_walls(const Stencil1D& s, int cells) {
 
 }  // namespace
 
-MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_m) {
-    MarkerStencil stencil;
+void set_stencil(MarkerStencil& stencil, const Grid& grid, Kernel kernel,
+                 const Vec3& point_m) {
     for (std::size_t d = 0; d < 3; ++d) {
         const int n = grid.cells[d];
         double position = point_m[d] / grid.spacing_m;
         if (grid.periodic[d]) position -= n * std::floor(position / n);
         if (!(position >= 0 && position <= n)) left_the_box(grid, point_m);
-        stencil[d] = stencil_1d(kernel, position);
-        const bool inside =
-            stencil[d].first >= 0 && stencil[d].first + stencil[d].count <= n;
-        if (!inside && !grid.periodic[d]) stencil[d] = cut_at_walls(stencil[d], n);
+        Stencil1D& s = stencil[d];
+        set_stencil(s, kernel, position);
+        const bool inside = s.first >= 0 && s.first + s.count <= n;
+        if (!inside && !grid.periodic[d]) s = cut_at_walls(s, n);
     }
+}
+
+MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_m) {
+    MarkerStencil stencil;
+    set_stencil(stencil, grid, kernel, point_m);
     return stencil;
 }
 

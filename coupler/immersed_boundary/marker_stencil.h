@@ -16,6 +16,8 @@ namespace magfsi::coupler {
 using MarkerStencil = std::array<Stencil1D, 3>;
 
 // Throws Diverged when the point lies outside a box without periodic sides.
+void set_stencil(MarkerStencil& stencil, const Grid& grid, Kernel kernel,
+                 const Vec3& point_m);
 MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_m);
 
 // Index wrapped into [0, cells): more than once where a kernel is wider than the box.

@@ -1,8 +1,18 @@
 #include "coupler/immersed_boundary/touched_rows.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace magfsi::coupler {
+
+namespace {
+
+bool same_cells(const MarkerStencil& a, const MarkerStencil& b) {
+    return a[0].first == b[0].first && a[1].first == b[1].first &&
+           a[2].first == b[2].first;
+}
+
+}  // namespace
 
 TouchedRows::TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel)
     : grid_(&grid), box_(box), kernel_(kernel), solid_(grid) {
@@ -77,28 +87,60 @@ void TouchedRows::widen(int y, int z, int x_begin, int x_end) {
         return;
     }
     GridRow& r = rows_[static_cast<std::size_t>(row)];
-    r.x_begin = std::min(r.x_begin, x_begin);
-    r.x_end = std::max(r.x_end, x_end);
+    if (x_begin < r.x_begin) r.x_begin = x_begin;
+    if (x_end > r.x_end) r.x_end = x_end;
+}
+
+void TouchedRows::widen_by(std::size_t marker) {
+    if (plain_[marker]) {
+        const MarkerStencil& s = stencils_[marker];
+        // Neighbours touch the same cells more often than not.
+        if (marker > 0 && plain_[marker - 1] && same_cells(s, stencils_[marker - 1]))
+            return;
+        return widen_plain(s);
+    }
+    const int ny = box_.hi[1] - box_.lo[1];
+    for_each_run(marker, [&](int at, const Run& run, double) {
+        widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, run.x, run.x + run.cells);
+    });
+}
+
+void TouchedRows::widen_plain(const MarkerStencil& stencil) {
+    const auto& [sx, sy, sz] = stencil;
+    for (int z = sz.first; z < sz.first + sz.count; ++z) {
+        for (int y = sy.first; y < sy.first + sy.count; ++y)
+            widen(y, z, sx.first, sx.first + sx.count);
+    }
+}
+
+bool TouchedRows::is_plain(const MarkerStencil& stencil, double share) const {
+    if (share != 1) return false;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const Stencil1D& s = stencil[d];
+        if (s.count != support(kernel_) || s.first < box_.lo[d] ||
+            s.first + s.count > box_.hi[d])
+            return false;
+    }
+    return true;
 }
 
 void TouchedRows::place(std::span<const Vec3> points_m) {
     for (const GridRow& r : rows_) row_of_[static_cast<std::size_t>(slot(r.y, r.z))] = -1;
     rows_.clear();
-    stencils_.clear();
     points_m_.assign(points_m.begin(), points_m.end());
-    const int ny = box_.hi[1] - box_.lo[1];
-    share_.clear();
-    for (const Vec3& point : points_m) {
-        stencils_.push_back(marker_stencil(*grid_, kernel_, point));
-        share_.push_back(solid_.fluid_share(stencils_.back()));
-        for_each_run(stencils_.size() - 1, [&](int at, const Run& run, double) {
-            widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, run.x, run.x + run.cells);
-        });
+    stencils_.resize(points_m.size());
+    share_.resize(points_m.size());
+    plain_.resize(points_m.size());
+    for (std::size_t m = 0; m < points_m.size(); ++m) {
+        set_stencil(stencils_[m], *grid_, kernel_, points_m[m]);
+        share_[m] = solid_.fluid_share(stencils_[m]);
+        plain_[m] = is_plain(stencils_[m], share_[m]);
+        widen_by(m);
     }
-    offset_.clear();
+    origin_.clear();
     cells_ = 0;
     for (const GridRow& r : rows_) {
-        offset_.push_back(cells_);
+        origin_.push_back(static_cast<std::ptrdiff_t>(cells_) - r.x_begin);
         cells_ += static_cast<std::size_t>(r.x_end - r.x_begin);
     }
 }
@@ -109,36 +151,100 @@ bool TouchedRows::placed_at(std::span<const Vec3> points_m) const {
 
 std::size_t TouchedRows::first_value(int at, int x) const {
     const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
-    return 3 * (offset_[row] + static_cast<std::size_t>(x - rows_[row].x_begin));
+    return static_cast<std::size_t>(3 * (origin_[row] + x));
+}
+
+// Loops of constant length become a few vector instructions.
+template <typename Use>
+void TouchedRows::with_support(Use&& use) const {
+    switch (kernel_) {
+        case Kernel::two_point:
+            return use(std::integral_constant<int, 2>());
+        case Kernel::three_point:
+            return use(std::integral_constant<int, 3>());
+        case Kernel::four_point:
+            return use(std::integral_constant<int, 4>());
+    }
+}
+
+// Sums over y and z first, all cells and components along x side by side.
+template <int Cells>
+Vec3 TouchedRows::read_plain(const MarkerStencil& stencil, const double* velocity) const {
+    const auto& [sx, sy, sz] = stencil;
+    std::array<double, 3 * Cells> line{};
+    for (std::size_t k = 0; k < Cells; ++k) {
+        const int first = slot(sy.first, sz.first + static_cast<int>(k));
+        for (std::size_t j = 0; j < Cells; ++j) {
+            const double weight = sy.weight[j] * sz.weight[k];
+            const double* u =
+                velocity + first_value(first + static_cast<int>(j), sx.first);
+            for (std::size_t i = 0; i < line.size(); ++i) line[i] += weight * u[i];
+        }
+    }
+    Vec3 sum{};
+    for (std::size_t i = 0; i < line.size(); ++i)
+        sum[i % 3] += sx.weight[i / 3] * line[i];
+    return sum;
+}
+
+template <int Cells>
+void TouchedRows::add_plain(const MarkerStencil& stencil, const Vec3& force,
+                            double* density) const {
+    const auto& [sx, sy, sz] = stencil;
+    std::array<double, 3 * Cells> line;
+    for (std::size_t i = 0; i < line.size(); ++i)
+        line[i] = sx.weight[i / 3] * force[i % 3];
+    for (std::size_t k = 0; k < Cells; ++k) {
+        const int first = slot(sy.first, sz.first + static_cast<int>(k));
+        for (std::size_t j = 0; j < Cells; ++j) {
+            const double weight = sy.weight[j] * sz.weight[k];
+            double* f = density + first_value(first + static_cast<int>(j), sx.first);
+            for (std::size_t i = 0; i < line.size(); ++i) f[i] += weight * line[i];
+        }
+    }
 }
 
 void TouchedRows::interpolate(std::span<const double> velocity,
                               std::span<Vec3> markers) const {
-    for (std::size_t m = 0; m < stencils_.size(); ++m) {
-        Vec3 sum{};
-        for_each_run(m, [&](int at, const Run& run, double wyz) {
-            const double* u = velocity.data() + first_value(at, run.x);
-            for (int i = 0; i < run.cells; ++i, u += 3) {
-                const double weight = wyz * run.weight[i];
-                for (std::size_t d = 0; d < 3; ++d) sum[d] += weight * u[d];
+    with_support([&](auto cells) {
+        for (std::size_t m = 0; m < stencils_.size(); ++m) {
+            if (plain_[m]) {
+                markers[m] = read_plain<cells()>(stencils_[m], velocity.data());
+                continue;
             }
-        });
-        markers[m] = sum;
-    }
+            Vec3 sum{};
+            for_each_run(m, [&](int at, const Run& run, double wyz) {
+                const double* u = velocity.data() + first_value(at, run.x);
+                for (int i = 0; i < run.cells; ++i, u += 3) {
+                    const double weight = wyz * run.weight[i];
+                    for (std::size_t d = 0; d < 3; ++d) sum[d] += weight * u[d];
+                }
+            });
+            markers[m] = sum;
+        }
+    });
 }
 
 void TouchedRows::spread(std::span<const Vec3> force_n, std::span<double> density) const {
     const double per_volume =
         1 / (grid_->spacing_m * grid_->spacing_m * grid_->spacing_m);
-    for (std::size_t m = 0; m < stencils_.size(); ++m) {
-        for_each_run(m, [&](int at, const Run& run, double wyz) {
-            double* f = density.data() + first_value(at, run.x);
-            for (int i = 0; i < run.cells; ++i, f += 3) {
-                const double weight = wyz * run.weight[i] * per_volume;
-                for (std::size_t d = 0; d < 3; ++d) f[d] += weight * force_n[m][d];
+    with_support([&](auto cells) {
+        for (std::size_t m = 0; m < stencils_.size(); ++m) {
+            Vec3 force = force_n[m];
+            for (double& f : force) f *= per_volume;
+            if (plain_[m]) {
+                add_plain<cells()>(stencils_[m], force, density.data());
+                continue;
             }
-        });
-    }
+            for_each_run(m, [&](int at, const Run& run, double wyz) {
+                double* f = density.data() + first_value(at, run.x);
+                for (int i = 0; i < run.cells; ++i, f += 3) {
+                    const double weight = wyz * run.weight[i];
+                    for (std::size_t d = 0; d < 3; ++d) f[d] += weight * force[d];
+                }
+            });
+        }
+    });
 }
 
 void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> values,
@@ -151,9 +257,8 @@ void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> v
         const GridRow& theirs = other.rows_[o];
         const int end = std::min(mine.x_end, theirs.x_end);
         for (int x = std::max(mine.x_begin, theirs.x_begin); x < end; ++x) {
-            const auto cell = offset_[r] + static_cast<std::size_t>(x - mine.x_begin);
-            const auto from =
-                other.offset_[o] + static_cast<std::size_t>(x - theirs.x_begin);
+            const auto cell = static_cast<std::size_t>(origin_[r] + x);
+            const auto from = static_cast<std::size_t>(other.origin_[o] + x);
             for (std::size_t d = 0; d < 3; ++d)
                 to[3 * cell + d] += factor * values[3 * from + d];
         }

@@ -46,10 +46,22 @@ class TouchedRows {
     void for_each_run(std::size_t marker, Visit&& visit) const;
     template <typename Visit>
     void without_solid(int y, int z, const Run& run, Visit&& visit) const;
+    // Whether the marker touches kernel_ cells along each axis, all of them fluid of this
+    // rank, one beside the other.
+    bool is_plain(const MarkerStencil& stencil, double share) const;
+    template <typename Use>
+    void with_support(Use&& use) const;
+    template <int Cells>
+    Vec3 read_plain(const MarkerStencil& stencil, const double* velocity) const;
+    template <int Cells>
+    void add_plain(const MarkerStencil& stencil, const Vec3& force,
+                   double* density) const;
     std::size_t runs_along_x(const Stencil1D& sx, Runs& runs) const;
     std::size_t first_value(int at, int x) const;
     int slot(int y, int z) const;
     void widen(int y, int z, int x_begin, int x_end);
+    void widen_by(std::size_t marker);
+    void widen_plain(const MarkerStencil& stencil);
 
     const Grid* grid_;
     CellBox box_;
@@ -58,9 +70,10 @@ class TouchedRows {
     std::vector<Vec3> points_m_;
     std::vector<MarkerStencil> stencils_;
     std::vector<double> share_;  // of each marker's weights in the fluid
+    std::vector<char> plain_;    // of each marker
     std::vector<GridRow> rows_;
-    std::vector<std::size_t> offset_;  // of each row's first cell
-    std::vector<int> row_of_;          // (y, z) -> row, -1: not touched
+    std::vector<std::ptrdiff_t> origin_;  // of each row: number of its cell x = 0
+    std::vector<int> row_of_;             // (y, z) -> row, -1: not touched
     std::size_t cells_ = 0;
 };
 
