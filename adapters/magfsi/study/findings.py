@@ -26,7 +26,7 @@ def add_errors(study, runs):
                 continue
             try:
                 finest = None
-                if norm.reference.finest is not None:
+                if norm.reference and norm.reference.finest is not None:
                     other = _reference_run(norm, run, runs)
                     if other is None:
                         raise NoError("no completed run to compare with")
@@ -101,7 +101,7 @@ def order(group, norm):
     coarse, fine = known[-2:]
     e1, e2 = coarse.errors[norm.name], fine.errors[norm.name]
     h1, h2 = coarse.cell.size, fine.cell.size
-    if norm.reference.finest is not None:
+    if norm.reference and norm.reference.finest is not None:
         return _order_against(e1, h1, e2, h2, fine.compared_size)
     return math.log(e1 / e2) / math.log(h1 / h2)
 

@@ -16,29 +16,48 @@ def check_probes(study, run):
     with open(run.folder / "probes.csv", newline="") as file:
         names = next(csv.reader(file), [])
     for norm in study.norms:
-        if norm.probe not in names:
-            norm.mark.refuse(f'"{norm.probe}"', "a column of probes.csv: " + ", ".join(names[1:]))
+        for _, column in norm.terms:
+            if column not in names:
+                norm.mark.refuse(f'"{column}"',
+                                 "a column of probes.csv: " + ", ".join(names[1:]))
 
 
-def course(run, norm):
-    """(times, values) of the norm's probe."""
+def _columns(run, norm):
+    """Times, and a row of values for each of the norm's terms."""
     try:
         with open(run.folder / "probes.csv", newline="") as file:
             names, *rows = list(csv.reader(file))
     except (OSError, ValueError) as error:
         raise NoError("the run left no probes.csv") from error
-    if norm.probe not in names:
-        raise NoError(f'no probe "{norm.probe}"; there are {", ".join(names)}')
-    column = names.index(norm.probe)
-    table = np.array([[float(row[0]), float(row[column])] for row in rows if len(row) > column])
-    table = table.reshape(-1, 2)
-    times, values = table[:, 0], table[:, 1] * norm.factor
-    if norm.change and len(values):
-        values = values - values[0]
-    kept = times >= norm.start_s
+    for _, name in norm.terms:
+        if name not in names:
+            raise NoError(f'no probe "{name}"; there are {", ".join(names)}')
+    wanted = [0] + [names.index(name) for _, name in norm.terms]
+    table = np.array([[float(row[c]) for c in wanted] for row in rows if len(row) == len(names)])
+    times, values = np.split(table.reshape(-1, len(wanted)).T, [1])
+    kept = times[0] >= norm.start_s
     if kept.sum() < 2:
         raise NoError("fewer than two rows of probes")
-    return times[kept], values[kept]
+    signs = np.array([[sign] for sign, _ in norm.terms])
+    return times[0][kept], norm.factor * signs * values[:, kept]
+
+
+def course(run, norm):
+    """(times, values) of the norm's probe."""
+    times, terms = _columns(run, norm)
+    values = terms.sum(axis=0)
+    return times, values - values[0] if norm.change else values
+
+
+def gain(run, norm):
+    """How far the sum rises above its start, over the largest change of one of its terms: 0
+    for a balance that only loses."""
+    _, terms = _columns(run, norm)
+    scale = np.abs(terms - terms[:, :1]).max()
+    total = terms.sum(axis=0)
+    if not scale > 0:
+        raise NoError("nothing happens")
+    return float((total - total[0]).max() / scale)
 
 
 def _expected(reference, run, times, finest):
@@ -71,6 +90,8 @@ def _one_number(norm, values):
 
 def error(norm, run, finest=None):
     """Relative, without dimension. finest: (times, values) of the reference run."""
+    if norm.norm == "gain":
+        return gain(run, norm)
     times, values = course(run, norm)
     at, expected = _expected(norm.reference, run, times, finest)
     if norm.norm in ("final", "mean", "peak", "amplitude"):

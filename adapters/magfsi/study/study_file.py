@@ -7,7 +7,7 @@ import marked
 from expression import Formula
 from quantity import parse
 
-NORMS = ("final", "max", "max_relative", "l2", "peak", "mean", "amplitude")
+NORMS = ("final", "max", "max_relative", "l2", "peak", "mean", "amplitude", "gain")
 
 
 @dataclass
@@ -40,13 +40,18 @@ class Reference:
 @dataclass
 class Norm:
     name: str
-    probe: str
+    terms: list  # (sign, column of probes.csv), to be summed
     norm: str
-    reference: Reference
+    reference: Reference | None  # None: gain, which has its scale from the terms
     change: bool = False  # of the probe since its first row
     factor: float = 1.0
     start_s: float = float("-inf")
     mark: marked.Value = None
+
+    @property
+    def probe(self):
+        signs = {1: " + ", -1: " - "}
+        return "".join(signs[s] + n for s, n in self.terms).removeprefix(" + ")
 
 
 @dataclass
@@ -179,11 +184,22 @@ def _chosen(value, axes, single=False):
     return out
 
 
+def _terms(value):
+    """One column, or a list to be summed, in which "- column" is taken off."""
+    columns = [item.scalar() for item in value.items()] if value.is_list() else [value.scalar()]
+    return [(-1, c[1:].strip()) if c.startswith("-") else (1, c) for c in columns]
+
+
 def _norm(name, value, axes, folder):
     keys = value.keys(("probe", "norm", "reference", "change", "factor", "from"),
-                      ("probe", "norm", "reference"))
-    norm = Norm(name, keys["probe"].scalar(), keys["norm"].choice(NORMS),
-                _reference(keys["reference"], axes, folder), mark=keys["probe"])
+                      ("probe", "norm"))
+    kind = keys["norm"].choice(NORMS)
+    if (kind == "gain") == bool(keys["reference"]):
+        value.refuse(f"{kind} with{'' if keys['reference'] else 'out'} a reference",
+                     "a reference for every norm but gain")
+    norm = Norm(name, _terms(keys["probe"]), kind,
+                _reference(keys["reference"], axes, folder) if keys["reference"] else None,
+                mark=keys["probe"])
     if keys["change"]:
         norm.change = keys["change"].choice(("true", "false")) == "true"
     if keys["factor"]:
@@ -255,7 +271,7 @@ def read_study(path):
     norms = [_norm(n, v, axes, folder) for n, v in keys["errors"].entries().items()]
     if not norms:
         keys["errors"].refuse("no errors", "at least one")
-    if not order_axis and any(n.reference.finest is not None for n in norms):
+    if not order_axis and any(n.reference and n.reference.finest is not None for n in norms):
         keys["errors"].refuse("the reference finest", "it with order.axis, which says what is "
                               "fine")
     targets = [v.share() for v in keys["targets"].items()] if keys["targets"] else [
