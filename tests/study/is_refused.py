@@ -21,6 +21,8 @@ WRONG = [
     ("[1 mT, 2 mT]", "[1 mT, 2 mm]", "3:66", "allowed a magnetic flux density"),
     ("norm: final", "norm: finall", "5:40", "allowed one of final, max"),
     ("norm: final", "norm: l2", "5:55", "a course in time"),
+    ("norm: final", "norm: gain", "5:8", "gain with a reference"),
+    (", reference: 0.004", "", "5:8", "final without a reference"),
     ("reference: 0.004", "reference: finest", "5:", "order.axis"),
     ("reference: 0.004", "reference: {formula: exp(-q)}", "5:", 'the name "q"'),
     ("reference: 0.004", "reference: {formula: __import__(1)}", "5:", "in the formula"),

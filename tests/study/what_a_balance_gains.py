@@ -1,0 +1,38 @@
+#!/usr/bin/python3
+"""The norm gain: 0 for energies that only lose what is taken off, and what is missing where a
+part of the balance is left out."""
+
+import unittest
+
+from studies import Study, magfsi
+
+TEXT = f"""
+scene: {magfsi.SMALL}
+set: {{gravity: null}}
+right_within: 0.1 %
+axes:
+  field: {{key: magnetic_field.constant.magnitude, values: [10 mT]}}
+errors:
+  all:
+    probe: ["robot.energy_elastic[J]", "robot.energy_kinetic[J]", "kinetic_energy[J]",
+            "- robot.work_magnetic[J]"]
+    norm: gain
+  part:
+    probe: ["robot.energy_elastic[J]", "robot.energy_kinetic[J]"]
+    norm: gain
+"""
+
+
+class WhatABalanceGains(unittest.TestCase):
+    def test_whole_and_part(self):
+        study = Study(TEXT)
+        study.good_run()
+        row, = study.rows()
+        self.assertLess(float(row["error_all[1]"]), 1e-12)
+        # Nothing taken off: the sum rises by at least its largest term.
+        self.assertGreaterEqual(float(row["error_part[1]"]), 1)
+        self.assertEqual(row["verdict"], "wrong")
+
+
+if __name__ == "__main__":
+    unittest.main()
