@@ -1,6 +1,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace magfsi::lbm {
 
@@ -84,6 +85,23 @@ fluid::ObstacleShape to_shape(const scene::Obstacle& obstacle) {
     return fluid::StlSurface{surface.file, surface.unit_m, surface.shift_m};
 }
 
+// The pressure is that of the incompressible flow: rho U^2 / 16 (cos 2kx + cos 2ky)
+// (cos 2kz + 2).
+void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid) {
+    const double speed_m_s = fluid.taylor_green->speed_m_s;
+    const double k = 2 * std::numbers::pi / fluid.box_m[0];
+    const double pressure_pa = fluid.density_kg_m3 * speed_m_s * speed_m_s / 16;
+    config.initial_velocity = [=](const fluid::Vec3& x) {
+        const double u = speed_m_s * std::cos(k * x[2]);
+        return fluid::Vec3{u * std::sin(k * x[0]) * std::cos(k * x[1]),
+                           -u * std::cos(k * x[0]) * std::sin(k * x[1]), 0};
+    };
+    config.initial_pressure = [=](const fluid::Vec3& x) {
+        return pressure_pa * (std::cos(2 * k * x[0]) + std::cos(2 * k * x[1])) *
+               (std::cos(2 * k * x[2]) + 2);
+    };
+}
+
 }  // namespace
 
 fluid::FluidConfig to_config(const scene::Fluid& fluid, double time_step_s) {
@@ -109,6 +127,7 @@ fluid::FluidConfig to_config(const scene::Fluid& fluid, double time_step_s) {
         const auto velocity = *fluid.initial_velocity_m_s;
         config.initial_velocity = [velocity](const fluid::Vec3&) { return velocity; };
     }
+    if (fluid.taylor_green) start_as_taylor_green(config, fluid);
     return config;
 }
 

@@ -285,6 +285,11 @@ void bind_keys(Io& io, Grading& grading) {
 }
 
 template <class Io>
+void bind_keys(Io& io, TaylorGreen& vortex) {
+    io("speed", vortex.speed_m_s);
+}
+
+template <class Io>
 void bind_keys(Io& io, Fluid& fluid) {
     io("solver", fluid.solver);
     io("box", fluid.box_m);
@@ -302,6 +307,7 @@ void bind_keys(Io& io, Fluid& fluid) {
     io("boundaries", fluid.boundaries);
     io("obstacles", fluid.obstacles);
     io("initial_velocity", fluid.initial_velocity_m_s);
+    io("taylor_green", fluid.taylor_green);
     io("body_force", fluid.body_force_n_m3);
 }
 

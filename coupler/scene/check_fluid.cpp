@@ -106,6 +106,23 @@ void check_inlets(const Fluid& fluid, const Marks& marks) {
     }
 }
 
+void check_taylor_green(const Fluid& fluid, const Marks& marks) {
+    const Origin& where = marks.key({"fluid", "taylor_green"});
+    if (fluid.initial_velocity_m_s) {
+        refuse(where, "the Taylor-Green vortex and an initial velocity", "one of the two",
+               "leave initial_velocity out");
+    }
+    const auto periodic = [](const Boundary& side) {
+        return side.kind == BoundaryKind::periodic;
+    };
+    const Vec3& box = fluid.box_m;
+    if (std::ranges::all_of(fluid.boundaries, periodic) && box[0] == box[1] &&
+        box[0] == box[2])
+        return;
+    refuse(where, "the Taylor-Green vortex in a box that is no periodic cube",
+           "a cube whose six boundaries are periodic");
+}
+
 }  // namespace
 
 void check_fluid(const Scene& scene, const Marks& marks) {
@@ -114,6 +131,7 @@ void check_fluid(const Scene& scene, const Marks& marks) {
     check_periodic_pairs(*scene.fluid, marks);
     check_walls(*scene.fluid, marks);
     check_inlets(*scene.fluid, marks);
+    if (scene.fluid->taylor_green) check_taylor_green(*scene.fluid, marks);
 }
 
 }  // namespace magfsi::scene

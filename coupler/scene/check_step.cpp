@@ -48,6 +48,9 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
     if (fluid.initial_velocity_m_s)
         check_speed(length(*fluid.initial_velocity_m_s), "the initial velocity",
                     marks.value({"fluid", "initial_velocity"}), fluid, dt_s);
+    if (fluid.taylor_green)
+        check_speed(fluid.taylor_green->speed_m_s, "the vortex's speed",
+                    marks.value({"fluid", "taylor_green", "speed"}), fluid, dt_s);
     for (std::size_t face = 0; face < 6; ++face) {
         const std::string name(names<Face>[face]);
         const std::string kind(name_of(fluid.boundaries[face].kind));

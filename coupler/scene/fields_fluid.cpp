@@ -119,6 +119,10 @@ Field fluid_fields() {
         obstacles().optional(),
         quantity("initial_velocity", "m/s", "Uniform; without it, at rest.").vector(3)
             .optional(),
+        group("taylor_green", "Starts as the Taylor-Green vortex, one period along each side "
+              "of a periodic cube.", {
+            quantity("speed", "m/s", "Its largest.").above(0),
+        }).optional(),
         quantity("body_force", "N/m3", "On the fluid everywhere, such as a pressure "
                  "gradient.").vector(3).optional(),
     });

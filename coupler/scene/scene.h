@@ -264,6 +264,12 @@ struct Smagorinsky {
     double constant = 0;
 };
 
+// One period along each side of a periodic cube of side L, k = 2 pi / L:
+// u = U (sin kx cos ky cos kz, -cos kx sin ky cos kz, 0), with its pressure.
+struct TaylorGreen {
+    double speed_m_s = 0;  // U
+};
+
 struct Fluid {
     FluidSolver solver = FluidSolver::lbm;
     Vec3 box_m{};
@@ -281,6 +287,7 @@ struct Fluid {
     std::array<Boundary, 6> boundaries{};  // by Face
     std::vector<Obstacle> obstacles;       // by name
     std::optional<Vec3> initial_velocity_m_s;
+    std::optional<TaylorGreen> taylor_green;  // in its place
     std::optional<Vec3> body_force_n_m3;
 };
 

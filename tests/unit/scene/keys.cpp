@@ -59,6 +59,10 @@ TEST(Keys, of_a_body) {
     EXPECT_EQ(b.initial.relaxed->direction_rad, 2 * pi);
 }
 
+TEST(Keys, of_a_vortex) {
+    EXPECT_EQ(complete("vortex.yaml").fluid->taylor_green->speed_m_s, 10e-3);
+}
+
 TEST(Keys, of_rollers_and_integrals) {
     const Scene s = complete("elastic.yaml");
     const auto& rollers = s.bodies[0].rollers;  // of the beam
@@ -292,7 +296,7 @@ TEST(Keys, of_the_table_are_all_stored) {
     std::vector<nlohmann::json> scenes;
     for (const char* name :
          {"swimmer.yaml", "implicit.yaml", "elastic.yaml", "turning.yaml",
-          "platform.yaml", "origami.yaml", "channel.yaml"})
+          "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml"})
         scenes.push_back(effective_scene(complete(name)));
     std::vector<std::string> missing;
     missing_leaves(scene_fields(), "", scenes, missing);
