@@ -33,7 +33,7 @@ class Run:
         return self.record.get("outcome") == "completed"
 
 
-def _files_of(scene):
+def _files_of(scene, sets):
     """Meshes and tables that the scene reads: the scene's hash knows their names only."""
     def walk(value):
         if value.is_map():
@@ -44,7 +44,9 @@ def _files_of(scene):
         elif value.is_list():
             for child in value.items():
                 yield from walk(child)
-    return [f for f in walk(marked.read(scene)) if f.is_file()]
+    files = list(walk(marked.read(scene)))
+    files += [scene.parent / text for key, text in sets.items() if key.endswith(".file")]
+    return [f for f in files if f.is_file()]
 
 
 def _scene_file(study):
@@ -87,13 +89,12 @@ def _check_input(study, runs):
 def plan(study, cells, out):
     """All runs, each with its key; those that the program refuses are rows of their own."""
     scene = _scene_file(study)
-    runs, files = [], None
+    runs = []
     for cell in cells:
         run = Run(cell)
         facts, fault = program.explain(scene, cell)
         if facts:
-            files = _files_of(scene) if files is None else files
-            run.facts, run.key = facts, _key(facts, files)
+            run.facts, run.key = facts, _key(facts, _files_of(scene, cell.sets))
             run.folder = out / "runs" / run.key
         else:
             run.record = {"outcome": "refused", "cause": fault}

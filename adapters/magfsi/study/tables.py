@@ -31,7 +31,7 @@ def _measured(run):
         "iterations[1]": s["iterations"]["mean"] if s.get("iterations") else NOTHING,
         "mlups": fluid["mlups"] if fluid else NOTHING,
         "memory[B]": sum(s["memory_bytes"].values()) if s.get("memory_bytes") else NOTHING,
-        "predicted[s]": s.get("predicted", {}).get("wall_s", NOTHING),
+        "predicted[s]": s.get("predicted", {}).get("wall_s") or NOTHING,
     }
 
 
