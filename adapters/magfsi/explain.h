@@ -13,7 +13,8 @@ namespace magfsi::launch {
 std::string explain(const scene::Scene& scene);
 
 // For programs: name, scene_hash (as in summary.json), version of magfsi, ranks by role,
-// and with a fluid its spacing_m and step_s.
+// machine, with a fluid its
+// spacing_m and step_s, and on a calibrated machine what is predicted.
 nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks);
 
 }  // namespace magfsi::launch

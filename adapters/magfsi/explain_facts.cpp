@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "coupler/scene/effective.h"
 
@@ -10,11 +11,13 @@ nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
     out["name"] = scene.name;
     out["scene_hash"] = fmt::format("{:016x}", scene.hash);
     out["version"] = MAGFSI_VERSION;
+    out["machine"] = machine();
     out["ranks"] = ranks;
     if (scene.fluid) {
         out["fluid"] = {{"spacing_m", scene.fluid->spacing_m},
                         {"step_s", *scene::coupled_step_s(scene)}};
     }
+    if (const auto cost = prediction(scene, ranks)) out["predicted"] = to_json(*cost);
     return out;
 }
 

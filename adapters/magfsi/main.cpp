@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "coupler/participants/errors.h"
@@ -47,7 +48,7 @@ int explain(const Options& options) {
     if (options.json)
         fmt::print("{}\n", launch::facts(scene, ranks).dump(2));
     else
-        fmt::print("{}", text);
+        fmt::print("{}{}", text, launch::explain_cost(scene, ranks));
     return coupler::exit_done;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
 #include "adapters/openfoam/engine_library.h"
@@ -121,6 +122,26 @@ void write_lost(const scene::Scene& scene, const fs::path& out,
     output::write_atomically(out / "summary.json", json.dump(2) + "\n");
 }
 
+double memory_of(const nlohmann::ordered_json& summary) {
+    double bytes = 0;
+    for (const auto& side : summary.at("memory_bytes")) bytes += side.get<double>();
+    return bytes;
+}
+
+// Beside the actual figures, in summary.json and in a line.
+void write_predicted(const fs::path& out, const std::optional<Prediction>& predicted) {
+    std::ifstream in(out / "summary.json");
+    auto json = nlohmann::ordered_json::parse(in, nullptr, false);
+    if (!predicted || !json.is_object()) return;
+    json["predicted"] = to_json(*predicted);
+    output::write_atomically(out / "summary.json", json.dump(2) + "\n");
+    if (!predicted->wall_s) return;
+    fmt::print("predicted {:.3g} s and {:.3g} MB, took {:.3g} s and {:.3g} MB\n",
+               *predicted->wall_s,
+               (predicted->structure_bytes + predicted->fluid_bytes) / 1e6,
+               json.value("wall_s", 0.0), memory_of(json) / 1e6);
+}
+
 }  // namespace
 
 std::map<std::string, fs::path> parse_replay(const std::string& text) {
@@ -175,6 +196,10 @@ int run(const RunOptions& options) {
                    out.string(), scene.checkpoint ? "; go on with --restart latest" : "");
         return coupler::exit_error;
     }
+    // What a restart or one side alone takes is not what was predicted.
+    const bool whole = options.restart.empty() && options.replay.empty();
+    if (end.exit_code == coupler::exit_done && whole)
+        write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
     return end.exit_code;
 }
 

@@ -1,0 +1,161 @@
+"""magfsi bench --calibrate: measures this machine by short runs, half a minute in all, and keeps
+the seconds and bytes in the user's cache folder; explain predicts from them."""
+import datetime
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import scenes
+
+BIN = Path(os.environ.get("MAGFSI_BIN", scenes.TOP / "build/release/bin"))
+SMALL, LARGE = 24, 72  # cells along a cube: in the caches, and beyond them
+
+
+class Bench:
+    """Runs scenes in a temporary folder; each is a dictionary, its summary.json."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+
+    def run(self, scene, ranks, sets=()):
+        if not isinstance(scene, Path):
+            file = self.folder / "scene.yaml"
+            file.write_text(scene)
+            scene = file
+        words = [str(BIN / "magfsi"), "run", str(scene), "--out", str(self.folder / "run"),
+                 "--ranks", ranks]
+        for setting in sets:
+            words += ["--set", setting]
+        done = subprocess.run(words, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"magfsi bench --calibrate: {done.stderr.strip().splitlines()[-1]}")
+        return json.loads((self.folder / "run/summary.json").read_text())
+
+
+def memory(summary, role):
+    return summary["memory_bytes"][role]
+
+
+def busy_s(summary, role, task):
+    """Of a task, without what it waited for the partner."""
+    return summary["tasks"][role].get(task, 0) - summary["waiting"][role].get(task, 0)
+
+
+def fluid(bench, cores):
+    """Speeds of a fluid alone, and its memory."""
+    speeds, found = [], {}
+    for n, steps in ((SMALL, 3000), (LARGE, 100)):
+        for ranks in sorted({1, cores}):
+            for precision in ("double", "float"):
+                s = bench.run(scenes.fluid(n, steps, precision), f"fluid={ranks}")
+                speeds.append({"cells": n**3, "ranks": ranks,
+                               "single_precision": precision == "float",
+                               "s_per_cell_step": s["tasks"]["fluid"]["advance fluid"]
+                               / steps / n**3})
+                if ranks == 1 and precision == "double":
+                    found[n] = s
+    cells = LARGE**3 - SMALL**3
+    per_cell = (memory(found[LARGE], "fluid") - memory(found[SMALL], "fluid")) / cells
+    probed = bench.run(scenes.fluid(LARGE, 40, probes=2), "fluid=1")
+    written = bench.run(scenes.fluid(LARGE, 40, files=10), "fluid=1")
+    return {
+        "fluid": speeds,
+        "bytes_per_cell": per_cell,
+        "fluid_bytes": memory(found[SMALL], "fluid") - SMALL**3 * per_cell,
+        "bytes_per_cell_file": max(0, memory(written, "fluid") - memory(found[LARGE], "fluid"))
+        / LARGE**3,
+        "s_per_cell_row": probed["tasks"]["fluid"]["probes"] / 20 / LARGE**3,
+        "s_per_cell_byte": written["tasks"]["fluid"]["write fields"] / 4 / LARGE**3 / 12,
+    }
+
+
+def structure(bench):
+    """Of a strip in LAMMPS: a line through two meshes."""
+    coarse = bench.run(scenes.strip("[10, 4, 1]", "0.2 ms"), "structure=1")
+    fine = bench.run(scenes.strip("[40, 16, 1]", "1 ms"), "structure=1")
+    seconds, elements = [], []
+    for s in (coarse, fine):
+        seconds.append(s["tasks"]["structure"]["advance structure"] / s["substeps"])
+        elements.append(s["structure"]["elements"])
+    slope = max(0, (seconds[1] - seconds[0]) / (elements[1] - elements[0]))
+    grown = memory(fine, "structure") - memory(coarse, "structure")
+    per_element = max(0, grown / (elements[1] - elements[0]))
+    return {
+        "s_per_element_substep": slope,
+        "s_per_substep": max(0, seconds[0] - slope * elements[0]),
+        "s_per_probe_row": coarse["tasks"]["structure"]["probes"] / 100,
+        "s_per_element_file": fine["tasks"]["structure"]["write fields"] / 20 / elements[1],
+        "bytes_per_element": per_element,
+        "lammps_bytes": memory(coarse, "structure") - per_element * elements[0],
+    }
+
+
+def newton(bench):
+    """Of a beam that bends without instability, 20 loads."""
+    speeds = []
+    for elements, nodes in (("[12, 4, 1]", 13 * 5 * 2), ("[36, 10, 1]", 37 * 11 * 2)):
+        s = bench.run(scenes.BEAM, "structure=1",
+                      (f"bodies.beam.mesh.box.elements={elements}", "probes.every=50 ms",
+                       "output=null"))
+        speeds.append({"nodes": nodes, "s_per_point": s["tasks"]["structure"]
+                       ["find equilibrium"] / s["steps"]})
+        base = memory(s, "structure")
+    return {"newton": speeds, "newton_bytes": base}
+
+
+def coupled(bench, known, cores):
+    """What two sides add: markers and messages."""
+    sets = ("output=null", "probes=null", "fluid.spacing=0.4 mm", "time.end=10 ms")
+    s = bench.run(scenes.SWIMMER, "structure=1,fluid=1", sets)
+    shared = bench.run(scenes.SWIMMER, f"structure=1,fluid={cores}", sets)
+    markers, steps = s["immersed_boundary"]["markers"], s["steps"]
+    elements = s["structure"]["elements"]
+    substep = s["tasks"]["structure"]["advance structure"] / s["substeps"]
+    alone = known["s_per_substep"] + known["s_per_element_substep"] * elements
+    spread = sum(busy_s(s, "fluid", task) for task in ("spread impulses", "sample velocities"))
+    fluid_bytes = known["fluid_bytes"] + s["fluid"]["cells"] * known["bytes_per_cell"]
+    return {
+        "s_per_marker_substep": max(0, substep - alone) / markers,
+        "s_per_marker_step": spread / steps / markers,
+        "s_per_coupled_step": rest_s(s) / steps,
+        "s_per_coupled_step_shared": rest_s(shared) / steps,
+        "bytes_per_marker": max(0, memory(s, "structure") - known["lammps_bytes"]
+                                - elements * known["bytes_per_element"]) / markers,
+        "fluid_bytes": known["fluid_bytes"] + max(0, memory(s, "fluid") - fluid_bytes) / 2,
+    }
+
+
+def rest_s(s):
+    """Wall time that none of the counted tasks explains."""
+    counted = busy_s(s, "structure", "advance structure") + sum(
+        busy_s(s, "fluid", task)
+        for task in ("spread impulses", "sample velocities", "advance fluid"))
+    return max(0, s["wall_s"] - counted)
+
+
+def main():
+    facts = json.loads(subprocess.run(
+        [BIN / "magfsi", "explain", scenes.BEAM, "--json"], capture_output=True, text=True,
+        check=True).stdout)
+    cores = len(os.sched_getaffinity(0))
+    found = {"machine": facts["machine"], "version": facts["version"],
+             "date": datetime.date.today().isoformat()}
+    with tempfile.TemporaryDirectory(prefix="magfsi-calibrate-") as folder:
+        bench = Bench(folder)
+        found.update(fluid(bench, min(cores, 8)))
+        found.update(structure(bench))
+        found.update(newton(bench))
+        found.update(coupled(bench, found, min(cores, 8)))
+    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "magfsi"
+    cache.mkdir(parents=True, exist_ok=True)
+    part = cache / "calibration.json.part"
+    part.write_text(json.dumps(found, indent=2) + "\n")
+    part.replace(cache / "calibration.json")
+    print(f"{found['machine']}: {cache / 'calibration.json'}")
+
+
+if __name__ == "__main__":
+    main()

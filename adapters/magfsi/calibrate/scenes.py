@@ -1,0 +1,51 @@
+"""The short runs whose task times and memory make the calibration."""
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[3]
+
+# A stream through a periodic cube: nothing but the lattice.
+FLUID = """
+name: calibration
+time: {{end: {end} s, step: 1 s}}
+fluid:
+  box: [{n} m, {n} m, {n} m]
+  spacing: 1 m
+  density: 1 kg/m3
+  viscosity: 0.05 m2/s
+  precision: {precision}
+  initial_velocity: [0.01 m/s, 0 m/s, 0 m/s]
+  boundaries: {{x_min: periodic, x_max: periodic, y_min: periodic, y_max: periodic,
+               z_min: periodic, z_max: periodic}}
+"""
+PROBES = "probes: {{every: {every} s, fluid: [kinetic_energy, mass, max_speed]}}\n"
+FILES = "output: {{fluid: {{every: {every} s, fields: [velocity]}}}}\n"
+
+
+def fluid(n, steps, precision="double", probes=0, files=0):
+    text = FLUID.format(n=n, end=steps, precision=precision)
+    if probes:
+        text += PROBES.format(every=probes)
+    if files:
+        text += FILES.format(every=files)
+    return text
+
+
+def strip(elements, probes):
+    """A strip that bends in LAMMPS, without fluid."""
+    return f"""
+name: calibration
+time: {{end: 20 ms, step: 100 us}}
+bodies:
+  strip:
+    mesh: {{box: {{size: [3.7 mm, 1.5 mm, 0.185 mm], elements: {elements}}}}}
+    element: assumed_strain
+    material: {{shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}}
+    magnetization: {{harmonic: {{amplitude: 62 kA/m, phase: 45 deg}}}}
+magnetic_field: {{plane: xz, constant: {{magnitude: 5 mT, direction: 45 deg}}}}
+probes: {{every: {probes}, bodies: [com, shape, energy]}}
+output: {{structure: {{every: 1 ms}}}}
+"""
+
+
+SWIMMER = TOP / "tutorials/swimmer/scene.yaml"
+BEAM = TOP / "tutorials/beam/scene.yaml"

@@ -1,0 +1,101 @@
+#include "adapters/magfsi/cost/work.h"
+
+#include <cmath>
+
+#include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "adapters/lammps/substeps.h"
+#include "coupler/scene/effective.h"
+#include "coupler/step/probe_columns.h"
+
+namespace magfsi::launch {
+
+namespace {
+
+// Measured: what iqn_ils takes at its default tolerance (docs/coupling.md).
+constexpr double usual_iterations = 2.5;
+
+double rows(double end_s, double every_s) {
+    return std::floor(end_s / every_s * (1 + 1e-9)) + 1;
+}
+
+double bytes_a_cell(const std::vector<scene::FluidField>& fields) {
+    double bytes = 0;
+    for (const scene::FluidField field : fields)
+        bytes += field == scene::FluidField::density ? 4 : 12;
+    return bytes;
+}
+
+FluidWork fluid_work(const scene::Scene& scene, int ranks) {
+    const scene::Fluid& fluid = *scene.fluid;
+    FluidWork work;
+    work.cells = 1;
+    for (const double side : fluid.box_m)
+        work.cells *= std::round(side / fluid.spacing_m);
+    work.single_precision = fluid.precision != scene::Precision::double_;
+    if (scene.probes && !coupler::fluid_columns(scene).empty())
+        work.probe_rows = rows(scene.time.end_s, scene.probes->every_s);
+    if (scene.output.fluid) {
+        work.files = rows(scene.time.end_s, scene.output.fluid->every_s);
+        work.bytes_a_cell = bytes_a_cell(scene.output.fluid->fields);
+    }
+    work.ranks = ranks;
+    return work;
+}
+
+double markers_of(const scene::Scene& scene, const scene::Body& body) {
+    const auto markers = bodies::place_markers(body, scene.coupling->immersed_boundary,
+                                               scene.fluid->spacing_m, 0,
+                                               bodies::spans_fluid(*scene.fluid, body));
+    return static_cast<double>(markers.size());
+}
+
+StructureWork structure_work(const scene::Scene& scene, int ranks) {
+    StructureWork work;
+    for (const scene::Body& body : scene.bodies) {
+        const structure::Body solid = bodies::to_body(body);
+        work.elements += static_cast<double>(solid.mesh.elements.size());
+        work.nodes += static_cast<double>(solid.mesh.nodes.size());
+        if (scene.coupling) work.markers += markers_of(scene, body);
+    }
+    if (scene.probes) work.probe_rows = rows(scene.time.end_s, scene.probes->every_s);
+    if (scene.output.structure)
+        work.files = rows(scene.time.end_s, scene.output.structure->every_s);
+    work.ranks = ranks;
+    return work;
+}
+
+PathWork path_work(const scene::Scene& scene) {
+    PathWork work;
+    work.points = std::round(scene.time.end_s / scene::path_step_s(scene));
+    work.newton = scene.time.equilibrium->method == scene::EquilibriumMethod::newton;
+    return work;
+}
+
+}  // namespace
+
+Work work_of(const scene::Scene& scene, const Ranks& ranks) {
+    Work work;
+    if (scene.fluid) work.fluid = fluid_work(scene, ranks.at("fluid"));
+    if (!scene.bodies.empty())
+        work.structure = structure_work(scene, ranks.at("structure"));
+    if (scene.time.equilibrium) {
+        work.path = path_work(scene);
+        return work;
+    }
+    double step_s = scene.fluid ? *scene::coupled_step_s(scene) : 0;
+    if (work.structure) {
+        const lammps::Substeps substeps = lammps::choose_substeps(scene);
+        work.structure->substeps = substeps.count;
+        step_s = substeps.coupled_step_s;
+    }
+    work.steps = std::round(scene.time.end_s / step_s);
+    if (scene.coupling) {
+        work.at_once = scene.coupling->scheme == scene::Scheme::parallel;
+        if (scene.coupling->scheme == scene::Scheme::implicit)
+            work.iterations = usual_iterations;
+    }
+    return work;
+}
+
+}  // namespace magfsi::launch
