@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "adapters/magfsi/cost/experience.h"
 #include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
@@ -129,10 +130,12 @@ double memory_of(const nlohmann::ordered_json& summary) {
 }
 
 // Beside the actual figures, in summary.json and in a line.
-void write_predicted(const fs::path& out, const std::optional<Prediction>& predicted) {
+void write_predicted(const scene::Scene& scene, const fs::path& out,
+                     const std::optional<Prediction>& predicted) {
     std::ifstream in(out / "summary.json");
     auto json = nlohmann::ordered_json::parse(in, nullptr, false);
     if (!predicted || !json.is_object()) return;
+    if (scene.time.equilibrium) keep_experience(scene.hash, json.value("wall_s", 0.0));
     json["predicted"] = to_json(*predicted);
     output::write_atomically(out / "summary.json", json.dump(2) + "\n");
     if (!predicted->wall_s) return;
@@ -199,7 +202,8 @@ int run(const RunOptions& options) {
     // What a restart or one side alone takes is not what was predicted.
     const bool whole = options.restart.empty() && options.replay.empty();
     if (end.exit_code == coupler::exit_done && whole)
-        write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
+        write_predicted(scene, out,
+                        prediction(scene, choose_ranks(scene, options.ranks)));
     return end.exit_code;
 }
 

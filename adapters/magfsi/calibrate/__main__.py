@@ -72,7 +72,7 @@ def fluid(bench, cores):
     }
 
 
-def structure(bench):
+def structure(bench, file_bytes):
     """Of a strip in LAMMPS: a line through two meshes."""
     coarse = bench.run(scenes.strip("[10, 4, 1]", "0.2 ms"), "structure=1")
     fine = bench.run(scenes.strip("[40, 16, 1]", "1 ms"), "structure=1")
@@ -89,21 +89,27 @@ def structure(bench):
         "s_per_probe_row": coarse["tasks"]["structure"]["probes"] / 100,
         "s_per_element_file": fine["tasks"]["structure"]["write fields"] / 20 / elements[1],
         "bytes_per_element": per_element,
-        "lammps_bytes": memory(coarse, "structure") - per_element * elements[0],
+        "lammps_bytes": memory(coarse, "structure") - per_element * elements[0] - file_bytes,
     }
 
 
 def newton(bench):
-    """Of a beam that bends without instability, 20 loads."""
-    speeds = []
+    """Of a beam that bends without instability, 20 loads; files of fields cost memory."""
+    speeds, sets = [], ("probes.every=50 ms", "output=null")
     for elements, nodes in (("[12, 4, 1]", 13 * 5 * 2), ("[36, 10, 1]", 37 * 11 * 2)):
         s = bench.run(scenes.BEAM, "structure=1",
-                      (f"bodies.beam.mesh.box.elements={elements}", "probes.every=50 ms",
-                       "output=null"))
+                      (f"bodies.beam.mesh.box.elements={elements}", *sets))
         speeds.append({"nodes": nodes, "s_per_point": s["tasks"]["structure"]
                        ["find equilibrium"] / s["steps"]})
-        base = memory(s, "structure")
-    return {"newton": speeds, "newton_bytes": base}
+        if len(speeds) == 1:
+            lean = s
+    rich = bench.run(scenes.BEAM, "structure=1",
+                     ("bodies.beam.mesh.box.elements=[12, 4, 1]", sets[0]))
+    return {"newton": speeds, "newton_bytes": memory(lean, "structure"),
+            "newton_bytes_per_element": max(0, memory(s, "structure")
+                                            - memory(lean, "structure")) / (360 - 48),
+            "structure_file_bytes": max(0, memory(rich, "structure")
+                                        - memory(lean, "structure"))}
 
 
 def coupled(bench, known, cores):
@@ -146,8 +152,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="magfsi-calibrate-") as folder:
         bench = Bench(folder)
         found.update(fluid(bench, min(cores, 8)))
-        found.update(structure(bench))
         found.update(newton(bench))
+        found.update(structure(bench, found["structure_file_bytes"]))
         found.update(coupled(bench, found, min(cores, 8)))
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "magfsi"
     cache.mkdir(parents=True, exist_ok=True)

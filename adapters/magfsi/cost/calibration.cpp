@@ -36,7 +36,9 @@ constexpr Entry entries[] = {
     {"bytes_per_cell", &Calibration::bytes_per_cell},
     {"bytes_per_cell_file", &Calibration::bytes_per_cell_file},
     {"bytes_per_element", &Calibration::bytes_per_element},
+    {"newton_bytes_per_element", &Calibration::newton_bytes_per_element},
     {"bytes_per_marker", &Calibration::bytes_per_marker},
+    {"structure_file_bytes", &Calibration::structure_file_bytes},
 };
 
 Calibration from_json(const Json& json) {

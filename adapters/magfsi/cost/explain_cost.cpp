@@ -12,11 +12,12 @@ std::string duration(double seconds) {
     return fmt::format("{:.2g} h", seconds / 3600);
 }
 
-std::string time_line(const Work& work, const Prediction& p) {
+std::string time_line(const Prediction& p, bool path) {
     if (!p.wall_s)
         return "unknown: damped motion takes as many steps as it needs to come to rest";
     std::string text = duration(*p.wall_s);
-    if (work.path) {
+    if (p.experienced) return text + ", as it took before";
+    if (path) {
         text +=
             " if Newton's method meets no instability on the path, several times "
             "that if it does";
@@ -52,9 +53,9 @@ std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
                "  not known: this machine is not calibrated; ./magfsi bench "
                "--calibrate does it in half a minute\n";
     }
-    const Work work = work_of(scene, ranks);
-    const Prediction p = predict(work, *calibration);
-    text += fmt::format("  time    {}\n", time_line(work, p));
+    const Prediction p = *prediction(scene, ranks);
+    text +=
+        fmt::format("  time    {}\n", time_line(p, scene.time.equilibrium.has_value()));
     text +=
         fmt::format("  memory  {:.3g} MB\n", (p.structure_bytes + p.fluid_bytes) / 1e6);
     text += fmt::format("  disk    {:.3g} MB\n", p.disk_bytes / 1e6);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/magfsi/cost/experience.h"
 #include "adapters/magfsi/mpi_job.h"
 
 namespace magfsi::launch {
@@ -71,9 +72,11 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (work.structure) {
         const StructureWork& s = *work.structure;
         const bool newton = work.path && work.path->newton;
-        p.structure_bytes = s.ranks * (newton ? c.newton_bytes : c.lammps_bytes) +
-                            s.elements * c.bytes_per_element +
-                            s.markers * c.bytes_per_marker;
+        p.structure_bytes =
+            s.ranks * (newton ? c.newton_bytes : c.lammps_bytes) +
+            (s.files > 0 ? c.structure_file_bytes : 0) +
+            s.elements * (newton ? c.newton_bytes_per_element : c.bytes_per_element) +
+            s.markers * c.bytes_per_marker;
         p.disk_bytes += s.files * s.elements * bytes_per_element_file +
                         s.probe_rows * bytes_per_probe_row;
     }
@@ -113,7 +116,14 @@ std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ran
         return std::nullopt;
     const auto calibration = read_calibration();
     if (!calibration) return std::nullopt;
-    return predict(work_of(scene, ranks), *calibration);
+    const Work work = work_of(scene, ranks);
+    Prediction p = predict(work, *calibration);
+    if (!work.path) return p;
+    if (const auto before = experienced_wall_s(scene.hash)) {
+        p.wall_s = before;
+        p.experienced = true;
+    }
+    return p;
 }
 
 }  // namespace magfsi::launch

@@ -11,7 +11,8 @@
 namespace magfsi::launch {
 
 struct Prediction {
-    std::optional<double> wall_s;  // of the steps; nothing for damped motion to rest
+    std::optional<double> wall_s;  // of the steps; nothing for unknown motion to rest
+    bool experienced = false;      // it took that long before
     std::optional<double> structure_s, fluid_s, exchange_s;  // its parts
     double structure_bytes = 0, fluid_bytes = 0;             // memory of all ranks
     double disk_bytes = 0;                                   // fields and probes

@@ -1,0 +1,64 @@
+#!/usr/bin/python3
+"""Predicted beside actual time and memory of all tutorials, on 1 and 2 ranks of the side that has
+the most work.
+
+    ./magfsi bench --calibrate && tests/bench/cost/tutorials.py      on an idle machine, minutes
+
+Paths of equilibria are predicted from their first run: they run twice, and the second counts.
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[3]
+SCENES = ("beam", "origami", "turning", "strip", "gravity", "swimmer")
+LARGEST_TIME, LARGEST_MEMORY = 0.25, 0.10  # what the prediction promises
+
+
+def facts(scene, ranks):
+    words = [TOP / "magfsi", "explain", scene, "--json", *(["--ranks", ranks] if ranks else [])]
+    return json.loads(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
+
+
+def summary(scene, ranks, folder):
+    subprocess.run([TOP / "magfsi", "run", scene, "--out", folder, "--ranks", ranks], check=True,
+                   stdout=subprocess.DEVNULL)
+    return json.loads((Path(folder) / "summary.json").read_text())
+
+
+def line(name, ranks, s):
+    wanted = s["predicted"]
+    memory = sum(s["memory_bytes"].values())
+    expected = sum(wanted["memory_bytes"].values())
+    time_off = wanted["wall_s"] / s["wall_s"] - 1 if wanted["wall_s"] else float("nan")
+    memory_off = expected / memory - 1
+    print(f"{name:9} {ranks:22} {wanted['wall_s'] or 0:8.2f} s predicted {s['wall_s']:8.2f} s "
+          f"taken {100 * time_off:+6.0f} %   {expected / 1e6:6.1f} MB predicted "
+          f"{memory / 1e6:6.1f} MB taken {100 * memory_off:+5.0f} %", flush=True)
+    return abs(time_off) <= LARGEST_TIME and abs(memory_off) <= LARGEST_MEMORY
+
+
+def main():
+    good = True
+    with tempfile.TemporaryDirectory(prefix="magfsi-cost-") as folder:
+        for name in SCENES:
+            scene = TOP / "tutorials" / name
+            known = facts(scene, "")
+            if "predicted" not in known:
+                sys.exit("the machine is not calibrated: ./magfsi bench --calibrate")
+            coupled = "fluid" in known["ranks"]
+            newton = name in ("beam", "origami", "turning")  # which runs on one rank
+            for number in (1,) if newton else (1, 2):
+                ranks = f"structure=1,fluid={number}" if coupled else f"structure={number}"
+                if not coupled:
+                    summary(scene, ranks, folder)
+                good &= line(name, ranks, summary(scene, ranks, folder))
+    print("all within" if good else "NOT all within",
+          f"{100 * LARGEST_TIME:.0f} % of time and {100 * LARGEST_MEMORY:.0f} % of memory")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
