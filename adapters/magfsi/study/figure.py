@@ -53,7 +53,7 @@ def _label_series(axes, ends):
         axes.annotate(label, end, xytext=(1.03, height), textcoords="axes fraction",
                       fontsize=7, color=colour, va="center", annotation_clip=False,
                       arrowprops={"arrowstyle": "-", "color": "0.75", "lw": 0.5,
-                                  "shrinkA": 1, "shrinkB": 4})
+                                  "relpos": (0, 0.5), "shrinkA": 1, "shrinkB": 4})
 
 
 def _front(study, axes, runs, norm):
@@ -64,7 +64,11 @@ def _front(study, axes, runs, norm):
               solid_capstyle="round")
     axes.plot(x, y, "o", ms=9, mfc="none", mec=INK, mew=0.8, zorder=4)
     varied = study.order_axis or next(iter(study.axes))
+    shown = None
     for run, cost, error in zip(front, x, y):
+        if run.cell.label(varied) == shown:
+            continue  # another setting of the same
+        shown = run.cell.label(varied)
         axes.annotate(run.cell.label(varied), (cost, error), xytext=(-6, -7),
                       textcoords="offset points", fontsize=6.5, color=INK, ha="right",
                       va="top")
@@ -113,12 +117,16 @@ def draw(study, runs, path):
         return False
     plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "xtick.major.width": 0.6,
                          "ytick.major.width": 0.6})
-    figure, axes = plt.subplots(len(norms), 1, figsize=(6.4, 4.0 * len(norms)), squeeze=False)
+    longest = max(len(label) for label in findings.series(study, runs))
+    beside_in = 0.25 + 0.058 * longest  # of 7 pt characters
+    width_in = 5.0 + beside_in
+    figure, axes = plt.subplots(len(norms), 1, figsize=(width_in, 4.0 * len(norms)),
+                                squeeze=False)
     panels = [(room, _panel(study, room, runs, norm)) for room, norm in zip(axes.flat, norms)]
     numbers = study.order_axis or next(iter(study.axes))
     axes.flat[0].set_title(f"{study.name}: lines by {', '.join(study.series) or 'nothing'}; "
                            f"rings: Pareto front, with {numbers}", loc="left", fontsize=8)
-    figure.tight_layout(rect=(0, 0, 0.8, 1))
+    figure.tight_layout(rect=(0, 0, 5.0 / width_in, 1))
     figure.canvas.draw()
     for room, ends in panels:
         _label_series(room, ends)
