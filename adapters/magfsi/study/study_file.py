@@ -142,10 +142,14 @@ def _table(value, folder):
     for which in ("time", "value"):
         name = keys[which].scalar()
         if not rows or name not in rows[0]:
-            keys[which].refuse(f'"{name}"', f"a column of {path}: {', '.join(rows[0] if rows else [])}")
+            keys[which].refuse(f'"{name}"', f"a column of {path}: "
+                               + ", ".join(rows[0] if rows else ()))
         factor = keys[f"{which}_factor"]
         scale = factor.number() if factor else 1.0
-        columns.append([scale * float(row[name]) for row in rows])
+        try:
+            columns.append([scale * float(row[name]) for row in rows])
+        except (TypeError, ValueError):
+            keys[which].refuse(f'words in the column "{name}" of {path}', "numbers")
     return Reference(times=columns[0], values=columns[1])
 
 
