@@ -7,6 +7,8 @@
 
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/body_part.h"
+#include "adapters/bodies/fluid_inside.h"
+#include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/body_iterations.h"
 #include "coupler/immersed_boundary/grid_text.h"
@@ -55,16 +57,20 @@ std::span<double> flat(std::span<Vec3> v) {
 
 BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
                            const std::vector<int>& first_node)
-    : session_(session), engine_(engine), bodies_(session.scene().bodies.size()) {
+    : session_(session),
+      engine_(engine),
+      bodies_(session.scene().bodies.size()),
+      gravity_m_s2_(bodies::to_gravity(session.scene()).value_or(Vec3{})) {
     const scene::Scene& scene = session.scene();
     grid_ = coupler::grid_from_text(coupler::swap_text(
         session.world(), "", coupler::startup_timeout_s, "description of the grid"));
     const auto& boundary = scene.coupling->immersed_boundary;
     const auto placed = place_all(scene);
     const coupler::PenaltyScale scale = penalty_scale(session);
+    auto markers = own_markers(placed, first_node);
+    share_fluid_inside(markers);
     force_ = std::make_unique<coupler::PenaltyForce>(
-        own_markers(placed, first_node), scale,
-        bodies::to_gravity(scene).value_or(Vec3{}));
+        std::move(markers), scale, gravity_m_s2_);
     if (boundary.iterations > 1)
         iterated_ = std::make_unique<coupler::IteratedForcing>(force_->markers(), scale);
     find_parts(placed);
@@ -76,14 +82,14 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
         [this](const double* velocity, double* force, double step_s) {
             force_->apply(velocity, force, step_s);
         });
-    const std::size_t markers = force_->markers().size();
+    const std::size_t count = force_->markers().size();
     const auto& coupling = *scene.coupling;
     const bool two_samples = coupling.scheme != scene::Scheme::serial ||
                              coupling.sampled_velocity == scene::SampledVelocity::linear;
-    if (two_samples) last_velocity_.resize(markers);
+    if (two_samples) last_velocity_.resize(count);
     if (coupling.scheme == scene::Scheme::parallel) {
-        before_m_.resize(markers);
-        under_way_.resize(markers);
+        before_m_.resize(count);
+        under_way_.resize(count);
     }
     if (coupling.scheme == scene::Scheme::implicit) start_iterations();
 }
@@ -119,6 +125,29 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
         placed_index_.push_back(static_cast<int>(&p - placed.data()));
     }
     return mine;
+}
+
+// What came off the nodes is no force of the markers any more.
+void BodyCoupling::share_fluid_inside(std::vector<coupler::Marker>& markers) {
+    const scene::Scene& scene = session_.scene();
+    const bool forces =
+        bodies::ProbeRow::wants(scene, scene::BodyQuantity::fluid_force) ||
+        (scene.probes && !scene.probes->integrals.empty());
+    std::vector<double> off_kg_m3;
+    for (const scene::Body& body : scene.bodies)
+        off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, bodies::to_body(body)));
+    for (coupler::Marker& m : markers) {
+        const double off = off_kg_m3[static_cast<std::size_t>(m.body)];
+        if (forces) off_nodes_kg_.push_back(off * m.displaced_m3);
+        m.displaced_m3 *= 1 - off / scene.fluid->density_kg_m3;
+    }
+    start_velocity_.resize(off_nodes_kg_.size());
+}
+
+void BodyCoupling::note_velocities() {
+    for (std::size_t m = 0; m < start_velocity_.size(); ++m)
+        start_velocity_[m] =
+            coupler::at_marker(force_->markers()[m], engine_.velocities());
 }
 
 std::vector<coupler::MarkerArea> BodyCoupling::own_areas(
@@ -160,12 +189,14 @@ void BodyCoupling::exchange_first() {
 }
 
 void BodyCoupling::begin_step() {
+    note_velocities();
     if (!iterated_) return force_->begin_step(fluid_velocity_);
     force_->begin_step(fluid_velocity_, iterated_->impulse());
     iterated_->begin_step();
 }
 
 void BodyCoupling::begin_step_with_mean() {
+    note_velocities();
     for (std::size_t m = 0; m < last_velocity_.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             last_velocity_[m][d] = 0.5 * (last_velocity_[m][d] + fluid_velocity_[m][d]);
@@ -242,9 +273,16 @@ void BodyCoupling::find_parts(const std::vector<bodies::PlacedMarker>& placed) {
 }
 
 Vec3 BodyCoupling::force_on(std::size_t marker) const {
+    const double step_s = session_.clock().step_s();
+    const Vec3 velocity =
+        coupler::at_marker(force_->markers()[marker], engine_.velocities());
     Vec3 force = force_->constant_force()[marker];
-    for (std::size_t d = 0; d < 3; ++d)
-        force[d] -= force_->impulse()[marker][d] / session_.clock().step_s();
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double acceleration =
+            (velocity[d] - start_velocity_[marker][d]) / step_s - gravity_m_s2_[d];
+        force[d] += off_nodes_kg_[marker] * acceleration -
+                    force_->impulse()[marker][d] / step_s;
+    }
     return force;
 }
 

@@ -93,6 +93,8 @@ class BodyCoupling {
         const std::vector<bodies::PlacedMarker>& placed,
         const std::vector<int>& first_node);
     std::vector<Vec3> marker_positions() const;
+    void share_fluid_inside(std::vector<coupler::Marker>& markers);
+    void note_velocities();
     void find_parts(const std::vector<bodies::PlacedMarker>& placed);
     Vec3 force_on(std::size_t marker) const;
     std::vector<coupler::MarkerArea> own_areas(
@@ -108,6 +110,11 @@ class BodyCoupling {
     std::vector<int> placed_index_;
     std::size_t placed_ = 0;
     std::vector<std::vector<std::size_t>> parts_;  // markers of this rank
+    // Where probes ask for forces: of each marker the fluid inside that came off the
+    // nodes, and its velocity at the start of the step. Else empty.
+    std::vector<double> off_nodes_kg_;
+    std::vector<Vec3> start_velocity_;
+    Vec3 gravity_m_s2_{};
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::SlipRecord> slip_;
     std::unique_ptr<coupler::IteratedForcing> iterated_;  // only with iterations

@@ -55,6 +55,7 @@ void BodyCoupling::keep_state() {
 }
 
 void BodyCoupling::begin_iteration() {
+    note_velocities();
     const auto guess = iterations_->fixed_point.guess();
     force_->begin_step(guess);
     if (iterations_->linear)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/bodies/fluid_inside.h"
 #include "adapters/lammps/generated_input.h"
 #include "adapters/lammps/scene_to_input.h"
 #include "coupler/participants/errors.h"
@@ -50,7 +51,9 @@ void Participant::build() {
 
     fix_ids_ = script.fix_id;
     atoms_ = script.first_node.back() - 1;
-    const NodalState start = engine_->gather(atoms_);
+    if (scene().fluid && session_.world().root())
+        whole_mass_kg_ = bodies::whole_masses_kg(scene());
+    const NodalState start = gather();
     if (session_.world().root()) {
         if (scene().probes)
             probe_row_ =
@@ -260,9 +263,16 @@ void Participant::add_partner_values(std::vector<double>& row) {
     row.push_back(mismatch.power);
 }
 
+// With the bodies' whole masses, whatever came off their nodes. Collective.
+NodalState Participant::gather() {
+    NodalState state = engine_->gather(atoms_);
+    if (!whole_mass_kg_.empty()) state.mass_kg = whole_mass_kg_;
+    return state;
+}
+
 // Collective; only the root goes on to the row.
 void Participant::write_probes() {
-    const NodalState state = engine_->gather(atoms_);
+    const NodalState state = gather();
     const auto loads = collect_loads();
     const auto on_parts = coupling_ ? coupling_->force_on_parts() : std::vector<Vec3>{};
     std::vector<double> row;
@@ -277,7 +287,7 @@ void Participant::write_probes() {
 // Collective; only the root goes on to the file.
 void Participant::write_fields() {
     const auto every = session_.clock().every(scene().output.structure->every_s);
-    const NodalState state = engine_->gather(atoms_);
+    const NodalState state = gather();
     if (files_)
         files_->write(session_.clock().step() / every, session_.clock().time_s(), state);
 }

@@ -39,6 +39,7 @@ class Participant {
     void assemble_record();
     void start_anew();
     StructureParts parts();
+    NodalState gather();
     void write_probes();
     void write_fields();
     std::vector<bodies::BodyLoads> collect_loads();
@@ -54,6 +55,7 @@ class Participant {
     structure::LammpsInput input_;
     std::vector<std::string> fix_ids_;  // of each body's fix magttice
     int atoms_ = 0;
+    std::vector<double> whole_mass_kg_;  // with a fluid, on the root
     std::unique_ptr<Engine> engine_;
     coupler::TaskList tasks_;
     std::unique_ptr<RestFinder> rest_;  // present only for equilibria

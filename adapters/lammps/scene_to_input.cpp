@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "structure/lammps/step_limit.h"
 
@@ -40,10 +41,9 @@ double stable_step_s(const structure::LammpsInput& input, const structure::Body&
 
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
     structure::LammpsInput input;
-    for (const scene::Body& body : scene.bodies) {
-        input.bodies.push_back(bodies::to_body(body));
+    input.bodies = bodies::bodies_in_fluid(scene);
+    for (const scene::Body& body : scene.bodies)
         input.placements.push_back(bodies::to_placement(body.initial));
-    }
     if (scene.magnetic_field) input.field = bodies::to_field(*scene.magnetic_field);
     if (scene.magnetic_field && scene.magnetic_field->gradient) {
         const auto& gradient = *scene.magnetic_field->gradient;

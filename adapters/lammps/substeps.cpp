@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
-#include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/scene_to_input.h"
 #include "coupler/scene/effective.h"
 #include "structure/lattice/lattice.h"
@@ -25,9 +25,10 @@ constexpr double drag_margin = 0.5;
 // is that of penalty_force.h, inversely proportional to the coupled step.
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
-    for (const scene::Body& body : scene.bodies) {
-        const structure::Body solid = bodies::to_body(body);
-        const auto mass = structure::node_masses(structure::build_lattice(solid));
+    const auto solids = bodies::bodies_in_fluid(scene);
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        const scene::Body& body = scene.bodies[b];
+        const auto mass = structure::node_masses(structure::build_lattice(solids[b]));
         std::vector<double> drag(mass.size());
         const auto& boundary = scene.coupling->immersed_boundary;
         for (const auto& m :

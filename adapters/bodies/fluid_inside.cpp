@@ -1,0 +1,49 @@
+#include "adapters/bodies/fluid_inside.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "adapters/bodies/scene_to_body.h"
+#include "structure/lattice/lattice.h"
+#include "structure/materials.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+// The nodes keep a third of their mass: their stable step is that of a body of a third of
+// the density, at least 0.58 of their own.
+constexpr double largest_part = 2.0 / 3;
+
+}  // namespace
+
+double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body) {
+    if (!scene.fluid || scene.damping) return 0;
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const structure::Material& material : structure::used_materials(body))
+        lightest = std::min(lightest, material.density_kg_m3);
+    return std::min(scene.fluid->density_kg_m3, largest_part * lightest);
+}
+
+std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene) {
+    std::vector<structure::Body> all;
+    for (const scene::Body& body : scene.bodies) {
+        structure::Body& solid = all.emplace_back(to_body(body));
+        const double off = off_nodes_kg_m3(scene, solid);
+        solid.material.density_kg_m3 -= off;
+        for (structure::Material& other : solid.other_materials)
+            other.density_kg_m3 -= off;
+    }
+    return all;
+}
+
+std::vector<double> whole_masses_kg(const scene::Scene& scene) {
+    std::vector<double> all;
+    for (const scene::Body& body : scene.bodies) {
+        const auto masses = structure::node_masses(structure::build_lattice(to_body(body)));
+        all.insert(all.end(), masses.begin(), masses.end());
+    }
+    return all;
+}
+
+}  // namespace magfsi::bodies

@@ -1,0 +1,25 @@
+// The grid has fluid inside a body, too, which moves with it. Its inertia must be taken
+// away again, and its weight is the buoyancy: as much as the body's own mass bears comes
+// off the mass of its nodes, which is exact at any frequency; the rest is a force on the
+// markers that follows the fluid (coupler/immersed_boundary/enclosed_fluid.h).
+#pragma once
+
+#include <vector>
+
+#include "coupler/scene/scene.h"
+#include "structure/body.h"
+
+namespace magfsi::bodies {
+
+// Of a body as bodies::to_body gives it, the density that comes off its nodes [kg/m3]: the
+// fluid's, or less for light bodies; 0 without a fluid, and where `damping` slows down the
+// nodes by their mass.
+double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body);
+
+// The scene's bodies with the inertia and the weight that their nodes have.
+std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene);
+
+// The whole mass of each node [kg], body after body.
+std::vector<double> whole_masses_kg(const scene::Scene& scene);
+
+}  // namespace magfsi::bodies
