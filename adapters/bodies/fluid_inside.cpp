@@ -40,7 +40,8 @@ std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene) {
 std::vector<double> whole_masses_kg(const scene::Scene& scene) {
     std::vector<double> all;
     for (const scene::Body& body : scene.bodies) {
-        const auto masses = structure::node_masses(structure::build_lattice(to_body(body)));
+        const auto masses =
+            structure::node_masses(structure::build_lattice(to_body(body)));
         all.insert(all.end(), masses.begin(), masses.end());
     }
     return all;

@@ -11,9 +11,9 @@
 
 namespace magfsi::bodies {
 
-// Of a body as bodies::to_body gives it, the density that comes off its nodes [kg/m3]: the
-// fluid's, or less for light bodies; 0 without a fluid, and where `damping` slows down the
-// nodes by their mass.
+// Of a body as bodies::to_body gives it, the density that comes off its nodes [kg/m3]:
+// the fluid's, or less for light bodies; 0 without a fluid, and where `damping` slows
+// down the nodes by their mass.
 double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body);
 
 // The scene's bodies with the inertia and the weight that their nodes have.

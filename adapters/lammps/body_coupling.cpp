@@ -69,8 +69,8 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
     const coupler::PenaltyScale scale = penalty_scale(session);
     auto markers = own_markers(placed, first_node);
     share_fluid_inside(markers);
-    force_ = std::make_unique<coupler::PenaltyForce>(
-        std::move(markers), scale, gravity_m_s2_);
+    force_ =
+        std::make_unique<coupler::PenaltyForce>(std::move(markers), scale, gravity_m_s2_);
     if (boundary.iterations > 1)
         iterated_ = std::make_unique<coupler::IteratedForcing>(force_->markers(), scale);
     find_parts(placed);
@@ -280,8 +280,8 @@ Vec3 BodyCoupling::force_on(std::size_t marker) const {
     for (std::size_t d = 0; d < 3; ++d) {
         const double acceleration =
             (velocity[d] - start_velocity_[marker][d]) / step_s - gravity_m_s2_[d];
-        force[d] += off_nodes_kg_[marker] * acceleration -
-                    force_->impulse()[marker][d] / step_s;
+        force[d] +=
+            off_nodes_kg_[marker] * acceleration - force_->impulse()[marker][d] / step_s;
     }
     return force;
 }

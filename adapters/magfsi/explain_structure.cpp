@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
@@ -37,6 +38,19 @@ std::string explain_elements(const structure::Body& solid, const scene::BoxMesh&
     return text;
 }
 
+// Of the fluid that the grid has inside the body.
+std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
+    const double off = bodies::off_nodes_kg_m3(scene, solid);
+    const double fluid = scene.fluid->density_kg_m3;
+    if (off == fluid) return "    inertia of the fluid inside: off the nodes' mass\n";
+    if (off == 0)
+        return "    inertia of the fluid inside: a force that follows the fluid\n";
+    return fmt::format(
+        "    inertia of the fluid inside: {:.3g} % off the nodes' mass, the rest a force "
+        "that follows the fluid\n",
+        100 * off / fluid);
+}
+
 std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
     std::string text = fmt::format("  body '{}': ", body.name);
@@ -59,6 +73,7 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     }
     if (box) text += explain_elements(solid, *box);
     if (scene.coupling) {
+        text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers\n",
                             bodies::place_markers(body, scene.coupling->immersed_boundary,
                                                   scene.fluid->spacing_m, 0,
