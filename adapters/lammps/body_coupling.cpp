@@ -130,7 +130,7 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
 // What came off the nodes is no force of the markers any more.
 void BodyCoupling::share_fluid_inside(std::vector<coupler::Marker>& markers) {
     const scene::Scene& scene = session_.scene();
-    const bool forces =
+    notes_velocities_ =
         bodies::ProbeRow::wants(scene, scene::BodyQuantity::fluid_force) ||
         (scene.probes && !scene.probes->integrals.empty());
     std::vector<double> off_kg_m3;
@@ -138,13 +138,15 @@ void BodyCoupling::share_fluid_inside(std::vector<coupler::Marker>& markers) {
         off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, bodies::to_body(body)));
     for (coupler::Marker& m : markers) {
         const double off = off_kg_m3[static_cast<std::size_t>(m.body)];
-        if (forces) off_nodes_kg_.push_back(off * m.displaced_m3);
+        if (notes_velocities_) off_nodes_kg_.push_back(off * m.displaced_m3);
         m.displaced_m3 *= 1 - off / scene.fluid->density_kg_m3;
     }
     start_velocity_.resize(off_nodes_kg_.size());
 }
 
 void BodyCoupling::note_velocities() {
+    if (!notes_velocities_) return;
+    engine_.renew_ghost_velocities();
     for (std::size_t m = 0; m < start_velocity_.size(); ++m)
         start_velocity_[m] =
             coupler::at_marker(force_->markers()[m], engine_.velocities());
@@ -286,14 +288,16 @@ Vec3 BodyCoupling::force_on(std::size_t marker) const {
     return force;
 }
 
-std::vector<Vec3> BodyCoupling::force_on_bodies() const {
+std::vector<Vec3> BodyCoupling::force_on_bodies() {
+    engine_.renew_ghost_velocities();
     std::vector<Vec3> sum(bodies_);
     for (std::size_t m = 0; m < force_->markers().size(); ++m)
         add_to(sum[static_cast<std::size_t>(force_->markers()[m].body)], force_on(m));
     return over_ranks(std::move(sum), session_.world().local());
 }
 
-std::vector<Vec3> BodyCoupling::force_on_parts() const {
+std::vector<Vec3> BodyCoupling::force_on_parts() {
+    engine_.renew_ghost_velocities();
     std::vector<Vec3> sum(parts_.size());
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         for (const std::size_t m : parts_[p]) add_to(sum[p], force_on(m));
@@ -314,6 +318,7 @@ void BodyCoupling::audit(coupler::BalanceRecord& record) const {
 }
 
 void BodyCoupling::measure_slip() {
+    engine_.renew_ghost_velocities();
     slip_->add(force_->markers(), fluid_velocity_, engine_.positions(),
                engine_.velocities());
 }

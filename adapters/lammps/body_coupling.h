@@ -78,9 +78,9 @@ class BodyCoupling {
 
     std::size_t bodies() const { return bodies_; }
     // Sum over the ranks of the force on each body in the last step [N]. Collective.
-    std::vector<Vec3> force_on_bodies() const;
+    std::vector<Vec3> force_on_bodies();
     // The same on each part of a body in probes.integrals, in their order.
-    std::vector<Vec3> force_on_parts() const;
+    std::vector<Vec3> force_on_parts();
     // Adds the last step to the record, with the velocities sampled before it.
     void audit(coupler::BalanceRecord& record) const;
 
@@ -112,6 +112,7 @@ class BodyCoupling {
     std::vector<std::vector<std::size_t>> parts_;  // markers of this rank
     // Where probes ask for forces: of each marker the fluid inside that came off the
     // nodes, and its velocity at the start of the step. Else empty.
+    bool notes_velocities_ = false;
     std::vector<double> off_nodes_kg_;
     std::vector<Vec3> start_velocity_;
     Vec3 gravity_m_s2_{};

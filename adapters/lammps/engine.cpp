@@ -6,6 +6,7 @@
 #include "adapters/lammps/fix_fluid_force.h"
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
+#include "comm.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -66,6 +67,11 @@ const double* Engine::positions() const {
 }
 const double* Engine::velocities() const {
     return lammps_->atom->v[0];
+}
+
+void Engine::renew_ghost_velocities() {
+    const InsideLammps inside;
+    lammps_->comm->forward_comm();
 }
 
 void Engine::attach_fluid_force(NodalForce force) {

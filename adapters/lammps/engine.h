@@ -41,7 +41,9 @@ class Engine {
     int local_index(int atom_id) const;
     bool owns(int atom_id) const;
     const double* positions() const;  // three values a local or ghost atom
+    // Those of ghosts are of LAMMPS's last half step until they are renewed. Collective.
     const double* velocities() const;
+    void renew_ghost_velocities();
 
     // Called in every substep with the velocities and the force array.
     using NodalForce =

@@ -1,7 +1,7 @@
-// The fluid that fills the body's own volume on the fluid's grid. It is fictitious: the
-// body has its whole mass on the structure's side, so the inertia of the fluid inside is
-// taken away again, with the sampled velocity U for its motion, and its weight is the
-// buoyancy (Uhlmann 2005; Kempe, Froehlich 2012):
+// The fluid that fills the body's own volume on the fluid's grid, as far as the body's
+// nodes do not lack its mass already. It is fictitious: its inertia is taken away again,
+// with the sampled velocity U for its motion, and its weight is the buoyancy (Uhlmann
+// 2005; Kempe, Froehlich 2012):
 //   F = rho_f dV (A - g),  A following dU/dt over about ten coupled steps.
 //
 // Light bodies stay stable: body and fluid are tied by the immersed boundary within the

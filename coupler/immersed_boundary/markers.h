@@ -11,8 +11,8 @@
 namespace magfsi::coupler {
 
 // A marker as one structure rank sees it: eight nodes by local index, their weights
-// (which add up to one), the volume of fluid that it moves and that of the body that it
-// stands for [m3]. The two differ in sheets thinner than a grid cell.
+// (which add up to one), the volume of fluid that it moves and that of the fluid inside
+// the body whose inertia is its force (enclosed_fluid.h) [m3].
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};

@@ -17,11 +17,11 @@ COLUMNS = ("robot.com_z[m]", "robot.speed_z[m/s]", "kinetic_energy[J]")
 TOLERANCE = 1e-6
 # What sets the schemes apart is of first order, so half the step halves it: 1.7 to 2.6 was seen.
 RATIOS = (1.5, 3.0)
-# What is left to the next finer step has the lattice's own share, which is the same in all
-# schemes and the larger one in the fluid's energy; of the robot's path and speed the implicit
-# scheme's is 0.65 to 0.75 of the serial one's.
-NEARER = ("robot.com_z[m]", "robot.speed_z[m/s]")
-LARGEST_PART = 0.85
+# What is left to the next finer step is mostly the lattice's own share, which is the same in all
+# schemes: the implicit scheme's is 0.84 to 0.975 of the serial one's, whose drag lags by half a
+# step. (While the inertia of the fluid inside lagged, too, by ten steps, it was 0.65 to 0.75 of the
+# robot's path and speed.)
+LARGEST_PART = 0.99
 # The strip, which buckles from flat, magnifies the 1e-16 of sums over ranks: 1e-12 was seen.
 RANKS_BOUND = 1e-9
 # Where the least squares are ill-conditioned rounding decides which of two guesses comes, both of
@@ -71,9 +71,8 @@ class ImplicitScheme(unittest.TestCase):
             for first, second in zip(apart, apart[1:]):
                 self.assertGreater(first / second, RATIOS[0])
                 self.assertLess(first / second, RATIOS[1])
-            if column in NEARER:
-                for serial, nearer in zip(to_next["serial"], to_next["implicit"]):
-                    self.assertLess(nearer, LARGEST_PART * serial)
+            for serial, nearer in zip(to_next["serial"], to_next["implicit"]):
+                self.assertLess(nearer, LARGEST_PART * serial)
 
     def test_same_bytes(self):
         first, again = run("implicit", **implicit()), run("implicit", **implicit())
