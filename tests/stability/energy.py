@@ -10,7 +10,9 @@ WATER = 1000.0
 
 def gain(probes, body, density, fluid=True, weight=True):
     """The largest energy [J] beyond the start's and what field and weight have given since."""
-    total = [elastic + kinetic - work for elastic, kinetic, work in zip(
+    # The fluid inside the body moves with it, and the fluid's kinetic energy has its share.
+    own = 1 - WATER / density if fluid else 1
+    total = [elastic + own * kinetic - work for elastic, kinetic, work in zip(
         probes[f"{body}.energy_elastic[J]"], probes[f"{body}.energy_kinetic[J]"],
         probes[f"{body}.work_magnetic[J]"])]
     if fluid:
