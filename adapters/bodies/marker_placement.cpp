@@ -51,7 +51,10 @@ class DryFaces {
     DryFaces(const scene::Body& body, const structure::Mesh& mesh,
              const structure::Continues& continues)
         : ends_(mesh, continues) {
-        for (const std::string& face : body.clamps) {
+        std::vector<std::string> held = body.clamps;
+        for (const auto& motion : body.prescribed_motion)
+            held.insert(held.end(), motion.faces.begin(), motion.faces.end());
+        for (const std::string& face : held) {
             const auto found = mesh.faces.find(face);
             if (found == mesh.faces.end()) continue;
             std::set<int> nodes(found->second.begin(), found->second.end());

@@ -128,6 +128,8 @@ structure::Body to_body(const scene::Body& body) {
         for (const std::string& face : roller.faces)
             out.rollers.push_back({face, roller.axis});
     }
+    for (const scene::PrescribedMotion& motion : body.prescribed_motion)
+        out.clamps.insert(out.clamps.end(), motion.faces.begin(), motion.faces.end());
     try {
         if (body.magnetization) {
             out.magnetization_a_m =

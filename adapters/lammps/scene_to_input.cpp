@@ -26,6 +26,13 @@ structure::ContactLaw to_contact(const scene::Contact& contact) {
     return law;
 }
 
+structure::MotionCourse to_course(const scene::PrescribedMotion& motion) {
+    if (const auto* o = std::get_if<scene::Oscillation>(&motion.course))
+        return structure::Oscillation{o->amplitude_m, o->frequency_hz, o->phase_rad};
+    const auto& ramp = std::get<scene::DisplacementRamp>(motion.course);
+    return structure::DisplacementRamp{ramp.displacement_m, ramp.duration_s};
+}
+
 // All that acts on a body at once: step_limit_s adds the springs on its surface to its
 // own stiffness and viscosity.
 double stable_step_s(const structure::LammpsInput& input, const structure::Body& body) {
@@ -42,8 +49,11 @@ double stable_step_s(const structure::LammpsInput& input, const structure::Body&
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
     structure::LammpsInput input;
     input.bodies = bodies::bodies_in_fluid(scene);
-    for (const scene::Body& body : scene.bodies)
-        input.placements.push_back(bodies::to_placement(body.initial));
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        input.placements.push_back(bodies::to_placement(scene.bodies[b].initial));
+        for (const scene::PrescribedMotion& motion : scene.bodies[b].prescribed_motion)
+            input.motions.push_back({b, motion.faces, to_course(motion)});
+    }
     if (scene.magnetic_field) input.field = bodies::to_field(*scene.magnetic_field);
     if (scene.magnetic_field && scene.magnetic_field->gradient) {
         const auto& gradient = *scene.magnetic_field->gradient;
@@ -54,6 +64,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     if (scene.platform) input.platform = to_platform(*scene.platform);
     if (scene.contact) input.contact = to_contact(*scene.contact);
     input.time_step_s = time_step_s;
+    structure::check_motions(input.bodies, input.motions);
     return input;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "coupler/scene/bind_coupling.h"
+#include "coupler/scene/bind_motion.h"
 #include "coupler/scene/scene.h"
 
 namespace magfsi::scene {
@@ -152,6 +153,7 @@ void bind_keys(Io& io, Body& body) {
     io("magnetization", body.magnetization);
     io("clamps", body.clamps);
     io("rollers", body.rollers);
+    io("prescribed_motion", body.prescribed_motion);
     io("initial", body.initial);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "coupler/scene/check_motion.h"
 #include "coupler/scene/checks.h"
 #include "coupler/scene/field.h"
 #include "coupler/scene/names.h"
@@ -52,16 +53,6 @@ void check_node_count(const Body& body, const BoxMesh& box, const Marks& marks) 
         refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
                "a mesh of more than 2147483647 nodes", "fewer elements");
     }
-}
-
-// The faces of a Gmsh file are known when it is read.
-void check_face(const Body& body, const std::string& face, std::string_view list,
-                const Origin& here) {
-    const std::vector<std::string> faces = words(names<Face>);
-    if (std::holds_alternative<FileMesh>(body.mesh)) return;
-    if (std::ranges::find(faces, face) == faces.end())
-        refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
-               joined(faces), did_you_mean(face, faces));
 }
 
 void check_clamps(const Body& body, const Marks& marks) {
@@ -198,6 +189,15 @@ void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
 
 }  // namespace
 
+void check_face(const Body& body, const std::string& face, std::string_view list,
+                const Origin& here) {
+    const std::vector<std::string> faces = words(names<Face>);
+    if (std::holds_alternative<FileMesh>(body.mesh)) return;
+    if (std::ranges::find(faces, face) == faces.end())
+        refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
+               joined(faces), did_you_mean(face, faces));
+}
+
 void check_bodies(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<BoxMesh>(&body.mesh);
@@ -205,6 +205,7 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);
         check_rollers(body, marks);
+        check_prescribed_motion(scene, body, marks);
         check_material_regions(body, marks);
         check_magnetization(body, marks);
         check_initial(scene, body, marks);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/scene/check_motion.h"
 #include "coupler/scene/checks.h"
 #include "coupler/scene/effective.h"
 #include "coupler/scene/names.h"
@@ -58,6 +59,13 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
                     kind == "no_slip" ? "the wall velocity" : "the inlet's velocity",
                     marks.value({"fluid", "boundaries", name, kind, "velocity"}), fluid,
                     dt_s);
+    }
+    for (const Body& body : scene.bodies) {
+        for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i)
+            check_speed(largest_speed_m_s(body.prescribed_motion[i]),
+                        "the prescribed motion's largest speed",
+                        marks.item({"bodies", body.name, "prescribed_motion"}, i), fluid,
+                        dt_s);
     }
 }
 

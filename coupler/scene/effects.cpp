@@ -57,6 +57,10 @@ constexpr Effect effects[] = {
      [](const Scene& s) {
          return any_body(s, [](const Body& b) { return !b.rollers.empty(); });
      }},
+    {"prescribed motion",
+     [](const Scene& s) {
+         return any_body(s, [](const Body& b) { return !b.prescribed_motion.empty(); });
+     }},
     {"immersed boundary", [](const Scene& s) { return s.coupling.has_value(); }},
     {"fluid", [](const Scene& s) { return s.fluid.has_value(); }},
     {"body force",

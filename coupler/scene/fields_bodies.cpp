@@ -106,6 +106,23 @@ Field initial() {
     });
 }
 
+Field prescribed_motion() {
+    return list_of("prescribed_motion", "Faces held and moved by something outside, along "
+                   "axes of space, from where they start.", {
+        text("face", "As in `clamps`; one name, or a list.").one_or_list(),
+        group("oscillation", "amplitude (sin(2 pi frequency t + phase) - sin(phase)).", {
+            quantity("amplitude", "m", "Along x, y and z.").vector(3),
+            quantity("frequency", "1/s", "Periods a second.").above(0),
+            quantity("phase", "rad", "0: at full speed at once, to both sides of the start; "
+                     "-90 deg: from rest, to one side.").or_default("0 deg"),
+        }).alternative(),
+        group("ramp", "By (1 - cos(pi t / duration)) / 2, then held there.", {
+            quantity("displacement", "m", "Along x, y and z.").vector(3),
+            quantity("duration", "s", "Of the way.").above(0),
+        }).alternative(),
+    });
+}
+
 }  // namespace
 
 Field bodies_fields() {
@@ -124,6 +141,7 @@ Field bodies_fields() {
             text("face", "As in `clamps`; one name, or a list.").one_or_list(),
             axis("axis", "Of space, not of a turned body."),
         }).optional(),
+        prescribed_motion().optional(),
         initial().optional(),
     });
 }

@@ -135,6 +135,22 @@ struct Roller {
     int axis = 2;  // 0 x, 1 y, 2 z
 };
 
+// Of a face that something outside holds and moves: amplitude (sin(2 pi f t + phase) -
+// sin(phase)), or to the displacement and no further.
+struct Oscillation {
+    Vec3 amplitude_m{};
+    double frequency_hz = 0;
+    double phase_rad = 0;
+};
+struct DisplacementRamp {
+    Vec3 displacement_m{};
+    double duration_s = 0;
+};
+struct PrescribedMotion {
+    std::vector<std::string> faces;
+    std::variant<Oscillation, DisplacementRamp> course;
+};
+
 enum class Face { x_min, x_max, y_min, y_max, z_min, z_max };
 
 struct Body {
@@ -146,6 +162,7 @@ struct Body {
     std::optional<Magnetization> magnetization;
     std::vector<std::string> clamps;  // faces; of a block x_min to z_max
     std::vector<Roller> rollers;
+    std::vector<PrescribedMotion> prescribed_motion;
     InitialState initial;
 };
 

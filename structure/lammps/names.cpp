@@ -24,12 +24,17 @@ std::string sanitized(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> lammps_names(const std::vector<Body>& bodies) {
-    if (bodies.size() > most_bodies) {
+std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
+                                      std::size_t motions) {
+    if (bodies.size() + motions > most_bodies) {
         throw std::invalid_argument(fmt::format(
-            "{} bodies found, LAMMPS has groups for {}", bodies.size(), most_bodies));
+            "{} bodies and {} prescribed motions found, LAMMPS has groups for "
+            "{} of both",
+            bodies.size(), motions, most_bodies));
     }
     std::vector<std::string> taken = own_groups;
+    for (std::size_t m = 0; m < motions; ++m) taken.push_back(moved_group(m));
+    const auto first = static_cast<std::ptrdiff_t>(taken.size());
     for (const Body& body : bodies) {
         const std::string wanted = sanitized(body.name);
         std::string name = wanted;
@@ -38,11 +43,15 @@ std::vector<std::string> lammps_names(const std::vector<Body>& bodies) {
         }
         taken.push_back(name);
     }
-    return {taken.begin() + static_cast<std::ptrdiff_t>(own_groups.size()), taken.end()};
+    return {taken.begin() + first, taken.end()};
 }
 
 std::string held_group(std::size_t axis) {
     return own_groups[3 + axis];
+}
+
+std::string moved_group(std::size_t motion) {
+    return fmt::format("moved_{}", motion + 1);
 }
 
 std::string quoted(const std::string& path) {

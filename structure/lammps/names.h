@@ -10,11 +10,14 @@ namespace magfsi::structure {
 
 // One ID a body, fit for groups, fixes and file names: letters, digits and underscores of
 // its name, other characters as underscores; a repeated or reserved one gets a number.
-// Throws std::invalid_argument on more bodies than LAMMPS has groups for.
-std::vector<std::string> lammps_names(const std::vector<Body>& bodies);
+// Throws std::invalid_argument on more bodies and motions than LAMMPS has groups for.
+std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
+                                      std::size_t motions = 0);
 
 // Of the nodes that slide on rollers: held along this axis, 0 to 2.
 std::string held_group(std::size_t axis);
+// Of the nodes of a prescribed motion.
+std::string moved_group(std::size_t motion);
 
 // In double quotes. Throws std::invalid_argument on a quote or a dollar sign, which
 // LAMMPS would read as its own.

@@ -13,6 +13,7 @@
 #include "structure/lammps/fix_magttice.h"
 #include "structure/lammps/fix_magttice_drag.h"
 #include "structure/lammps/fix_magttice_field_source.h"
+#include "structure/lammps/fix_magttice_motion.h"
 #include "structure/lammps/fix_magttice_platform.h"
 #include "structure/lammps/fix_magttice_quiet.h"
 #include "structure/lammps/pair_magttice_contact.h"
@@ -45,6 +46,7 @@ void register_styles(LAMMPS_NS::LAMMPS& lammps) {
     (*lammps.modify->fix_map)["magttice"] = &create<FixMagttice>;
     (*lammps.modify->fix_map)["magttice/drag"] = &create<FixMagtticeDrag>;
     (*lammps.modify->fix_map)["magttice/field"] = &create<FixMagtticeFieldSource>;
+    (*lammps.modify->fix_map)["magttice/motion"] = &create<FixMagtticeMotion>;
     (*lammps.modify->fix_map)["magttice/platform"] = &create<FixMagtticePlatform>;
     (*lammps.modify->fix_map)["magttice/quiet"] = &create<FixMagtticeQuiet>;
     (*lammps.force->pair_map)["magttice/contact"] = &create_contact;

@@ -13,6 +13,7 @@
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
 #include "structure/lammps/platform.h"
+#include "structure/lammps/prescribed_motion.h"
 
 namespace magfsi::structure {
 
@@ -29,7 +30,8 @@ struct LammpsInput {
     std::optional<GradientInput> gradient;  // with or without a field
     std::optional<Vec3> gravity_m_s2;
     std::optional<double> drag_rate_1_s;
-    std::optional<Platform> platform;   // stiffness 0: that of platform_of
+    std::optional<Platform> platform;  // stiffness 0: that of platform_of
+    std::vector<PrescribedMotion> motions;
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
     bool quiet = false;                 // fix quiet: how far from equilibrium
     double time_step_s = 0;

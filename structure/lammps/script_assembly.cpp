@@ -76,6 +76,7 @@ void check_input(const LammpsInput& input) {
         throw std::invalid_argument(fmt::format(
             "time step of {:g} s found, it must be positive", input.time_step_s));
     }
+    check_motions(input.bodies, input.motions);
     for (const Body& body : input.bodies) {
         check_materials(body.element_material, body.mesh.elements.size(),
                         body.other_materials.size());
@@ -92,7 +93,7 @@ Assembly assemble(const LammpsInput& input) {
     Assembly all;
     all.low = {INFINITY, INFINITY, INFINITY};
     all.high = {-INFINITY, -INFINITY, -INFINITY};
-    all.name = lammps_names(input.bodies);
+    all.name = lammps_names(input.bodies, input.motions.size());
     const std::array<int, 2> plane =
         input.field ? input.field->plane : std::array<int, 2>{0, 2};
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
@@ -103,6 +104,11 @@ Assembly assemble(const LammpsInput& input) {
         add_bounds(all, placed_nodes(input.bodies[i], placement, plane));
     }
     all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
+    for (const PrescribedMotion& motion : input.motions) {
+        auto& ids = all.moved_ids.emplace_back();
+        for (const int node : moved_nodes(input.bodies[motion.body], motion))
+            ids.push_back(all.first_node[motion.body] + node);
+    }
     return all;
 }
 

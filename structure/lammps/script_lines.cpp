@@ -122,6 +122,14 @@ void add_integration(Lines& lines, const LammpsInput& input, const Assembly& all
     }
     if (input.quiet) lines.push_back(fmt::format("fix quiet {} magttice/quiet", moving));
     lines.push_back(fmt::format("fix integrate {} nve", moving));
+    // After the drag, which would slow them.
+    for (std::size_t m = 0; m < input.motions.size(); ++m) {
+        const std::string group = moved_group(m);
+        lines.push_back(
+            fmt::format("group {} id {}", group, id_ranges(all.moved_ids[m])));
+        lines.push_back(fmt::format("fix {0} {0} magttice/motion {1}", group,
+                                    motion_words(input.motions[m].course)));
+    }
     lines.push_back(fmt::format("timestep {:.17g}", input.time_step_s));
     lines.push_back("thermo_style custom step");
     lines.push_back("thermo 0");

@@ -69,6 +69,15 @@ class SameBytes(unittest.TestCase):
     def test_solid_on_several_ranks(self):
         self.same(EVERY, {**STRUCTURE, "contact": ""}, "7.2 ms", "structure=3")
 
+    # Its place is that of the step's number.
+    def test_a_moved_face(self):
+        wave = "{amplitude: [0.1 mm, 0 m, 0.2 mm], frequency: 100 Hz, phase: -90 deg}"
+        for scene, settings, body, end, ranks in (
+                (EVERY, STRUCTURE, "strip", "7.2 ms", "structure=1"),
+                (magfsi.SMALL, COUPLED, "robot", "1.375 ms", "structure=2,fluid=2")):
+            self.same(scene, {**settings, f"bodies.{body}.prescribed_motion":
+                              f"[{{face: x_min, oscillation: {wave}}}]"}, end, ranks)
+
     def test_fluid(self):
         self.same(magfsi.SMALL, FLUID, "1.375 ms", "fluid=2")
 

@@ -17,7 +17,8 @@ TEST(Effects, of_a_swimmer) {
                                         "body force", "moving walls", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "platform", "friction", "contact",
-                     "rollers", "eddy viscosity", "inlets and outlets", "obstacles"}));
+                     "rollers", "prescribed motion", "eddy viscosity",
+                     "inlets and outlets", "obstacles"}));
 }
 
 TEST(Effects, of_a_strip_on_a_platform) {
@@ -32,14 +33,15 @@ TEST(Effects, of_a_solid) {
     EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "gravity", "damping", "platform",
-                     "friction", "contact", "clamps", "rollers", "immersed boundary",
-                     "fluid", "body force", "eddy viscosity", "moving walls",
-                     "inlets and outlets", "obstacles", "checkpoint"}));
+                     "friction", "contact", "clamps", "rollers", "prescribed motion",
+                     "immersed boundary", "fluid", "body force", "eddy viscosity",
+                     "moving walls", "inlets and outlets", "obstacles", "checkpoint"}));
 }
 
 TEST(Effects, of_faces_that_are_held) {
     EXPECT_EQ(active_effects(read_scene(test_folder / "complete/elastic.yaml")),
-              (Names{"elasticity", "magnetic field", "clamps", "rollers"}));
+              (Names{"elasticity", "magnetic field", "clamps", "rollers",
+                     "prescribed motion"}));
 }
 
 TEST(Effects, of_a_channel) {

@@ -71,6 +71,16 @@ TEST(Keys, of_rollers_and_integrals) {
     EXPECT_EQ(rollers[0].axis, 2);
     EXPECT_EQ(rollers[1].faces, (std::vector<std::string>{"y_min"}));
     EXPECT_EQ(rollers[1].axis, 1);
+    const auto& motions = s.bodies[0].prescribed_motion;
+    ASSERT_EQ(motions.size(), 2u);
+    EXPECT_EQ(motions[0].faces, (std::vector<std::string>{"x_max"}));
+    const auto& wave = std::get<Oscillation>(motions[0].course);
+    EXPECT_EQ(wave.amplitude_m, (Vec3{0.5e-3, 0, 0}));
+    EXPECT_EQ(wave.frequency_hz, 10);
+    EXPECT_EQ(wave.phase_rad, -pi / 2);
+    const auto& ramp = std::get<DisplacementRamp>(motions[1].course);
+    EXPECT_EQ(ramp.displacement_m, (Vec3{0, 0, 1e-3}));
+    EXPECT_EQ(ramp.duration_s, 0.2);
     const auto integrals = complete("swimmer.yaml").probes->integrals;
     ASSERT_EQ(integrals.size(), 2u);
     EXPECT_EQ(integrals[0].name, "all");
