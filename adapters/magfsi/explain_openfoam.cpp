@@ -34,11 +34,6 @@ double largest_cell_m(const openfoam::BoxMesh& mesh) {
 }  // namespace
 
 std::string explain_openfoam(const scene::Scene& scene) {
-    if (scene.checkpoint) {
-        throw std::invalid_argument(
-            "checkpoint: not with fluid.solver openfoam; set solver: lbm, or leave it "
-            "out");
-    }
     for (const auto& integral : scene.probes.value_or(scene::Probes{}).integrals) {
         if (!std::holds_alternative<scene::FluidPlane>(integral.over)) continue;
         throw std::invalid_argument(fmt::format(

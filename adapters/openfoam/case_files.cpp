@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "adapters/openfoam/stock_case.h"
 #include "coupler/output/atomic_file.h"
 #include "coupler/scene/names.h"
 
@@ -15,10 +16,11 @@ application pimpleFoam;
 startFrom startTime;
 startTime 0;
 stopAt endTime;
-endTime 1e300;
-deltaT {:.17g};
-writeControl none;
-writeInterval 1;
+endTime {1:.17g};
+deltaT {0:.17g};
+writeControl timeStep;
+writeInterval {2};
+writePrecision 12;
 timeFormat general;
 timePrecision 15;
 runTimeModifiable false;
@@ -129,8 +131,10 @@ std::string field(const std::string& dimensions, const std::string& inside,
     return text + "}\n";
 }
 
-void write(const std::filesystem::path& folder, const char* location, const char* name,
-           const char* type, const std::string& text) {
+}  // namespace
+
+void write_foam_file(const std::filesystem::path& folder, const char* location,
+                     const char* name, const char* type, const std::string& text) {
     std::filesystem::create_directories(folder / location);
     output::write_atomically(
         folder / location / name,
@@ -139,26 +143,39 @@ void write(const std::filesystem::path& folder, const char* location, const char
                     type, location, name, text));
 }
 
-}  // namespace
+void write_velocity(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                    const std::function<std::string(std::size_t side)>& at_inlet) {
+    write_foam_file(folder, "0", "U", "volVectorField",
+                    field("[0 1 -1 0 0 0 0]",
+                          vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
+                          [&](std::size_t side) {
+                              const scene::Boundary& boundary = fluid.boundaries[side];
+                              return boundary.kind == scene::BoundaryKind::velocity_inlet
+                                         ? at_inlet(side)
+                                         : velocity_at(boundary);
+                          }));
+}
 
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                double step_s) {
-    write(folder, "system", "controlDict", "dictionary",
-          fmt::format(fmt::runtime(control), step_s));
-    write(folder, "system", "fvSchemes", "dictionary", schemes);
-    write(folder, "system", "fvSolution", "dictionary", solution);
-    write(folder, "constant", "transportProperties", "dictionary",
-          fmt::format("transportModel Newtonian;\nnu {:.17g};\n", fluid.viscosity_m2_s));
-    write(folder, "constant", "turbulenceProperties", "dictionary",
-          "simulationType laminar;\n");
-    write(folder, "0", "U", "volVectorField",
-          field("[0 1 -1 0 0 0 0]",
-                vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
-                [&](std::size_t side) { return velocity_at(fluid.boundaries[side]); }));
-    write(folder, "0", "p", "volScalarField",
-          field("[0 2 -2 0 0 0 0]", "0", [&](std::size_t side) {
-              return pressure_at(fluid.boundaries[side], fluid.density_kg_m3);
-          }));
+                const CaseTimes& times) {
+    clear_stock_case(folder);
+    write_foam_file(folder, "system", "controlDict", "dictionary",
+                    fmt::format(fmt::runtime(control), times.step_s,
+                                static_cast<double>(times.steps) * times.step_s,
+                                times.steps_between_files));
+    write_foam_file(folder, "system", "fvSchemes", "dictionary", schemes);
+    write_foam_file(folder, "system", "fvSolution", "dictionary", solution);
+    write_foam_file(
+        folder, "constant", "transportProperties", "dictionary",
+        fmt::format("transportModel Newtonian;\nnu {:.17g};\n", fluid.viscosity_m2_s));
+    write_foam_file(folder, "constant", "turbulenceProperties", "dictionary",
+                    "simulationType laminar;\n");
+    write_velocity(folder, fluid,
+                   [&](std::size_t side) { return velocity_at(fluid.boundaries[side]); });
+    write_foam_file(folder, "0", "p", "volScalarField",
+                    field("[0 2 -2 0 0 0 0]", "0", [&](std::size_t side) {
+                        return pressure_at(fluid.boundaries[side], fluid.density_kg_m3);
+                    }));
 }
 
 }  // namespace magfsi::openfoam

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/openfoam/case_files.h"
 #include "adapters/openfoam/engine_library.h"
+#include "adapters/openfoam/flow_file.h"
 #include "adapters/openfoam/flow_sums.h"
 #include "adapters/openfoam/graded_axis.h"
 #include "adapters/openfoam/inlet.h"
 #include "adapters/openfoam/scene_to_mesh.h"
+#include "adapters/openfoam/stock_case.h"
 #include "adapters/openfoam/world_of_openfoam.h"
+#include "coupler/checkpoint/gather.h"
 #include "coupler/participants/errors.h"
 
 namespace magfsi::openfoam {
@@ -35,11 +37,11 @@ constexpr double most_courant = 10;
 
 }  // namespace
 
-FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
+FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
                      const std::filesystem::path& case_folder)
     : comm_(comm),
       fluid_(fluid),
-      step_s_(step_s),
+      step_s_(times.step_s),
       mesh_(to_mesh(fluid, rank_in(comm), size_of(comm))),
       cells_(mesh_cells(mesh_)),
       grid_(to_grid(fluid, mesh_)) {
@@ -53,7 +55,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
         for (int i = 0; i < cells_[d]; ++i)
             width_m_[d].push_back(plane[i + 1] - plane[i]);
     }
-    if (mesh_.rank == 0) write_case(case_folder, fluid, step_s);
+    if (mesh_.rank == 0) write_case(case_folder, fluid, times);
     MPI_Barrier(comm);
     set_world(comm);
     engine_ = load_engine({std::filesystem::absolute(case_folder).string(), mesh_});
@@ -65,6 +67,8 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
         if (double* faces = engine_->side_velocity(side))
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
     }
+    MPI_Barrier(comm);  // all have read the case
+    if (mesh_.rank == 0) complete_case(case_folder, fluid, mesh_);
     set_inlets(0);
 }
 
@@ -246,13 +250,35 @@ output::Named<std::string> FoamFluid::versions() const {
     return {{"OpenFOAM", engine_->version()}};
 }
 
-void FoamFluid::save(const coupler::BalanceRecord*, coupler::StateWriter*) {
-    throw std::runtime_error("fluid.solver: openfoam keeps no checkpoints");
+void FoamFluid::keep() {
+    engine_->keep(kept_);
+    kept_steps_ = steps_;
 }
 
-void FoamFluid::restore(const coupler::StateReader&, coupler::BalanceRecord*) {
-    throw std::invalid_argument(
-        "--restart: not with fluid.solver: openfoam; use lbm, or run from the start");
+void FoamFluid::go_back() {
+    engine_->go_back(kept_, kept_steps_);
+    steps_ = kept_steps_;
+}
+
+void FoamFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) {
+    FlowState state;
+    engine_->keep(state);
+    save_flow(comm_, mesh_, state, file);
+    if (!balance) return;
+    const auto mine = balance->values();
+    const auto all = coupler::gather_shares(comm_, mine);
+    if (file && !mine.empty())
+        file->table("balance", all, {all.size() / mine.size(), mine.size()});
+}
+
+void FoamFluid::restore(const coupler::StateReader& file,
+                        coupler::BalanceRecord* balance) {
+    steps_ = file.header().step;
+    set_inlets(static_cast<double>(steps_) * step_s_);
+    engine_->go_back(load_flow(mesh_, file), steps_);
+    if (balance && file.has("balance"))
+        balance->set(
+            coupler::share_of(comm_, file.table("balance"), file.shape("balance")[0]));
 }
 
 }  // namespace magfsi::openfoam

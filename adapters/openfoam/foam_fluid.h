@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapters/fluids/fluid_solver.h"
+#include "adapters/openfoam/case_files.h"
 #include "adapters/openfoam/engine/engine.h"
 
 namespace magfsi::openfoam {
@@ -16,14 +17,19 @@ class FoamFluid final : public fluids::FluidSolver {
   public:
     // Writes the case into case_folder and lets OpenFOAM read it. Throws
     // std::runtime_error when OpenFOAM is missing or refuses. Collective.
-    FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
+    FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
               const std::filesystem::path& case_folder);
+    FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,
+              const std::filesystem::path& case_folder)
+        : FoamFluid(comm, fluid, CaseTimes{.step_s = step_s}, case_folder) {}
 
     const coupler::Grid& grid() const override { return grid_; }
     void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
     void set_force(std::span<const coupler::GridRow> rows,
                    std::span<const double> density) override;
     void advance() override;
+    void keep() override;
+    void go_back() override;
 
     std::string headline() const override;
     std::vector<double> probe_values(const scene::Scene& scene) override;
@@ -65,6 +71,8 @@ class FoamFluid final : public fluids::FluidSolver {
         std::vector<double> shape;
     };
     std::vector<Inlet> inlets_;
+    FlowState kept_;  // of the implicit scheme
+    std::int64_t kept_steps_ = 0;
 };
 
 }  // namespace magfsi::openfoam

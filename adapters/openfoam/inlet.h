@@ -1,6 +1,7 @@
 // The velocity that the scene gives to a side of the box.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "adapters/openfoam/engine/engine.h"
@@ -12,6 +13,9 @@ namespace magfsi::openfoam {
 // over its mean, 0 outside the opening. The mean over the opening is 1 whatever the
 // profile.
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
+
+// The same over time as a boundary condition of OpenFOAM, by its own expressions.
+std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
 // 0 to 1, as (1 - cos(pi t / ramp)) / 2.
 double inlet_ramp(const scene::Boundary& inlet, double time_s);

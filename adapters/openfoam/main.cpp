@@ -2,6 +2,8 @@
 // magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR
 //        : -n 2 magfsi-fluid-openfoam SCENE --out DIR
+#include <algorithm>
+
 #include "adapters/fluids/participant.h"
 #include "adapters/openfoam/foam_fluid.h"
 #include "coupler/participants/guard.h"
@@ -16,9 +18,13 @@ int main(int argc, char** argv) {
             if (!session.scene().fluid)
                 throw std::runtime_error("the scene has no fluid");
             session.begin(*scene::coupled_step_s(session.scene()));
+            const coupler::Clock& clock = session.clock();
+            openfoam::CaseTimes times{clock.step_s(), clock.steps(),
+                                      std::max<std::int64_t>(1, clock.steps() / 10)};
+            if (const auto& output = session.scene().output.fluid)
+                times.steps_between_files = clock.every(output->every_s);
             openfoam::FoamFluid fluid(session.world().local(), *session.scene().fluid,
-                                      session.clock().step_s(),
-                                      session.out() / "openfoam");
+                                      times, session.out() / "openfoam");
             fluids::Participant(session, fluid, arguments.progress).run();
         });
 }

@@ -33,9 +33,6 @@ class Refusals(unittest.TestCase):
         self.refused({"fluid.obstacles": "{ball: {sphere: {centre: [1 mm, 1 mm, 1 mm], "
                                          "diameter: 1 mm}}}"}, "obstacles", "lbm")
 
-    def test_checkpoints(self):
-        self.refused({"checkpoint.every": "1 ms"}, "checkpoint", "lbm")
-
     def test_a_uniform_part_beyond_the_box(self):
         self.refused({"fluid.grading.uniform": "[[1 mm, 1 mm, 1 mm], [9 mm, 3 mm, 5 mm]]"},
                      "uniform", "along x")

@@ -9,13 +9,9 @@ using Index = std::array<int, 3>;
 // Cells and points of this rank's slab.
 class Slab {
   public:
-    explicit Slab(const BoxMesh& box) : box_(box) {
-        for (std::size_t d = 0; d < 3; ++d)
-            cells_[d] = static_cast<int>(box.planes_m[d].size()) - 1;
+    explicit Slab(const BoxMesh& box) : box_(box), cells_(slab_cells(box)) {
         const auto cut = static_cast<std::size_t>(box.cut_axis);
-        const auto rank = static_cast<std::size_t>(box.rank);
-        first_[cut] = box.first_cell[rank];
-        cells_[cut] = box.first_cell[rank + 1] - first_[cut];
+        first_[cut] = box.first_cell[static_cast<std::size_t>(box.rank)];
     }
 
     const Index& cells() const { return cells_; }
@@ -67,42 +63,63 @@ void for_each_cell(const Index& lo, const Index& hi, Visit&& visit) {
 }
 
 // By owner, then by neighbour: the upper triangle, row by row.
-void add_inner(const Slab& slab, BoxFaces& out) {
-    for_each_cell({}, slab.cells(), [&](const Index& i) {
+void visit_inner(const Index& cells, const VisitFace& visit) {
+    for_each_cell({}, cells, [&](const Index& i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             Index next = i;
-            if (++next[axis] == slab.cells()[axis]) continue;
-            out.faces.append(slab.face(next, axis, true));
-            out.owner.append(slab.cell(i));
-            out.neighbor.append(slab.cell(next));
+            if (++next[axis] < cells[axis]) visit(next, static_cast<int>(axis), true);
         }
     });
-    out.inner = out.faces.size();
 }
 
-void add_side(const Slab& slab, int side, BoxFaces& out) {
+void visit_side(const Index& cells, int side, const VisitFace& visit) {
     const auto axis = static_cast<std::size_t>(side / 2);
     const bool upper = side % 2 == 1;
-    Index lo{}, hi = slab.cells();
+    Index lo{}, hi = cells;
     (upper ? lo[axis] : hi[axis]) = upper ? hi[axis] - 1 : 1;
-    const Foam::label before = out.faces.size();
     for_each_cell(lo, hi, [&](const Index& i) {
         Index at = i;
         if (upper) ++at[axis];
-        out.faces.append(slab.face(at, axis, upper));
-        out.owner.append(slab.cell(i));
+        visit(at, side / 2, upper);
     });
-    out.of_side[side] = out.faces.size() - before;
 }
 
 }  // namespace
+
+std::array<int, 3> slab_cells(const BoxMesh& box) {
+    std::array<int, 3> cells{};
+    for (std::size_t d = 0; d < 3; ++d)
+        cells[d] = static_cast<int>(box.planes_m[d].size()) - 1;
+    const auto rank = static_cast<std::size_t>(box.rank);
+    cells[static_cast<std::size_t>(box.cut_axis)] =
+        box.first_cell[rank + 1] - box.first_cell[rank];
+    return cells;
+}
+
+void visit_faces(const BoxMesh& box, const std::vector<int>& side_order,
+                 const VisitFace& visit) {
+    const Index cells = slab_cells(box);
+    visit_inner(cells, visit);
+    for (const int side : side_order) visit_side(cells, side, visit);
+}
 
 BoxFaces make_faces(const BoxMesh& box, const std::vector<int>& side_order) {
     const Slab slab(box);
     BoxFaces out;
     out.points = slab.points();
-    add_inner(slab, out);
-    for (const int side : side_order) add_side(slab, side, out);
+    visit_faces(box, side_order, [&](const Index& i, int axis, bool upwards) {
+        const auto d = static_cast<std::size_t>(axis);
+        const bool inner = i[d] > 0 && i[d] < slab.cells()[d];
+        Index below = i;
+        --below[d];
+        out.faces.append(slab.face(i, d, upwards));
+        out.owner.append(slab.cell(upwards ? below : i));
+        if (inner)
+            out.neighbor.append(slab.cell(i));
+        else
+            ++out.of_side[2 * axis + (upwards ? 1 : 0)];
+    });
+    out.inner = out.neighbor.size();
     return out;
 }
 

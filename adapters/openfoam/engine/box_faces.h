@@ -1,6 +1,8 @@
 // Points, faces and cells of this rank's slab, in the order that OpenFOAM asks for.
 #pragma once
 
+#include <functional>
+
 #include "DynamicList.H"
 #include "adapters/openfoam/engine/engine.h"
 #include "face.H"
@@ -17,7 +19,16 @@ struct BoxFaces {
     Foam::label of_side[6] = {};              // faces
 };
 
-// side_order: of the slab's sides in the list of faces.
+// Of this rank's slab.
+std::array<int, 3> slab_cells(const BoxMesh& box);
+
+// A face: the cell above it along its axis, or where that would be, and whether its
+// normal points that way.
+using VisitFace = std::function<void(const std::array<int, 3>&, int axis, bool upwards)>;
+
+// In the order of their numbers. side_order: of the slab's sides in the list of faces.
+void visit_faces(const BoxMesh& box, const std::vector<int>& side_order,
+                 const VisitFace& visit);
 BoxFaces make_faces(const BoxMesh& box, const std::vector<int>& side_order);
 
 }  // namespace magfsi::openfoam

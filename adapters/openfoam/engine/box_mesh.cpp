@@ -101,7 +101,9 @@ class Patches {
     std::vector<Foam::polyPatch*> made_;
 };
 
-// The order of the sides' faces in the mesh: as Patches has them.
+}  // namespace
+
+// As Patches has them.
 std::vector<int> side_order(const BoxMesh& box) {
     std::vector<int> order;
     for (int side = 0; side < 6; ++side)
@@ -114,8 +116,6 @@ std::vector<int> side_order(const BoxMesh& box) {
     }
     return order;
 }
-
-}  // namespace
 
 Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box) {
     BoxFaces faces = make_faces(box, side_order(box));

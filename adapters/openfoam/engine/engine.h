@@ -25,6 +25,15 @@ struct EngineSetup {
     BoxMesh mesh;
 };
 
+// What the next step depends on, of this rank's slab.
+struct FlowState {
+    // [m/s], three a cell: now, and a step ago, of which the backward scheme knows.
+    std::vector<double> velocity, old_velocity;
+    std::vector<double> pressure;  // over density [m2/s2]
+    // [m3/s] along each axis, x fastest; one layer of faces more than of cells there.
+    std::array<std::vector<double>, 3> flux;
+};
+
 // pimpleFoam's equations on this rank's cells. Values are three a cell with x fastest,
 // then y, then z. What OpenFOAM refuses is thrown as std::runtime_error with its message.
 class Engine {
@@ -47,6 +56,11 @@ class Engine {
 
     // One time step. Collective.
     virtual void advance() = 0;
+
+    // Between two steps.
+    virtual void keep(FlowState& state) const = 0;
+    // As after this many steps. Collective.
+    virtual void go_back(const FlowState& state, long step) = 0;
 
     // curl u [1/s], three a cell. Collective.
     virtual void vorticity(double* out) = 0;

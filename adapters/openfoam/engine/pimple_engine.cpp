@@ -9,6 +9,7 @@
 #include "adapters/openfoam/engine/box_mesh.h"
 #include "adapters/openfoam/engine/coupled_force.h"
 #include "adapters/openfoam/engine/engine.h"
+#include "adapters/openfoam/engine/flow_state.h"
 #include "foamVersion.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
@@ -24,6 +25,11 @@ static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three dou
 
 double* numbers(Foam::vectorField& field) {
     return reinterpret_cast<double*>(field.data());
+}
+
+std::vector<double> copy_of(const Foam::vectorField& field) {
+    const auto* first = reinterpret_cast<const double*>(field.cdata());
+    return {first, first + 3 * field.size()};
 }
 
 Foam::IOobject field_file(const char* name, const Foam::fvMesh& mesh) {
@@ -58,6 +64,7 @@ class PimpleEngine final : public Engine {
                 Foam::fileName(setup.case_folder).name(), "system", "constant", false,
                 false),
           mesh_(make_mesh(time_, setup.mesh)),
+          places_(face_places(setup.mesh, side_order(setup.mesh))),
           pimple_(mesh_()),
           p_(field_file("p", mesh_()), mesh_()),
           u_(field_file("U", mesh_()), mesh_()),
@@ -102,6 +109,39 @@ class PimpleEngine final : public Engine {
         guarded([&] { step(); });
     }
 
+    void keep(FlowState& state) const override {
+        guarded([&] {
+            state.velocity = copy_of(u_.primitiveField());
+            state.old_velocity = copy_of(u_.oldTime().primitiveField());
+            const Foam::scalarField& p = p_.primitiveField();
+            state.pressure.assign(p.cdata(), p.cdata() + p.size());
+            take_flux(phi_, places_, state);
+        });
+    }
+
+    // The fluxes first, for the velocity at outlets follows them. The velocity of two
+    // steps ago and the old fluxes have no say: the one goes when the step begins, the
+    // others have the coefficient 0.
+    void go_back(const FlowState& state, long step) override {
+        guarded([&] {
+            const auto index = static_cast<Foam::label>(step);
+            time_.setTime(static_cast<double>(step) * time_.deltaTValue(), index);
+            phi_.timeIndex() = u_.timeIndex() = index;
+            put_flux(state, places_, phi_);
+            Foam::vectorField& u = u_.primitiveFieldRef();
+            std::copy(state.velocity.begin(), state.velocity.end(), numbers(u));
+            u_.correctBoundaryConditions();
+            Foam::vectorField& before = u_.oldTime().primitiveFieldRef();
+            std::copy(state.old_velocity.begin(), state.old_velocity.end(),
+                      numbers(before));
+            u_.oldTime().oldTime();
+            phi_.oldTime().oldTime();
+            Foam::scalarField& p = p_.primitiveFieldRef();
+            std::copy(state.pressure.begin(), state.pressure.end(), p.begin());
+            p_.correctBoundaryConditions();
+        });
+    }
+
     void vorticity(double* out) override {
         guarded([&] {
             const Foam::tmp<Foam::volVectorField> curl = Foam::fvc::curl(u_);
@@ -120,6 +160,7 @@ class PimpleEngine final : public Engine {
 
     Foam::Time time_;
     Foam::autoPtr<Foam::fvMesh> mesh_;
+    std::vector<FacePlace> places_;
     Foam::pimpleControl pimple_;
     Foam::volScalarField p_;
     Foam::volVectorField u_;

@@ -1,0 +1,124 @@
+#include "adapters/openfoam/flow_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "adapters/openfoam/scene_to_mesh.h"
+#include "coupler/checkpoint/gather.h"
+
+namespace magfsi::openfoam {
+
+namespace {
+
+constexpr std::size_t values_a_cell = 7;  // velocity, that of the step before, pressure
+constexpr std::array<const char*, 3> flux_table = {"flux_x", "flux_y", "flux_z"};
+
+// A block of cells, or of the faces across an axis, in the whole box. Where two ranks
+// meet both have the faces between them: skip is the number of layers, 0 or 1, that
+// belong to the rank below.
+struct Part {
+    std::array<int, 3> whole{}, first{}, mine{};
+    int skip = 0;
+    std::size_t cut = 0;
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(whole[0]) * static_cast<std::size_t>(whole[1]) *
+               static_cast<std::size_t>(whole[2]);
+    }
+    // Calls visit(place in the whole, place in this rank's).
+    template <class Visit>
+    void for_each(int from, Visit&& visit) const {
+        std::size_t local = 0;
+        for (int k = 0; k < mine[2]; ++k) {
+            for (int j = 0; j < mine[1]; ++j) {
+                for (int i = 0; i < mine[0]; ++i, ++local) {
+                    const std::array<int, 3> at{i, j, k};
+                    if (at[cut] < from) continue;
+                    visit((first[0] + i) +
+                              whole[0] * ((first[1] + j) + whole[1] * (first[2] + k)),
+                          local);
+                }
+            }
+        }
+    }
+};
+
+// axis: across which the faces lie; 3: cells.
+Part part_of(const BoxMesh& mesh, std::size_t axis) {
+    Part part;
+    part.whole = part.mine = mesh_cells(mesh);
+    part.cut = static_cast<std::size_t>(mesh.cut_axis);
+    const auto rank = static_cast<std::size_t>(mesh.rank);
+    part.first[part.cut] = mesh.first_cell[rank];
+    part.mine[part.cut] = mesh.first_cell[rank + 1] - mesh.first_cell[rank];
+    if (axis == 3) return part;
+    ++part.whole[axis];
+    ++part.mine[axis];
+    if (axis == part.cut && mesh.rank > 0) part.skip = 1;
+    return part;
+}
+
+void save_rows(MPI_Comm comm, const Part& part, std::span<const double> rows,
+               std::size_t width, const char* table, coupler::StateWriter* file) {
+    std::vector<int> index;
+    std::vector<double> mine;
+    part.for_each(part.skip, [&](int place, std::size_t local) {
+        index.push_back(place);
+        const auto row = rows.subspan(local * width, width);
+        mine.insert(mine.end(), row.begin(), row.end());
+    });
+    const auto all = coupler::gather_rows(comm, index, mine, width, part.count());
+    if (file) file->table(table, all, {part.count(), width});
+}
+
+std::vector<double> load_rows(const coupler::StateReader& file, const char* table,
+                              const Part& part, std::size_t width) {
+    const std::vector<std::size_t> wanted{part.count(), width};
+    if (file.shape(table) != wanted) {
+        throw coupler::StateFault(fmt::format(
+            "--restart: the checkpoint's table {} is {}, this run's {}: it is "
+            "of another mesh",
+            table, fmt::join(file.shape(table), " x "), fmt::join(wanted, " x ")));
+    }
+    const std::vector<double> all = file.table(table);
+    std::vector<double> rows;
+    part.for_each(0, [&](int place, std::size_t) {
+        const auto row = all.begin() + static_cast<std::ptrdiff_t>(width) * place;
+        rows.insert(rows.end(), row, row + static_cast<std::ptrdiff_t>(width));
+    });
+    return rows;
+}
+
+}  // namespace
+
+void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
+               coupler::StateWriter* file) {
+    std::vector<double> cells;
+    for (std::size_t c = 0; c < state.pressure.size(); ++c) {
+        for (const auto* velocity : {&state.velocity, &state.old_velocity}) {
+            for (std::size_t d = 0; d < 3; ++d) cells.push_back((*velocity)[3 * c + d]);
+        }
+        cells.push_back(state.pressure[c]);
+    }
+    save_rows(comm, part_of(mesh, 3), cells, values_a_cell, "cells", file);
+    for (std::size_t d = 0; d < 3; ++d)
+        save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
+}
+
+FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file) {
+    FlowState state;
+    const auto cells = load_rows(file, "cells", part_of(mesh, 3), values_a_cell);
+    for (std::size_t c = 0; c < cells.size(); c += values_a_cell) {
+        const auto row = cells.begin() + static_cast<std::ptrdiff_t>(c);
+        state.velocity.insert(state.velocity.end(), row, row + 3);
+        state.old_velocity.insert(state.old_velocity.end(), row + 3, row + 6);
+        state.pressure.push_back(row[6]);
+    }
+    for (std::size_t d = 0; d < 3; ++d)
+        state.flux[d] = load_rows(file, flux_table[d], part_of(mesh, d), 1);
+    return state;
+}
+
+}  // namespace magfsi::openfoam

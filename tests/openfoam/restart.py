@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""pimpleFoam goes on from a checkpoint: the same bytes on the same ranks, the same within the
+solver's tolerance on others; and it repeats steps in the implicit scheme."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "restart"))
+import scenes  # noqa: E402
+from scenes import magfsi  # noqa: E402
+
+GRADED = {"fluid.grading.uniform": "[[2 mm, 1 mm, 3 mm], [6.2 mm, 3 mm, 5.2 mm]]"}
+SETTINGS = {"fluid.solver": "openfoam", **GRADED, "time.end": "2 ms",
+            "checkpoint.every": "0.4 ms", "probes.every": "0.2 ms",
+            "output.fluid.every": "0.4 ms"}
+# An outlet's velocity follows the flux; the ramp of the inlet is longer than the run.
+OPEN = {**SETTINGS,
+        "fluid.boundaries.x_min": "{velocity_inlet: {velocity: [0.1 m/s, 0 m/s, 0 m/s], "
+                                  "ramp: 4 ms}}",
+        "fluid.boundaries.x_max": "{pressure_outlet: {}}"}
+# As for runs on different ranks: the pressure's tolerance, ten times over.
+BOUND = 1e-5
+
+
+def columns(run):
+    return ("robot.end_to_end[m]", "robot.mid_rise[m]", "robot.energy_kinetic[J]",
+            "kinetic_energy[J]", "max_speed[m/s]")
+
+
+class Restart(unittest.TestCase):
+    def same_bytes(self, settings, ranks):
+        whole = scenes.good(magfsi.SMALL, settings, magfsi.new_folder(), ranks)
+        parts = scenes.interrupted(magfsi.SMALL, settings, "1 ms", ranks)
+        expected, found = scenes.results(whole.folder), scenes.results(parts.folder)
+        self.assertEqual(list(found), list(expected))
+        self.assertGreater(len(expected), 3)
+        for name, content in expected.items():
+            self.assertEqual(found[name], content, name)
+        kept = scenes.checkpoints(whole.folder)
+        self.assertEqual(scenes.checkpoints(parts.folder), kept)
+        self.assertEqual(len(kept), 4)
+        for name in kept:
+            self.assertEqual((Path(parts.folder) / name).read_bytes(),
+                             (Path(whole.folder) / name).read_bytes(), name)
+        self.assertGreater(scenes.restarted_at(parts), 0)
+        return whole
+
+    def test_same_bytes_on_one_rank_and_the_same_on_two(self):
+        whole = self.same_bytes(SETTINGS, "structure=1,fluid=1")
+        other = scenes.interrupted(magfsi.SMALL, SETTINGS, "1 ms", "structure=1,fluid=1",
+                                   "structure=1,fluid=2")
+        a, b = whole.probes(), other.probes()
+        for name in columns(whole):
+            scale = max(map(abs, a[name]))
+            worst = max(abs(x - y) for x, y in zip(a[name], b[name], strict=True)) / scale
+            magfsi.report(f"gone on with on 2 ranks: {worst:.1e} in {name}")
+            self.assertLess(worst, BOUND, name)
+
+    def test_same_bytes_with_openings_on_two_ranks(self):
+        self.same_bytes(OPEN, "structure=1,fluid=2")
+
+    def test_another_mesh_is_refused(self):
+        folder = magfsi.new_folder()
+        scenes.good(magfsi.SMALL, {**SETTINGS, "time.end": "0.4 ms"}, folder)
+        other = scenes.run(magfsi.SMALL, {**SETTINGS, "fluid.spacing": "0.5 mm"}, folder,
+                           restart="latest")
+        self.assertEqual(other.code, 2, other.err)
+        self.assertIn("another scene", other.err)
+
+
+class Implicit(unittest.TestCase):
+    def test_steps_are_repeated(self):
+        settings = {**SETTINGS, "checkpoint": "", "coupling.scheme": "implicit",
+                    "time.end": "1 ms"}
+        run = scenes.good(magfsi.SMALL, settings, magfsi.new_folder(), "structure=1,fluid=2")
+        iterations = run.summary()["iterations"]
+        magfsi.report(f"implicit: {iterations}")
+        self.assertGreater(iterations["mean"], 1)
+        magfsi.check_interface_balance(self, run, "implicit")
+
+
+if __name__ == "__main__":
+    unittest.main()
