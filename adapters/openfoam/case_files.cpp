@@ -90,8 +90,9 @@ std::string velocity_at(const scene::Boundary& side) {
             return "type symmetryPlane;";
         case scene::BoundaryKind::pressure_outlet:
             return "type pressureInletOutletVelocity; value uniform (0 0 0);";
+        case scene::BoundaryKind::velocity_inlet:  // it opens with the first step
+            return "type fixedValue; value uniform (0 0 0);";
         case scene::BoundaryKind::no_slip:
-        case scene::BoundaryKind::velocity_inlet:
             break;
     }
     return fmt::format("type fixedValue; value uniform {};", vector(side.velocity_m_s));

@@ -89,7 +89,7 @@ class StockCase(unittest.TestCase):
         case = run.folder / "openfoam"
         stock(case)
         found = energy(case)
-        magfsi.report(f"{run.summary()['name']}: energy {expected[-1]:.6e} J, by stock pimpleFoam "
+        magfsi.report(f"{self.id().split('.')[-1]}: energy {expected[-1]:.6e} J, by stock pimpleFoam "
                       f"{found:.6e} J, {found / expected[-1] - 1:+.1e}")
         self.assertGreater(expected[-1], 2 * expected[0])
         self.assertAlmostEqual(found / expected[-1], 1, delta=BOUND)
