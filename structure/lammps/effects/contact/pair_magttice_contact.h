@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "structure/lammps/contact.h"
+#include "structure/lammps/effects/contact/contact_law.h"
 #include "structure/mesh/mesh.h"
 
 namespace magfsi::structure {

@@ -1,4 +1,4 @@
-#include "structure/lammps/fix_magttice_platform.h"
+#include "structure/lammps/effects/platform/fix_magttice_platform.h"
 
 #include "atom.h"
 #include "error.h"

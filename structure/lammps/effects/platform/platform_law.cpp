@@ -1,4 +1,4 @@
-#include "structure/lammps/platform.h"
+#include "structure/lammps/effects/platform/platform_law.h"
 
 #include <fmt/format.h>
 

@@ -1,19 +1,9 @@
 // A plane that pushes nodes back: penalty pressure and Coulomb friction on one node.
 #pragma once
 
-#include <array>
-
-#include "structure/body.h"
+#include "structure/lammps/script.h"
 
 namespace magfsi::structure {
-
-struct Platform {
-    Vec3 point_m{};
-    Vec3 normal{0, 0, 1};       // unit vector, towards the bodies
-    double stiffness_pa_m = 0;  // pressure over penetration
-    double friction = 0;        // Coulomb's coefficient mu; 0: smooth
-    double damping_pa_s_m = 0;  // pressure over the speed of approach, while touching
-};
 
 // Where a node sticks to the plane. One that has let go takes a new one when it touches.
 struct StickPoint {
@@ -46,6 +36,11 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
 // sheet) and field (|M| |B|, a few hundredths of G) stay below. Throws
 // std::invalid_argument on a thickness that is not positive.
 double platform_stiffness_pa_m(const Material& material, double thickness_m);
+
+// The platform of the input with a missing stiffness put in: the largest
+// platform_stiffness_pa_m of the bodies' materials (thickness: the mesh's smallest
+// extent).
+Platform platform_of(const LammpsInput& input);
 
 // Stable velocity-Verlet step [s] of a body on a platform of that stiffness: 2 / sqrt of
 // omega_max^2 of the body alone plus the largest stiffness * area / mass of a node. Run

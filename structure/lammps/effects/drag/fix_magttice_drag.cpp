@@ -1,4 +1,4 @@
-#include "structure/lammps/fix_magttice_drag.h"
+#include "structure/lammps/effects/drag/fix_magttice_drag.h"
 
 #include "atom.h"
 #include "error.h"

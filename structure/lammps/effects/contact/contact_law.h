@@ -4,16 +4,9 @@
 
 #include <vector>
 
-#include "structure/body.h"
+#include "structure/lammps/script.h"
 
 namespace magfsi::structure {
-
-struct ContactLaw {
-    double distance_m = 0;      // d: nodes closer than this repel
-    double stiffness_pa_m = 0;  // s: pressure over approach
-    // Nodes of one body whose distance at rest is below this many d do not repel.
-    double excluded = 2;
-};
 
 struct ContactForce {
     double force_n = 0;  // repulsive, along the line between the nodes
@@ -40,6 +33,10 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
 // 2.2 s (two surfaces at g = d / sqrt(e)) or, on a mesh coarser than d, that of the one
 // node opposite, 6 s A_j / (pi d^2); both surfaces move, which doubles it.
 double contact_spring_pa_m(const Body& body, const ContactLaw& law);
+
+// The contact of the input with its missing values put in: contact_distance_m and
+// contact_stiffness_pa_m of all bodies.
+ContactLaw contact_law(const LammpsInput& input);
 
 // step_limit_s with that stiffness. Run at 0.9 of it; where a platform is hit as well,
 // use step_limit_s with the sum of both.

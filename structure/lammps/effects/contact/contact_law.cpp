@@ -1,4 +1,4 @@
-#include "structure/lammps/contact.h"
+#include "structure/lammps/effects/contact/contact_law.h"
 
 #include <algorithm>
 #include <cmath>

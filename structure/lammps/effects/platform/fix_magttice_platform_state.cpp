@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "structure/lammps/fix_magttice_platform.h"
+#include "structure/lammps/effects/platform/fix_magttice_platform.h"
 
 namespace magfsi::structure {
 namespace {

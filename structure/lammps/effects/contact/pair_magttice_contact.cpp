@@ -1,4 +1,4 @@
-#include "structure/lammps/pair_magttice_contact.h"
+#include "structure/lammps/effects/contact/pair_magttice_contact.h"
 
 #include "atom.h"
 #include "error.h"

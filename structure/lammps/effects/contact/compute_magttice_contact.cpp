@@ -1,4 +1,4 @@
-#include "structure/lammps/compute_magttice_contact.h"
+#include "structure/lammps/effects/contact/compute_magttice_contact.h"
 
 #include "error.h"
 #include "force.h"
@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "structure/lammps/effects/contact/pair_magttice_contact.h"
 #include "structure/lammps/failure.h"
-#include "structure/lammps/pair_magttice_contact.h"
 
 namespace magfsi::structure {
 

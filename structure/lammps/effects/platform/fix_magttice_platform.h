@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "structure/lammps/platform.h"
+#include "structure/lammps/effects/platform/platform_law.h"
 
 namespace magfsi::structure {
 
