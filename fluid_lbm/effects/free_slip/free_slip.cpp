@@ -1,4 +1,4 @@
-#include "fluid_lbm/boundary/free_slip.h"
+#include "fluid_lbm/effects/free_slip/free_slip.h"
 
 #include <utility>
 

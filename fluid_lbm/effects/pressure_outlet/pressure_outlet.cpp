@@ -1,4 +1,4 @@
-#include "fluid_lbm/boundary/pressure_outlet.h"
+#include "fluid_lbm/effects/pressure_outlet/pressure_outlet.h"
 
 #include <cmath>
 

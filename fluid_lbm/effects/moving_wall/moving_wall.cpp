@@ -1,4 +1,4 @@
-#include "fluid_lbm/boundary/moving_wall.h"
+#include "fluid_lbm/effects/moving_wall/moving_wall.h"
 
 namespace magfsi::fluid {
 

@@ -1,4 +1,4 @@
-#include "fluid_lbm/boundary/velocity_inlet.h"
+#include "fluid_lbm/effects/velocity_inlet/velocity_inlet.h"
 
 namespace magfsi::fluid {
 
