@@ -4,7 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +30,7 @@ struct LammpsInput {
     std::optional<double> drag_rate_1_s;
     std::optional<Platform> platform;   // stiffness 0: that of platform_of
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
-    std::map<std::string, double> others;  // settings of effects that have no place above
-    bool quiet = false;                    // fix quiet: how far from equilibrium
+    bool quiet = false;                 // fix quiet: how far from equilibrium
     double time_step_s = 0;
 };
 

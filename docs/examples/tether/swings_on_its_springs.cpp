@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "structure/lammps/effects/tether/tether.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 
@@ -25,7 +26,7 @@ TEST(Tether, LetsABodySwingUnderItsWeight) {
     double mass = 0;
     for (const double m : masses) mass += m;
     const double omega = 500;
-    input.others["tether"] = mass * omega * omega / static_cast<double>(masses.size());
+    tether_n_m = mass * omega * omega / static_cast<double>(masses.size());
     const test::SharedFolder folder;
     test::LammpsRun run(MPI_COMM_WORLD, folder.write(input).setup);
     run.command("run 0");
@@ -43,10 +44,11 @@ TEST(Tether, LetsABodySwingUnderItsWeight) {
 }
 
 TEST(Tether, IsAbsentUnlessAskedFor) {
-    LammpsInput input = test::bare_strip();
+    const LammpsInput input = test::bare_strip();
     const test::SharedFolder folder;
+    tether_n_m.reset();
     EXPECT_FALSE(has_tether(folder.write(input)));
-    input.others["tether"] = 1;
+    tether_n_m = 1;
     EXPECT_TRUE(has_tether(folder.write(input)));
 }
 
