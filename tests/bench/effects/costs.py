@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""What each effect costs on a small reference scene, on against off: writes docs/effects.md.
+"""What each effect costs on a small reference scene, on against off: prints docs/effects.md.
 
     MAGFSI_BIN=build/release/bin tests/bench/effects/costs.py > docs/effects.md
 
 Instructions are those within the steps (valgrind's callgrind). Seconds are of processor time of the
 whole run, start-up included: medians of pairs on, off, on, off, ..."""
 
+import functools
 import os
 import resource
 import statistics
@@ -87,9 +88,13 @@ def seconds(program, scene, settings):
             next(iter(summary["memory_bytes"].values())))
 
 
+@functools.cache
+def count(program, scene, settings):
+    return instructions.of_steps(magfsi.BIN / program, scene, dict(settings))
+
+
 def row(name, program, scene, on, off, short, long):
-    counts = [instructions.of_steps(magfsi.BIN / program, scene, {**s, **short})
-              for s in (on, off)]
+    counts = [count(program, scene, tuple({**s, **short}.items())) for s in (on, off)]
     pairs = [[seconds(program, scene, {**s, **long}) for s in (on, off)] for _ in range(PAIRS)]
     time = [statistics.median(pair[i][0] for pair in pairs) for i in (0, 1)]
     memory = [statistics.median(pair[i][1] for pair in pairs) for i in (0, 1)]
