@@ -62,11 +62,11 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       inner_rows_(fluid::inner_rows(layout_)),
       obstacles_(
           make_obstacles(config, decomposition_.boxes[rank_], populations_, layout_)),
-      boundaries_(comm, decomposition_, rank_, config.sides, config.wall_velocity,
-                  populations_, layout_, obstacles_ ? &obstacles_->map() : nullptr),
+      boundaries_({comm, decomposition_, rank_, config.sides, config.wall_velocity,
+                   populations_, layout_, obstacles_ ? &obstacles_->map() : nullptr}),
       kernels_(config.kernels),
       collision_(config.collision),
-      kept_(sweep_is_all(config)) {
+      sweep_is_all_(sweep_is_all(config)) {
     for (int side = 0; side < 6; ++side) {
         open_sides_[side] = config.sides[side].kind != BoundaryKind::periodic &&
                             config.sides[side].kind != BoundaryKind::no_slip;
@@ -91,7 +91,7 @@ void Solver::apply_boundaries() {
     boundaries_.enter(populations_, layout_, static_cast<double>(steps_done_) + 0.5);
     if (obstacles_) obstacles_->bounce(populations_, arrangement_);
     settle_obstacles();  // an outlet may look into them
-    boundaries_.rebuild_outlets(populations_, arrangement_);
+    boundaries_.end_step(populations_, arrangement_);
 }
 
 void Solver::settle_obstacles() {
@@ -99,24 +99,25 @@ void Solver::settle_obstacles() {
 }
 
 void Solver::keep() {
-    kept_.keep(view());
+    if (!kept_) kept_ = std::make_unique<KeptState>(sweep_is_all_);
+    kept_->keep(view());
 }
 
 void Solver::go_back() {
     set_steps_done(steps_done_ - 1);
-    kept_.put_back(view());
+    kept_->put_back(view());
     again_ = true;
     // What the forces of that time have done is undone.
     const bool undone =
-        unsound_ && (!kept_.by_rows() || kept_.has(unsound_->cell.y, unsound_->cell.z));
+        unsound_ && (!kept_->by_rows() || kept_->has(unsound_->cell.y, unsound_->cell.z));
     if (undone) unsound_.reset();
 }
 
 void Solver::sweep_and_exchange(Exchange exchange) {
-    if (again_ && kept_.by_rows()) {
+    if (again_ && kept_->by_rows()) {
         // The other rows stand at the step's end already, and what travelled for them is
         // sent once more as it was.
-        sweep_boxes(kept_.rows());
+        sweep_boxes(kept_->rows());
         halo_.start(exchange);
         halo_.advance();
         halo_.finish();
@@ -134,8 +135,8 @@ void Solver::sweep_and_exchange(Exchange exchange) {
 
 void Solver::step() {
     const bool natural = arrangement_ == Arrangement::natural;
-    kept_.note_rows(view(), forces_.claimed_rows());
-    boundaries_.look_at_outlets(populations_, arrangement_);
+    if (kept_) kept_->note_rows(view(), forces_.claimed_rows());
+    boundaries_.before_sweep(populations_, arrangement_);
     sweep_and_exchange(natural ? Exchange::fill : Exchange::give_back);
     again_ = false;
     arrangement_ = natural ? Arrangement::swapped : Arrangement::natural;

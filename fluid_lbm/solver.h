@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -85,7 +86,7 @@ class Solver {
     // For steps that are taken again (fluid.h).
     void keep();
     void go_back();
-    std::size_t kept_bytes() const { return kept_.bytes(); }
+    std::size_t kept_bytes() const { return kept_ ? kept_->bytes() : 0; }
 
     // The first cell of this rank that a step found no longer sound, lattice units; found
     // in passing by the step whose collision acts on it.
@@ -111,8 +112,9 @@ class Solver {
     Arrangement arrangement_ = Arrangement::natural;
     std::int64_t steps_done_ = 0;
     std::optional<Unsound> unsound_;
-    KeptState kept_;
-    bool again_ = false;  // the coming step is one that is taken again
+    bool sweep_is_all_;
+    std::unique_ptr<KeptState> kept_;  // only where steps are taken again
+    bool again_ = false;               // the coming step is one that is taken again
 };
 
 }  // namespace magfsi::fluid

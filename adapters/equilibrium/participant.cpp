@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "coupler/participants/errors.h"
-#include "coupler/scene/effective.h"
 #include "coupler/scene/reader.h"
+#include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
@@ -118,10 +118,9 @@ void Participant::write_fields() {
 }
 
 void Participant::run() {
-    session_.log(fmt::format("scene '{}': {}; equilibria by Newton's method at {} points",
-                             session_.scene().name,
-                             fmt::join(scene::active_effects(session_.scene()), ", "),
-                             session_.clock().steps()));
+    session_.log(fmt::format("scene '{}': equilibria by Newton's method at {} points",
+                             session_.scene().name, session_.clock().steps()));
+    coupler::log_effects(session_);
     session_.log("each point: " + tasks_.names());
     if (probes_) write_probes();
     if (files_) write_fields();

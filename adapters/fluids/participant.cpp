@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "coupler/scene/effective.h"
+#include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
@@ -101,12 +101,10 @@ void Participant::run() {
                    session_.world().size(), tasks_.names());
         std::fflush(stdout);
     }
-    session_.log(fmt::format("scene '{}': {} to {:.6g} s in {} steps",
-                             session_.scene().name,
-                             fmt::join(scene::active_effects(session_.scene()), ", "),
+    session_.log(fmt::format("scene '{}' to {:.6g} s in {} steps", session_.scene().name,
                              session_.scene().time.end_s, session_.clock().steps()));
-    session_.log(fmt::format("absent: {}",
-                             fmt::join(scene::absent_effects(session_.scene()), ", ")));
+    coupler::log_effects(session_);
+    session_.log("fluid step: " + tasks_.names());
     if (coupling_) coupling_->begin();
     if (!session_.restart()) {
         if (writes_probes_) write_probes();

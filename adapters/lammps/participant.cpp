@@ -9,8 +9,8 @@
 #include "adapters/lammps/generated_input.h"
 #include "adapters/lammps/scene_to_input.h"
 #include "coupler/participants/errors.h"
-#include "coupler/scene/effective.h"
 #include "coupler/step/boundary_quality.h"
+#include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "structure/lammps/register_styles.h"
@@ -20,10 +20,6 @@ namespace magfsi::lammps {
 namespace {
 
 constexpr const char* advance_task = "advance structure";
-
-std::string joined(const std::vector<std::string>& words) {
-    return fmt::format("{}", fmt::join(words, ", "));
-}
 
 }  // namespace
 
@@ -294,16 +290,13 @@ void Participant::write_fields() {
 
 void Participant::run() {
     session_.log(
-        rest_
-            ? fmt::format("scene '{}': {}; equilibria by damped motion at {} points",
-                          scene().name, joined(scene::active_effects(scene())),
-                          session_.clock().steps())
-            : fmt::format("scene '{}': {} to {:.6g} s in {} steps of {:.4g} us, each of "
-                          "{} LAMMPS steps",
-                          scene().name, joined(scene::active_effects(scene())),
-                          scene().time.end_s, session_.clock().steps(),
-                          substeps_.coupled_step_s * 1e6, substeps_.count));
-    session_.log("absent: " + joined(scene::absent_effects(scene())));
+        rest_ ? fmt::format("scene '{}': equilibria by damped motion at {} points",
+                            scene().name, session_.clock().steps())
+              : fmt::format("scene '{}' to {:.6g} s in {} steps of {:.4g} us, each of {} "
+                            "LAMMPS steps",
+                            scene().name, scene().time.end_s, session_.clock().steps(),
+                            substeps_.coupled_step_s * 1e6, substeps_.count));
+    coupler::log_effects(session_);
     session_.log("structure step: " + tasks_.names());
     if (session_.restart() && coupling_)
         restore_coupling(parts(), coupler::open_restart(session_));

@@ -33,17 +33,6 @@ structure::MotionCourse to_course(const scene::PrescribedMotion& motion) {
     return structure::DisplacementRamp{ramp.displacement_m, ramp.duration_s};
 }
 
-// All that acts on a body at once: step_limit_s adds the springs on its surface to its
-// own stiffness and viscosity.
-double stable_step_s(const structure::LammpsInput& input, const structure::Body& body) {
-    double springs_pa_m = 0;
-    if (input.platform) springs_pa_m += structure::platform_of(input).stiffness_pa_m;
-    if (input.contact)
-        springs_pa_m +=
-            structure::contact_spring_pa_m(body, structure::contact_law(input));
-    return structure::step_limit_s(body, springs_pa_m);
-}
-
 }  // namespace
 
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
@@ -72,7 +61,10 @@ double stable_step_s(const scene::Scene& scene) {
     const structure::LammpsInput input = to_lammps_input(scene, 1);
     double smallest = 0;
     for (const structure::Body& body : input.bodies) {
-        const double step = stable_step_s(input, body);
+        // All that acts on a body at once: the springs on its surface beside its own
+        // stiffness and viscosity.
+        const double step =
+            structure::step_limit_s(body, structure::surface_spring_pa_m(input, body));
         smallest = smallest > 0 ? std::min(smallest, step) : step;
     }
     return smallest;

@@ -7,18 +7,12 @@
 
 namespace magfsi::launch {
 
-namespace {
-
-std::string join(const std::vector<std::string>& words) {
-    return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
-}
-
-}  // namespace
-
 std::string explain(const scene::Scene& scene) {
-    std::string text = fmt::format(
-        "scene '{}'\n  active, in step order: {}\n  absent: {}\n", scene.name,
-        join(scene::active_effects(scene)), join(scene::absent_effects(scene)));
+    std::string text = fmt::format("scene '{}'; effects in step order:\n", scene.name);
+    for (const std::string& line : scene::effects_by_step(scene))
+        text += fmt::format("  {}\n", line);
+    for (const std::string& line : scene::idle_effects(scene))
+        text += fmt::format("  warning: {}\n", line);
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.fluid) {
         text += scene.fluid->solver == scene::FluidSolver::lbm ? explain_fluid(scene)

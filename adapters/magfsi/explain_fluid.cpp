@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/magfsi/explain_parts.h"
 #include "coupler/scene/effective.h"
@@ -62,6 +63,18 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
     return text;
 }
 
+// On one rank; others add the ghost rows between them.
+std::string memory(const scene::Scene& scene) {
+    const lbm::FluidMemory m = lbm::fluid_memory(scene, 1);
+    std::string text =
+        fmt::format("  memory: {:.1f} MB of populations", m.populations / 1e6);
+    for (const auto& [what, bytes] : m.held)
+        text += fmt::format(", {:.1f} MB for {}", bytes / 1e6, what);
+    for (const auto& [what, bytes] : m.passing)
+        text += fmt::format(", {:.1f} MB at times for {}", bytes / 1e6, what);
+    return text + fmt::format("; at most {:.1f} MB beside the program\n", m.peak() / 1e6);
+}
+
 std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     std::string text;
     const auto warn = [&](const std::string& line) {
@@ -115,12 +128,10 @@ std::string explain_fluid(const scene::Scene& scene) {
     const LatticeValues v = lattice_values(fluid, config);
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
-    const double bytes = config.precision == fluid::Precision::double_ ? 8 : 4;
     std::string text = table(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
-    text += fmt::format("  {} x {} x {} = {:.0f} cells, {:.0f} MB of populations\n", n[0],
-                        n[1], n[2], cells, cells * 19 * bytes / 1e6);
-    return text + warnings(scene, v);
+    text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
+    return text + memory(scene) + warnings(scene, v);
 }
 
 }  // namespace magfsi::launch

@@ -7,6 +7,7 @@
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "coupler/participants/errors.h"
+#include "coupler/scene/effective.h"
 #include "coupler/scene/reader.h"
 #include "coupler/scene/schema.h"
 
@@ -37,6 +38,8 @@ void add_ranks(CLI::App& command, Options& options) {
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     (void)launch::explain(scene);  // what only mesh and solvers can refuse
+    for (const std::string& line : scene::idle_effects(scene))
+        fmt::print("warning: {}\n", line);
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
     return coupler::exit_done;
 }

@@ -177,6 +177,8 @@ int run(const RunOptions& options) {
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.
     (void)explain(scene);
+    for (const std::string& line : scene::idle_effects(scene))
+        fmt::print(stderr, "warning: {}\n", line);
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     if (!options.restart.empty())

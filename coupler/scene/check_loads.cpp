@@ -99,14 +99,6 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
     }
 }
 
-void check_platform(const Scene& scene, const Marks& marks) {
-    if (!scene.platform) return;
-    check_has_bodies(scene, marks, "platform");
-    if (scene.platform->normal == Vec3{})
-        refuse(marks.value({"platform", "normal"}), "a normal of length 0",
-               "any other vector such as [0, 0, 1]");
-}
-
 void check_gravity(const Scene& scene, const Marks& marks) {
     if (!scene.gravity) return;
     check_has_bodies(scene, marks, "gravity");
@@ -148,6 +140,7 @@ void check_loads(const Scene& scene, const Marks& marks) {
     check_magnetic_field(scene, marks);
     check_gravity(scene, marks);
     if (scene.damping) check_has_bodies(scene, marks, "damping");
+    if (scene.platform) check_has_bodies(scene, marks, "platform");
     check_platform(scene, marks);
     if (scene.contact) check_has_bodies(scene, marks, "contact");
     // Markers name atoms by their place on a rank; contact lets atoms change ranks.

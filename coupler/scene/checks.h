@@ -35,6 +35,7 @@ void check_scene(const Scene& scene, const Marks& marks);
 // Its parts, a source file each.
 void check_bodies(const Scene& scene, const Marks& marks);
 void check_loads(const Scene& scene, const Marks& marks);
+void check_platform(const Scene& scene, const Marks& marks);  // of scenes with bodies
 void check_fluid(const Scene& scene, const Marks& marks);
 void check_openfoam(const Scene& scene, const Marks& marks);
 void check_step(const Scene& scene, const Marks& marks);

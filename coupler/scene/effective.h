@@ -34,4 +34,12 @@ std::optional<double> coupled_step_s(const Scene& scene);
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
 
+// The same, a line for each of the structure step, the coupled step, the fluid step and
+// the outputs: "fluid step: fluid, obstacles; absent: body force, ...".
+std::vector<std::string> effects_by_step(const Scene& scene);
+
+// A line for each effect that is in the scene and can do nothing there, such as a damping
+// of rate 0: which, why, and what to do. Warnings, for nothing is wrong with the result.
+std::vector<std::string> idle_effects(const Scene& scene);
+
 }  // namespace magfsi::scene

@@ -10,12 +10,12 @@
 
 namespace magfsi::coupler {
 
-// One participant over the whole run. Seconds are means over its ranks.
+// One participant over the whole run. Seconds are means over its ranks, but for solver_s.
 struct SideLoad {
     int ranks = 1;
     double working_s = 0;  // all tasks, less waiting
     double waiting_s = 0;  // for the partner
-    double solver_s = 0;   // of the work: what the solver would need alone
+    double solver_s = 0;   // of the work: what the solver would need alone; least rank
     double output_s = 0;   // of the work: probes and files
     double imbalance = 1;  // largest work of a rank over the mean
     double steps_s = 0;    // all tasks: what the steps took as this side saw them

@@ -58,11 +58,15 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
     }
     mine[working] -= idle_s;
     double most_s = mine[working];
+    // Ranks wait for each other inside the solver: for the one that still samples and
+    // spreads, which itself waits least.
+    double least_solver_s = mine[solver];
     std::array<double, values> all = mine;
     MPI_Allreduce(MPI_IN_PLACE, all.data(), values, MPI_DOUBLE, MPI_SUM, world.local());
     MPI_Allreduce(MPI_IN_PLACE, &most_s, 1, MPI_DOUBLE, MPI_MAX, world.local());
+    MPI_Allreduce(MPI_IN_PLACE, &least_solver_s, 1, MPI_DOUBLE, MPI_MIN, world.local());
     for (double& value : all) value /= world.size();
-    SideLoad load{world.size(), all[working], all[waiting], all[solver], all[output]};
+    SideLoad load{world.size(), all[working], all[waiting], least_solver_s, all[output]};
     load.steps_s = all[steps];
     if (all[working] > 0) load.imbalance = most_s / all[working];
     return load;

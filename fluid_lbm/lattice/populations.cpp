@@ -19,7 +19,25 @@ std::ptrdiff_t round_up(std::ptrdiff_t value, std::ptrdiff_t unit) {
     return (value + unit - 1) / unit * unit;
 }
 
+std::ptrdiff_t size_of(Storage storage) {
+    return storage == Storage::float_ ? sizeof(float) : sizeof(double);
+}
+
+std::ptrdiff_t row_bytes_of(int row_length, Storage storage) {
+    return round_up((row_length + 1) * size_of(storage), line);
+}
+
+std::ptrdiff_t array_bytes_of(int row_count, std::ptrdiff_t row_bytes) {
+    return round_up(row_count * row_bytes, page) + array_skew * line;
+}
+
 }  // namespace
+
+std::size_t Populations::bytes_of(int row_length, int row_count, Storage storage) {
+    return d3q19::directions *
+               array_bytes_of(row_count, row_bytes_of(row_length, storage)) +
+           line;
+}
 
 void Populations::Free::operator()(void* memory) const {
     std::free(memory);
@@ -27,14 +45,13 @@ void Populations::Free::operator()(void* memory) const {
 
 Populations::Populations(int row_length, int row_count, Storage storage)
     : storage_(storage) {
-    const std::ptrdiff_t size =
-        storage == Storage::float_ ? sizeof(float) : sizeof(double);
-    const std::ptrdiff_t row_bytes = round_up((row_length + 1) * size, line);
-    const std::ptrdiff_t array_bytes =
-        round_up(row_count * row_bytes, page) + array_skew * line;
+    const std::ptrdiff_t size = size_of(storage);
+    const std::ptrdiff_t row_bytes = row_bytes_of(row_length, storage);
+    const std::ptrdiff_t array_bytes = array_bytes_of(row_count, row_bytes);
     row_stride_ = row_bytes / size;
     array_stride_ = array_bytes / size;
-    bytes_ = round_up(d3q19::directions * array_bytes + line, huge_page);
+    bytes_ = round_up(
+        static_cast<std::ptrdiff_t>(bytes_of(row_length, row_count, storage)), huge_page);
     void* memory = nullptr;
     if (posix_memalign(&memory, huge_page, bytes_) != 0) throw std::bad_alloc();
     memory_.reset(memory);

@@ -49,6 +49,9 @@ class Populations {
     // will give them.
     Populations(int row_length, int row_count, Storage storage);
 
+    // What that takes, padding included.
+    static std::size_t bytes_of(int row_length, int row_count, Storage storage);
+
     // use(rows), rows being PopulationRows<double> or PopulationRows<float>: the way of
     // everything that reads or writes populations outside the kernels.
     template <class Use>

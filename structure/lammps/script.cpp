@@ -9,6 +9,7 @@ namespace magfsi::structure {
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder) {
     check_input(input);
+    check_effects(input);
     const Assembly all = assemble(input);
     const std::string data_file = (folder / "bodies.data").string();
     write_data_file(all.atoms, data_file);
@@ -17,9 +18,7 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     add_system(script.setup, input, all, data_file);
     if (input.field) add_field(script.setup, *input.field);
     add_lattices(script.setup, script, input, all, folder);
-    add_contact(script.setup, input);
-    add_loads(script.setup, input);
-    add_platform(script.setup, input);
+    add_effects(script.setup, input);
     add_integration(script.setup, input, all);
     return script;
 }

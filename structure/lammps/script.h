@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "structure/body.h"
-#include "structure/lammps/contact.h"
 #include "structure/lammps/field_program.h"
+#include "structure/lammps/loads.h"
 #include "structure/lammps/placement.h"
-#include "structure/lammps/platform.h"
 #include "structure/lammps/prescribed_motion.h"
 
 namespace magfsi::structure {
@@ -37,11 +36,8 @@ struct LammpsInput {
     double time_step_s = 0;
 };
 
-// The platform and the contact of the input with their missing values put in: the largest
-// platform_stiffness_pa_m of the bodies' materials (thickness: the mesh's smallest
-// extent), and contact_distance_m and contact_stiffness_pa_m of all bodies.
-Platform platform_of(const LammpsInput& input);
-ContactLaw contact_law(const LammpsInput& input);
+// Stiffness [Pa/m] that platform and contact add to a body's surface at worst.
+double surface_spring_pa_m(const LammpsInput& input, const Body& body);
 
 struct LammpsScript {
     std::vector<std::string> setup;  // up to, not including, the run command

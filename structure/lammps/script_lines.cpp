@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "structure/lammps/effect.h"
 #include "structure/lammps/element_name.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/names.h"
@@ -30,10 +32,14 @@ std::string gradient_words(const GradientInput& gradient) {
     return out;
 }
 
-// The nodes that may touch are looked for within the distance and half of it, and again
-// when a node has moved a quarter of the distance.
-std::string contact_skin(const LammpsInput& input) {
-    return fmt::format("neighbor {:.6g} bin", 0.5 * contact_law(input).distance_m);
+// Of the effects that look for nodes in each other's reach; 0 without one.
+double neighbor_skin_m(const LammpsInput& input) {
+    double skin_m = 0;
+    for (const ScriptEffect* effect : script_effects()) {
+        if (effect->neighbor_skin_m && effect->asked(input))
+            skin_m = std::max(skin_m, effect->neighbor_skin_m(input));
+    }
+    return skin_m;
 }
 
 }  // namespace
@@ -48,17 +54,17 @@ void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
     ranks[axis] = "*";
     // Ghosts must reach across an element, even one that has been stretched by half.
     const double cutoff = 1.5 * all.longest_diagonal_m;
-    lines.insert(lines.end(),
-                 {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0",
-                  "newton on", "boundary s s s",
-                  fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
-                  fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
-                  input.contact ? contact_skin(input)
-                                : fmt::format("neighbor {:.6g} bin", 0.1 * cutoff),
-                  input.contact ? "neigh_modify every 1 delay 0 check yes"
-                                : "neigh_modify once yes",
-                  fmt::format("read_data {}", quoted(data_file)),
-                  fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
+    const double skin_m = neighbor_skin_m(input);
+    lines.insert(
+        lines.end(),
+        {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0", "newton on",
+         "boundary s s s",
+         fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
+         fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
+         fmt::format("neighbor {:.6g} bin", skin_m > 0 ? skin_m : 0.1 * cutoff),
+         skin_m > 0 ? "neigh_modify every 1 delay 0 check yes" : "neigh_modify once yes",
+         fmt::format("read_data {}", quoted(data_file)),
+         fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
 }
 
 // Variables, so that a script can put its own course in their place.

@@ -19,9 +19,10 @@ void add_field(Lines& lines, const FieldProgram& field);
 // Writes the lattice files and fills fix_id.
 void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
                   const Assembly& all, const std::filesystem::path& folder);
-void add_contact(Lines& lines, const LammpsInput& input);
-void add_loads(Lines& lines, const LammpsInput& input);
-void add_platform(Lines& lines, const LammpsInput& input);
+// Of the effects that are asked for. Throws std::invalid_argument where one is not in
+// this build.
+void check_effects(const LammpsInput& input);
+void add_effects(Lines& lines, const LammpsInput& input);
 void add_integration(Lines& lines, const LammpsInput& input, const Assembly& all);
 
 }  // namespace magfsi::structure

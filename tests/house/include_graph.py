@@ -28,6 +28,8 @@ FORBIDDEN_ROOMS = {
 # Headers from outside: the only rooms that may see them.
 LAMMPS_ROOMS = ("structure/lammps/", "adapters/", "tests/")
 OPENFOAM_ROOMS = ("adapters/openfoam/",)
+# An effect's folder: nobody but itself, and the tests, may see what is in it.
+EFFECT = re.compile(r"^.*?/effects/[^/]+/")
 
 
 def files(root, suffixes):
@@ -67,6 +69,9 @@ def reason(file, name, ours, quoted):
         for room, forbidden in FORBIDDEN_ROOMS.items():
             if file.startswith(room) and name.startswith(forbidden):
                 return f"{room} must not know {name.split('/')[0]}/"
+        effect = EFFECT.match(name)
+        if effect and not file.startswith((effect[0], "tests/")):
+            return f"{effect[0]} is an effect's own folder"
         return None
     if is_openfoam(name) and not file.startswith(OPENFOAM_ROOMS):
         return "OpenFOAM headers are for adapters/openfoam/ only"
@@ -121,6 +126,8 @@ PLANTED = {  # what one more file holds: what the report must say
     ("adapters/lbm/b.h", '#include "adapters/openfoam/o.h"'): "OpenFOAM headers are for",
     # structure/innocent.h includes this one, and is not to blame.
     ("structure/guilty.h", '#include "fluid_lbm/fluid.h"'): "guilty.h -> fluid_lbm",
+    ("structure/lammps/s.cpp", '#include "structure/lammps/effects/drag/drag.h"'):
+        "is an effect's own folder",
     ("tests/long.cpp", "\n" * 401): "tests/long.cpp: 401 lines, at most 400",
 }
 ALLOWED = {
@@ -132,6 +139,10 @@ ALLOWED = {
     "adapters/lbm/p.h": '#include "fluid_lbm/fluid.h"\n#include "coupler/c.h"',
     "adapters/openfoam/o.h": '#include "fvCFD.H"',
     "structure/innocent.h": '#include "structure/guilty.h"',
+    "structure/lammps/effects/drag/drag.h": "#include <vector>",
+    "structure/lammps/effects/drag/drag.cpp":
+        '#include "structure/lammps/effects/drag/drag.h"',
+    "tests/drag.cpp": '#include "structure/lammps/effects/drag/drag.h"',
     "structure/lammps/ok.cpp": '#include "structure/lammps/fix.h"',
     "tests/as_long_as_allowed.cpp": "\n" * 400,
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "structure/lammps/effects/contact/contact_law.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

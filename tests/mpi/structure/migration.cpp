@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/lammps/effects/contact/contact_law.h"
+#include "structure/lammps/effects/platform/platform_law.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

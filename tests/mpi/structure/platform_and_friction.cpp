@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "structure/lammps/effects/platform/platform_law.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

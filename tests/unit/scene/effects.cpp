@@ -12,13 +12,15 @@ using Names = std::vector<std::string>;
 
 TEST(Effects, of_a_swimmer) {
     const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
-    EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field", "gravity",
-                                        "damping", "clamps", "immersed boundary", "fluid",
-                                        "body force", "moving walls", "checkpoint"}));
+    EXPECT_EQ(active_effects(s),
+              (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
+                     "immersed boundary", "buoyancy", "iterated forcing", "fluid",
+                     "body force", "moving walls", "probes", "interface balance",
+                     "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "platform", "friction", "contact",
-                     "rollers", "prescribed motion", "eddy viscosity",
-                     "inlets and outlets", "obstacles"}));
+                     "rollers", "prescribed motion", "parallel scheme", "implicit scheme",
+                     "eddy viscosity", "free slip", "inlets and outlets", "obstacles"}));
 }
 
 TEST(Effects, of_a_strip_on_a_platform) {
@@ -31,11 +33,16 @@ TEST(Effects, of_a_strip_on_a_platform) {
 TEST(Effects, of_a_solid) {
     const Scene s = read_scene(test_folder / "complete/turning.yaml");
     EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field"}));
-    EXPECT_EQ(absent_effects(s),
-              (Names{"viscosity", "field gradient", "gravity", "damping", "platform",
-                     "friction", "contact", "clamps", "rollers", "prescribed motion",
-                     "immersed boundary", "fluid", "body force", "eddy viscosity",
-                     "moving walls", "inlets and outlets", "obstacles", "checkpoint"}));
+    EXPECT_EQ(effects_by_step(s),
+              (Names{"structure step: elasticity, magnetic field; absent: viscosity, "
+                     "field gradient, gravity, damping, platform, friction, contact, "
+                     "clamps, rollers, prescribed motion",
+                     "coupled step: none; absent: immersed boundary, buoyancy, iterated "
+                     "forcing, parallel scheme, implicit scheme",
+                     "fluid step: none; absent: fluid, body force, eddy viscosity, "
+                     "moving walls, free slip, inlets and outlets, obstacles",
+                     "outputs: none; absent: probes, interface balance, structure "
+                     "fields, fluid fields, checkpoint"}));
 }
 
 TEST(Effects, of_faces_that_are_held) {
@@ -46,13 +53,14 @@ TEST(Effects, of_faces_that_are_held) {
 
 TEST(Effects, of_a_channel) {
     EXPECT_EQ(active_effects(read_scene(test_folder / "complete/channel.yaml")),
-              (Names{"fluid", "eddy viscosity", "inlets and outlets", "obstacles"}));
+              (Names{"fluid", "eddy viscosity", "free slip", "inlets and outlets",
+                     "obstacles", "probes"}));
 }
 
 TEST(Effects, of_a_fluid) {
     const Scene s = read_scene(test_folder / "minimal.yaml",
                                {"bodies=", "magnetic_field=", "gravity="});
-    EXPECT_EQ(active_effects(s), Names{"fluid"});
+    EXPECT_EQ(active_effects(s), (Names{"fluid", "probes", "fluid fields"}));
 }
 
 }  // namespace

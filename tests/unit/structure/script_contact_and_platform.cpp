@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "structure/lammps/effects/contact/contact_law.h"
+#include "structure/lammps/effects/platform/platform_law.h"
 #include "structure/lammps/script.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/lattice/stable_step.h"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "structure/lammps/contact.h"
-#include "structure/lammps/platform.h"
+#include "structure/lammps/effects/contact/contact_law.h"
+#include "structure/lammps/effects/platform/platform_law.h"
 
 namespace magfsi::structure {
 namespace {

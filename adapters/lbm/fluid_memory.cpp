@@ -1,0 +1,104 @@
+#include "adapters/lbm/fluid_memory.h"
+
+#include <algorithm>
+
+#include "adapters/lbm/scene_to_fluid.h"
+#include "coupler/scene/effective.h"
+#include "fluid_lbm/lattice/populations.h"
+#include "fluid_lbm/parallel/decomposition.h"
+#include "fluid_lbm/solver.h"
+
+namespace magfsi::lbm {
+
+namespace {
+
+// Bytes a cell of what is made of the populations: float in files, double within.
+constexpr double file_vector = 12, file_scalar = 4, velocity_field = 24;
+
+double field_bytes(scene::FluidField field) {
+    return field == scene::FluidField::density ? file_scalar : file_vector;
+}
+
+// Beside the field itself: the other half of what a sweep gives, or the velocities that a
+// curl is taken of.
+double while_made(scene::FluidField field) {
+    switch (field) {
+        case scene::FluidField::velocity:
+            return file_scalar;
+        case scene::FluidField::density:
+            return file_vector;
+        case scene::FluidField::vorticity:
+            break;
+    }
+    return velocity_field;
+}
+
+double output_bytes_a_cell(const scene::FluidOutput& output) {
+    double held = 0, peak = 0;
+    for (const scene::FluidField field : output.fields) {
+        held += field_bytes(field);
+        peak = std::max(peak, held + while_made(field));
+    }
+    return peak;
+}
+
+bool has_sums(const scene::Scene& scene) {
+    return scene.probes && std::ranges::any_of(scene.probes->fluid, [](auto quantity) {
+               return quantity != scene::FluidQuantity::obstacle_force;
+           });
+}
+
+// The whole fluid is copied where more than the sweep changes it.
+bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
+    const bool implicit =
+        scene.coupling && scene.coupling->scheme == scene::Scheme::implicit;
+    const bool plain = std::ranges::all_of(config.boundaries, [](const auto& side) {
+        return side.kind == fluid::BoundaryKind::periodic ||
+               (side.kind == fluid::BoundaryKind::no_slip &&
+                side.wall_velocity_m_s == fluid::Vec3{});
+    });
+    return implicit && (!plain || !config.obstacles.empty() || config.body_force_n_m3);
+}
+
+}  // namespace
+
+double FluidMemory::peak() const {
+    double all = populations, largest = 0;
+    for (const auto& part : held) all += part.second;
+    for (const auto& part : passing) largest = std::max(largest, part.second);
+    return all + largest;
+}
+
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks) {
+    const auto config = to_config(*scene.fluid, *scene::coupled_step_s(scene));
+    const auto& n = config.cells;
+    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    std::array<bool, 3> periodic{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        periodic[axis] =
+            config.boundaries[2 * axis].kind == fluid::BoundaryKind::periodic;
+    const auto storage = config.precision == fluid::Precision::double_
+                             ? fluid::Storage::double_
+                             : fluid::Storage::float_;
+    const auto parts = fluid::decompose(n, periodic, ranks);
+    FluidMemory memory;
+    double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
+    for (int rank = 0; rank < ranks; ++rank) {
+        const fluid::RowLayout rows = parts.layout(rank);
+        memory.populations += static_cast<double>(
+            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage));
+        ghosted_cells += static_cast<double>(rows.nx) * (rows.ny + 2) * (rows.nz + 2);
+    }
+    if (!config.obstacles.empty())
+        memory.held.emplace_back("map of the obstacles", cells * sizeof(short));
+    if (keeps_all(scene, config))
+        memory.held.emplace_back("the implicit scheme's copy", memory.populations);
+    if (has_sums(scene))
+        memory.passing.emplace_back("sums of the probes", ghosted_cells * velocity_field);
+    if (scene.output.fluid)
+        memory.passing.emplace_back("fields in files",
+                                    cells * output_bytes_a_cell(*scene.output.fluid));
+    return memory;
+}
+
+}  // namespace magfsi::lbm

@@ -1,0 +1,25 @@
+// What the fluid participant will need of memory beside its program and libraries.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coupler/scene/scene.h"
+
+namespace magfsi::lbm {
+
+struct FluidMemory {
+    double populations = 0;  // bytes, all ranks
+    // Of effects that the scene names: held for the whole run, and for moments one after
+    // the other, of which the largest counts.
+    std::vector<std::pair<std::string, double>> held, passing;
+
+    double peak() const;
+};
+
+// From the sizes that the solver will allocate; of what bodies touch, which depends on
+// their motion, nothing.
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks);
+
+}  // namespace magfsi::lbm

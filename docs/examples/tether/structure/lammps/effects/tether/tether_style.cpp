@@ -1,0 +1,7 @@
+#include "structure/lammps/register_styles.h"
+
+namespace magfsi::structure {
+
+void register_tether(LAMMPS_NS::LAMMPS&) {}  // LAMMPS has it
+
+}  // namespace magfsi::structure

@@ -1,0 +1,66 @@
+#include "structure/lammps/effects/contact/contact_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "structure/lammps/contact_area.h"
+#include "structure/lammps/step_limit.h"
+#include "structure/materials.h"
+#include "structure/mesh/surface.h"
+
+namespace magfsi::structure {
+
+ContactForce contact_force(const ContactLaw& law, double areas_m4, double distance_m) {
+    const double approach = law.distance_m - distance_m;
+    if (!(approach > 0) || distance_m == 0) return {};
+    const double spring = 6 * law.stiffness_pa_m * areas_m4 /
+                          (std::numbers::pi * law.distance_m * law.distance_m);
+    return {spring * approach, 0.5 * spring * approach * approach};
+}
+
+double contact_distance_m(const std::vector<Body>& bodies) {
+    double longest = 0;
+    for (const Body& body : bodies) {
+        const auto& x = body.mesh.nodes;
+        for (const SurfaceQuad& quad : boundary_quads(body.mesh)) {
+            for (std::size_t c = 0; c < 2; ++c) {
+                const Vec3& a = x[static_cast<std::size_t>(quad.node[c])];
+                const Vec3& b = x[static_cast<std::size_t>(quad.node[c + 2])];
+                longest =
+                    std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+            }
+        }
+    }
+    return 0.75 * longest;
+}
+
+double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m) {
+    if (bodies.empty() || !(distance_m > 0)) {
+        throw std::invalid_argument(
+            "contact needs at least one body and a positive distance");
+    }
+    double softest = INFINITY;
+    for (const Body& body : bodies) {
+        for (const Material& material : used_materials(body)) {
+            softest = std::min(softest,
+                               material.lame_lambda_pa + 2 * material.shear_modulus_pa);
+        }
+    }
+    return 0.25 * softest / distance_m;
+}
+
+double contact_spring_pa_m(const Body& body, const ContactLaw& law) {
+    const auto area = contact_areas(body.mesh.nodes, body.mesh.elements);
+    const double largest = *std::ranges::max_element(area);
+    const double coarse =
+        6 * largest / (std::numbers::pi * law.distance_m * law.distance_m);
+    return 2 * std::max(2.2, coarse) * law.stiffness_pa_m;
+}
+
+double contact_step_limit_s(const Body& body, const ContactLaw& law) {
+    return step_limit_s(body, contact_spring_pa_m(body, law));
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,87 @@
+#include "structure/lammps/effects/platform/platform_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "structure/lammps/step_limit.h"
+
+namespace magfsi::structure {
+namespace {
+
+double dot(const Vec3& a, const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+StickPoint touched(const Vec3& x_m, const Vec3& v_m_s, double gap_m, double approach_m_s,
+                   double dt_s) {
+    StickPoint out{x_m, true};
+    const double way = approach_m_s * dt_s;
+    if (!(way > 0)) return out;
+    const double since = dt_s * std::min(1.0, -gap_m / way);
+    for (std::size_t d = 0; d < 3; ++d) out.at_m[d] -= since * v_m_s[d];
+    return out;
+}
+
+// Friction force and the energy of its spring.
+void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
+                  StickPoint& stick, PlatformContact& out) {
+    Vec3 slip{};
+    for (std::size_t d = 0; d < 3; ++d) slip[d] = x_m[d] - stick.at_m[d];
+    const double along_normal = dot(slip, platform.normal);
+    for (std::size_t d = 0; d < 3; ++d) slip[d] -= along_normal * platform.normal[d];
+    const double length = std::hypot(slip[0], slip[1], slip[2]);
+    if (length == 0) return;
+    const double spring = platform.stiffness_pa_m * area_m2;
+    const double most = platform.friction * out.normal_n / spring;
+    const double kept = std::min(1.0, most / length);
+    if (kept < 1) {
+        for (std::size_t d = 0; d < 3; ++d) stick.at_m[d] = x_m[d] - kept * slip[d];
+    }
+    for (std::size_t d = 0; d < 3; ++d) out.force_n[d] -= spring * kept * slip[d];
+    out.energy_j += 0.5 * spring * kept * length * kept * length;
+}
+
+}  // namespace
+
+PlatformContact platform_contact(const Platform& platform, double area_m2,
+                                 const double* x_m, const double* v_m_s, double dt_s,
+                                 StickPoint& stick) {
+    const Vec3 x{x_m[0], x_m[1], x_m[2]};
+    const Vec3 v{v_m_s[0], v_m_s[1], v_m_s[2]};
+    PlatformContact out;
+    for (std::size_t d = 0; d < 3; ++d) {
+        out.gap_m += (x[d] - platform.point_m[d]) * platform.normal[d];
+    }
+    if (!(out.gap_m < 0)) {
+        stick.held = false;
+        return out;
+    }
+    const double spring = platform.stiffness_pa_m * area_m2;
+    const double approach = -dot(v, platform.normal);
+    out.normal_n =
+        std::max(0.0, -spring * out.gap_m + platform.damping_pa_s_m * area_m2 * approach);
+    out.energy_j = 0.5 * spring * out.gap_m * out.gap_m;
+    for (std::size_t d = 0; d < 3; ++d)
+        out.force_n[d] = out.normal_n * platform.normal[d];
+    if (!(platform.friction > 0)) return out;
+    if (!stick.held) stick = touched(x, v, out.gap_m, approach, dt_s);
+    add_friction(platform, area_m2, x, stick, out);
+    return out;
+}
+
+double platform_stiffness_pa_m(const Material& material, double thickness_m) {
+    if (!(thickness_m > 0)) {
+        throw std::invalid_argument(
+            fmt::format("thickness of {:g} m found, it must be positive", thickness_m));
+    }
+    return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
+}
+
+double platform_step_limit_s(const Body& body, double stiffness_pa_m) {
+    return step_limit_s(body, stiffness_pa_m);
+}
+
+}  // namespace magfsi::structure
