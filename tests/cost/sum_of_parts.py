@@ -60,7 +60,7 @@ class SumOfParts(unittest.TestCase):
                          {"structure": 3e7 + 40 * 1000 + 560 * 3000,
                           "fluid": 1e7 + 16384 * 160})
         text = explain(magfsi.SMALL, ranks="structure=1,fluid=1", as_json=False)
-        self.assertRegex(text, r"time +3\.4 s \(structure .*, fluid .*, messages 0\.16 s\)")
+        self.assertRegex(text, r"time +3\.6 s \(structure .*, fluid .*, messages 0\.16 s\)")
 
     def test_path(self):
         """Through the two points of the prices goes a straight line; 228 nodes, 80 points."""
