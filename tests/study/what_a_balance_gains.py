@@ -6,6 +6,7 @@ import unittest
 
 from studies import Study, magfsi
 
+# The fluid inside the body is counted in the fluid's energy: 1 - 1000 / 1860 is left.
 TEXT = f"""
 scene: {magfsi.SMALL}
 set: {{gravity: null}}
@@ -14,8 +15,8 @@ axes:
   field: {{key: magnetic_field.constant.magnitude, values: [10 mT]}}
 errors:
   all:
-    probe: ["robot.energy_elastic[J]", "robot.energy_kinetic[J]", "kinetic_energy[J]",
-            "- robot.work_magnetic[J]"]
+    probe: ["robot.energy_elastic[J]", "0.462366 * robot.energy_kinetic[J]",
+            "kinetic_energy[J]", "- robot.work_magnetic[J]"]
     norm: gain
   part:
     probe: ["robot.energy_elastic[J]", "robot.energy_kinetic[J]"]

@@ -38,8 +38,8 @@ def _columns(run, norm):
     kept = times[0] >= norm.start_s
     if kept.sum() < 2:
         raise NoError("fewer than two rows of probes")
-    signs = np.array([[sign] for sign, _ in norm.terms])
-    return times[0][kept], norm.factor * signs * values[:, kept]
+    weights = np.array([[weight] for weight, _ in norm.terms])
+    return times[0][kept], norm.factor * weights * values[:, kept]
 
 
 def course(run, norm):

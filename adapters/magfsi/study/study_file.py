@@ -40,7 +40,7 @@ class Reference:
 @dataclass
 class Norm:
     name: str
-    terms: list  # (sign, column of probes.csv), to be summed
+    terms: list  # (weight, column of probes.csv), to be summed
     norm: str
     reference: Reference | None  # None: gain, which has its scale from the terms
     change: bool = False  # of the probe since its first row
@@ -50,8 +50,9 @@ class Norm:
 
     @property
     def probe(self):
-        signs = {1: " + ", -1: " - "}
-        return "".join(signs[s] + n for s, n in self.terms).removeprefix(" + ")
+        words = {1.0: " + ", -1.0: " - "}
+        return "".join(words.get(w, f" + {w:g} * ") + n for w, n in self.terms).removeprefix(
+            " + ")
 
 
 @dataclass
@@ -188,10 +189,21 @@ def _chosen(value, axes, single=False):
     return out
 
 
+def _term(item):
+    """(weight, column) of "column", "- column" or "0.5 * column"."""
+    text = item.scalar()
+    weight, star, column = text.partition(" * ")
+    if star:
+        try:
+            return float(weight), column.strip()
+        except ValueError:
+            item.refuse(f'"{weight}"', "a number before *")
+    return (-1.0, text[1:].strip()) if text.startswith("-") else (1.0, text)
+
+
 def _terms(value):
-    """One column, or a list to be summed, in which "- column" is taken off."""
-    columns = [item.scalar() for item in value.items()] if value.is_list() else [value.scalar()]
-    return [(-1, c[1:].strip()) if c.startswith("-") else (1, c) for c in columns]
+    """One column, or a list to be summed."""
+    return [_term(item) for item in (value.items() if value.is_list() else [value])]
 
 
 def _norm(name, value, axes, folder):
