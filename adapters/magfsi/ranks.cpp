@@ -51,6 +51,16 @@ Ranks parse_ranks(const std::string& text) {
     return ranks;
 }
 
+std::string to_text(const Ranks& ranks) {
+    std::string text;
+    // Of the map, the structure comes last; people name it first.
+    for (const char* role : {"structure", "fluid"}) {
+        if (!ranks.contains(role)) continue;
+        text += fmt::format("{}{}={}", text.empty() ? "" : ",", role, ranks.at(role));
+    }
+    return text;
+}
+
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     Ranks ranks;
     if (!scene.bodies.empty()) ranks["structure"] = default_ranks(scene, "structure");

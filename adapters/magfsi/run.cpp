@@ -130,12 +130,13 @@ double memory_of(const nlohmann::ordered_json& summary) {
 }
 
 // Beside the actual figures, in summary.json and in a line.
-void write_predicted(const scene::Scene& scene, const fs::path& out,
+void write_predicted(const scene::Scene& scene, const fs::path& out, const Ranks& ranks,
                      const std::optional<Prediction>& predicted) {
     std::ifstream in(out / "summary.json");
     auto json = nlohmann::ordered_json::parse(in, nullptr, false);
     if (!predicted || !json.is_object()) return;
-    if (scene.time.equilibrium) keep_experience(scene.hash, json.value("wall_s", 0.0));
+    if (scene.time.equilibrium)
+        keep_experience(scene.hash, ranks.at("structure"), json.value("wall_s", 0.0));
     json["predicted"] = to_json(*predicted);
     output::write_atomically(out / "summary.json", json.dump(2) + "\n");
     if (!predicted->wall_s) return;
@@ -203,9 +204,10 @@ int run(const RunOptions& options) {
     }
     // What a restart or one side alone takes is not what was predicted.
     const bool whole = options.restart.empty() && options.replay.empty();
-    if (end.exit_code == coupler::exit_done && whole)
-        write_predicted(scene, out,
-                        prediction(scene, choose_ranks(scene, options.ranks)));
+    if (end.exit_code == coupler::exit_done && whole) {
+        const Ranks ranks = choose_ranks(scene, options.ranks);
+        write_predicted(scene, out, ranks, prediction(scene, ranks));
+    }
     return end.exit_code;
 }
 

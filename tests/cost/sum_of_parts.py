@@ -13,17 +13,17 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 import magfsi_runs as magfsi  # noqa: E402
 
 CELL_S, MARKER_S, STEP_S = 1e-6, 5e-6, 1e-3
-ELEMENT_S, SUBSTEP_S, MARKER_SUBSTEP_S = 2e-6, 3e-5, 4e-7
+ELEMENT_S, SUBSTEP_S, MARKER_SUBSTEP_S, EXCHANGE_S = 2e-6, 3e-5, 4e-7, 1.5e-4
 PRICES = {
     "fluid": [{"cells": 1000, "ranks": 1, "single_precision": False, "s_per_cell_step": CELL_S},
               {"cells": 100000, "ranks": 1, "single_precision": False,
                "s_per_cell_step": CELL_S}],
     "newton": [{"nodes": 100, "s_per_point": 0.01}, {"nodes": 1000, "s_per_point": 0.1}],
     "s_per_element_substep": ELEMENT_S, "s_per_substep": SUBSTEP_S,
-    "s_per_marker_substep": MARKER_SUBSTEP_S, "s_per_marker_step": MARKER_S,
+    "s_per_substep_exchange": EXCHANGE_S, "s_per_marker_substep": MARKER_SUBSTEP_S, "s_per_marker_step": MARKER_S,
     "s_per_coupled_step": STEP_S, "s_per_coupled_step_shared": STEP_S,
     "s_per_cell_row": 0, "s_per_probe_row": 0, "s_per_cell_byte": 0, "s_per_element_file": 0,
-    "fluid_bytes": 1e7, "lammps_bytes": 3e7, "newton_bytes": 2e7, "bytes_per_cell": 160,
+    "fluid_bytes": 1e7, "coupled_fluid_bytes": 1.5e7, "lammps_bytes": 3e7, "newton_bytes": 2e7, "bytes_per_cell": 160,
     "bytes_per_cell_file": 20, "bytes_per_element": 1000, "newton_bytes_per_element": 2000,
     "bytes_per_marker": 3000, "structure_file_bytes": 1e6}
 
@@ -58,7 +58,7 @@ class SumOfParts(unittest.TestCase):
         self.assertAlmostEqual(found["wall_s"] / expected, 1, places=9)
         self.assertEqual(found["memory_bytes"],
                          {"structure": 3e7 + 40 * 1000 + 560 * 3000,
-                          "fluid": 1e7 + 16384 * 160})
+                          "fluid": 1.5e7 + 16384 * 160})
         text = explain(magfsi.SMALL, ranks="structure=1,fluid=1", as_json=False)
         self.assertRegex(text, r"time +3\.6 s \(structure .*, fluid .*, messages 0\.16 s\)")
 
@@ -78,6 +78,50 @@ class SumOfParts(unittest.TestCase):
         self.assertEqual(again["wall_s"], first["wall_s"])
         other = explain(beam, {"probes.every": "50 ms", "output": "null"})["predicted"]
         self.assertNotEqual(other["wall_s"], first["wall_s"])
+
+    def keep(self, scene, seconds_by_ranks):
+        """As a run keeps them, beside the calibration."""
+        known = explain(scene)
+        (self.file.parent / "paths.json").write_text(json.dumps({
+            "machine": known["machine"], "version": known["version"],
+            known["scene_hash"]: seconds_by_ranks}))
+
+    def test_of_runs_on_the_same_ranks_the_fastest_counts(self):
+        self.calibrate()
+        beam, sets = magfsi.ROOT / "tutorials/beam", {"probes.every": "100 ms", "output": "null"}
+        scene = Path(magfsi.new_folder()) / "scene.yaml"
+        scene.write_text((beam / "scene.yaml").read_text())
+        known = explain(scene, sets)
+        kept = self.file.parent / "paths.json"
+        for before, after in ((1000.0, None), (1e-6, 1e-6)):
+            kept.write_text(json.dumps({"machine": known["machine"], "version": known["version"],
+                                        known["scene_hash"]: {"1": before}}))
+            s = magfsi.good_run(scene, sets).summary()
+            self.assertEqual(s["predicted"]["wall_s"], before)
+            found = json.loads(kept.read_text())[known["scene_hash"]]["1"]
+            self.assertEqual(found, after or s["wall_s"])
+
+    def test_damped_motion_on_other_ranks(self):
+        """80 elements in turn, or 40 and what the ranks exchange: dearer than what it saves."""
+        self.calibrate()
+        gravity = magfsi.ROOT / "tutorials/gravity"
+        self.keep(gravity, {"1": 6.0})
+        alone, shared = SUBSTEP_S + 80 * ELEMENT_S, SUBSTEP_S + 40 * ELEMENT_S + EXCHANGE_S
+        self.assertEqual(explain(gravity, ranks="structure=1")["predicted"]["wall_s"], 6.0)
+        found = explain(gravity, ranks="structure=2")["predicted"]["wall_s"]
+        self.assertAlmostEqual(found, 6.0 * shared / alone, places=9)
+        text = explain(gravity, ranks="structure=2", as_json=False)
+        self.assertRegex(text, r"8\.2 s, by what it took before on structure=1\n"
+                               r" *faster +with --ranks structure=1: 6 s")
+        self.assertNotIn("faster", explain(gravity, ranks="structure=1", as_json=False))
+        self.keep(gravity, {"1": 6.0, "2": 13.0})
+        self.assertEqual(explain(gravity, ranks="structure=2")["predicted"]["wall_s"], 13.0)
+
+    def test_memory_of_each_rank(self):
+        self.calibrate()
+        memory = [explain(magfsi.SMALL, ranks=f"structure=1,fluid={n}")["predicted"]
+                  ["memory_bytes"]["fluid"] for n in (1, 2)]
+        self.assertEqual(memory[1] - memory[0], 1.5e7)
 
     def test_of_another_machine_or_torn(self):
         self.calibrate(machine="another")

@@ -72,8 +72,8 @@ def fluid(bench, cores):
     }
 
 
-def structure(bench, file_bytes):
-    """Of a strip in LAMMPS: a line through two meshes."""
+def structure(bench, file_bytes, cores):
+    """Of a strip in LAMMPS: a line through two meshes, and what more ranks exchange."""
     coarse = bench.run(scenes.strip("[10, 4, 1]", "0.2 ms"), "structure=1")
     fine = bench.run(scenes.strip("[40, 16, 1]", "1 ms"), "structure=1")
     seconds, elements = [], []
@@ -81,11 +81,18 @@ def structure(bench, file_bytes):
         seconds.append(s["tasks"]["structure"]["advance structure"] / s["substeps"])
         elements.append(s["structure"]["elements"])
     slope = max(0, (seconds[1] - seconds[0]) / (elements[1] - elements[0]))
+    level = max(0, seconds[0] - slope * elements[0])
+    shared = level
+    if cores > 1:
+        s = bench.run(scenes.strip("[10, 4, 1]", "0.2 ms"), f"structure={cores}")
+        shared = (s["tasks"]["structure"]["advance structure"] / s["substeps"]
+                  - slope * elements[0] / cores)
     grown = memory(fine, "structure") - memory(coarse, "structure")
     per_element = max(0, grown / (elements[1] - elements[0]))
     return {
         "s_per_element_substep": slope,
-        "s_per_substep": max(0, seconds[0] - slope * elements[0]),
+        "s_per_substep": level,
+        "s_per_substep_exchange": max(0, shared - level),
         "s_per_probe_row": coarse["tasks"]["structure"]["probes"] / 100,
         "s_per_element_file": fine["tasks"]["structure"]["write fields"] / 20 / elements[1],
         "bytes_per_element": per_element,
@@ -122,7 +129,7 @@ def coupled(bench, known, cores):
     substep = s["tasks"]["structure"]["advance structure"] / s["substeps"]
     alone = known["s_per_substep"] + known["s_per_element_substep"] * elements
     spread = sum(busy_s(s, "fluid", task) for task in ("spread impulses", "sample velocities"))
-    fluid_bytes = known["fluid_bytes"] + s["fluid"]["cells"] * known["bytes_per_cell"]
+    cells_bytes = s["fluid"]["cells"] * known["bytes_per_cell"]
     return {
         "s_per_marker_substep": max(0, substep - alone) / markers,
         "s_per_marker_step": spread / steps / markers,
@@ -130,7 +137,7 @@ def coupled(bench, known, cores):
         "s_per_coupled_step_shared": rest_s(shared) / steps,
         "bytes_per_marker": max(0, memory(s, "structure") - known["lammps_bytes"]
                                 - elements * known["bytes_per_element"]) / markers,
-        "fluid_bytes": known["fluid_bytes"] + max(0, memory(s, "fluid") - fluid_bytes) / 2,
+        "coupled_fluid_bytes": (memory(shared, "fluid") - cells_bytes) / cores,
     }
 
 
@@ -153,7 +160,7 @@ def main():
         bench = Bench(folder)
         found.update(fluid(bench, min(cores, 8)))
         found.update(newton(bench))
-        found.update(structure(bench, found["structure_file_bytes"]))
+        found.update(structure(bench, found["structure_file_bytes"], min(cores, 8)))
         found.update(coupled(bench, found, min(cores, 8)))
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "magfsi"
     cache.mkdir(parents=True, exist_ok=True)

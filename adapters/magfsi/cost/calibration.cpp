@@ -22,6 +22,7 @@ struct Entry {
 constexpr Entry entries[] = {
     {"s_per_element_substep", &Calibration::s_per_element_substep},
     {"s_per_substep", &Calibration::s_per_substep},
+    {"s_per_substep_exchange", &Calibration::s_per_substep_exchange},
     {"s_per_marker_substep", &Calibration::s_per_marker_substep},
     {"s_per_marker_step", &Calibration::s_per_marker_step},
     {"s_per_coupled_step", &Calibration::s_per_coupled_step},
@@ -31,6 +32,7 @@ constexpr Entry entries[] = {
     {"s_per_cell_byte", &Calibration::s_per_cell_byte},
     {"s_per_element_file", &Calibration::s_per_element_file},
     {"fluid_bytes", &Calibration::fluid_bytes},
+    {"coupled_fluid_bytes", &Calibration::coupled_fluid_bytes},
     {"lammps_bytes", &Calibration::lammps_bytes},
     {"newton_bytes", &Calibration::newton_bytes},
     {"bytes_per_cell", &Calibration::bytes_per_cell},

@@ -29,6 +29,7 @@ struct Calibration {
     std::vector<NewtonSpeed> newton;       // by nodes, ascending
     double s_per_element_substep = 0;      // of assumed_strain elements in LAMMPS
     double s_per_substep = 0;              // whatever the elements
+    double s_per_substep_exchange = 0;     // besides, on more ranks than one
     double s_per_marker_substep = 0;       // drag, by the structure
     double s_per_marker_step = 0;          // spread and sampled, by the fluid
     double s_per_coupled_step = 0;         // messages, on one rank each
@@ -38,7 +39,7 @@ struct Calibration {
     double s_per_cell_byte = 0;            // of files
     double s_per_element_file = 0;
     // Memory of a process, and what each thing in it adds.
-    double fluid_bytes = 0, lammps_bytes = 0, newton_bytes = 0;
+    double fluid_bytes = 0, coupled_fluid_bytes = 0, lammps_bytes = 0, newton_bytes = 0;
     double bytes_per_cell = 0;       // in double precision
     double bytes_per_cell_file = 0;  // where fields are written
     double bytes_per_element = 0, newton_bytes_per_element = 0, bytes_per_marker = 0;

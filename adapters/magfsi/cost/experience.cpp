@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -32,16 +33,26 @@ std::string key(std::uint64_t scene_hash) {
 
 }  // namespace
 
-std::optional<double> experienced_wall_s(std::uint64_t scene_hash) {
+std::map<int, double> experienced_wall_s(std::uint64_t scene_hash) {
     const Json json = read();
+    std::map<int, double> seconds;
     const auto found = json.find(key(scene_hash));
-    if (found == json.end() || !found->is_number()) return std::nullopt;
-    return found->get<double>();
+    if (found == json.end() || !found->is_object()) return seconds;
+    for (const auto& [ranks, wall_s] : found->items()) {
+        if (wall_s.is_number()) seconds[std::atoi(ranks.c_str())] = wall_s.get<double>();
+    }
+    return seconds;
 }
 
-void keep_experience(std::uint64_t scene_hash, double wall_s) {
+void keep_experience(std::uint64_t scene_hash, int ranks, double wall_s) {
+    const auto before = experienced_wall_s(scene_hash);
+    if (const auto same = before.find(ranks);
+        same != before.end() && same->second <= wall_s)
+        return;
     Json json = read();
-    json[key(scene_hash)] = wall_s;
+    Json& path = json[key(scene_hash)];
+    if (!path.is_object()) path = Json::object();
+    path[fmt::format("{}", ranks)] = wall_s;
     std::error_code none;  // told by the write
     std::filesystem::create_directories(file().parent_path(), none);
     try {

@@ -4,14 +4,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <map>
 
 namespace magfsi::launch {
 
-// Of the scene with this hash.
-std::optional<double> experienced_wall_s(std::uint64_t scene_hash);
+// Of the scene with this hash: seconds by ranks of the structure.
+std::map<int, double> experienced_wall_s(std::uint64_t scene_hash);
 
+// Of runs on the same ranks the fastest counts: what else the machine does only adds.
 // Does nothing where the folder cannot be written: it is a convenience.
-void keep_experience(std::uint64_t scene_hash, double wall_s);
+void keep_experience(std::uint64_t scene_hash, int ranks, double wall_s);
 
 }  // namespace magfsi::launch

@@ -12,11 +12,17 @@ std::string duration(double seconds) {
     return fmt::format("{:.2g} h", seconds / 3600);
 }
 
-std::string time_line(const Prediction& p, bool path) {
+// ranks: of the structure.
+std::string time_line(const Prediction& p, bool path, int ranks) {
     if (!p.wall_s)
         return "unknown: damped motion takes as many steps as it needs to come to rest";
     std::string text = duration(*p.wall_s);
-    if (p.experienced) return text + ", as it took before";
+    if (p.experienced && p.experienced_ranks == ranks)
+        return text + ", as it took before";
+    if (p.experienced) {
+        return text + fmt::format(", by what it took before on structure={}",
+                                  p.experienced_ranks);
+    }
     if (path) {
         text +=
             " if Newton's method meets no instability on the path, several times "
@@ -42,9 +48,7 @@ nlohmann::ordered_json to_json(const Prediction& p) {
 }
 
 std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
-    std::string text = "\ncost on ranks";
-    for (const auto& [role, number] : ranks) text += fmt::format(" {}={}", role, number);
-    text += "\n";
+    std::string text = fmt::format("\ncost on ranks {}\n", to_text(ranks));
     if (scene.fluid && scene.fluid->solver == scene::FluidSolver::openfoam)
         return text + "  not predicted with fluid.solver openfoam\n";
     const auto calibration = read_calibration();
@@ -54,8 +58,13 @@ std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
                "--calibrate does it in half a minute\n";
     }
     const Prediction p = *prediction(scene, ranks);
-    text +=
-        fmt::format("  time    {}\n", time_line(p, scene.time.equilibrium.has_value()));
+    const int structure_ranks = ranks.contains("structure") ? ranks.at("structure") : 0;
+    text += fmt::format("  time    {}\n", time_line(p, scene.time.equilibrium.has_value(),
+                                                    structure_ranks));
+    if (const auto faster = faster_ranks(scene, ranks)) {
+        text += fmt::format("  faster  with --ranks {}: {}\n", to_text(faster->first),
+                            duration(*faster->second.wall_s));
+    }
     text +=
         fmt::format("  memory  {:.3g} MB\n", (p.structure_bytes + p.fluid_bytes) / 1e6);
     text += fmt::format("  disk    {:.3g} MB\n", p.disk_bytes / 1e6);

@@ -48,12 +48,16 @@ double fluid_s(const Work& work, const Calibration& c) {
            f.files * f.cells * f.bytes_a_cell * c.s_per_cell_byte;
 }
 
+// Ranks share elements and markers, and exchange the nodes between them.
+double substep_s(const StructureWork& s, const Calibration& c) {
+    return c.s_per_substep + (s.ranks > 1 ? c.s_per_substep_exchange : 0) +
+           (s.elements * c.s_per_element_substep + s.markers * c.s_per_marker_substep) /
+               s.ranks;
+}
+
 double structure_s(const Work& work, const Calibration& c) {
     const StructureWork& s = *work.structure;
-    const double a_substep = c.s_per_substep + (s.elements * c.s_per_element_substep +
-                                                s.markers * c.s_per_marker_substep) /
-                                                   s.ranks;
-    return work.steps * work.iterations * s.substeps * a_substep +
+    return work.steps * work.iterations * s.substeps * substep_s(s, c) +
            s.probe_rows * c.s_per_probe_row + s.files * s.elements * c.s_per_element_file;
 }
 
@@ -82,7 +86,7 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     }
     if (!work.fluid) return;
     const FluidWork& f = *work.fluid;
-    p.fluid_bytes = f.ranks * c.fluid_bytes +
+    p.fluid_bytes = f.ranks * (work.structure ? c.coupled_fluid_bytes : c.fluid_bytes) +
                     f.cells * c.bytes_per_cell * (f.single_precision ? 0.5 : 1) +
                     (f.files > 0 ? f.cells * c.bytes_per_cell_file : 0);
     p.disk_bytes += f.files * f.cells * f.bytes_a_cell;
@@ -111,19 +115,79 @@ Prediction predict(const Work& work, const Calibration& c) {
     return p;
 }
 
+Work on_ranks(Work work, const Ranks& ranks) {
+    if (work.fluid) work.fluid->ranks = ranks.at("fluid");
+    if (work.structure) work.structure->ranks = ranks.at("structure");
+    return work;
+}
+
+void use_experience(const std::map<int, double>& wall_s, const Work& work,
+                    const Calibration& c, Prediction& p) {
+    if (!work.path || wall_s.empty()) return;
+    auto known = wall_s.find(work.structure->ranks);
+    if (known == wall_s.end()) {
+        if (work.path->newton) return;
+        known = wall_s.begin();
+    }
+    StructureWork then = *work.structure;
+    then.ranks = known->first;
+    const double before_s = substep_s(then, c);
+    const bool same = then.ranks == work.structure->ranks || before_s <= 0;
+    p.wall_s = known->second * (same ? 1 : substep_s(*work.structure, c) / before_s);
+    p.experienced = true;
+    p.experienced_ranks = then.ranks;
+}
+
+namespace {
+
+Prediction predict_with_experience(const scene::Scene& scene, const Work& work,
+                                   const Calibration& calibration) {
+    Prediction p = predict(work, calibration);
+    use_experience(experienced_wall_s(scene.hash), work, calibration, p);
+    return p;
+}
+
+// Those worth a look: one rank a core at most, and Newton's method has one.
+std::vector<Ranks> other_ranks(const Work& work, const Ranks& ranks) {
+    std::vector<Ranks> all;
+    if (work.path && work.path->newton) return all;
+    const std::string role = work.fluid ? "fluid" : "structure";
+    for (int n = 1; n <= available_cores(); ++n) {
+        all.push_back(ranks);
+        if (work.structure) all.back()["structure"] = 1;
+        all.back()[role] = n;
+    }
+    return all;
+}
+
+}  // namespace
+
 std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks) {
     if (scene.fluid && scene.fluid->solver == scene::FluidSolver::openfoam)
         return std::nullopt;
     const auto calibration = read_calibration();
     if (!calibration) return std::nullopt;
+    return predict_with_experience(scene, work_of(scene, ranks), *calibration);
+}
+
+std::optional<std::pair<Ranks, Prediction>> faster_ranks(const scene::Scene& scene,
+                                                         const Ranks& ranks) {
+    const auto now = prediction(scene, ranks);
+    if (!now || !now->wall_s) return std::nullopt;
+    constexpr double worth_it =
+        0.85;  // of the time: less is within the prediction's error
+    double least_s = worth_it * *now->wall_s;
     const Work work = work_of(scene, ranks);
-    Prediction p = predict(work, *calibration);
-    if (!work.path) return p;
-    if (const auto before = experienced_wall_s(scene.hash)) {
-        p.wall_s = before;
-        p.experienced = true;
+    const Calibration calibration = *read_calibration();
+    std::optional<std::pair<Ranks, Prediction>> best;
+    for (const Ranks& other : other_ranks(work, ranks)) {
+        const Prediction p =
+            predict_with_experience(scene, on_ranks(work, other), calibration);
+        if (!p.wall_s || *p.wall_s >= least_s) continue;
+        least_s = *p.wall_s;
+        best = {other, p};
     }
-    return p;
+    return best;
 }
 
 }  // namespace magfsi::launch

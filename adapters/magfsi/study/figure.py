@@ -5,7 +5,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 import findings  # noqa: E402
 from tables import percent  # noqa: E402
@@ -100,9 +100,11 @@ def _panel(study, axes, runs, norm):
         axes.axhline(100 * target, color=GREY, lw=0.6, ls=(0, (1, 2)), zorder=0)
         axes.text(0.005, 100 * target, percent(target), fontsize=7, color=GREY, va="bottom",
                   transform=axes.get_yaxis_transform())
-    for axis in (axes.xaxis, axes.yaxis):
+    for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
         axis.set_major_formatter(FuncFormatter(_plain))
-        axis.set_minor_formatter(NullFormatter())
+        narrow = high / low < 100  # one decade or two have no labels enough
+        axis.set_minor_locator(LogLocator(subs=(2, 5) if narrow else range(2, 10), numticks=99))
+        axis.set_minor_formatter(FuncFormatter(_plain) if narrow else NullFormatter())
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
     return ends

@@ -4,7 +4,8 @@ the most work.
 
     ./magfsi bench --calibrate && tests/bench/cost/tutorials.py      on an idle machine, minutes
 
-Paths of equilibria are predicted from their first run: they run twice, and the second counts.
+Paths of equilibria are predicted from their first run: they run before. Of runs below
+SHORT_S, which other work on the machine shifts by as much as they take, the fastest of three counts.
 """
 import json
 import subprocess
@@ -15,6 +16,7 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[3]
 SCENES = ("beam", "origami", "turning", "strip", "gravity", "swimmer")
 LARGEST_TIME, LARGEST_MEMORY = 0.25, 0.10  # what the prediction promises
+SHORT_S = 1.0
 
 
 def facts(scene, ranks):
@@ -26,6 +28,12 @@ def summary(scene, ranks, folder):
     subprocess.run([TOP / "magfsi", "run", scene, "--out", folder, "--ranks", ranks], check=True,
                    stdout=subprocess.DEVNULL)
     return json.loads((Path(folder) / "summary.json").read_text())
+
+
+def measured(scene, ranks, folder):
+    first = summary(scene, ranks, folder)
+    more = [summary(scene, ranks, folder) for _ in range(2 if first["wall_s"] < SHORT_S else 0)]
+    return min([first, *more], key=lambda s: s["wall_s"])
 
 
 def line(name, ranks, s):
@@ -54,7 +62,7 @@ def main():
                 ranks = f"structure=1,fluid={number}" if coupled else f"structure={number}"
                 if not coupled:
                     summary(scene, ranks, folder)
-                good &= line(name, ranks, summary(scene, ranks, folder))
+                good &= line(name, ranks, measured(scene, ranks, folder))
     print("all within" if good else "NOT all within",
           f"{100 * LARGEST_TIME:.0f} % of time and {100 * LARGEST_MEMORY:.0f} % of memory")
     return 0 if good else 1
