@@ -18,6 +18,7 @@ errors:
     probe: ["robot.energy_elastic[J]", "0.462366 * robot.energy_kinetic[J]",
             "kinetic_energy[J]", "- robot.work_magnetic[J]"]
     norm: gain
+  later: {{probe: ["- mass[kg]", "robot.bend[rad]"], norm: rise}}
   part:
     probe: ["robot.energy_elastic[J]", "robot.energy_kinetic[J]"]
     norm: gain
@@ -30,6 +31,8 @@ class WhatABalanceGains(unittest.TestCase):
         study.good_run()
         row, = study.rows()
         self.assertLess(float(row["error_all[1]"]), 1e-12)
+        # It bends all the time, from 0, and the mass stays.
+        self.assertAlmostEqual(float(row["error_later[1]"]), 1, delta=1e-6)
         # Nothing taken off: the sum rises by at least its largest term.
         self.assertGreaterEqual(float(row["error_part[1]"]), 1)
         self.assertEqual(row["verdict"], "wrong")

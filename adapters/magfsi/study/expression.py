@@ -59,3 +59,16 @@ class Formula:
             return OPERATORS[type(node.op)](self._value(node.operand, values))
         return OPERATORS[type(node.op)](self._value(node.left, values),
                                         self._value(node.right, values))
+
+
+def formula(value, names, text=None):
+    """Checked: of these names only. text: where it is but a part of the value."""
+    try:
+        made = Formula(text or value.scalar("a formula"))
+    except ValueError as error:
+        value.refuse(str(error), "numbers, + - * / **, exp, log, sqrt, sin, cos, tan, tanh, "
+                     f"abs, pi, {', '.join(names)}")
+    unknown = sorted(made.names - set(names))
+    if unknown:
+        value.refuse(f'the name "{unknown[0]}"', f"one of {', '.join(names)}")
+    return made

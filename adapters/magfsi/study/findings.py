@@ -47,7 +47,8 @@ def verdict(study, run):
         return "reference"
     if run.notes and any(note != "reference" for note in run.notes.values()):
         return "wrong"
-    good = all(e <= study.right_within for e in run.errors.values())
+    good = all(run.errors[name] <= share for name, share in study.right_within.items()
+               if name in run.errors)
     return "right" if good else "wrong"
 
 

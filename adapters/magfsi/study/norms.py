@@ -38,7 +38,9 @@ def _columns(run, norm):
     kept = times[0] >= norm.start_s
     if kept.sum() < 2:
         raise NoError("fewer than two rows of probes")
-    weights = np.array([[weight] for weight, _ in norm.terms])
+    axes = {axis: s.value for axis, s in run.cell.settings.items()}
+    weights = np.array([[weight(**axes) if callable(weight) else weight]
+                        for weight, _ in norm.terms])
     return times[0][kept], norm.factor * weights * values[:, kept]
 
 
@@ -50,14 +52,15 @@ def course(run, norm):
 
 
 def gain(run, norm):
-    """How far the sum rises above its start, over the largest change of one of its terms: 0
-    for a balance that only loses."""
+    """How far the sum rises above its start, or above its lowest value so far, over the largest
+    change of one of its terms: 0 for a balance that only loses."""
     _, terms = _columns(run, norm)
     scale = np.abs(terms - terms[:, :1]).max()
     total = terms.sum(axis=0)
-    if not scale > 0:
+    if scale == 0:
         raise NoError("nothing happens")
-    return float((total - total[0]).max() / scale)
+    floor = total[0] if norm.norm == "gain" else np.minimum.accumulate(total)
+    return _finite((total - floor).max() / scale)
 
 
 def _expected(reference, run, times, finest):
@@ -88,11 +91,19 @@ def _one_number(norm, values):
     return (values.max() - values.min()) / 2  # amplitude
 
 
+def _finite(result):
+    if not math.isfinite(result):
+        raise NoError("the error is not finite")
+    return float(result)
+
+
 def error(norm, run, finest=None):
     """Relative, without dimension. finest: (times, values) of the reference run."""
-    if norm.norm == "gain":
+    if norm.norm in ("gain", "rise"):
         return gain(run, norm)
     times, values = course(run, norm)
+    if norm.norm == "largest":
+        return _finite(np.abs(values).max())
     at, expected = _expected(norm.reference, run, times, finest)
     if norm.norm in ("final", "mean", "peak", "amplitude"):
         found = (np.interp(at[-1], times, values) if norm.norm == "final" and at is not None
@@ -108,6 +119,4 @@ def error(norm, run, finest=None):
         else:
             known = expected != 0
             result = np.abs(apart[known] / expected[known]).max()
-    if not math.isfinite(result):
-        raise NoError("the error is not finite")
-    return float(result)
+    return _finite(result)

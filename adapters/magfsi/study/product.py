@@ -39,6 +39,7 @@ def _cell(study, settings):
                 ranks = text
             else:
                 sets[key] = text
+    sets |= {key: value.text(settings) for key, value in study.derived.items()}
     size = None
     if study.size:
         try:

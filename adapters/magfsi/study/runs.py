@@ -99,7 +99,8 @@ def plan(study, cells, out):
         else:
             run.record = {"outcome": "refused", "cause": fault}
         runs.append(run)
-    _check_input(study, runs)
+    if not study.refusals_are_rows:
+        _check_input(study, runs)
     return runs
 
 

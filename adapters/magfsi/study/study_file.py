@@ -3,11 +3,14 @@ import csv
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import derived
 import marked
-from expression import Formula
+from expression import Formula, formula
 from quantity import parse
 
-NORMS = ("final", "max", "max_relative", "l2", "peak", "mean", "amplitude", "gain")
+NORMS = ("final", "max", "max_relative", "l2", "peak", "mean", "amplitude", "gain", "rise",
+         "largest")
+WITHOUT_REFERENCE = ("gain", "rise", "largest")
 
 
 @dataclass
@@ -40,9 +43,9 @@ class Reference:
 @dataclass
 class Norm:
     name: str
-    terms: list  # (weight, column of probes.csv), to be summed
+    terms: list  # (weight, column of probes.csv), to be summed; a formula of axes may weigh
     norm: str
-    reference: Reference | None  # None: gain, which has its scale from the terms
+    reference: Reference | None  # None: of WITHOUT_REFERENCE
     change: bool = False  # of the probe since its first row
     factor: float = 1.0
     start_s: float = float("-inf")
@@ -50,9 +53,11 @@ class Norm:
 
     @property
     def probe(self):
-        words = {1.0: " + ", -1.0: " - "}
-        return "".join(words.get(w, f" + {w:g} * ") + n for w, n in self.terms).removeprefix(
-            " + ")
+        def words(weight):
+            if isinstance(weight, Formula):
+                return f" + ({weight.text}) * "
+            return {1.0: " + ", -1.0: " - "}.get(weight, f" + {weight:g} * ")
+        return "".join(words(w) + n for w, n in self.terms).removeprefix(" + ")
 
 
 @dataclass
@@ -72,7 +77,9 @@ class Study:
     series: list
     norms: list
     targets: list
-    right_within: float | None
+    right_within: dict  # by norm; empty: no verdict
+    derived: dict
+    refusals_are_rows: bool
     cost: str
     top: marked.Value = field(repr=False, default=None)
     scene_mark: marked.Value = field(repr=False, default=None)
@@ -118,18 +125,6 @@ def _axis(name, value):
     return Axis(name, settings, unit, keys["key"])
 
 
-def _formula(value, names):
-    try:
-        formula = Formula(value.scalar("a formula"))
-    except ValueError as error:
-        value.refuse(str(error), "numbers, + - * / **, exp, log, sqrt, sin, cos, tan, tanh, "
-                     f"abs, pi, {', '.join(names)}")
-    unknown = sorted(formula.names - set(names))
-    if unknown:
-        value.refuse(f'the name "{unknown[0]}"', f"one of {', '.join(names)}")
-    return formula
-
-
 def _table(value, folder):
     keys = value.keys(("file", "time", "time_factor", "value", "value_factor"),
                       ("file", "time", "value"))
@@ -167,7 +162,7 @@ def _reference(value, axes, folder):
     if keys["value"]:
         return Reference(number=keys["value"].number())
     if keys["formula"]:
-        return Reference(formula=_formula(keys["formula"], ["t", *axes]))
+        return Reference(formula=formula(keys["formula"], ["t", *axes]))
     if keys["table"]:
         return _table(keys["table"], folder)
     return Reference(finest=_chosen(keys["finest"], axes, single=True))
@@ -189,31 +184,31 @@ def _chosen(value, axes, single=False):
     return out
 
 
-def _term(item):
-    """(weight, column) of "column", "- column" or "0.5 * column"."""
+def _term(item, axes):
+    """(weight, column) of "column", "- column", "0.5 * column" or "(1 - 1 / axis) * column"."""
     text = item.scalar()
-    weight, star, column = text.partition(" * ")
-    if star:
-        try:
-            return float(weight), column.strip()
-        except ValueError:
-            item.refuse(f'"{weight}"', "a number before *")
-    return (-1.0, text[1:].strip()) if text.startswith("-") else (1.0, text)
+    weight, star, column = text.rpartition(" * ")
+    if not star:
+        return (-1.0, text[1:].strip()) if text.startswith("-") else (1.0, text)
+    try:
+        return float(weight), column.strip()
+    except ValueError:
+        return formula(item, list(axes), weight), column.strip()
 
 
-def _terms(value):
+def _terms(value, axes):
     """One column, or a list to be summed."""
-    return [_term(item) for item in (value.items() if value.is_list() else [value])]
+    return [_term(item, axes) for item in (value.items() if value.is_list() else [value])]
 
 
 def _norm(name, value, axes, folder):
     keys = value.keys(("probe", "norm", "reference", "change", "factor", "from"),
                       ("probe", "norm"))
     kind = keys["norm"].choice(NORMS)
-    if (kind == "gain") == bool(keys["reference"]):
+    if (kind in WITHOUT_REFERENCE) == bool(keys["reference"]):
         value.refuse(f"{kind} with{'' if keys['reference'] else 'out'} a reference",
-                     "a reference for every norm but gain")
-    norm = Norm(name, _terms(keys["probe"]), kind,
+                     f"a reference for every norm but {', '.join(WITHOUT_REFERENCE)}")
+    norm = Norm(name, _terms(keys["probe"], axes), kind,
                 _reference(keys["reference"], axes, folder) if keys["reference"] else None,
                 mark=keys["probe"])
     if keys["change"]:
@@ -248,7 +243,7 @@ def _order(value, axes):
     if not keys["size"] and any(not isinstance(s.value, float) for s in axes[name].settings):
         keys["axis"].refuse(f'"{name}", whose values are no numbers',
                             "this with size: a formula such as 1 / " + name)
-    size = _formula(keys["size"], list(axes)) if keys["size"] else Formula(name)
+    size = formula(keys["size"], list(axes)) if keys["size"] else Formula(name)
     expected = {what: keys[key].number() for what, key in
                 (("order", "expected"), ("cost", "expected_cost")) if keys[key]}
     return name, size, expected
@@ -270,8 +265,22 @@ def _pairs(value, axes):
     return pairs
 
 
-KEYS = ("name", "scene", "set", "ranks", "limit", "axes", "pairs", "skip", "order", "series",
-        "errors", "targets", "right_within", "cost")
+def _right_within(value, norms):
+    """One share for all errors, or a map of error: share; those that it leaves out do not
+    judge."""
+    if not value:
+        return {}
+    if not value.is_map():
+        return {norm.name: value.share() for norm in norms}
+    shares = value.entries()
+    for name, share in shares.items():
+        if name not in [norm.name for norm in norms]:
+            share.refuse(f'the error "{name}"', f"one of {', '.join(n.name for n in norms)}")
+    return {name: share.share() for name, share in shares.items()}
+
+
+KEYS = ("name", "scene", "set", "derived", "ranks", "limit", "axes", "pairs", "skip", "order",
+        "series", "errors", "targets", "right_within", "refusals", "cost")
 
 
 def read_study(path):
@@ -301,6 +310,8 @@ def read_study(path):
         [_chosen(v, axes) for v in keys["skip"].items()] if keys["skip"] else [],
         order_axis, size, expected,
         _names(keys["series"], axes) if keys["series"] else [n for n in axes if n != order_axis],
-        norms, targets, keys["right_within"].share() if keys["right_within"] else None,
+        norms, targets, _right_within(keys["right_within"], norms),
+        derived.read(keys["derived"], axes) if keys["derived"] else {},
+        bool(keys["refusals"]) and keys["refusals"].choice(("rows",)) == "rows",
         keys["cost"].choice(("wall", "core")) if keys["cost"] else "wall", top,
         keys["scene"])

@@ -52,7 +52,7 @@ def row(study, run):
     cause = run.record.get("cause", "")
     notes = sorted(set(run.notes.values()))
     out["cause"] = cause or "; ".join(notes)
-    if study.right_within is not None:
+    if study.right_within:
         out["verdict"] = findings.verdict(study, run)
     return {key: _cell_text(value) for key, value in out.items()}
 
@@ -129,12 +129,14 @@ def page(study, runs, command):
         lines += ["", f"Error `{norm.name}`: {norm.norm} of `{norm.probe}`.", "",
                   *_series_table(study, runs, norm)]
     ended = [r for r in runs if not r.completed()]
-    if study.right_within is not None:
+    if study.right_within:
         counts = {}
         for run in runs:
             verdict = findings.verdict(study, run)
             counts[verdict] = counts.get(verdict, 0) + 1
-        lines += ["", f"Right within {percent(study.right_within)}: "
+        shares = ", ".join(f"{percent(share)} of {name}"
+                           for name, share in study.right_within.items())
+        lines += ["", f"Right within {shares}: "
                   + ", ".join(f"{n} {v}" for v, n in sorted(counts.items())) + "."]
     if ended:
         lines += ["", "Not completed:", ""]
