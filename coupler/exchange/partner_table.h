@@ -13,10 +13,10 @@
 
 namespace magfsi::coupler {
 
-constexpr std::int64_t renew_every = 8;  // coupled steps
-constexpr int renew_margin_cells = 2;  // 0.25 cells a step, more than the Mach limit lets
+constexpr std::int64_t renew_every = 5;  // coupled steps
+constexpr int renew_margin_cells = 2;    // 0.4 cells a step, all that the lattice allows
 
-// Markers of a step may be those of a new table: before the first and in every eighth,
+// Markers of a step may be those of a new table: before the first and in every fifth,
 // but not again when it is repeated.
 inline bool renews_partners(const Occasion& when) {
     if (when.iteration > 0) return false;

@@ -25,8 +25,30 @@ def arguments():
     parser.add_argument("--results", type=Path,
                         help="folder for runs.csv, figure.png, results.md (default: OUT)")
     parser.add_argument("--list", action="store_true", help="print the runs, and run nothing")
+    parser.add_argument("--only", action="append", metavar="AXIS=VALUE", default=[],
+                        help="only the runs with this value, in the study file's words; may be "
+                        "given again, also for the same axis")
     parser.add_argument("--again", action="store_true", help="repeat all runs")
     return parser.parse_args()
+
+
+def _only(words, study):
+    """The study's cells with the values that the words name."""
+    wanted = {}
+    for word in words:
+        axis, _, label = word.partition("=")
+        labels = [s.label for s in study.axes[axis].settings] if axis in study.axes else []
+        if label not in labels:
+            allowed = f"{axis}= one of {'; '.join(labels)}" if labels else (
+                f"AXIS=VALUE with an axis of {', '.join(study.axes)}")
+            raise marked.InputError(f'--only: found "{word}"; allowed {allowed}')
+        wanted.setdefault(axis, []).append(label)
+    found = [cell for cell in product.cells(study)
+             if all(cell.label(axis) in labels for axis, labels in wanted.items())]
+    if not found:
+        raise marked.InputError(f"--only: found no run with {', '.join(words)}; allowed values "
+                                "that the study does not skip")
+    return found
 
 
 def _list(planned):
@@ -59,7 +81,7 @@ def main():
     chosen = arguments()
     study = read_study(chosen.study)
     out = chosen.out or Path("runs") / f"study_{study.name}"
-    planned = store.plan(study, product.cells(study), out)
+    planned = store.plan(study, _only(chosen.only, study), out)
     if chosen.list:
         _list(planned)
         return
