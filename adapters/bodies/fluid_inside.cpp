@@ -15,6 +15,11 @@ namespace {
 // the density, at least 0.58 of their own.
 constexpr double largest_part = 2.0 / 3;
 
+void add_masses(std::vector<double>& all, const structure::Body& body) {
+    const auto masses = structure::node_masses(structure::build_lattice(body));
+    all.insert(all.end(), masses.begin(), masses.end());
+}
+
 }  // namespace
 
 double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body) {
@@ -39,10 +44,18 @@ std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene) {
 
 std::vector<double> whole_masses_kg(const scene::Scene& scene) {
     std::vector<double> all;
+    for (const scene::Body& body : scene.bodies) add_masses(all, to_body(body));
+    return all;
+}
+
+std::vector<double> inside_masses_kg(const scene::Scene& scene) {
+    std::vector<double> all;
     for (const scene::Body& body : scene.bodies) {
-        const auto masses =
-            structure::node_masses(structure::build_lattice(to_body(body)));
-        all.insert(all.end(), masses.begin(), masses.end());
+        structure::Body solid = to_body(body);
+        solid.material.density_kg_m3 = scene.fluid->density_kg_m3;
+        for (structure::Material& other : solid.other_materials)
+            other.density_kg_m3 = scene.fluid->density_kg_m3;
+        add_masses(all, solid);
     }
     return all;
 }

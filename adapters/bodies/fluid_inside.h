@@ -22,4 +22,7 @@ std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene);
 // The whole mass of each node [kg], body after body.
 std::vector<double> whole_masses_kg(const scene::Scene& scene);
 
+// The mass of the fluid in its place [kg]; of a scene with a fluid.
+std::vector<double> inside_masses_kg(const scene::Scene& scene);
+
 }  // namespace magfsi::bodies

@@ -78,10 +78,7 @@ BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
         session.world(), grid_, coupler::to_kernel(boundary.kernel), session.timeout_s());
-    engine.attach_fluid_force(
-        [this](const double* velocity, double* force, double step_s) {
-            force_->apply(velocity, force, step_s);
-        });
+    attach_force();
     const std::size_t count = force_->markers().size();
     const auto& coupling = *scene.coupling;
     const bool two_samples = coupling.scheme != scene::Scheme::serial ||
@@ -144,7 +141,24 @@ void BodyCoupling::share_fluid_inside(std::vector<coupler::Marker>& markers) {
     start_velocity_.resize(off_nodes_kg_.size());
 }
 
+void BodyCoupling::attach_force() {
+    const auto& probes = session_.scene().probes;
+    if (!probes || !probes->energy_audit) {
+        return engine_.attach_fluid_force(
+            [this](const double* velocity, double* force, double step_s) {
+                force_->apply(velocity, force, step_s);
+            });
+    }
+    work_ = std::make_unique<MarkerWork>(force_->markers().size());
+    engine_.attach_fluid_force(
+        [this](const double* velocity, double* force, double step_s) {
+            force_->apply(velocity, force, step_s);
+            work_->add_substep(*force_, velocity, step_s);
+        });
+}
+
 void BodyCoupling::note_velocities() {
+    if (work_) work_->begin_step();
     if (!notes_velocities_) return;
     engine_.renew_ghost_velocities();
     for (std::size_t m = 0; m < start_velocity_.size(); ++m)
@@ -252,6 +266,11 @@ std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
         all.push_back({"impulse", flat(under_way_)});
     }
     if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
+    if (work_) {
+        all.push_back({"works", flat(work_->works())});
+        all.push_back({"fluid_force", flat(work_->last_fluid_force())});
+        all.push_back({"enclosed_force", flat(work_->last_enclosed_force())});
+    }
     if (iterations_) add_learnt(all);
     return all;
 }

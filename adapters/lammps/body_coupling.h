@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/lammps/audit/marker_work.h"
 #include "adapters/lammps/engine.h"
 #include "coupler/exchange/structure_exchange.h"
 #include "coupler/immersed_boundary/balance.h"
@@ -83,6 +84,8 @@ class BodyCoupling {
     std::vector<Vec3> force_on_parts();
     // Adds the last step to the record, with the velocities sampled before it.
     void audit(coupler::BalanceRecord& record) const;
+    // Null but with probes.energy_audit.
+    const MarkerWork* work() const { return work_.get(); }
 
     // One sample of how well the boundary holds, with the velocities just received.
     void measure_slip();
@@ -95,6 +98,7 @@ class BodyCoupling {
     std::vector<Vec3> marker_positions() const;
     void share_fluid_inside(std::vector<coupler::Marker>& markers);
     void note_velocities();
+    void attach_force();
     void find_parts(const std::vector<bodies::PlacedMarker>& placed);
     Vec3 force_on(std::size_t marker) const;
     std::vector<coupler::MarkerArea> own_areas(
@@ -119,6 +123,7 @@ class BodyCoupling {
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::SlipRecord> slip_;
     std::unique_ptr<coupler::IteratedForcing> iterated_;  // only with iterations
+    std::unique_ptr<MarkerWork> work_;                    // only with energy_audit
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
     // A step before fluid_velocity_; empty where the scheme looks at one sample only.

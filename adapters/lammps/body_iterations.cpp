@@ -68,7 +68,8 @@ void BodyCoupling::start_iterations() {
         {},
         force_->enclosed(),
         {},
-        std::vector<Vec3>(force_->markers().size())});
+        std::vector<Vec3>(force_->markers().size()),
+        MarkerWork(0)});
 }
 
 int BodyCoupling::current_iteration() const {
@@ -78,6 +79,7 @@ int BodyCoupling::current_iteration() const {
 void BodyCoupling::keep_state() {
     engine_.keep(iterations_->bodies);
     iterations_->enclosed = force_->enclosed();
+    if (work_) iterations_->work = *work_;
     iterations_->markers_m = now_m_;
     iterations_->fixed_point.begin_step(fluid_velocity_, last_velocity_);
 }
@@ -104,6 +106,7 @@ bool BodyCoupling::repeat() {
     if (!again) return false;
     engine_.go_back(iterations_->bodies);
     force_->enclosed() = iterations_->enclosed;
+    if (work_) *work_ = iterations_->work;
     now_m_ = iterations_->markers_m;
     return true;
 }

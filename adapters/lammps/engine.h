@@ -57,6 +57,11 @@ class Engine {
     double fix_vector(const std::string& fix_id, int n) const;
     double fix_scalar(const std::string& fix_id) const;  // collective
 
+    // Only for the energy audit (audit/engine_audit.cpp). moved: groups in prescribed
+    // motion. The scalar of a compute is collective.
+    void attach_audit(double drag_rate_1_s, const std::vector<std::string>& moved);
+    double compute_scalar(const std::string& compute_id) const;
+
     // What a checkpoint keeps (engine_state.cpp). Of each atom position, velocity, force
     // and what fixes keep with it: rows of node_values() numbers in the order of the
     // atoms' ids, on the root only. Collective.

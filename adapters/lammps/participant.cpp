@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "adapters/bodies/fluid_inside.h"
+#include "adapters/lammps/audit/collect_terms.h"
 #include "adapters/lammps/generated_input.h"
 #include "adapters/lammps/scene_to_input.h"
 #include "coupler/participants/errors.h"
@@ -67,6 +68,10 @@ void Participant::build() {
         if (scene().probes && scene().probes->interface_balance) {
             balance_ = std::make_unique<coupler::BalanceRecord>();
         }
+    }
+    if (scene().probes && scene().probes->energy_audit) {
+        audit_ = std::make_unique<EnergyAudit>(scene(), engine_->gather(atoms_));
+        attach_audit(*engine_, input_);
     }
     if (session_.restart()) restore_bodies(parts(), coupler::open_restart(session_));
 }
@@ -155,7 +160,8 @@ void Participant::assemble_output(output::ProgressMode progress) {
         if (leads) {
             std::vector<std::string> columns = coupler::body_columns(scene());
             for (const auto& more :
-                 {coupler::fluid_columns(scene()), coupler::interface_columns(scene())}) {
+                 {coupler::fluid_columns(scene()), coupler::interface_columns(scene()),
+                  audit_ ? audit_->columns() : std::vector<std::string>{}}) {
                 columns.insert(columns.end(), more.begin(), more.end());
             }
             probes_ = coupler::open_probes(session_, columns);
@@ -208,7 +214,7 @@ void Participant::assemble_record() {
 }
 
 StructureParts Participant::parts() {
-    return {session_, *engine_, atoms_, coupling_.get(), balance_.get()};
+    return {session_, *engine_, atoms_, coupling_.get(), balance_.get(), audit_.get()};
 }
 
 // A NaN in one node reaches its neighbours in the next substep: one look a coupled step
@@ -241,11 +247,12 @@ std::vector<bodies::BodyLoads> Participant::collect_loads() {
     return loads;
 }
 
-void Participant::add_partner_values(std::vector<double>& row) {
+// Returns what the fluid's last column is, on the root.
+double Participant::add_partner_values(std::vector<double>& row) {
     const std::size_t fluid_values = coupler::fluid_columns(scene()).size();
     const auto given =
         balance_ ? balance_->collect(session_.world().local()) : std::vector<double>{};
-    if (!session_.world().root() || fluid_values + given.size() == 0) return;
+    if (!session_.world().root() || fluid_values + given.size() == 0) return 0;
     std::vector<double> numbers(fluid_values + given.size());
     coupler::receive_numbers(session_.world(), session_.clock().step(), numbers,
                              session_.timeout_s());
@@ -253,10 +260,24 @@ void Participant::add_partner_values(std::vector<double>& row) {
     if (recorder_) recorder_->keep_numbers(all.first(fluid_values));
     row.insert(row.end(), all.begin(),
                all.begin() + static_cast<std::ptrdiff_t>(fluid_values));
-    if (!balance_) return;
+    const double last = fluid_values > 0 ? numbers[fluid_values - 1] : 0;
+    if (!balance_) return last;
     const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
     row.push_back(mismatch.momentum);
     row.push_back(mismatch.power);
+    return last;
+}
+
+// The fluid's kinetic energy comes last of its columns. Collective.
+void Participant::add_audit(double fluid_kinetic_j, std::vector<double>& row) {
+    const NodalState nodes = engine_->gather(atoms_);
+    EnergyTerms terms =
+        collect_terms(*engine_, scene(), fix_ids_,
+                      coupling_ ? coupling_->work() : nullptr, session_.world().local());
+    if (!session_.world().root()) return;
+    if (coupling_) terms.fluid_kinetic = fluid_kinetic_j;
+    const auto values = audit_->row(nodes, terms);
+    row.insert(row.end(), values.begin(), values.end());
 }
 
 // With the bodies' whole masses, whatever came off their nodes. Collective.
@@ -275,7 +296,8 @@ void Participant::write_probes() {
     if (probe_row_) {
         row = probe_row_->values(session_.clock().time_s(), state, loads, on_parts);
     }
-    if (coupling_) add_partner_values(row);
+    const double fluid_j = coupling_ ? add_partner_values(row) : 0;
+    if (audit_) add_audit(fluid_j, row);
     if (!probes_) return;
     probes_->row(session_.clock().time_s(), row);
 }
@@ -339,6 +361,7 @@ coupler::ParticipantReport Participant::make_report() const {
         report.immersed_boundary = coupler::boundary_summary(coupling_->slip(), scene());
         session_.log(coupler::to_text(*report.immersed_boundary));
     }
+    if (audit_) report.energy_audit = audit_->summary();
     if (coupling_ && coupling_->repetitions())
         report.iterations = *coupling_->repetitions();
     return report;

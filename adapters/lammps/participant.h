@@ -5,6 +5,7 @@
 
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/structure_files.h"
+#include "adapters/lammps/audit/energy_audit.h"
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/come_to_rest.h"
 #include "adapters/lammps/exchange_recorder.h"
@@ -40,10 +41,11 @@ class Participant {
     void start_anew();
     StructureParts parts();
     NodalState gather();
+    void add_audit(double fluid_kinetic_j, std::vector<double>& row);
     void write_probes();
     void write_fields();
     std::vector<bodies::BodyLoads> collect_loads();
-    void add_partner_values(std::vector<double>& row);
+    double add_partner_values(std::vector<double>& row);
     void check_finite() const;
     coupler::ParticipantReport make_report() const;
     void finish(double wall_s);
@@ -64,6 +66,7 @@ class Participant {
     bool again_ = false;  // implicit scheme: the step is repeated
     std::unique_ptr<coupler::BalanceRecord> balance_;
     std::unique_ptr<ExchangeRecorder> recorder_;  // with --record
+    std::unique_ptr<EnergyAudit> audit_;          // only when the scene asks for it
     // Present only when the scene names them, and only on the root:
     std::unique_ptr<bodies::ProbeRow> probe_row_;
     std::unique_ptr<bodies::StructureFiles> files_;

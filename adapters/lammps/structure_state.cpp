@@ -71,6 +71,10 @@ void save_structure(const StructureParts& parts, StateWriter* file) {
     save_shares(comm, "sums", engine.fix_sums(), file);
     if (parts.coupling) save_markers(parts, file);
     if (parts.balance) save_shares(comm, "balance", parts.balance->values(), file);
+    if (parts.audit && file) {
+        const auto carried = parts.audit->carried();
+        file->table("energy_audit", carried, {carried.size()});
+    }
     if (!parts.session.scene().contact) return;
     broadcast(nodes, atoms * width, comm);
     engine.renew_neighbours();
@@ -88,6 +92,7 @@ void restore_bodies(const StructureParts& parts, const StateReader& file) {
     }
     if (file.has("sums"))
         engine.put_fix_sums(share(file, "sums", parts.session.world().local()));
+    if (parts.audit) parts.audit->set(file.table("energy_audit"));
 }
 
 void restore_coupling(const StructureParts& parts, const StateReader& file) {

@@ -1,6 +1,7 @@
 // The structure's half of a checkpoint: nodes, what fixes keep, what markers carry.
 #pragma once
 
+#include "adapters/lammps/audit/energy_audit.h"
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/engine.h"
 #include "coupler/checkpoint/state_reader.h"
@@ -16,6 +17,7 @@ struct StructureParts {
     // Null when the scene has none.
     BodyCoupling* coupling = nullptr;
     coupler::BalanceRecord* balance = nullptr;
+    EnergyAudit* audit = nullptr;
 };
 
 // Collective; file is null but on the root. Contact's lists of neighbours are renewed, as

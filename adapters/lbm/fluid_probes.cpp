@@ -58,9 +58,11 @@ ForceAxes force_axes(const scene::Fluid& fluid) {
 
 std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& fluid) {
     // A sweep over all cells: not for the forces on obstacles alone.
-    const bool sums = std::ranges::any_of(scene.probes->fluid, [](auto quantity) {
+    const auto over_cells = [](auto quantity) {
         return quantity != scene::FluidQuantity::obstacle_force;
-    });
+    };
+    const bool sums = scene.probes->energy_audit ||
+                      std::ranges::any_of(scene.probes->fluid, over_cells);
     const fluid::Totals totals = sums ? fluid.totals() : fluid::Totals{};
     std::vector<double> values;
     for (const auto quantity : scene.probes->fluid) {
@@ -86,6 +88,7 @@ std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& 
         if (const auto* plane = std::get_if<scene::FluidPlane>(&integral.over))
             add_plane(values, fluid.plane_flow(plane->axis, plane->at_m));
     }
+    if (scene.probes->energy_audit) values.push_back(totals.kinetic_energy_j);
     return values;
 }
 

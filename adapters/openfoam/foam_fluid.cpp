@@ -197,6 +197,8 @@ std::vector<double> FoamFluid::probe_values(const scene::Scene& scene) {
                 break;  // a scene with obstacles is refused
         }
     }
+    if (scene.probes->energy_audit)
+        values.push_back(fluid_.density_kg_m3 * sums.half_square_m5_s2);
     return values;
 }
 

@@ -64,6 +64,7 @@ class PenaltyForce {
     }
 
     EnclosedFluid& enclosed() { return enclosed_; }
+    const EnclosedFluid& enclosed() const { return enclosed_; }
 
   private:
     void follow(double duration_s);

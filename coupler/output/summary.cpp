@@ -59,6 +59,18 @@ Json object(const BoundarySummary& b) {
             {"reference_speed_m_s", b.reference_speed_m_s}};
 }
 
+Json object(const EnergySummary& e) {
+    const auto share = [&](double energy_j) { return energy_j / e.work_j; };
+    Json out{{"work_j", e.work_j},
+             {"residual_j", e.residual_j},
+             {"residual", share(e.residual_j)}};
+    if (e.gained_j) {
+        out["gained_j"] = *e.gained_j;
+        out["gained"] = share(*e.gained_j);
+    }
+    return out;
+}
+
 Json object(const IterationSummary& i) {
     const double steps = i.steps > 0 ? static_cast<double>(i.steps) : 1;
     return {{"acceleration", i.acceleration},
@@ -111,6 +123,7 @@ Json to_json(const Summary& summary) {
     if (summary.structure) out["structure"] = object(*summary.structure);
     if (summary.immersed_boundary)
         out["immersed_boundary"] = object(*summary.immersed_boundary);
+    if (summary.energy_audit) out["energy_audit"] = object(*summary.energy_audit);
     out["memory_bytes"] = object(summary.memory_bytes);
     out["probes"] = object(summary.probes);
     out["extra"] = summary.extra;

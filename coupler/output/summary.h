@@ -57,6 +57,15 @@ struct IterationSummary {
     double worst_residual = 0;
 };
 
+// What the energy audit found, over all rows of the probes.
+struct EnergySummary {
+    double work_j = 0;      // the largest work, or the energy of the start
+    double residual_j = 0;  // largest magnitude
+    // Largest rise of the energy of bodies and fluid that no work has paid for; not told
+    // where the fluid is driven by its sides or a force.
+    std::optional<double> gained_j;
+};
+
 // Of one participant; seconds are means over its ranks.
 struct LoadSummary {
     double working_s = 0;
@@ -84,6 +93,7 @@ struct Summary {
     std::optional<FluidSummary> fluid;
     std::optional<StructureSummary> structure;
     std::optional<BoundarySummary> immersed_boundary;
+    std::optional<EnergySummary> energy_audit;
     Named<std::int64_t> memory_bytes;  // by participant, all its ranks
     Named<double> probes;              // last values by column
     nlohmann::ordered_json extra = nlohmann::ordered_json::object();

@@ -344,6 +344,7 @@ void bind_keys(Io& io, Probes& probes) {
     io("integrals", probes.integrals);
     io("fluid", probes.fluid);
     io("interface_balance", probes.interface_balance);
+    io("energy_audit", probes.energy_audit);
 }
 
 template <class Io>

@@ -88,6 +88,16 @@ void check_integrals(const Scene& scene, const Marks& marks) {
     }
 }
 
+void check_energy_audit(const Scene& scene, const Marks& marks) {
+    if (!scene.probes->energy_audit) return;
+    const Origin where = marks.value({"probes", "energy_audit"});
+    if (scene.bodies.empty())
+        refuse(where, "energy_audit without bodies", "it with bodies only");
+    if (scene.time.equilibrium)
+        refuse(where, "energy_audit of a path of equilibria",
+               "it in runs with motion only");
+}
+
 void check_probes(const Scene& scene, const Marks& marks) {
     if (!scene.probes) return;
     const Probes& probes = *scene.probes;
@@ -114,6 +124,7 @@ void check_probes(const Scene& scene, const Marks& marks) {
         refuse(marks.value({"probes", "interface_balance"}),
                "interface_balance without bodies in a fluid",
                "it with bodies and a fluid only");
+    check_energy_audit(scene, marks);
     for (const PointProbe& point : probes.points) check_point(scene, point, marks);
     check_integrals(scene, marks);
 }

@@ -103,6 +103,8 @@ constexpr Effect effects[] = {
     {output, "probes", [](const Scene& s) { return s.probes.has_value(); }},
     {output, "interface balance",
      [](const Scene& s) { return s.probes && s.probes->interface_balance; }},
+    {output, "energy audit",
+     [](const Scene& s) { return s.probes && s.probes->energy_audit; }},
     {output, "structure fields",
      [](const Scene& s) { return s.output.structure.has_value(); }},
     {output, "fluid fields", [](const Scene& s) { return s.output.fluid.has_value(); }},

@@ -153,6 +153,8 @@ Field probes_fields() {
         choice<FluidQuantity>("fluid", "Columns for the fluid.").list().optional(),
         boolean("interface_balance", "Momentum and power given and received, in columns.")
             .or_default("false"),
+        boolean("energy_audit", "Energies, works and losses of all bodies and what the fluid "
+                "has of them, in columns, with the residual.").or_default("false"),
     });
 }
 

@@ -341,6 +341,7 @@ struct Probes {
     std::vector<IntegralProbe> integrals;  // by name
     std::vector<FluidQuantity> fluid;
     bool interface_balance = false;  // momentum and power given and received, each step
+    bool energy_audit = false;       // of all bodies, and the fluid's share
 };
 
 enum class FluidField { velocity, density, vorticity };

@@ -109,6 +109,8 @@ std::vector<std::string> fluid_columns(const scene::Scene& scene) {
         if (std::holds_alternative<scene::FluidPlane>(integral.over))
             add_plane(columns, integral.name);
     }
+    if (scene.fluid && scene.probes->energy_audit)
+        columns.emplace_back("audit.fluid_kinetic[J]");
     return columns;
 }
 

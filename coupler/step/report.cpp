@@ -177,6 +177,7 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         if (report.fluid) summary.fluid = report.fluid;
         if (report.immersed_boundary)
             summary.immersed_boundary = report.immersed_boundary;
+        if (report.energy_audit) summary.energy_audit = report.energy_audit;
         if (report.iterations) summary.iterations = report.iterations;
         if (report.structure) {
             summary.structure = report.structure;

@@ -25,6 +25,7 @@ struct ParticipantReport {
     std::optional<output::StructureSummary> structure;
     // Known to the structure, which leads: not in the text for the partner.
     std::optional<output::BoundarySummary> immersed_boundary;
+    std::optional<output::EnergySummary> energy_audit;
     // Of the side that leads, and so not among what is sent.
     std::optional<output::IterationSummary> iterations;
 };

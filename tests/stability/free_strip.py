@@ -27,7 +27,9 @@ def crossings(times, values):
 
 class Ringing:
     def __init__(self, elements):
-        probes = magfsi.good_run(SCENE, {"bodies.strip.mesh.box.elements": elements}).probes()
+        run = magfsi.good_run(SCENE, {"bodies.strip.mesh.box.elements": elements})
+        self.audit = run.summary()["energy_audit"]
+        probes = run.probes()
         free = [i for i, t in enumerate(probes["t[s]"]) if t > PULSE_S]
         rises = crossings([probes["t[s]"][i] for i in free],
                           [probes["strip.mid_rise[m]"][i] for i in free])
@@ -58,6 +60,7 @@ class FreeStrip(unittest.TestCase):
             # Seen: 2e-6. The work is summed with the velocities of the half steps, whose
             # error oscillates and does not grow.
             self.assertLess(run.residual, 1e-4)
+            self.assertLess(run.audit["residual"], 1e-4)
 
 
 if __name__ == "__main__":

@@ -86,6 +86,16 @@ TEST(ProbeColumns, of_the_interface_only_when_asked_for) {
               (Names{"interface.momentum_mismatch[1]", "interface.power_mismatch[1]"}));
 }
 
+TEST(ProbeColumns, the_fluids_share_of_the_energy_comes_last_of_its_columns) {
+    auto scene = robot_in_water();
+    scene.probes->fluid = {scene::FluidQuantity::mass};
+    scene.probes->energy_audit = true;
+    EXPECT_EQ(fluid_columns(scene), (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
+    scene.fluid.reset();
+    scene.probes->fluid.clear();
+    EXPECT_TRUE(fluid_columns(scene).empty());
+}
+
 TEST(ProbeColumns, none_without_probes) {
     auto scene = robot_in_water();
     scene.magnetic_field.emplace();

@@ -37,6 +37,7 @@ TEST(Defaults, of_the_table_are_those_of_the_structs) {
     EXPECT_FALSE(s.fluid->initial_velocity_m_s);
     EXPECT_FALSE(s.fluid->body_force_n_m3);
     EXPECT_FALSE(s.probes->interface_balance);
+    EXPECT_FALSE(s.probes->energy_audit);
     EXPECT_TRUE(s.probes->bodies.empty());
 }
 

@@ -16,7 +16,7 @@ TEST(Effects, of_a_swimmer) {
               (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
                      "immersed boundary", "buoyancy", "iterated forcing", "fluid",
                      "body force", "moving walls", "probes", "interface balance",
-                     "structure fields", "fluid fields", "checkpoint"}));
+                     "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "platform", "friction", "contact",
                      "rollers", "prescribed motion", "parallel scheme", "implicit scheme",
@@ -33,16 +33,18 @@ TEST(Effects, of_a_strip_on_a_platform) {
 TEST(Effects, of_a_solid) {
     const Scene s = read_scene(test_folder / "complete/turning.yaml");
     EXPECT_EQ(active_effects(s), (Names{"elasticity", "magnetic field"}));
-    EXPECT_EQ(effects_by_step(s),
-              (Names{"structure step: elasticity, magnetic field; absent: viscosity, "
-                     "field gradient, gravity, damping, platform, friction, contact, "
-                     "clamps, rollers, prescribed motion",
-                     "coupled step: none; absent: immersed boundary, buoyancy, iterated "
-                     "forcing, parallel scheme, implicit scheme",
-                     "fluid step: none; absent: fluid, body force, eddy viscosity, "
-                     "moving walls, free slip, inlets and outlets, obstacles",
-                     "outputs: none; absent: probes, interface balance, structure "
-                     "fields, fluid fields, checkpoint"}));
+    EXPECT_EQ(
+        effects_by_step(s),
+        (Names{
+            "structure step: elasticity, magnetic field; absent: viscosity, "
+            "field gradient, gravity, damping, platform, friction, contact, "
+            "clamps, rollers, prescribed motion",
+            "coupled step: none; absent: immersed boundary, buoyancy, iterated "
+            "forcing, parallel scheme, implicit scheme",
+            "fluid step: none; absent: fluid, body force, eddy viscosity, "
+            "moving walls, free slip, inlets and outlets, obstacles",
+            "outputs: none; absent: probes, interface balance, energy audit, structure "
+            "fields, fluid fields, checkpoint"}));
 }
 
 TEST(Effects, of_faces_that_are_held) {

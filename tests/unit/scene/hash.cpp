@@ -121,6 +121,7 @@ std::vector<std::string> changes() {
             "probes.points.tip.at=[3.6 mm, 0.75 mm, 0.0925 mm]",
             "probes.fluid=[mass]",
             "probes.interface_balance=false",
+            "probes.energy_audit=false",
             "probes=",
             "output.structure.every=2 ms",
             "output.structure=",

@@ -155,6 +155,7 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_EQ(s.probes->fluid,
               (std::vector{FluidQuantity::mass, FluidQuantity::enstrophy}));
     EXPECT_TRUE(s.probes->interface_balance);
+    EXPECT_TRUE(s.probes->energy_audit);
     EXPECT_EQ(s.output.structure->every_s, 1e-3);
     EXPECT_EQ(s.output.fluid->every_s, 2e-3);
     EXPECT_EQ(s.checkpoint->every_s, 5e-3);

@@ -82,9 +82,9 @@ void FixMagtticePlatform::declare_output() {
     scalar_flag = 1;
     extscalar = 1;
     vector_flag = 1;
-    size_vector = 7;
+    size_vector = 8;
     extvector = -1;
-    extlist = new int[7]{1, 1, 1, 0, 1, 1, 1};
+    extlist = new int[8]{1, 1, 1, 0, 1, 1, 1, 1};
     global_freq = 1;
     energy_global_flag = 1;
     thermo_energy = 1;
@@ -143,6 +143,7 @@ void FixMagtticePlatform::add_forces(double dt_s) {
         if (!(contact.gap_m < 0)) continue;
         normal_n_ += contact.normal_n;
         energy_j_ += contact.energy_j;
+        slid_j_ += contact.slid_j;
         for (std::size_t d = 0; d < 3; ++d) {
             f[i][d] += contact.force_n[d];
             force_n_[d] += contact.force_n[d];

@@ -28,6 +28,7 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
 
     double compute_scalar() override;       // energy of the springs
     double compute_vector(int i) override;  // see the documentation
+    void* extract(const char* name, int& dimension) override;
 
     // The stick points go with their atoms, over ranks and restarts.
     void grow_arrays(int count) override;
@@ -60,6 +61,7 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     // This rank's share, of the last evaluation.
     double normal_n_ = 0, energy_j_ = 0, smallest_gap_m_ = 0;
     Vec3 force_n_{};
+    double slid_j_ = 0;  // since the start
 };
 
 }  // namespace magfsi::structure

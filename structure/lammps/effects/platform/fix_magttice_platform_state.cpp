@@ -2,6 +2,7 @@
 #include "atom.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "structure/lammps/effects/platform/fix_magttice_platform.h"
 
@@ -34,10 +35,10 @@ double FixMagtticePlatform::compute_vector(int i) {
         MPI_Allreduce(&smallest_gap_m_, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
         return smallest;
     }
-    const std::array<double, 5> mine{normal_n_, energy_j_, force_n_[0], force_n_[1],
-                                     force_n_[2]};
-    std::array<double, 5> all{};
-    MPI_Allreduce(mine.data(), all.data(), 5, MPI_DOUBLE, MPI_SUM, world);
+    const std::array<double, 6> mine{normal_n_,   energy_j_,   force_n_[0],
+                                     force_n_[1], force_n_[2], slid_j_};
+    std::array<double, 6> all{};
+    MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_SUM, world);
     if (i == 0) return all[0];
     if (i == 2) return all[1];
     if (i > 3) return all[static_cast<std::size_t>(i - 2)];
@@ -47,6 +48,11 @@ double FixMagtticePlatform::compute_vector(int i) {
         squared += part * part;
     }
     return std::sqrt(squared);
+}
+
+void* FixMagtticePlatform::extract(const char* name, int& dimension) {
+    dimension = 0;
+    return std::strcmp(name, "lost_share") == 0 ? &slid_j_ : nullptr;
 }
 
 void FixMagtticePlatform::grow_arrays(int count) {

@@ -39,6 +39,7 @@ void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
     const double kept = std::min(1.0, most / length);
     if (kept < 1) {
         for (std::size_t d = 0; d < 3; ++d) stick.at_m[d] = x_m[d] - kept * slip[d];
+        out.slid_j = spring * kept * length * (1 - kept) * length;
     }
     for (std::size_t d = 0; d < 3; ++d) out.force_n[d] -= spring * kept * slip[d];
     out.energy_j += 0.5 * spring * kept * length * kept * length;

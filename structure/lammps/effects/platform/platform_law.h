@@ -16,6 +16,7 @@ struct PlatformContact {
     double normal_n = 0;  // never negative: the plane does not pull
     Vec3 force_n{};       // on the node, friction included
     double energy_j = 0;  // of the normal spring and the tangential one
+    double slid_j = 0;    // what dragging the stick point has cost
 };
 
 // One node of area A [m2]: normal force A (stiffness * penetration - damping * v.n), and

@@ -1,0 +1,168 @@
+#include "adapters/lammps/audit/energy_audit.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "adapters/bodies/fluid_inside.h"
+#include "adapters/bodies/scene_to_body.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+bool is_driven(const scene::Fluid& fluid) {
+    using enum scene::BoundaryKind;
+    return fluid.body_force_n_m3.has_value() ||
+           std::ranges::any_of(fluid.boundaries, [](const scene::Boundary& side) {
+               return side.kind == velocity_inlet || side.kind == pressure_outlet ||
+                      side.velocity_m_s != scene::Vec3{};
+           });
+}
+
+bool any_body(const scene::Scene& scene, bool (*test)(const scene::Body&)) {
+    return std::ranges::any_of(scene.bodies, test);
+}
+
+bool is_viscous(const scene::Body& body) {
+    return body.material.viscosity_pa_s ||
+           std::ranges::any_of(body.material_regions, [](const auto& region) {
+               return region.material.viscosity_pa_s.has_value();
+           });
+}
+
+bool is_moved(const scene::Body& body) {
+    return !body.prescribed_motion.empty();
+}
+
+double lost(const EnergyTerms& terms) {
+    return terms.lost_viscosity + terms.lost_drag + terms.lost_friction;
+}
+
+}  // namespace
+
+EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
+    : scene_(scene),
+      start_(std::move(start)),
+      whole_kg_(start_.mass_kg),
+      inside_kg_(start_.mass_kg.size()),
+      gravity_m_s2_(bodies::to_gravity(scene).value_or(bodies::Vec3{})) {
+    if (!scene.fluid) return;
+    driven_ = is_driven(*scene.fluid);
+    whole_kg_ = bodies::whole_masses_kg(scene);
+    inside_kg_ = bodies::inside_masses_kg(scene);
+}
+
+EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
+    Motion m;
+    for (std::size_t i = 0; i < state.mass_kg.size(); ++i) {
+        const Vec3& v = state.velocity_m_s[i];
+        const double half_square = 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const double once = whole_kg_[i] - inside_kg_[i];
+        m.kinetic_whole += whole_kg_[i] * half_square;
+        m.kinetic += once * half_square;
+        m.kinetic_nodes += state.mass_kg[i] * half_square;
+        double fallen = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            fallen +=
+                gravity_m_s2_[d] * (state.position_m[i][d] - start_.position_m[i][d]);
+        }
+        m.work_weight += once * fallen;
+        m.work_weight_nodes += state.mass_kg[i] * fallen;
+    }
+    return m;
+}
+
+double EnergyAudit::stored(const EnergyTerms& terms) const {
+    return terms.elastic + terms.platform + terms.contact;
+}
+
+std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
+                                                      const EnergyTerms& terms) const {
+    std::vector<Column> all;
+    const auto add = [&](bool there, const char* name, double value) {
+        if (there) all.push_back({std::string("audit.") + name + "[J]", value});
+    };
+    const double motion = terms.of_moved - record_.moved_at_start;
+    // What the enclosed fluid's force has done beside taking away its inertia and weight.
+    const double lag = terms.by_enclosed + (m.kinetic_nodes - m.kinetic) -
+                       (m.work_weight_nodes - m.work_weight);
+    const double residual = stored(terms) + m.kinetic_nodes - record_.stored_at_start -
+                            record_.nodes_at_start - terms.work_field -
+                            m.work_weight_nodes - motion - terms.by_fluid -
+                            terms.by_enclosed + lost(terms);
+    const bool in_fluid = scene_.fluid.has_value();
+    add(scene_.magnetic_field.has_value(), "work_field", terms.work_field);
+    add(scene_.gravity.has_value(), "work_weight", m.work_weight);
+    add(any_body(scene_, is_moved), "work_motion", motion);
+    add(true, "elastic", terms.elastic);
+    add(true, "kinetic_whole", m.kinetic_whole);
+    add(in_fluid, "kinetic", m.kinetic);
+    add(scene_.platform.has_value(), "platform", terms.platform);
+    add(scene_.contact.has_value(), "contact", terms.contact);
+    add(any_body(scene_, is_viscous), "lost_viscosity", terms.lost_viscosity);
+    add(scene_.damping.has_value(), "lost_drag", terms.lost_drag);
+    add(scene_.platform && scene_.platform->friction, "lost_friction",
+        terms.lost_friction);
+    add(in_fluid, "given_to_fluid", -terms.by_fluid);
+    add(in_fluid, "enclosed_lag", lag);
+    add(in_fluid, "lost_in_fluid",
+        -terms.by_fluid - (terms.fluid_kinetic - record_.fluid_at_start));
+    add(true, "residual", residual);
+    return all;
+}
+
+std::vector<std::string> EnergyAudit::columns() const {
+    std::vector<std::string> names;
+    for (Column& column : balance({}, {})) names.push_back(std::move(column.name));
+    return names;
+}
+
+std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms& terms) {
+    const Motion motion = motion_of(state);
+    if (record_.rows == 0) {
+        record_.stored_at_start = stored(terms);
+        record_.moved_at_start = terms.of_moved;
+        record_.nodes_at_start = motion.kinetic_nodes;
+        record_.fluid_at_start = terms.fluid_kinetic;
+    }
+    std::vector<double> values;
+    for (const Column& column : balance(motion, terms)) values.push_back(column.value);
+    note(motion, terms, values.back());
+    return values;
+}
+
+void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residual) {
+    const double moved = terms.of_moved - record_.moved_at_start;
+    for (const double part : {terms.work_field, m.work_weight, moved, terms.by_fluid,
+                              record_.stored_at_start + record_.nodes_at_start})
+        record_.work = std::max(record_.work, std::abs(part));
+    record_.residual = std::max(record_.residual, std::abs(residual));
+    const double unpaid = stored(terms) + m.kinetic + terms.fluid_kinetic + lost(terms) -
+                          terms.work_field - m.work_weight - moved;
+    record_.lowest = record_.rows == 0 ? unpaid : std::min(record_.lowest, unpaid);
+    record_.gained = std::max(record_.gained, unpaid - record_.lowest);
+    ++record_.rows;
+}
+
+output::EnergySummary EnergyAudit::summary() const {
+    output::EnergySummary summary;
+    summary.work_j = record_.work;
+    summary.residual_j = record_.residual;
+    if (!driven_) summary.gained_j = record_.gained;
+    return summary;
+}
+
+std::vector<double> EnergyAudit::carried() const {
+    const auto values =
+        std::bit_cast<std::array<double, sizeof(Record) / sizeof(double)>>(record_);
+    return {values.begin(), values.end()};
+}
+
+void EnergyAudit::set(std::span<const double> carried) {
+    std::array<double, sizeof(Record) / sizeof(double)> values{};
+    std::ranges::copy(carried.first(values.size()), values.begin());
+    record_ = std::bit_cast<Record>(values);
+}
+
+}  // namespace magfsi::lammps
