@@ -117,6 +117,8 @@ Json to_json(const Summary& summary) {
     out["waiting"] = object(summary.waiting);
     out["load"] = object(summary.load);
     if (summary.coupling_overhead) out["coupling_overhead"] = *summary.coupling_overhead;
+    if (summary.immersed_boundary_share)
+        out["immersed_boundary_share"] = *summary.immersed_boundary_share;
     out["advice"] = summary.advice;
     if (summary.iterations) out["iterations"] = object(*summary.iterations);
     if (summary.fluid) out["fluid"] = object(*summary.fluid);

@@ -87,8 +87,9 @@ struct Summary {
     Named<Named<double>> tasks;    // seconds by participant and task
     Named<Named<double>> waiting;  // of them, for the partner
     Named<LoadSummary> load;
-    std::optional<double> coupling_overhead;  // share of the wall time
-    std::string advice;                       // empty where there is none
+    std::optional<double> coupling_overhead;        // share of the steps' time
+    std::optional<double> immersed_boundary_share;  // the same
+    std::string advice;                             // empty where there is none
     std::optional<IterationSummary> iterations;
     std::optional<FluidSummary> fluid;
     std::optional<StructureSummary> structure;

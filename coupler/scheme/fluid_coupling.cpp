@@ -52,10 +52,9 @@ void FluidCoupling::add_turn(TaskList& tasks) {
     add_audit(tasks, [this] { return immersed_boundary_.received(); });
     add_advance(tasks);
     add_count(tasks);
-    tasks.add_coupling("sample velocities", [this] {
-        exchange_.send(session_.clock().step() - 1,
-                       immersed_boundary_.sample(batch_->now_m));
-    });
+    add_sampling(tasks);
+    tasks.add_coupling("send velocities",
+                       [this] { exchange_.send(session_.clock().step() - 1, sampled_); });
 }
 
 // Parallel: both do step n at once, then meet. The impulses of the structure's step act
@@ -66,8 +65,10 @@ void FluidCoupling::add_meeting(TaskList& tasks) {
     add_audit(tasks, [this] {
         return immersed_boundary_.received(immersed_boundary_.sampled_cells());
     });
-    tasks.add_coupling("sample velocities", [this] {
-        exchange_.send(session_.clock().step(), sample_forced(batch_->now_m));
+    tasks.add_immersed_boundary("sample velocities",
+                                [this] { sampled_ = sample_forced(batch_->now_m); });
+    tasks.add_coupling("send velocities", [this] {
+        exchange_.send(session_.clock().step(), sampled_);
         exchange_.finish_sending();
     });
     add_count(tasks);
@@ -79,9 +80,9 @@ void FluidCoupling::add_repeated_turn(TaskList& tasks) {
     const std::size_t first = tasks.size();
     add_reception(tasks);
     add_advance(tasks);
-    tasks.add_coupling("sample velocities", [this] {
-        exchange_.send({session_.clock().step(), iteration_},
-                       immersed_boundary_.sample(batch_->now_m));
+    add_sampling(tasks);
+    tasks.add_coupling("send velocities", [this] {
+        exchange_.send({session_.clock().step(), iteration_}, sampled_);
     });
     tasks.add_coupling("wait for verdict", [this] { hear_verdict(); });
     tasks.repeat_from(first, [this] { return again_; });
@@ -118,8 +119,14 @@ void FluidCoupling::add_reception(TaskList& tasks) {
     tasks.add_coupling("wait for structure", [this] {
         batch_ = &exchange_.receive({session_.clock().step(), iteration_});
     });
-    tasks.add_coupling("spread impulses", [this] {
+    tasks.add_immersed_boundary("spread impulses", [this] {
         immersed_boundary_.spread(batch_->before_m, batch_->impulse);
+    });
+}
+
+void FluidCoupling::add_sampling(TaskList& tasks) {
+    tasks.add_immersed_boundary("sample velocities", [this] {
+        sampled_ = immersed_boundary_.sample(batch_->now_m);
     });
 }
 

@@ -41,6 +41,7 @@ class FluidCoupling {
     void add_advance(TaskList& tasks);
     void add_count(TaskList& tasks);
     void add_reception(TaskList& tasks);
+    void add_sampling(TaskList& tasks);
     void add_iterations(TaskList& tasks);
     void add_audit(TaskList& tasks, std::function<InterfaceBalance()> received);
     void iterate_forcing();
@@ -54,6 +55,7 @@ class FluidCoupling {
     FluidSide immersed_boundary_;
     std::unique_ptr<BalanceRecord> balance_;
     const MarkerBatch* batch_ = nullptr;
+    std::span<const Vec3> sampled_;  // velocities at batch_->now_m
     std::int64_t advances_ = 0;
     // Of the implicit scheme:
     int iteration_ = 0;

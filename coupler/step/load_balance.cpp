@@ -84,19 +84,30 @@ std::string in_words(const Choice& now, const Choice& best, const Run& run) {
                        best.structure, best.fluid, best.gain);
 }
 
+double steps_of_both_s(const SideLoad& structure, const SideLoad& fluid) {
+    return std::min(structure.steps_s, fluid.steps_s);
+}
+
 }  // namespace
 
 double coupling_overhead(Scheme scheme, const SideLoad& structure,
                          const SideLoad& fluid) {
-    const double steps_s = std::min(structure.steps_s, fluid.steps_s);
+    const double steps_s = steps_of_both_s(structure, fluid);
     if (steps_s <= 0) return 0;
+    const double structure_s = structure.solver_s + structure.immersed_boundary_s;
+    const double fluid_s = fluid.solver_s + fluid.immersed_boundary_s;
     // Outputs of the two sides overlap in either scheme.
-    const double needed_s = in_turns(scheme)
-                                ? structure.solver_s + fluid.solver_s +
-                                      std::max(structure.output_s, fluid.output_s)
-                                : std::max(structure.solver_s + structure.output_s,
-                                           fluid.solver_s + fluid.output_s);
+    const double needed_s =
+        in_turns(scheme)
+            ? structure_s + fluid_s + std::max(structure.output_s, fluid.output_s)
+            : std::max(structure_s + structure.output_s, fluid_s + fluid.output_s);
     return std::max(0.0, 1 - needed_s / steps_s);
+}
+
+double immersed_boundary_share(const SideLoad& structure, const SideLoad& fluid) {
+    const double steps_s = steps_of_both_s(structure, fluid);
+    if (steps_s <= 0) return 0;
+    return (structure.immersed_boundary_s + fluid.immersed_boundary_s) / steps_s;
 }
 
 std::optional<std::string> advice(Scheme scheme, const SideLoad& structure,

@@ -36,39 +36,49 @@ output::StructureSummary structure_from(const Json& json) {
 }
 
 Json to_json(const SideLoad& load) {
-    return {load.ranks,    load.working_s, load.waiting_s, load.solver_s,
-            load.output_s, load.imbalance, load.steps_s,   load.most_ranks};
+    return {load.ranks,
+            load.working_s,
+            load.waiting_s,
+            load.solver_s,
+            load.immersed_boundary_s,
+            load.output_s,
+            load.imbalance,
+            load.steps_s,
+            load.most_ranks};
 }
 
 SideLoad load_from(const Json& json) {
-    return {json.at(0), json.at(1), json.at(2), json.at(3),
-            json.at(4), json.at(5), json.at(6), json.at(7)};
+    return {json.at(0), json.at(1), json.at(2), json.at(3), json.at(4),
+            json.at(5), json.at(6), json.at(7), json.at(8)};
 }
 
 SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double idle_s) {
     enum { working, waiting, solver, output, steps, values };
     std::array<double, values> mine{};
+    double immersed_boundary_s = 0;
     for (const TaskTime& task : tasks) {
         const double work_s = task.seconds - task.waiting_s;
         mine[working] += work_s;
         mine[waiting] += task.waiting_s;
         mine[steps] += task.seconds;
         if (task.kind == TaskKind::solver) mine[solver] += work_s;
+        if (task.kind == TaskKind::immersed_boundary) immersed_boundary_s += work_s;
         if (task.kind == TaskKind::output) mine[output] += work_s;
     }
     mine[working] -= idle_s;
-    double most_s = mine[working];
+    std::array<double, 2> most_s{mine[working], immersed_boundary_s};
     // Ranks wait for each other inside the solver: for the one that still samples and
     // spreads, which itself waits least.
     double least_solver_s = mine[solver];
     std::array<double, values> all = mine;
     MPI_Allreduce(MPI_IN_PLACE, all.data(), values, MPI_DOUBLE, MPI_SUM, world.local());
-    MPI_Allreduce(MPI_IN_PLACE, &most_s, 1, MPI_DOUBLE, MPI_MAX, world.local());
+    MPI_Allreduce(MPI_IN_PLACE, most_s.data(), 2, MPI_DOUBLE, MPI_MAX, world.local());
     MPI_Allreduce(MPI_IN_PLACE, &least_solver_s, 1, MPI_DOUBLE, MPI_MIN, world.local());
     for (double& value : all) value /= world.size();
-    SideLoad load{world.size(), all[working], all[waiting], least_solver_s, all[output]};
+    SideLoad load{world.size(),   all[working], all[waiting],
+                  least_solver_s, most_s[1],    all[output]};
     load.steps_s = all[steps];
-    if (all[working] > 0) load.imbalance = most_s / all[working];
+    if (all[working] > 0) load.imbalance = most_s[0] / all[working];
     return load;
 }
 
@@ -77,6 +87,7 @@ void add_balance(const Session& session, output::Summary& summary,
                  const ParticipantReport& structure, const ParticipantReport& fluid) {
     const scene::Scheme scheme = session.scene().coupling->scheme;
     summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
+    summary.immersed_boundary_share = immersed_boundary_share(structure.load, fluid.load);
     const auto cores = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
     const auto better = advice(scheme, structure.load, fluid.load, summary.wall_s, cores);
     if (!better) return;

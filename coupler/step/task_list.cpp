@@ -8,6 +8,10 @@ void TaskList::add(std::string name, std::function<void()> work) {
     tasks_.push_back({std::move(name), std::move(work), TaskKind::solver});
 }
 
+void TaskList::add_immersed_boundary(std::string name, std::function<void()> work) {
+    tasks_.push_back({std::move(name), std::move(work), TaskKind::immersed_boundary});
+}
+
 void TaskList::add_coupling(std::string name, std::function<void()> work) {
     tasks_.push_back({std::move(name), std::move(work), TaskKind::coupling});
 }

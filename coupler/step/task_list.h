@@ -11,7 +11,7 @@
 namespace magfsi::coupler {
 
 // Whose work a task is, for the coupling's overhead.
-enum class TaskKind { solver, coupling, output };
+enum class TaskKind { solver, immersed_boundary, coupling, output };
 
 struct TaskTime {
     std::string name;
@@ -23,7 +23,8 @@ struct TaskTime {
 class TaskList {
   public:
     void add(std::string name, std::function<void()> work);  // of the solver
-    void add_coupling(std::string name, std::function<void()> work);
+    void add_immersed_boundary(std::string name, std::function<void()> work);
+    void add_coupling(std::string name, std::function<void()> work);  // exchange, waiting
     void add_output(std::string name, std::function<void()> work);
 
     // The tasks from number `first` on up to here are done again as long as `again` says

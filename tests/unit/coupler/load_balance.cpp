@@ -35,6 +35,10 @@ TEST(LoadBalance, overhead_is_what_neither_solver_needs) {
     structure.output_s = 0.2;
     fluid.output_s = 0.5;
     EXPECT_NEAR(coupling_overhead(Scheme::serial, structure, fluid), 0.05, 1e-12);
+    // Markers and cells are work that the method asks for.
+    fluid.immersed_boundary_s = 0.4;
+    EXPECT_NEAR(coupling_overhead(Scheme::serial, structure, fluid), 0.01, 1e-12);
+    EXPECT_NEAR(immersed_boundary_share(structure, fluid), 0.04, 1e-12);
     fluid.steps_s = 5;
     EXPECT_EQ(coupling_overhead(Scheme::serial, structure, fluid), 0);
 }
