@@ -1,5 +1,6 @@
 #include "fluid_lbm/fluid.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "fluid_lbm/boundary/opening.h"
@@ -295,8 +296,13 @@ void Fluid::set_populations(int plane, std::span<const double> values) {
 }
 
 Totals Fluid::totals() const {
-    return fluid::totals(state_->comm.get(), state_->solver, units(state_->config),
-                         state_->lattice.wall_velocity);
+    return fluid::totals(state_->comm.get(), state_->solver, units(state_->config));
+}
+
+double Fluid::enstrophy_1_s2() const {
+    return mean_enstrophy(state_->comm.get(), state_->solver,
+                          state_->lattice.wall_velocity) /
+           std::pow(state_->config.time_step_s, 2);
 }
 
 PlaneFlow Fluid::plane_flow(int axis, double at_m) const {

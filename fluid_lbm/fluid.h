@@ -68,7 +68,6 @@ struct Totals {  // over all ranks, without the insides of obstacles
     double mass_kg = 0;
     Vec3 momentum_kg_m_s{};
     double kinetic_energy_j = 0;
-    double enstrophy_1_s2 = 0;  // mean of |curl u|^2 / 2
     double max_speed_m_s = 0;
 };
 
@@ -144,6 +143,9 @@ class Fluid {
     void set_populations(int plane, std::span<const double> values);
 
     Totals totals() const;  // collective
+    // Mean of |curl u|^2 / 2 over the fluid. Collective; while it runs a copy of the
+    // velocity is held, three doubles a cell.
+    double enstrophy_1_s2() const;
     // Of the plane across `axis` (0 x, 1 y, 2 z) at a coordinate in the box. Collective.
     PlaneFlow plane_flow(int axis, double at_m) const;
     // Force [N] of the fluid on each obstacle during the last step, in the order of the

@@ -57,12 +57,13 @@ ForceAxes force_axes(const scene::Fluid& fluid) {
 }
 
 std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& fluid) {
-    // A sweep over all cells: not for the forces on obstacles alone.
-    const auto over_cells = [](auto quantity) {
-        return quantity != scene::FluidQuantity::obstacle_force;
+    // A sweep over all cells: only for what is summed over them.
+    const auto is_sum = [](auto quantity) {
+        return quantity != scene::FluidQuantity::obstacle_force &&
+               quantity != scene::FluidQuantity::enstrophy;
     };
-    const bool sums = scene.probes->energy_audit ||
-                      std::ranges::any_of(scene.probes->fluid, over_cells);
+    const bool sums =
+        scene.probes->energy_audit || std::ranges::any_of(scene.probes->fluid, is_sum);
     const fluid::Totals totals = sums ? fluid.totals() : fluid::Totals{};
     std::vector<double> values;
     for (const auto quantity : scene.probes->fluid) {
@@ -71,7 +72,7 @@ std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& 
                 values.push_back(totals.kinetic_energy_j);
                 break;
             case scene::FluidQuantity::enstrophy:
-                values.push_back(totals.enstrophy_1_s2);
+                values.push_back(fluid.enstrophy_1_s2());
                 break;
             case scene::FluidQuantity::mass:
                 values.push_back(totals.mass_kg);

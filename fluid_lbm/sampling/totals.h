@@ -10,7 +10,10 @@
 namespace magfsi::fluid {
 
 // Collective.
-Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit,
-              const std::array<Vec3, 6>& lattice_wall_velocity);
+Totals totals(MPI_Comm comm, const Solver& solver, const Units& unit);
+
+// Mean of |curl u|^2 / 2, lattice units. Collective.
+double mean_enstrophy(MPI_Comm comm, const Solver& solver,
+                      const std::array<Vec3, 6>& lattice_wall_velocity);
 
 }  // namespace magfsi::fluid

@@ -100,6 +100,35 @@ double VelocityField::enstrophy(int x, int y, int z,
     return 0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
+double VelocityField::enstrophy_of_row(int y, int z,
+                                       const std::array<Vec3, 6>& wall_velocity) const {
+    const Crossing south = cross(y - 1, layout_.ny, layout_.beyond_y),
+                   north = cross(y + 1, layout_.ny, layout_.beyond_y),
+                   below = cross(z - 1, layout_.nz, layout_.beyond_z),
+                   above = cross(z + 1, layout_.nz, layout_.beyond_z);
+    const bool at_wall = south.wall || north.wall || below.wall || above.wall;
+    double sum = 0;
+    // The row's ends, and all of it beside a wall, with their cases.
+    for (int x = 0; x < layout_.nx; ++x) {
+        if (at_wall || x == 0 || x == layout_.nx - 1)
+            sum += enstrophy(x, y, z, wall_velocity);
+    }
+    if (at_wall) return sum;
+    const double* const u = at(0, y, z);
+    const double* const s = at(0, south.index, z);
+    const double* const n = at(0, north.index, z);
+    const double* const b = at(0, y, below.index);
+    const double* const a = at(0, y, above.index);
+    for (int x = 1; x < layout_.nx - 1; ++x) {
+        const int i = 3 * x;
+        const double wx = (n[i + 2] - s[i + 2]) - (a[i + 1] - b[i + 1]);
+        const double wy = (a[i] - b[i]) - (u[i + 5] - u[i - 1]);
+        const double wz = (u[i + 4] - u[i - 2]) - (n[i] - s[i]);
+        sum += 0.125 * (wx * wx + wy * wy + wz * wz);
+    }
+    return sum;
+}
+
 VelocityField sample_velocity(MPI_Comm comm, const Solver& solver) {
     const RowLayout& layout = solver.layout();
     VelocityField field(layout, solver.open_sides());

@@ -38,6 +38,10 @@ class VelocityField {
     double enstrophy(int x, int y, int z,
                      const std::array<std::array<double, 3>, 6>& wall_velocity) const;
 
+    // Its sum over the cells of a row, none of them solid.
+    double enstrophy_of_row(
+        int y, int z, const std::array<std::array<double, 3>, 6>& wall_velocity) const;
+
   private:
     std::size_t offset(int x, int y, int z) const;
     std::array<double, 3> derivative(

@@ -68,7 +68,7 @@ Course run(int n, int steps_a_sample, Collision collision,
     for (int i = 0; i < samples; ++i) {
         const Totals totals = fluid.totals();
         course.energy.push_back(totals.kinetic_energy_j / totals.mass_kg);
-        course.dissipation.push_back(2 * viscosity * totals.enstrophy_1_s2);
+        course.dissipation.push_back(2 * viscosity * fluid.enstrophy_1_s2());
         for (int step = 0; step < steps_a_sample; ++step) fluid.step();
     }
     return course;
