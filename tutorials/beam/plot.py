@@ -10,24 +10,21 @@ and against its number of elements, for meshes and element variants. FOLDER/shap
 scene.yaml, FOLDER/sweep.csv has the rest. Seconds are processor time, so that a busy machine
 counts little.
 """
-import argparse
 import csv
 import json
-import os
 import pathlib
 import resource
-import subprocess
 import sys
-import xml.etree.ElementTree
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import vtk
 from matplotlib.collections import PolyCollection
-from vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 LENGTH_M = 17.5e-3
@@ -47,19 +44,10 @@ MESHES = {
 }
 
 
-def program():
-    folder = os.environ.get("MAGFSI_BIN")
-    return pathlib.Path(folder) / "magfsi" if folder else HERE.parent.parent / "magfsi"
-
-
 def run(folder, **settings):
     """A run of the scene; its processor time in seconds."""
-    words = [w for key, value in settings.items() for w in ("--set", f"{key}={value}")]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = subprocess.run([program(), "run", HERE / "scene.yaml", "--out", folder, *words],
-                          capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{folder}: {done.stdout}{done.stderr}")
+    results.run(HERE / "scene.yaml", folder, [f"{k}={v}" for k, v in settings.items()])
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
@@ -107,21 +95,8 @@ def make_runs(folder, reference):
                 print(f"{element} {mesh}: {error:.2f} %, {seconds:.2f} s", flush=True)
 
 
-def side_view_mm(path):
-    """The outer faces of a body, projected on the x-z plane: an array (faces, 4, 2)."""
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
-    surface.Update()
-    skin = surface.GetOutput()
-    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-    return 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[faces][:, :, [0, 2]]
-
-
 def frame_at(folder, gamma):
-    entries = [(GAMMA_END * float(e.get("timestep")), folder / e.get("file"))
-               for e in xml.etree.ElementTree.parse(folder / "structure.pvd").iter("DataSet")]
+    entries = [(GAMMA_END * time_s, file) for time_s, file in results.frames(folder)]
     return min(entries, key=lambda entry: abs(entry[0] - gamma))
 
 
@@ -135,7 +110,7 @@ def draw_shapes(axes, folder):
         shown, file = frame_at(folder, gamma)
         if abs(shown - gamma) > 1e-6:
             sys.exit(f"{folder} has no frame at gamma {gamma:g}; see output in scene.yaml")
-        faces = side_view_mm(file)
+        faces = results.side_view_mm(file)
         axes.add_collection(PolyCollection(faces, facecolors="0.6", edgecolors=INK,
                                            linewidths=0.25))
         end = faces.reshape(-1, 2)
@@ -237,11 +212,7 @@ def draw(folder, reference, out):
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--run", action="store_true")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
-    chosen = options.parse_args()
+    chosen = results.figure_options(__doc__)
     reference = read_table(HERE / "reference.csv")
     if chosen.run:
         chosen.folder.mkdir(parents=True, exist_ok=True)

@@ -7,55 +7,48 @@
 (a) side views at 20 mT; (b) heading of the strip against the field for four weights; (c) heading
 of its middle under 1 g with other meshes, friction and field directions.
 """
-import argparse
 import csv
-import os
 import pathlib
-import subprocess
-import xml.etree.ElementTree
+import sys
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import vtk
 from matplotlib.collections import PolyCollection
-from vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 WEIGHTS = {"0g": "0 g", "half": "g/2", "1g": "1 g", "2g": "2 g"}
-COARSE = ["--set", "probes.every=1 s", "--set", "output="]
+COARSE = ["probes.every=1 s", "output="]
 RUNS = {
     "0g": ["weightless.yaml"],
-    "half": ["scene.yaml", "--set", "gravity.acceleration=4.905 m/s2"],
+    "half": ["scene.yaml", "gravity.acceleration=4.905 m/s2"],
     "1g": ["scene.yaml"],
-    "2g": ["scene.yaml", "--set", "gravity.acceleration=19.62 m/s2"],
-    "fine": ["scene.yaml", "--set", "bodies.strip.mesh.box.elements=[40, 4, 1]", *COARSE],
-    "wide": ["scene.yaml", "--set", "bodies.strip.mesh.box.elements=[20, 8, 1]", *COARSE],
-    "smooth": ["scene.yaml", "--set", "platform.friction=", *COARSE],
-    "at130": ["scene.yaml", "--set", "magnetic_field.table.direction=130 deg", *COARSE],
-    "at140": ["scene.yaml", "--set", "magnetic_field.table.direction=140 deg", *COARSE],
+    "2g": ["scene.yaml", "gravity.acceleration=19.62 m/s2"],
+    "fine": ["scene.yaml", "bodies.strip.mesh.box.elements=[40, 4, 1]", *COARSE],
+    "wide": ["scene.yaml", "bodies.strip.mesh.box.elements=[20, 8, 1]", *COARSE],
+    "smooth": ["scene.yaml", "platform.friction=", *COARSE],
+    "at130": ["scene.yaml", "magnetic_field.table.direction=130 deg", *COARSE],
+    "at140": ["scene.yaml", "magnetic_field.table.direction=140 deg", *COARSE],
 }
 STANDING_DEG = 30  # the heading jumps from about 13 to 50 degrees or more
 INK, GREY = "0.1", "0.45"
 
 
 def run_all(runs):
-    program = os.environ.get("MAGFSI_BIN")
-    program = pathlib.Path(program) / "magfsi" if program else HERE.parents[1] / "magfsi"
     for name, (scene, *settings) in RUNS.items():
-        subprocess.run([str(program), "run", str(HERE / scene), "--out", str(runs / name),
-                        *settings], check=True)
+        print(results.run(HERE / scene, runs / name, settings), flush=True)
 
 
 class Path:
     """Headings along a path of rising field."""
 
     def __init__(self, run):
-        with open(run / "probes.csv", newline="") as file:
-            names, *rows = list(csv.reader(file))
-        self.probes = dict(zip(names, np.array(rows, dtype=float).T))
+        self.probes = results.read_columns(run / "probes.csv")
         self.field_mt = 1e3 * self.probes["field[T]"]
         self.heading = self.angle_deg("left", "right")
         self.middle = self.angle_deg("before", "after")
@@ -82,18 +75,7 @@ def read_reference():
 
 def side_view_mm(run):
     """Outer faces of the last state in the x-z plane, its middle at x = 0: (faces, 4, 2)."""
-    files = [e.get("file") for e in
-             xml.etree.ElementTree.parse(run / "structure.pvd").iter("DataSet")]
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(run / files[-1]))
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
-    surface.Update()
-    skin = surface.GetOutput()
-    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-    points = 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[:, [0, 2]]
-    points[:, 0] -= 0.5 * (points[:, 0].min() + points[:, 0].max())
-    return points[faces]
+    return results.centred(results.side_view_mm(results.frames(run)[-1][1]), [0])
 
 
 def draw_views(axes, runs):
@@ -174,11 +156,7 @@ def report(paths):
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--run", action="store_true", help="make the runs first")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
-    chosen = options.parse_args()
+    chosen = results.figure_options(__doc__)
     if chosen.run:
         run_all(chosen.folder)
     paths = {name: Path(chosen.folder / name) for name in RUNS}

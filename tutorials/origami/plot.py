@@ -7,12 +7,9 @@
 (a) the folded plate; (b) magnetic forces on the nodes of the flat plate; (c) the angles between
 neighbouring cells against the mesh.
 """
-import argparse
 import csv
-import os
 import pathlib
-import subprocess
-import xml.etree.ElementTree
+import sys
 
 import matplotlib
 
@@ -22,6 +19,9 @@ import numpy as np
 import vtk
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 CELLS = 4
@@ -36,25 +36,19 @@ def folder_of(runs, mesh):
 
 
 def run_all(runs):
-    program = os.environ.get("MAGFSI_BIN")
-    program = pathlib.Path(program) / "magfsi" if program else HERE.parents[1] / "magfsi"
     for mesh in STUDY:
         elements = f"[{mesh[0]}, {mesh[0]}, {mesh[1]}]"
-        subprocess.run([str(program), "run", str(HERE / "scene.yaml"), "--out",
-                        str(folder_of(runs, mesh)), "--set",
-                        f"bodies.plate.mesh.oblique.elements={elements}",
-                        "--set", "probes.every=500 ms",
-                        "--set", "output.structure.every=500 ms"], check=True)
+        print(results.run(HERE / "scene.yaml", folder_of(runs, mesh),
+                          [f"bodies.plate.mesh.oblique.elements={elements}",
+                           "probes.every=500 ms", "output.structure.every=500 ms"]), flush=True)
 
 
 class Plate:
     """Last state of a run: nodes as arrays (layer, row, column, 3)."""
 
     def __init__(self, run, mesh):
-        files = [e.get("file") for e in
-                 xml.etree.ElementTree.parse(run / "structure.pvd").iter("DataSet")]
         reader = vtk.vtkXMLUnstructuredGridReader()
-        reader.SetFileName(str(run / files[-1]))
+        reader.SetFileName(str(results.frames(run)[-1][1]))
         reader.Update()
         grid = reader.GetOutput()
         self.n, self.layers = mesh
@@ -253,11 +247,7 @@ def report(plates):
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--run", action="store_true", help="make the runs first")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
-    chosen = options.parse_args()
+    chosen = results.figure_options(__doc__)
     if chosen.run:
         run_all(chosen.folder)
     plates = {mesh: Plate(folder_of(chosen.folder, mesh), mesh) for mesh in STUDY

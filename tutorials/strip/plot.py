@@ -7,23 +7,19 @@
 The run of each direction is in FOLDER/DIRECTION, in degrees. Each panel has the shape at 20 mT
 (dark) and at 5 mT (pale) on the ground, with the field's direction and the measures at 20 mT.
 """
-import argparse
-import csv
 import math
-import os
 import pathlib
-import subprocess
 import sys
-import xml.etree.ElementTree
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import vtk
 from matplotlib.collections import PolyCollection
-from vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 LENGTH_MM = 3.7
@@ -32,53 +28,25 @@ SHADES = ((0.005, "0.78"), (0.02, "0.1"))  # fields in T, the last one measured
 GREY = "0.45"
 
 
-def program():
-    folder = os.environ.get("MAGFSI_BIN")
-    return pathlib.Path(folder) / "magfsi" if folder else HERE.parent.parent / "magfsi"
-
-
 def make_runs(folder):
     for direction in DIRECTIONS:
-        done = subprocess.run([program(), "run", HERE / "scene.yaml", "--out",
-                               folder / str(direction), "--set",
-                               f"magnetic_field.table.direction={direction} deg"],
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{direction} degrees: {done.stdout}{done.stderr}")
-        print(direction, done.stdout.splitlines()[-1], flush=True)
-
-
-def read_probes(path):
-    with open(path, newline="") as file:
-        names, *rows = list(csv.reader(file))
-    return dict(zip(names, np.array(rows, dtype=float).T))
-
-
-def side_view_mm(path):
-    """The outer faces of a body, projected on the x-z plane: an array (faces, 4, 2)."""
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
-    surface.Update()
-    skin = surface.GetOutput()
-    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-    return 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[faces][:, :, [0, 2]]
+        last = results.run(HERE / "scene.yaml", folder / str(direction),
+                           [f"magnetic_field.table.direction={direction} deg"])
+        print(direction, last, flush=True)
 
 
 class Shape:
     """Side views of a run at the fields of SHADES and its measures at the last of them."""
 
     def __init__(self, folder):
-        probes = read_probes(folder / "probes.csv")
-        series = [(float(e.get("timestep")), folder / e.get("file")) for e in
-                  xml.etree.ElementTree.parse(folder / "structure.pvd").iter("DataSet")]
+        probes = results.read_columns(folder / "probes.csv")
+        series = results.frames(folder)
         self.views = []
         for field, shade in SHADES:
             row = int(np.abs(probes["field[T]"] - field).argmin())
             time = probes["t[s]"][row]
             file = min(series, key=lambda entry: abs(entry[0] - time))[1]
-            self.views.append((side_view_mm(file), shade))
+            self.views.append((results.side_view_mm(file), shade))
         self.end_to_end = 1e3 * probes["strip.end_to_end[m]"][row] / LENGTH_MM
         self.rise = 1e3 * probes["strip.mid_rise[m]"][row] / LENGTH_MM
         self.bend_deg = math.degrees(probes["strip.bend[rad]"][row])
@@ -133,11 +101,7 @@ def draw(folder, out):
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--run", action="store_true")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
-    chosen = options.parse_args()
+    chosen = results.figure_options(__doc__)
     if chosen.run:
         chosen.folder.mkdir(parents=True, exist_ok=True)
         make_runs(chosen.folder)

@@ -25,6 +25,9 @@ import plot
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
+
 HERE = pathlib.Path(__file__).resolve().parent
 TOP = HERE.parents[1]
 LATTICE_SPEED = 0.05  # of the scene
@@ -37,12 +40,12 @@ INSTANTS = 9
 class Run:
     def __init__(self, solver, spacing_mm, folder):
         self.solver, self.spacing_mm, self.folder = solver, spacing_mm, folder
-        self.probes = plot.read_probes(folder / "probes.csv")
+        self.probes = results.read_columns(folder / "probes.csv")
         self.summary = json.loads((folder / "summary.json").read_text())
         self.time_ms = 1e3 * self.probes["t[s]"]
 
     def at(self, name, time_ms):
-        return np.interp(time_ms, self.time_ms, plot.column(self.probes, name))
+        return np.interp(time_ms, self.time_ms, results.column(self.probes, name))
 
     def rise_mm(self):
         return 1e3 * (self.at("robot.com_z[m]", self.time_ms[-1])
@@ -73,10 +76,10 @@ def start(solver, spacing_mm, chosen):
 
 
 def outline(axes, run, chosen_ms, pitch_mm):
-    frames = plot.nearest_frames(plot.read_series(run.folder / "structure.pvd"),
+    frames = plot.nearest_frames(results.frames(run.folder),
                                  1e-3 * chosen_ms)
     for i, (time_s, file) in enumerate(frames):
-        faces = plot.side_view_mm(file)
+        faces = results.side_view_mm(file)
         centre = 1e3 * run.at("robot.com_x[m]", 1e3 * time_s)
         for face in faces - [centre - i * pitch_mm, 0]:
             axes.plot(*np.append(face, face[:1], axis=0).T, lw=0.5, color=COLORS[run.solver])
@@ -94,7 +97,7 @@ def draw_gait(axes, runs, end_ms):
 
 def draw_course(axes, runs, name, factor, label, finest_mm):
     for run in runs:
-        axes.plot(run.time_ms, factor * plot.column(run.probes, name),
+        axes.plot(run.time_ms, factor * results.column(run.probes, name),
                   color=COLORS[run.solver], lw=1.2 if run.spacing_mm == finest_mm else 0.7,
                   ls="-" if run.spacing_mm == finest_mm else "--", label=run.label())
     axes.set(xlabel="time [ms]", ylabel=label)
@@ -104,7 +107,7 @@ def draw_course(axes, runs, name, factor, label, finest_mm):
 def speed_slice(run, time_ms):
     """Speed [m/s] in the middle plane y = 4 mm, [z][x], at the stored instant nearest to the
     wanted one, and that instant."""
-    series = plot.read_series(run.folder / "fluid.pvd")
+    series = results.frames(run.folder, "fluid.pvd")
     time_s, file = plot.nearest_frames(series, [1e-3 * time_ms])[0]
     reader = vtk.vtkXMLPImageDataReader()
     reader.SetFileName(str(file))

@@ -8,19 +8,18 @@
     that of a finer run (reference.csv of this folder, given with --reference).
 """
 import argparse
-import csv
 import pathlib
 import sys
-import xml.etree.ElementTree
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import vtk
 from matplotlib.collections import PolyCollection
-from vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 INSTANTS = 9  # both ends of the period: the same phase twice shows the net rise
 INK, GREY, PALE = "0.1", "0.45", "0.9"
@@ -34,38 +33,6 @@ def seconds(text):
     if unit.strip() not in factors:
         raise argparse.ArgumentTypeError(f"'{text}': write a time as '40 ms' or '0.04 s'")
     return float(number) * factors[unit.strip()]
-
-
-def read_probes(path):
-    """Columns by name, as arrays; lines of comment begin with #."""
-    with open(path, newline="") as file:
-        names, *rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    values = np.array(rows, dtype=float).reshape(-1, len(names))
-    return dict(zip(names, values.T))
-
-
-def column(probes, name):
-    if name not in probes:
-        sys.exit(f"probes.csv has no column '{name}'; it has {', '.join(probes)}")
-    return probes[name]
-
-
-def read_series(path):
-    """[(time, file)] of a .pvd collection."""
-    entries = xml.etree.ElementTree.parse(path).iter("DataSet")
-    return [(float(e.get("timestep")), path.parent / e.get("file")) for e in entries]
-
-
-def side_view_mm(path):
-    """The outer faces of a body, projected on the x-z plane: an array (faces, 4, 2)."""
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
-    surface.Update()
-    skin = surface.GetOutput()
-    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-    return 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[faces][:, :, [0, 2]]
 
 
 def last_period(time_s, period_s):
@@ -91,8 +58,8 @@ class Row:
         self.start_s, self.period_s = start_s, period_s
         self.times = np.array([time for time, _ in frames])
         centre = 1e3 * np.interp(self.times, probes["t[s]"],
-                                 column(probes, f"{body}.com_x[m]"))
-        self.views = [side_view_mm(file) - [x, 0] for (_, file), x in zip(frames, centre)]
+                                 results.column(probes, f"{body}.com_x[m]"))
+        self.views = [results.side_view_mm(file) - [x, 0] for (_, file), x in zip(frames, centre)]
         reach = max(np.abs(view[:, :, 0]).max() for view in self.views)
         pitch = 2 * reach + 0.45  # mm between neighbours, so that they never touch
         self.mm_per_s = pitch * (INSTANTS - 1) / period_s
@@ -116,7 +83,7 @@ def clean(axes, *hidden):
 
 def draw_field(axes, probes, row):
     end_s = row.start_s + row.period_s
-    field = 1e3 * column(probes, "field[T]")
+    field = 1e3 * results.column(probes, "field[T]")
     time = probes["t[s]"]
     inside = (time >= row.start_s - 1e-9) & (time <= end_s + 1e-9)
     axes.axhline(0, color=GREY, lw=0.5)
@@ -132,7 +99,7 @@ def draw_field(axes, probes, row):
 def draw_views(axes, probes, body, row):
     time = probes["t[s]"]
     inside = (time >= row.start_s - 1e-9) & (time <= row.start_s + row.period_s + 1e-9)
-    height = 1e3 * column(probes, f"{body}.com_z[m]")
+    height = 1e3 * results.column(probes, f"{body}.com_z[m]")
     axes.plot(row.x(time[inside]), height[inside], color="0.6", lw=0.8, zorder=1)
     for time_s, view in zip(row.times, row.views):
         axes.axvline(row.x(time_s), color=PALE, lw=0.6, zorder=0)
@@ -157,13 +124,13 @@ def draw_views(axes, probes, body, row):
 
 def draw_height(axes, probes, body, row, reference):
     time_ms = 1e3 * probes["t[s]"]
-    height = 1e3 * column(probes, f"{body}.com_z[m]")
+    height = 1e3 * results.column(probes, f"{body}.com_z[m]")
     period_ms = 1e3 * row.period_s
     marks = np.arange(time_ms[0], time_ms[-1] + 1e-6 * period_ms, period_ms)
     at_marks = np.interp(marks, time_ms, height)
     highest = height.max()
     if reference:
-        highest = max(highest, 1e3 * column(reference, f"{body}.com_z[m]").max())
+        highest = max(highest, 1e3 * results.column(reference, f"{body}.com_z[m]").max())
     top = highest + 0.22 * np.ptp(height)
     start_ms = 1e3 * row.start_s
     axes.axvspan(start_ms, start_ms + period_ms, color="0.93", lw=0)
@@ -172,7 +139,7 @@ def draw_height(axes, probes, body, row, reference):
     for mark in marks:
         axes.axvline(mark, color="0.75", lw=0.6)
     if reference:
-        fine_ms, fine = 1e3 * reference["t[s]"], 1e3 * column(reference, f"{body}.com_z[m]")
+        fine_ms, fine = 1e3 * reference["t[s]"], 1e3 * results.column(reference, f"{body}.com_z[m]")
         inside = fine_ms <= time_ms[-1] + 1e-6 * period_ms
         axes.plot(fine_ms[inside], fine[inside], color=GREY, lw=0.9, ls="--")
         axes.text(0.65, 0.04, "dashed: reference, 0.133 mm cells", transform=axes.transAxes,
@@ -222,12 +189,12 @@ def main():
     options.add_argument("--body", default="robot")
     options.add_argument("--reference", type=pathlib.Path)
     chosen = options.parse_args()
-    probes = read_probes(chosen.run_folder / "probes.csv")
-    start_s = last_period(column(probes, "t[s]"), chosen.period)
+    probes = results.read_columns(chosen.run_folder / "probes.csv")
+    start_s = last_period(results.column(probes, "t[s]"), chosen.period)
     instants = start_s + np.linspace(0, chosen.period, INSTANTS)
-    frames = nearest_frames(read_series(chosen.run_folder / "structure.pvd"), instants)
+    frames = nearest_frames(results.frames(chosen.run_folder), instants)
     row = Row(probes, chosen.body, frames, start_s, chosen.period)
-    reference = read_probes(chosen.reference) if chosen.reference else None
+    reference = results.read_columns(chosen.reference) if chosen.reference else None
     draw(probes, chosen.body, row, chosen.out, reference)
     print(chosen.out)
 

@@ -7,27 +7,24 @@
 (a) side views: the C in the field's four directions, and the V that the last of them makes of a
 flat strip; (b) heading of the strip against the field's direction.
 """
-import argparse
-import csv
-import os
 import pathlib
-import subprocess
-import xml.etree.ElementTree
+import sys
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import vtk
 from matplotlib.collections import PolyCollection
-from vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import results  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 RUNS = {
     "turned": ["scene.yaml"],
-    "flat": ["scene.yaml", "--set", "magnetic_field.table.direction=90 deg",
-             "--set", "time.end=1 s"],
+    "flat": ["scene.yaml", "magnetic_field.table.direction=90 deg",
+             "time.end=1 s"],
     "motion": ["motion.yaml"],
     "platform": ["platform.yaml"],
 }
@@ -36,17 +33,8 @@ NANO = 1e9
 
 
 def run_all(runs):
-    program = os.environ.get("MAGFSI_BIN")
-    program = pathlib.Path(program) / "magfsi" if program else HERE.parents[1] / "magfsi"
     for name, (scene, *settings) in RUNS.items():
-        subprocess.run([str(program), "run", str(HERE / scene), "--out", str(runs / name),
-                        *settings], check=True)
-
-
-def read_probes(run):
-    with open(run / "probes.csv", newline="") as file:
-        names, *rows = list(csv.reader(file))
-    return dict(zip(names, np.array(rows, dtype=float).T))
+        print(results.run(HERE / scene, runs / name, settings), flush=True)
 
 
 def heading_deg(probes, start="left", end="right"):
@@ -58,17 +46,7 @@ def heading_deg(probes, start="left", end="right"):
 
 def side_view_mm(run, frame):
     """Outer faces in the x-z plane about their middle: (faces, 4, 2)."""
-    files = [e.get("file") for e in
-             xml.etree.ElementTree.parse(run / "structure.pvd").iter("DataSet")]
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(run / files[frame]))
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
-    surface.Update()
-    skin = surface.GetOutput()
-    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-    points = 1e3 * vtk_to_numpy(skin.GetPoints().GetData())[:, [0, 2]]
-    return (points - 0.5 * (points.min(axis=0) + points.max(axis=0)))[faces]
+    return results.centred(results.side_view_mm(results.frames(run)[frame][1]), [0, 1])
 
 
 def draw_views(axes, runs):
@@ -135,14 +113,10 @@ def report(found):
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--run", action="store_true", help="make the runs first")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
-    chosen = options.parse_args()
+    chosen = results.figure_options(__doc__)
     if chosen.run:
         run_all(chosen.folder)
-    found = {name: read_probes(chosen.folder / name) for name in RUNS}
+    found = {name: results.read_columns(chosen.folder / name / "probes.csv") for name in RUNS}
     report(found)
     plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
     figure = plt.figure(figsize=(7.2, 4.7))
