@@ -31,17 +31,7 @@ class Restart(unittest.TestCase):
     def same_bytes(self, settings, ranks):
         whole = scenes.good(magfsi.SMALL, settings, magfsi.new_folder(), ranks)
         parts = scenes.interrupted(magfsi.SMALL, settings, "1 ms", ranks)
-        expected, found = scenes.results(whole.folder), scenes.results(parts.folder)
-        self.assertEqual(list(found), list(expected))
-        self.assertGreater(len(expected), 3)
-        for name, content in expected.items():
-            self.assertEqual(found[name], content, name)
-        kept = scenes.checkpoints(whole.folder)
-        self.assertEqual(scenes.checkpoints(parts.folder), kept)
-        self.assertEqual(len(kept), 4)
-        for name in kept:
-            self.assertEqual((Path(parts.folder) / name).read_bytes(),
-                             (Path(whole.folder) / name).read_bytes(), name)
+        scenes.assert_same_bytes(self, whole, parts, 2)
         self.assertGreater(scenes.restarted_at(parts), 0)
         return whole
 

@@ -71,3 +71,18 @@ def checkpoints(folder):
 
 def restarted_at(result):
     return result.summary()["extra"]["restarted_at_step"]
+
+
+def assert_same_bytes(test, whole, parts, participants):
+    """Results and the last two checkpoints of each participant."""
+    expected, found = results(whole.folder), results(parts.folder)
+    test.assertEqual(list(found), list(expected))
+    test.assertGreater(len(expected), 3)
+    for name, content in expected.items():
+        test.assertEqual(found[name], content, name)
+    kept = checkpoints(whole.folder)
+    test.assertEqual(checkpoints(parts.folder), kept)
+    test.assertEqual(len(kept), 2 * participants)
+    for name in kept:
+        test.assertEqual((Path(parts.folder) / name).read_bytes(),
+                         (Path(whole.folder) / name).read_bytes(), name)

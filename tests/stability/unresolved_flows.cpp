@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "fluid_lbm/fluid.h"
+#include "tests/support/taylor_green_vortex.h"
 
 namespace magfsi::fluid {
 namespace {
@@ -38,13 +39,7 @@ FluidConfig shear_layers(Collision collision) {
 
 FluidConfig vortex(Collision collision) {
     FluidConfig config = flow({32, 32, 32}, 2 * pi, 0.05, 1.0 / 1600, collision);
-    config.initial_velocity = [](const Vec3& x) {
-        return Vec3{std::sin(x[0]) * std::cos(x[1]) * std::cos(x[2]),
-                    -std::cos(x[0]) * std::sin(x[1]) * std::cos(x[2]), 0};
-    };
-    config.initial_pressure = [](const Vec3& x) {
-        return (std::cos(2 * x[0]) + std::cos(2 * x[1])) * (std::cos(2 * x[2]) + 2) / 16;
-    };
+    start_as_taylor_green_vortex(config);
     return config;
 }
 

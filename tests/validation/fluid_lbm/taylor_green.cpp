@@ -10,6 +10,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "tests/support/taylor_green_vortex.h"
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
 #include "tests/validation/fluid_lbm/observed_order.h"
 
@@ -51,13 +52,7 @@ FluidConfig vortex(int n, int steps_a_sample, Collision collision, Precision pre
     config.viscosity_m2_s = viscosity;
     config.collision = collision;
     config.precision = precision;
-    config.initial_velocity = [](const Vec3& x) {
-        return Vec3{std::sin(x[0]) * std::cos(x[1]) * std::cos(x[2]),
-                    -std::cos(x[0]) * std::sin(x[1]) * std::cos(x[2]), 0};
-    };
-    config.initial_pressure = [](const Vec3& x) {
-        return (std::cos(2 * x[0]) + std::cos(2 * x[1])) * (std::cos(2 * x[2]) + 2) / 16;
-    };
+    start_as_taylor_green_vortex(config);
     return config;
 }
 

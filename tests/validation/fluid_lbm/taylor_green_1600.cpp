@@ -9,6 +9,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "tests/support/taylor_green_vortex.h"
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
 
 namespace magfsi::fluid {
@@ -28,13 +29,7 @@ FluidConfig vortex(Collision collision) {
     config.density_kg_m3 = 1;
     config.viscosity_m2_s = viscosity;
     config.collision = collision;
-    config.initial_velocity = [](const Vec3& x) {
-        return Vec3{std::sin(x[0]) * std::cos(x[1]) * std::cos(x[2]),
-                    -std::cos(x[0]) * std::sin(x[1]) * std::cos(x[2]), 0};
-    };
-    config.initial_pressure = [](const Vec3& x) {
-        return (std::cos(2 * x[0]) + std::cos(2 * x[1])) * (std::cos(2 * x[2]) + 2) / 16;
-    };
+    start_as_taylor_green_vortex(config);
     return config;
 }
 
