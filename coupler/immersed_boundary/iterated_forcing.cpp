@@ -10,8 +10,9 @@ IteratedForcing::IteratedForcing(std::span<const Marker> markers,
       last_(markers.size()),
       impulse_(markers.size()) {
     moved_mass_kg_.reserve(markers.size());
+    const double share = std::min(scale.strength, 1.0);
     for (const Marker& m : markers)
-        moved_mass_kg_.push_back(2 * scale.fluid_density_kg_m3 * m.volume_m3);
+        moved_mass_kg_.push_back(share * 2 * scale.fluid_density_kg_m3 * m.volume_m3);
 }
 
 void IteratedForcing::begin_step() {

@@ -1,15 +1,17 @@
 // Iterated (multi-direct) forcing (Luo et al. 2007; Wang, Fan, Luo 2008): once the
 // impulses of a coupled step are spread, the fluid at a marker still slips, for what
 // neighbours give overlaps and what a thin body gives is smeared. Each iteration takes
-// the slip that is left and gives the fluid the impulse that would remove it,
-//   2 rho dV (W - U'),
+// the slip that is left and gives the fluid the impulse that would remove it, or the part
+// that a strength below 1 asks for,
+//   min(strength, 1) 2 rho dV (W - U'),
 // W the marker's mean velocity over the step, U' the fluid's with half of the step's
 // forces so far, F dt / (2 rho): the physical velocity of Guo's scheme.
 //
 // The structure has moved on by then: it feels what these impulses took over its next
 // step, as a constant force. A force that is held is stable only where the drag of eq.
-// (13), evaluated in every substep, exceeds it: two iterations run from strength 0.5 on,
-// with three and four at strength 1 sheets begin to oscillate, five diverge.
+// (13), evaluated in every substep, exceeds it (whole impulses after a weak drag fed the
+// sheet: 2 iterations at strength 0.25, 3 at 0.5); with three and four at strength 1
+// sheets begin to oscillate, five diverge.
 #pragma once
 
 #include <span>
@@ -37,7 +39,7 @@ class IteratedForcing {
 
   private:
     double coupled_step_s_;
-    std::vector<double> moved_mass_kg_;  // 2 rho dV
+    std::vector<double> moved_mass_kg_;  // min(strength, 1) 2 rho dV
     std::vector<Vec3> last_, impulse_;
 };
 

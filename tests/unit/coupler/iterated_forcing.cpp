@@ -92,6 +92,19 @@ TEST(IteratedForcing, adds_up_what_was_given_and_forgets_it) {
     EXPECT_EQ(forcing.impulse()[0], (Vec3{}));
 }
 
+// A held force may not exceed the drag of the substeps, which a strength below 1 weakens.
+TEST(IteratedForcing, takes_no_more_of_the_slip_than_the_strength_says) {
+    std::vector<Marker> markers(1);
+    markers[0].volume_m3 = 1e-12;
+    const std::vector<Vec3> before{{0, 0, 0}}, now{{2e-6, 0, 0}};  // 0.1 m/s
+    for (const auto& [strength, share] :
+         std::vector<std::pair<double, double>>{{0.25, 0.25}, {1, 1}, {2, 1}}) {
+        IteratedForcing forcing(markers, {strength, 1000, 2e-5});
+        const auto given = forcing.correct(before, now, std::vector<Vec3>{{0.04, 0, 0}});
+        EXPECT_NEAR(given[0][0], share * 2e-9 * 0.06, 1e-22) << strength;
+    }
+}
+
 TEST(IteratedForcing, the_body_pays_all_of_it_in_the_next_step) {
     Random random(4);
     constexpr std::size_t count = 30;
