@@ -4,115 +4,89 @@
     for study in tests/stability/map/*.yaml; do
         ./magfsi study "$study" --out runs/map/$(basename "$study" .yaml)
     done
-    tests/stability/draw_map.py runs/map [--figure docs/stability.png]
+    tests/stability/draw_map.py runs/map --out docs/stability
+
+Writes fluid.png, coupling.png and bodies.png, cells.csv with a row for each run, and by_axis.md
+with the counts.
 """
 import argparse
-import collections
 import csv
-import math
 import pathlib
 
-import matplotlib
+import map_tables
+from map_panel import draw
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
-KINDS = {"right": ("o", "#3b7dd8", "right"),
-         "stopped": ("s", "0.65", "stopped, with its cause"),
-         "refused": ("_", "0.4", "refused before the start"),
-         "wrong": ("X", "#c00000", "wrong")}
+PICTURES = {"fluid": ["lattice", "ranks"],
+            "coupling": ["schemes", "boundary", "density", "substeps"],
+            "bodies": ["elasticity", "thickness", "field", "elements", "reversal"]}
+# Of what a run ended: a letter for the pictures, and words that its cause holds.
+CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
+          ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
+          ("e", "an element is inverted", "is inverted"),
+          ("g", "energy is gained that nothing gave", "gained energy"),
+          ("b", "the body leaves the box", "outside the"))
 
 
 def kind(row):
-    if row["verdict"] in ("right", "wrong"):
-        return row["verdict"]
+    """right, wrong, refused or the letter of the cause: all that has none is wrong, and so is
+    what did not end in time."""
+    if row["outcome"] == "completed":
+        return "right" if row["verdict"] in ("right", "reference") else "wrong"
     if row["outcome"] == "refused":
         return "refused"
-    return "stopped" if row["cause"] else "wrong"
+    if row["outcome"] == "diverged":
+        return next((letter for letter, _, words in CAUSES if words in row["cause"]), "wrong")
+    return "wrong"
 
 
-class Panel:
-    """One study: columns are the first axis, rows the product of the others."""
+def label(row, axis):
+    text, unit = row[axis], axis.partition("[")[2].rstrip("]")
+    if unit == "rad":
+        return f"{float(text) * 57.29577951308232:.0f}"
+    scale = {"Pa": 1e-3, "T": 1e3, "s": 1e6}.get(unit, 1)
+    return f"{float(text) * scale:.6g}" if unit else text
+
+
+def title(axis):
+    name, _, unit = axis.partition("[")
+    unit = unit.rstrip("]")
+    shown = {"Pa": "kPa", "T": "mT", "s": "us", "rad": "deg", "1/s": "Hz"}.get(unit, unit)
+    words = name.replace("_over_", " / ").replace("k / g", "K / G").replace("_", " ")
+    return words if shown in ("", "1") else f"{words} [{shown}]"
+
+
+class Study:
+    """The cells of one study: for each the values of its axes, how it ended, and the row."""
 
     def __init__(self, folder):
         self.name = folder.name
         with open(folder / "runs.csv", newline="") as file:
             self.rows = list(csv.DictReader(file))
         names = list(self.rows[0])
-        self.axes = names[:next(i for i, n in enumerate(names) if n.startswith("error"))]
-        self.across = list(dict.fromkeys(self.label(r, self.axes[0]) for r in self.rows))
-        self.down = list(dict.fromkeys(self.side(r) for r in self.rows))
+        axes = names[:next(i for i, n in enumerate(names) if n.startswith("error"))]
+        self.axes = [title(axis) for axis in axes]
+        self.cells = [([label(row, axis) for axis in axes], kind(row), row) for row in self.rows]
 
-    @staticmethod
-    def label(row, axis):
-        text = row[axis]
-        unit = axis.partition("[")[2].rstrip("]")
-        if axis.startswith(("direction", "angle")):
-            return f"{math.degrees(float(text)):.0f} deg"
-        return f"{float(text):g} {unit}" if unit and unit != "1" else text
-
-    def side(self, row):
-        return ", ".join(self.label(row, axis) for axis in self.axes[1:])
-
-    def counts(self):
-        return collections.Counter(kind(row) for row in self.rows)
-
-    def draw(self, axes):
-        for what, (marker, color, _) in KINDS.items():
-            at = [(self.across.index(self.label(r, self.axes[0])), self.down.index(self.side(r)))
-                  for r in self.rows if kind(r) == what]
-            if at:
-                axes.scatter(*zip(*at), marker=marker, color=color, s=26, lw=1.2)
-        axes.set_xticks(range(len(self.across)), self.across, rotation=90)
-        axes.set_yticks(range(len(self.down)), self.down)
-        axes.set_xlim(-0.6, len(self.across) - 0.4)
-        axes.set_ylim(len(self.down) - 0.4, -0.6)
-        title = " / ".join(axis.partition("[")[0].replace("_", " ") for axis in self.axes)
-        axes.set_title(f"{self.name}: {title}", fontsize=7, loc="left")
-        for side in ("top", "right"):
-            axes.spines[side].set_visible(False)
-
-
-def draw(panels, out):
-    plt.rcParams.update({"font.size": 5.5, "font.family": "DejaVu Sans", "axes.linewidth": 0.5})
-    columns = [[], []]
-    for panel in sorted(panels, key=lambda p: -len(p.down)):
-        min(columns, key=lambda c: sum(len(p.down) + 6 for p in c)).append(panel)
-    heights = [[len(p.down) + 2 for p in column] for column in columns]
-    total = max(sum(h) + 7 * len(h) for h in heights) + 3
-    figure = plt.figure(figsize=(11, 0.13 * (total + 5)))
-    for x, column in zip((0.13, 0.64), columns):
-        top = 1 - 5 / (total + 5)
-        for panel in column:
-            height = (len(panel.down) + 1) / (total + 5)
-            panel.draw(figure.add_axes([x, top - height, 0.34, height]))
-            top -= height + 8.5 / (total + 5)
-    handles = [plt.Line2D([], [], ls="", marker=m, color=c, label=text)
-               for m, c, text in KINDS.values()]
-    figure.legend(handles=handles, loc="upper center", ncol=4, frameon=False, fontsize=8)
-    figure.savefig(out, dpi=150)
-    print(out)
-
-
-def report(panels):
-    total = collections.Counter()
-    print(f"| study | cells | {' | '.join(KINDS)} |\n|{'---|' * (2 + len(KINDS))}")
-    for panel in panels:
-        counts = panel.counts()
-        total.update(counts)
-        print(f"| {panel.name} | {len(panel.rows)} | "
-              f"{' | '.join(str(counts[k]) for k in KINDS)} |")
-    print(f"| all | {total.total()} | {' | '.join(str(total[k]) for k in KINDS)} |")
+    def values(self, axis):
+        return list(dict.fromkeys(values[axis] for values, _, _ in self.cells))
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("results", type=pathlib.Path)
-    options.add_argument("--figure", type=pathlib.Path, default=pathlib.Path("stability.png"))
+    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("docs/stability"))
     chosen = options.parse_args()
-    panels = [Panel(file.parent) for file in sorted(chosen.results.glob("*/runs.csv"))]
-    report(panels)
-    draw(panels, chosen.figure)
+    studies = {file.parent.name: Study(file.parent)
+               for file in sorted(chosen.results.glob("*/runs.csv"))}
+    chosen.out.mkdir(parents=True, exist_ok=True)
+    for name, members in PICTURES.items():
+        there = [studies[m] for m in members if m in studies]
+        if there:
+            draw(there, CAUSES, chosen.out / f"{name}.png")
+    map_tables.write_cells(studies.values(), chosen.out / "cells.csv")
+    page = map_tables.page(studies.values(), CAUSES)
+    (chosen.out / "by_axis.md").write_text(page)
+    print(page)
 
 
 if __name__ == "__main__":
