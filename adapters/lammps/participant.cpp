@@ -300,6 +300,10 @@ void Participant::write_probes() {
     if (audit_) add_audit(fluid_j, row);
     if (!probes_) return;
     probes_->row(session_.clock().time_s(), row);
+    const std::string fault = audit_ ? audit_->fault() : std::string{};
+    if (!fault.empty())
+        throw coupler::Diverged(
+            fmt::format("after {:.6g} s {}", session_.clock().time_s(), fault));
 }
 
 // Collective; only the root goes on to the file.

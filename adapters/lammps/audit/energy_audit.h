@@ -39,6 +39,10 @@ class EnergyAudit {
 
     output::EnergySummary summary() const;
 
+    // Empty, or what is wrong at the last row: bodies and fluid have more energy than at
+    // the start and all works together, by far more than steps and sound can make of it.
+    std::string fault() const;
+
     // What the rows to come need of those before, for checkpoints.
     std::vector<double> carried() const;
     void set(std::span<const double> carried);
@@ -68,6 +72,7 @@ class EnergyAudit {
         double stored_at_start = 0, moved_at_start = 0, nodes_at_start = 0;
         double fluid_at_start = 0;
         double work = 0, residual = 0, lowest = 0, gained = 0;
+        double unpaid_at_start = 0, unpaid = 0;
     } record_;
 };
 
