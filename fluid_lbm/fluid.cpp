@@ -1,5 +1,6 @@
 #include "fluid_lbm/fluid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -185,7 +186,7 @@ double Fluid::waited_for_neighbors_s() const {
 std::size_t Fluid::memory_bytes() const {
     const Obstacles* obstacles = state_->solver.obstacles();
     return state_->solver.populations().bytes() + state_->solver.kept_bytes() +
-           state_->solver.forces().bytes() + (obstacles ? obstacles->bytes() : 0);
+           state_->solver.force_bytes() + (obstacles ? obstacles->bytes() : 0);
 }
 
 std::vector<CellRow> Fluid::solid_rows() const {
@@ -253,18 +254,14 @@ void Fluid::vorticity(std::span<float> out) const {
     }
     const VelocityField field = sample_velocity(state_->comm.get(), state_->solver);
     const double unit = 1 / state_->config.time_step_s;
-    float* to = out.data();
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            for (int x = 0; x < layout.nx; ++x) {
-                Vec3 curl{};
-                if (!state_->solver.is_solid({x, y, z})) {
-                    curl = field.curl(x, y, z, state_->lattice.wall_velocity);
-                }
-                for (const double w : curl) *to++ = static_cast<float>(unit * w);
-            }
-        }
-    }
+    std::ranges::fill(out, 0.0F);
+    state_->solver.each_fluid_cell([&](int x, int y, int z) {
+        const Vec3 curl = field.curl(x, y, z, state_->lattice.wall_velocity);
+        const std::size_t cell =
+            (static_cast<std::size_t>(z) * layout.ny + y) * layout.nx + x;
+        for (std::size_t a = 0; a < 3; ++a)
+            out[3 * cell + a] = static_cast<float>(unit * curl[a]);
+    });
 }
 
 void Fluid::step() {

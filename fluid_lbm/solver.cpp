@@ -55,8 +55,6 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       rank_(comm_rank(comm)),
       layout_(decomposition_.layout(rank_)),
       populations_(layout_.nx, layout_.row_count(), storage(config.kernels)),
-      forces_(layout_.nx, layout_.ny, layout_.nz, config.body_force,
-              populations_.storage()),
       halo_(comm, decomposition_, rank_, populations_),
       rows_at_cuts_(fluid::rows_at_cuts(layout_)),
       inner_rows_(fluid::inner_rows(layout_)),
@@ -67,15 +65,21 @@ Solver::Solver(MPI_Comm comm, const SolverConfig& config)
       kernels_(config.kernels),
       collision_(config.collision),
       sweep_is_all_(sweep_is_all(config)) {
+    if (config.body_force) make_forces(config.body_force);
     for (int side = 0; side < 6; ++side) {
         open_sides_[side] = config.sides[side].kind != BoundaryKind::periodic &&
                             config.sides[side].kind != BoundaryKind::no_slip;
     }
 }
 
+void Solver::make_forces(const std::optional<std::array<double, 3>>& body_force) {
+    forces_ = std::make_unique<ForcedRows>(layout_.nx, layout_.ny, layout_.nz, body_force,
+                                           populations_.storage());
+}
+
 void Solver::sweep_boxes(std::span<const RowBox> boxes) {
-    const SweepInput in{populations_, layout_,  arrangement_,
-                        forces_,      kernels_, collision_};
+    const SweepInput in{populations_,  layout_,  arrangement_,
+                        forces_.get(), kernels_, collision_};
     for (const RowBox& box : boxes) {
         const auto found = sweep(in, box);
         if (!found) continue;
@@ -135,13 +139,13 @@ void Solver::sweep_and_exchange(Exchange exchange) {
 
 void Solver::step() {
     const bool natural = arrangement_ == Arrangement::natural;
-    if (kept_) kept_->note_rows(view(), forces_.claimed_rows());
+    if (kept_) kept_->note_rows(view(), forces().claimed_rows());
     boundaries_.before_sweep(populations_, arrangement_);
     sweep_and_exchange(natural ? Exchange::fill : Exchange::give_back);
     again_ = false;
     arrangement_ = natural ? Arrangement::swapped : Arrangement::natural;
     apply_boundaries();
-    forces_.clear();
+    if (forces_) forces_->clear();
     ++steps_done_;
 }
 

@@ -57,9 +57,12 @@ class Solver {
     Arrangement arrangement() const { return arrangement_; }
     const Populations& populations() const { return populations_; }
 
-    // Of the next step only.
-    ForcedRows& forces() { return forces_; }
-    const ForcedRows& forces() const { return forces_; }
+    // Of the next step only. There is room for them once somebody asks.
+    ForcedRows& forces() {
+        if (!forces_) make_forces({});
+        return *forces_;
+    }
+    std::size_t force_bytes() const { return forces_ ? forces_->bytes() : 0; }
 
     // Sides with free slip, an inlet or an outlet.
     const std::array<bool, 6>& open_sides() const { return open_sides_; }
@@ -68,6 +71,17 @@ class Solver {
     // Local indices.
     bool is_solid(const std::array<int, 3>& cell) const {
         return obstacles_ && obstacles_->map().solid(cell);
+    }
+    // visit(x, y, z) for all cells outside obstacles, in the order in which they are
+    // stored; without obstacles none is looked at for one.
+    template <class Visit>
+    void each_fluid_cell(Visit&& visit) const {
+        if (obstacles_)
+            each_cell([&](int x, int y, int z) {
+                if (!obstacles_->map().solid({x, y, z})) visit(x, y, z);
+            });
+        else
+            each_cell(visit);
     }
     // After the populations have been set from outside: solid cells back to rest.
     void settle_obstacles();
@@ -93,6 +107,15 @@ class Solver {
     const std::optional<Unsound>& unsound() const { return unsound_; }
 
   private:
+    template <class Visit>
+    void each_cell(const Visit& visit) const {
+        for (int z = 0; z < layout_.nz; ++z) {
+            for (int y = 0; y < layout_.ny; ++y) {
+                for (int x = 0; x < layout_.nx; ++x) visit(x, y, z);
+            }
+        }
+    }
+    void make_forces(const std::optional<std::array<double, 3>>& body_force);
     void sweep_boxes(std::span<const RowBox> boxes);
     void sweep_and_exchange(Exchange exchange);
     void apply_boundaries();
@@ -101,7 +124,7 @@ class Solver {
     int rank_;
     RowLayout layout_;
     Populations populations_;
-    ForcedRows forces_;
+    std::unique_ptr<ForcedRows> forces_;  // null where nothing pushes the fluid
     Halo halo_;
     std::vector<RowBox> rows_at_cuts_, inner_rows_;
     std::optional<Obstacles> obstacles_;

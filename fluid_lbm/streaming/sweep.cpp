@@ -11,13 +11,27 @@ void keep_first(std::optional<UnsoundCell>& kept, const UnsoundCell& found) {
     if (!kept || found.before(*kept)) kept = found;
 }
 
+struct NoForces {};
+
 template <class Real>
+ForcePointers<Real> force_of(NoForces, int, int) {
+    return {};
+}
+
+template <class Real>
+ForcePointers<Real> force_of(const ForcedRows& forces, int y, int z) {
+    return forces.row<Real>(y, z);
+}
+
+// Forces: ForcedRows or NoForces.
+template <class Forces, class Real>
 std::optional<UnsoundCell> step_row(const SweepInput& in,
                                     const ChosenKernels<Real>& kernels,
-                                    const RowWalk<Real>& walk, int y, int z) {
+                                    const RowWalk<Real>& walk, const Forces& forces,
+                                    int y, int z) {
     const bool swapped = in.arrangement == Arrangement::swapped;
     const RowPointers<Real> p = walk.at(y, z);
-    const auto force = in.forces.row<Real>(y, z);
+    const auto force = force_of<Real>(forces, y, z);
     const auto kernel = force.at[0] != nullptr ? kernels.rows.forced : kernels.rows.plain;
     if (swapped) {
         prefetch_x_ends(p, in.layout, in.populations.row_stride());
@@ -30,10 +44,10 @@ std::optional<UnsoundCell> step_row(const SweepInput& in,
     return unsound;
 }
 
-template <class Real>
+template <class Forces, class Real>
 std::optional<UnsoundCell> sweep_rows(const SweepInput& in,
                                       const ChosenKernels<Real>& kernels,
-                                      const RowBox& box) {
+                                      const Forces& forces, const RowBox& box) {
     const int count = box.size(), length = box.y_end - box.y_begin;
     const PopulationRows<Real> rows = in.populations.rows<Real>();
     const RowWalk<Real> walk(rows, in.layout, in.arrangement,
@@ -44,8 +58,9 @@ std::optional<UnsoundCell> sweep_rows(const SweepInput& in,
         std::optional<UnsoundCell> mine;
 #pragma omp for schedule(static)
         for (int i = 0; i < count; ++i) {
-            const auto found = step_row(in, kernels, walk, box.y_begin + i % length,
-                                        box.z_begin + i / length);
+            const auto found =
+                step_row(in, kernels, walk, forces, box.y_begin + i % length,
+                         box.z_begin + i / length);
             if (found) keep_first(mine, *found);
         }
 #pragma omp critical
@@ -57,8 +72,12 @@ std::optional<UnsoundCell> sweep_rows(const SweepInput& in,
 }  // namespace
 
 std::optional<UnsoundCell> sweep(const SweepInput& in, const RowBox& box) {
-    return std::visit([&](const auto& kernels) { return sweep_rows(in, kernels, box); },
-                      in.kernels);
+    return std::visit(
+        [&](const auto& kernels) {
+            return in.forces ? sweep_rows(in, kernels, *in.forces, box)
+                             : sweep_rows(in, kernels, NoForces{}, box);
+        },
+        in.kernels);
 }
 
 }  // namespace magfsi::fluid

@@ -16,8 +16,8 @@ namespace magfsi::fluid {
 struct SweepInput {
     const Populations& populations;
     const RowLayout& layout;
-    Arrangement arrangement;  // before the step; the sweep of all rows turns it
-    const ForcedRows& forces;
+    Arrangement arrangement;   // before the step; the sweep of all rows turns it
+    const ForcedRows* forces;  // null where nothing can push the fluid
     const AnyKernels& kernels;
     const CollisionParameters& parameters;
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """An absent effect costs nothing: a scene without it executes the same instructions in its
-steps as in a program from which the effect's folder and its registration line are removed.
+steps as in a program from which all that is the effect's own has been removed.
 
     MAGFSI_BIN=build/release/bin tests/effects/removed.py            of all effects
     MAGFSI_BIN=build/release/bin tests/effects/removed.py drag       of this one
@@ -8,6 +8,7 @@ steps as in a program from which the effect's folder and its registration line a
 CTest runs a slice of it."""
 
 import os
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -21,26 +22,9 @@ sys.path.insert(0, str(HERE))
 import instructions
 import magfsi_runs as magfsi
 import variant
+from effects import EFFECTS
 
-STRUCTURE = ("magfsi-structure", "structure/lammps/effects.inc",
-             HERE.parent / "scenes/every_structure_effect.yaml", {"time.end": "50 us"})
-FLUID = ("magfsi-fluid-lbm", "fluid_lbm/effects.inc", HERE / "still_fluid.yaml",
-         {"time.end": "20 ms", "fluid.boundaries": "{x_min: periodic, x_max: periodic}"})
-
-# Effect: (program, list, scene, settings of all runs, settings that take it out of the scene)
-# The scenes of the structure have every effect but the one that is looked at.
-EFFECTS = {
-    "drag": (*STRUCTURE, {"damping": "null"}),
-    "gravity": (*STRUCTURE, {"gravity": "null"}),
-    "platform": (*STRUCTURE, {"platform": "null"}),
-    "contact": (*STRUCTURE, {"contact": "null"}),
-    "free_slip": (*FLUID, {}),
-    "moving_wall": (*FLUID, {}),
-    "velocity_inlet": (*FLUID, {}),
-    "pressure_outlet": (*FLUID, {}),
-}
-# Two counts of one program differ by less than 0.01 %: what the clock decides, such as the
-# lines of progress. 0.1 % is what is asked for.
+# What is asked for. Two counts of one program differ by less than a tenth of it.
 BOUND = 1e-3
 
 
@@ -53,36 +37,76 @@ def chosen():
     return names or list(EFFECTS)
 
 
+def count(case, program, settings):
+    of = instructions.of_coupled_steps if case.coupled else instructions.of_steps
+    return of(program, case.scene, {**case.absent, **settings})
+
+
+# What may stand in the place of an object that is gone.
+NOTHING = re.compile(r"nullptr|false|\b0\b|\{\}|std::vector<Vec3>\{\}|\"advance fluid\"|\s")
+
+
+def letters(lines):
+    return "".join(NOTHING.sub("", line[1:]) for line in lines)
+
+
+def within(short, long):
+    """Whether all its letters stand in the other, in that order."""
+    rest = iter(long)
+    return all(letter in rest for letter in short)
+
+
 class Removed(unittest.TestCase):
     def test_is_the_same_as_absent(self):
         for effect in NAMES:
-            with self.subTest(effect):
-                program, registry, scene, common, absent = EFFECTS[effect]
-                settings = {**common, **absent}
-                here = instructions.of_steps(magfsi.BIN / program, scene, settings)
-                gone = instructions.of_steps(variant.without(program, registry, effect), scene,
-                                             settings)
-                magfsi.report(f"{effect}: {here} instructions absent, {gone} removed: "
-                              f"{100 * (here / gone - 1):+.4f} %")
-                self.assertLess(abs(here / gone - 1), BOUND)
+            for case in EFFECTS[effect]:
+                with self.subTest(effect=effect, program=case.program):
+                    self.compare(effect, case)
+
+    def compare(self, effect, case):
+        here = count(case, magfsi.BIN / case.program, {})
+        gone = count(case, variant.without(case.program, case.removal), {})
+        what = f"{effect}, {case.program}{', coupled' if case.coupled else ''}"
+        magfsi.report(f"{what}: {here} instructions absent, {gone} removed: "
+                      f"{100 * (here / gone - 1):+.4f} %")
+        self.assertLess(abs(here / gone - 1), BOUND)
 
     def test_the_count_sees_an_effect_that_does_nothing(self):
         """A drag of rate 0 changes no velocity, and is seen all the same."""
-        program, _, scene, common, absent = EFFECTS["drag"]
-        null = instructions.of_steps(magfsi.BIN / program, scene,
-                                     {**common, "damping.rate": "0 1/s"})
-        none = instructions.of_steps(magfsi.BIN / program, scene, {**common, **absent})
+        case = EFFECTS["drag"][0]
+        null = count(case, magfsi.BIN / case.program,
+                     {"damping": "{rate: 0 1/s}"})
+        none = count(case, magfsi.BIN / case.program, {})
         magfsi.report(f"drag of rate 0: {100 * (null / none - 1):+.3f} % of the instructions")
         self.assertGreater(null / none - 1, BOUND)
 
     def test_removed_and_asked_for_is_refused(self):
-        program, registry, scene, common, _ = EFFECTS["drag"]
-        gone = variant.without(program, registry, "drag")
-        result = magfsi.finish(magfsi.start([gone, scene, "--out", magfsi.new_folder(),
-                                             *magfsi.overrides(common)]), 0, "", 120)
+        case = EFFECTS["drag"][0]
+        gone = variant.without(case.program, case.removal)
+        result = magfsi.finish(magfsi.start([gone, case.scene, "--out", magfsi.new_folder(),
+                                             "--set", "time.end=50 us"]), 0, "", 120)
         self.assertNotEqual(result.code, 0)
         self.assertIn("drag is asked for, and this program was built without it",
                       result.out + result.err)
+
+
+class Patches(unittest.TestCase):
+    def test_only_take_away(self):
+        """What a patch leaves of each place was there before, but for includes and nothings."""
+        for patch in sorted(variant.PATCHES.glob("*.patch")):
+            for hunk in re.split(r"^@@.*$", patch.read_text(), flags=re.M)[1:]:
+                lines = [line for line in re.split(r"^--- ", hunk, flags=re.M)[0].splitlines()
+                         if not line.startswith("+#include")]
+                old = letters(line for line in lines if line.startswith("-"))
+                new = letters(line for line in lines if line.startswith("+"))
+                with self.subTest(patch=patch.name, hunk=hunk):
+                    self.assertTrue(within(new, old))
+
+    def test_fit_the_sources(self):
+        for cases in EFFECTS.values():
+            for case in cases:
+                with self.subTest(case.removal.name):
+                    variant.overlay(case.removal, Path(magfsi.new_folder()))
 
 
 if __name__ == "__main__":

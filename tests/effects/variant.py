@@ -1,70 +1,152 @@
-"""A participant as if an effect had never been written: the registration line is taken out of
-the effect's list, the files that read the list are compiled anew, and the program is linked
-from the other objects of the build. The linker's map shows that nothing of the effect's folder
-is in it; that no other file includes one of the folder's headers, house_include_graph shows."""
+"""A participant as if an effect had never been written. What is the effect's own is taken out of
+copies of the sources: its line of an effects.inc, or the lines of a patch; all objects that
+depend on them are compiled anew, and the program is linked without the effect's files. Nothing of
+those files may be left: the linker's map and the headers that each object has read show it."""
 
 import functools
 import re
 import shlex
 import subprocess
+from dataclasses import dataclass
 from pathlib import Path
 
 import magfsi_runs as magfsi
 
 BUILD = magfsi.BIN.parent
+PATCHES = Path(__file__).resolve().parent / "removed"
+
+
+@dataclass(frozen=True)
+class Removal:
+    """files: globs of what is the effect's alone; registry: the list with its line, or None:
+    removed/NAME.patch takes out its lines."""
+
+    name: str
+    files: tuple = ()
+    registry: str = None
 
 
 @functools.cache
 def commands(program):
-    """Of its build, the last being that of its link."""
+    """The last is that of its link."""
     text = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", program], check=True,
                           capture_output=True, text=True).stdout
     return [line for line in text.splitlines() if not line.startswith("ninja:")]
 
 
-def list_without(registry, effect, folder):
-    """The list of effects with one line less, below a folder to look for headers in."""
-    text = (magfsi.ROOT / registry).read_text()
-    line = f"MAGFSI_EFFECT({effect})\n"
-    if text.count(line) != 1:
-        raise AssertionError(f"{registry} has not one line {line}")
-    path = folder / registry
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text.replace(line, ""))
+@functools.cache
+def read_by():
+    """Of each object of the build, the files of the tree that it has been made of."""
+    text = subprocess.run(["ninja", "-C", BUILD, "-t", "deps"], check=True,
+                          capture_output=True, text=True).stdout
+    reads, now = {}, None
+    for line in text.splitlines():
+        if line.startswith(" "):
+            path = (BUILD / line.strip()).resolve()
+            if path.is_relative_to(magfsi.ROOT):
+                now.add(str(path.relative_to(magfsi.ROOT)))
+        elif line:
+            now = reads.setdefault(line.split(":")[0], set())
+    return reads
 
 
-def readers(registry):
-    """The sources that read the list."""
-    include = f'#include "{registry}"'
-    return [path for path in Path(magfsi.ROOT, registry).parent.rglob("*.cpp")
-            if include in path.read_text()]
+def objects(program):
+    """{object: command that makes it}."""
+    made = {}
+    for command in commands(program)[:-1]:
+        words = shlex.split(command)
+        if "-c" in words:
+            made[words[words.index("-o") + 1]] = words
+    return made
 
 
-def compiled(source, program, folder):
-    command = next(c for c in commands(program) if c.endswith(f"-c {source}"))
-    target = folder / (source.stem + ".o")
-    words = shlex.split(command)
+def patched_files(name):
+    return re.findall(r"^\+\+\+ b/(\S+)$", (PATCHES / f"{name}.patch").read_text(), re.M)
+
+
+def overlay(removal, folder):
+    """Copies of the sources without the effect, below a folder; returns their paths."""
+    paths = [removal.registry] if removal.registry else patched_files(removal.name)
+    for path in paths:
+        copy = folder / path
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text((magfsi.ROOT / path).read_text())
+    if removal.registry:
+        line = f"MAGFSI_EFFECT({removal.name})\n"
+        text = (folder / removal.registry).read_text()
+        if text.count(line) != 1:
+            raise AssertionError(f"{removal.registry} has not one line {line}")
+        (folder / removal.registry).write_text(text.replace(line, ""))
+    else:
+        patch = subprocess.run(["patch", "-p1", "--no-backup-if-mismatch", "-d", folder,
+                                "-i", PATCHES / f"{removal.name}.patch"],
+                               capture_output=True, text=True)
+        if patch.returncode != 0:
+            raise AssertionError(f"{removal.name}.patch takes out lines that have changed: "
+                                 f"{patch.stdout}{patch.stderr}")
+    return paths
+
+
+def compiled(words, target, folder):
+    words = list(words)
     words[words.index("-o") + 1] = str(target)
-    words[words.index("-MF") + 1] = str(target) + ".d"
-    compiler = next(i for i, word in enumerate(words) if word.startswith("-"))
-    words.insert(compiler, f"-I{folder}")
+    words[words.index("-MF") + 1] = f"{target}.d"
+    source = (magfsi.ROOT / words[-1]).resolve().relative_to(magfsi.ROOT)
+    if (folder / source).exists():
+        words[-1] = str(folder / source)
+    first = next(i for i, word in enumerate(words) if word.startswith("-"))
+    words.insert(first, f"-I{folder}")
     subprocess.run(words, cwd=BUILD, check=True)
-    return str(target)
+    made_of = Path(f"{target}.d").read_text().replace("\\\n", " ").split()[1:]
+    return {str(Path(p).relative_to(magfsi.ROOT)) for p in made_of
+            if Path(p).is_relative_to(magfsi.ROOT)}
 
 
-def without(program, registry, effect):
-    """The program's path. Throws if an object of the effect's folder is still in it."""
-    folder = Path(magfsi.new_folder())
-    list_without(registry, effect, folder)
-    objects = [compiled(source, program, folder) for source in readers(registry)]
-    link = commands(program)[-1].removeprefix(": && ").removesuffix(" && :")
-    words = shlex.split(link)
+def linked(program, folder, made):
+    """made: {object of the build: the one in its place}; returns the objects in the program
+    by the names in the linker's map."""
+    words = shlex.split(commands(program)[-1].removeprefix(": && ").removesuffix(" && :"))
+    words = [word for word in words if word not in made]
     out = words.index("-o")
     words[out + 1] = str(folder / program)
-    words[out:out] = [*objects, f"-Wl,-Map={folder / 'map'}"]
+    words[out:out] = [*filter(None, made.values()), f"-Wl,-Map={folder / 'map'}"]
     subprocess.run(words, cwd=BUILD, check=True)
-    linked = set(re.findall(r"\(([^()]+\.cpp)\.o\)", (folder / "map").read_text()))
-    own = {path.name for path in (magfsi.ROOT / registry).parent.glob(f"effects/{effect}/*.cpp")}
-    if not own or own & linked:
-        raise AssertionError(f"{effect} is still in {program}: {own & linked or 'no folder'}")
+    text = (folder / "map").read_text()
+    members = set(re.findall(r"/lib(\w+)\.a\((\S+?\.o)\)", text))
+    return {o for o in objects(program)
+            if any(library in o and o.endswith("/" + name) for library, name in members)
+            or re.search(rf"^(LOAD )?{re.escape(o)}$", text, re.M)}
+
+
+def without(program, removal):
+    """The program's path. Throws if something of the effect is left in it."""
+    folder = BUILD / "removed" / f"{removal.name}-{program}"
+    subprocess.run(["rm", "-rf", folder], check=True)
+    changed = set(overlay(removal, folder))
+    own = {str(path.relative_to(magfsi.ROOT)) for glob in removal.files
+           for path in magfsi.ROOT.glob(glob)}
+    if removal.files and not own:
+        raise AssertionError(f"{removal.name} has no files {removal.files}")
+    reads, made, seen = read_by(), {}, {}
+    for number, (target, words) in enumerate(objects(program).items()):
+        if not reads[target] & changed or source_of(words) in own:
+            continue
+        made[target] = str(folder / f"{number}.o")
+        seen[made[target]] = compiled(words, made[target], folder)
+    if not made:
+        return None
+    sources = {target: words for target, words in objects(program).items()
+               if source_of(words) in own and target not in made}
+    kept = linked(program, folder, {**made, **dict.fromkeys(sources, "")})
+    check_gone(removal, own, {o: reads[o] for o in kept if o not in made} | seen)
     return folder / program
+
+
+def source_of(words):
+    return str(Path(words[-1]).resolve().relative_to(magfsi.ROOT))
+
+
+def check_gone(removal, own, made_of):
+    left = {path for files in made_of.values() for path in files} & own
+    if left:
+        raise AssertionError(f"{removal.name} is still there: {', '.join(sorted(left))}")

@@ -32,6 +32,9 @@ FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, ch
     }
     parse_plane(arg);
     parse_keywords(narg, arg);
+    add_forces_ = &FixMagtticePlatform::add_frictionless_forces;
+    if (platform_.friction > 0)
+        add_forces_ = &FixMagtticePlatform::add_forces_with_friction;
     declare_output();
     FixMagtticePlatform::grow_arrays(atom->nmax);
     atom->add_callback(LAMMPS_NS::Atom::GROW);
@@ -92,7 +95,7 @@ void FixMagtticePlatform::declare_output() {
 }
 
 void FixMagtticePlatform::post_force(int) {
-    add_forces(update->dt);
+    (this->*add_forces_)(update->dt);
 }
 
 int FixMagtticePlatform::setmask() {
@@ -126,7 +129,8 @@ void FixMagtticePlatform::rebuild() {
 }
 
 // Velocities, which only the damping looks at, are those of the half step.
-void FixMagtticePlatform::add_forces(double dt_s) {
+template <class ContactOf>
+void FixMagtticePlatform::add_forces(ContactOf&& contact_of) {
     normal_n_ = 0;
     energy_j_ = 0;
     smallest_gap_m_ = INFINITY;
@@ -136,9 +140,7 @@ void FixMagtticePlatform::add_forces(double dt_s) {
     double* const* const f = atom->f;
     for (const SurfaceNode& node : surface_) {
         const int i = node.atom;
-        const PlatformContact contact =
-            platform_contact(platform_, node.area_m2, x[i], v[i], dt_s,
-                             stick_[static_cast<std::size_t>(i)]);
+        const PlatformContact contact = contact_of(node, x[i], v[i]);
         smallest_gap_m_ = std::min(smallest_gap_m_, contact.gap_m);
         if (!(contact.gap_m < 0)) continue;
         normal_n_ += contact.normal_n;
@@ -149,6 +151,19 @@ void FixMagtticePlatform::add_forces(double dt_s) {
             force_n_[d] += contact.force_n[d];
         }
     }
+}
+
+void FixMagtticePlatform::add_frictionless_forces(double) {
+    add_forces([&](const SurfaceNode& node, const double* x, const double* v) {
+        return frictionless_contact(platform_, node.area_m2, x, v);
+    });
+}
+
+void FixMagtticePlatform::add_forces_with_friction(double dt_s) {
+    add_forces([&](const SurfaceNode& node, const double* x, const double* v) {
+        return platform_contact(platform_, node.area_m2, x, v, dt_s,
+                                stick_[static_cast<std::size_t>(node.atom)]);
+    });
 }
 
 }  // namespace magfsi::structure

@@ -21,10 +21,10 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     void setup_post_neighbor() override { rebuild(); }
     void post_neighbor() override { rebuild(); }
     void min_post_neighbor() override { rebuild(); }
-    void setup(int) override { add_forces(0); }
-    void min_setup(int) override { add_forces(0); }
+    void setup(int) override { (this->*add_forces_)(0); }
+    void min_setup(int) override { (this->*add_forces_)(0); }
     void post_force(int vflag) override;
-    void min_post_force(int) override { add_forces(0); }
+    void min_post_force(int) override { (this->*add_forces_)(0); }
 
     double compute_scalar() override;       // energy of the springs
     double compute_vector(int i) override;  // see the documentation
@@ -51,9 +51,14 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     void parse_keywords(int narg, char** arg);
     void declare_output();
     void rebuild();
-    void add_forces(double dt_s);
+    void add_frictionless_forces(double dt_s);
+    void add_forces_with_friction(double dt_s);
+    template <class ContactOf>
+    void add_forces(ContactOf&& contact_of);
 
     Platform platform_;
+    // The loop of the scene's platform: no node asks whether there is friction.
+    void (FixMagtticePlatform::*add_forces_)(double) = nullptr;
     std::vector<double> area_m2_;  // by atom ID
     std::vector<SurfaceNode> surface_;
     std::vector<StickPoint> stick_;  // by local atom

@@ -47,19 +47,15 @@ void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
 
 }  // namespace
 
-PlatformContact platform_contact(const Platform& platform, double area_m2,
-                                 const double* x_m, const double* v_m_s, double dt_s,
-                                 StickPoint& stick) {
+PlatformContact frictionless_contact(const Platform& platform, double area_m2,
+                                     const double* x_m, const double* v_m_s) {
     const Vec3 x{x_m[0], x_m[1], x_m[2]};
     const Vec3 v{v_m_s[0], v_m_s[1], v_m_s[2]};
     PlatformContact out;
     for (std::size_t d = 0; d < 3; ++d) {
         out.gap_m += (x[d] - platform.point_m[d]) * platform.normal[d];
     }
-    if (!(out.gap_m < 0)) {
-        stick.held = false;
-        return out;
-    }
+    if (!(out.gap_m < 0)) return out;
     const double spring = platform.stiffness_pa_m * area_m2;
     const double approach = -dot(v, platform.normal);
     out.normal_n =
@@ -67,8 +63,20 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
     out.energy_j = 0.5 * spring * out.gap_m * out.gap_m;
     for (std::size_t d = 0; d < 3; ++d)
         out.force_n[d] = out.normal_n * platform.normal[d];
-    if (!(platform.friction > 0)) return out;
-    if (!stick.held) stick = touched(x, v, out.gap_m, approach, dt_s);
+    return out;
+}
+
+PlatformContact platform_contact(const Platform& platform, double area_m2,
+                                 const double* x_m, const double* v_m_s, double dt_s,
+                                 StickPoint& stick) {
+    PlatformContact out = frictionless_contact(platform, area_m2, x_m, v_m_s);
+    if (!(out.gap_m < 0)) {
+        stick.held = false;
+        return out;
+    }
+    const Vec3 x{x_m[0], x_m[1], x_m[2]};
+    const Vec3 v{v_m_s[0], v_m_s[1], v_m_s[2]};
+    if (!stick.held) stick = touched(x, v, out.gap_m, -dot(v, platform.normal), dt_s);
     add_friction(platform, area_m2, x, stick, out);
     return out;
 }

@@ -31,6 +31,10 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
                                  const double* x_m, const double* v_m_s, double dt_s,
                                  StickPoint& stick);
 
+// The same without friction.
+PlatformContact frictionless_contact(const Platform& platform, double area_m2,
+                                     const double* x_m, const double* v_m_s);
+
 // (lambda + 2 G) / (2 thickness): twice as soft as the material under a rigid plate. The
 // penetration under the pressure p is 2 p / (lambda + 2 G) of the thickness, below 1 % up
 // to p = (lambda + 2 G) / 200 (lambda = 20 G: 0.11 G). Weight (rho g h, 1e-4 G for a soft

@@ -1,0 +1,106 @@
+"""The effects, and how each is taken out of a program and of a scene."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import magfsi_runs as magfsi
+from variant import Removal
+
+HERE = Path(__file__).resolve().parent
+
+
+@dataclass(frozen=True)
+class Case:
+    """program: whose instructions are counted; absent: settings that take the effect out of
+    the scene, with those that the scene has in common."""
+
+    program: str
+    scene: Path
+    removal: Removal
+    absent: dict
+    coupled: bool = False
+
+
+STRUCTURE_LIST = "structure/lammps/effects.inc"
+FLUID_LIST = "fluid_lbm/effects.inc"
+# Every effect that a solid can have but the one that is looked at.
+SOLID = HERE.parent / "scenes/every_structure_effect.yaml"
+FLUID = HERE / "still_fluid.yaml"
+SHORT = {"time.end": "50 us"}
+FEW_STEPS = {"time.end": "20 ms", "fluid.boundaries": "{x_min: periodic, x_max: periodic}"}
+COUPLED = {"time.end": "0.2 ms"}
+ON_GROUND = {"platform.point": "[0 mm, 0 mm, 0.11 mm]"}
+SUMS = {"probes": "{every: 5 ms, fluid: [kinetic_energy, enstrophy]}",
+        "output.fluid": "{every: 10 ms, fields: [velocity, vorticity]}"}
+
+
+def solid(name, absent, *files, registry=None):
+    return Case("magfsi-structure", SOLID, Removal(name, files, registry), {**SHORT, **absent})
+
+
+def fluid(name, absent, *files, registry=None):
+    return Case("magfsi-fluid-lbm", FLUID, Removal(name, files, registry),
+                {**FEW_STEPS, **absent})
+
+
+def both(name, absent, *files):
+    """Each side of a coupled run."""
+    return [Case(program, magfsi.SMALL, Removal(name, files), {**COUPLED, **absent}, True)
+            for program in ("magfsi-structure", "magfsi-fluid-lbm")]
+
+
+def listed(name, absent):
+    return [solid(name, absent, f"structure/lammps/effects/{name}/*",
+                  registry=STRUCTURE_LIST)]
+
+
+def side(name):
+    return [fluid(name, {}, f"fluid_lbm/effects/{name}/*", registry=FLUID_LIST)]
+
+
+FIX = "structure/lammps/fix_magttice"
+SCHEMES = "coupler/scheme/"
+EFFECTS = {
+    "viscosity": [solid("viscosity", {"bodies.strip.material.viscosity": "null"},
+                        "structure/lattice/viscosity.*")],
+    "magnetic_field": [solid("magnetic_field", {"magnetic_field": "null"},
+                             f"{FIX}_field.cpp", f"{FIX}_field_source.*")],
+    "field_gradient": [solid("field_gradient", {"magnetic_field.gradient": "null"})],
+    "gravity": listed("gravity", {"gravity": "null"}),
+    "drag": listed("drag", {"damping": "null"}),
+    "platform": listed("platform", {"platform": "null"}),
+    "friction": [solid("friction", {**ON_GROUND, "platform.friction": "null"})],
+    "contact": listed("contact", {"contact": "null"}),
+    "clamps": [solid("clamps", {})],
+    "rollers": [solid("rollers", {})],
+    "prescribed_motion": [solid("prescribed_motion", {}, f"{FIX}_motion.*")],
+    "immersed_boundary": [
+        solid("immersed_boundary", {}, "adapters/lammps/body_*", SCHEMES + "fluid_*",
+              "coupler/exchange/structure_exchange.*", "adapters/lammps/exchange_recorder.*"),
+        fluid("immersed_boundary", {}, SCHEMES + "*", "coupler/exchange/fluid_*",
+              "coupler/immersed_boundary/fluid_side.*")],
+    "iterated_forcing": both("iterated_forcing", {},
+                             "coupler/immersed_boundary/iterated_forcing.*"),
+    "linear_velocity": both("linear_velocity", {})[:1],
+    "parallel_scheme": both("parallel_scheme", {}),
+    "implicit_scheme": both("implicit_scheme", {}, "adapters/lammps/body_iterations.*",
+                            SCHEMES + "fixed_point.*", SCHEMES + "iqn_ils.*",
+                            "fluid_lbm/streaming/kept_state.*"),
+    "record": both("record", {}, "adapters/lammps/exchange_recorder.*",
+                   "coupler/exchange/exchange_record.*")[:1],
+    "body_force": [fluid("body_force", {})],
+    "eddy_viscosity": [fluid("eddy_viscosity", {}, "fluid_lbm/collision/smagorinsky.h")],
+    "moving_wall": side("moving_wall"),
+    "free_slip": side("free_slip"),
+    "velocity_inlet": side("velocity_inlet"),
+    "pressure_outlet": side("pressure_outlet"),
+    "obstacles": [fluid("obstacles", SUMS, "fluid_lbm/obstacle/obstacles.*",
+                        "fluid_lbm/obstacle/cut_links.*")],
+    "probes": [solid("probes", {"probes": "null"}), fluid("probes", {}),
+               *both("probes", {"probes": "null"})],
+    "interface_balance": both("interface_balance", {"probes.interface_balance": "null"}),
+    "structure_fields": [solid("structure_fields", {}), *both("structure_fields", {})[:1]],
+    "fluid_fields": [fluid("fluid_fields", {}, "adapters/fluids/fluid_files.*"),
+                     *both("fluid_fields", {})[1:]],
+    "checkpoint": [solid("checkpoint", {}), fluid("checkpoint", {}), *both("checkpoint", {})],
+}
