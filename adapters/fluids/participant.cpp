@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
@@ -96,15 +95,12 @@ void Participant::write_probes() {
 }
 
 void Participant::run() {
-    if (session_.world().root()) {
-        fmt::print("fluid: {}, {} rank(s)\nfluid step: {}\n", fluid_.headline(),
-                   session_.world().size(), tasks_.names());
-        std::fflush(stdout);
-    }
     session_.log(fmt::format("scene '{}' to {:.6g} s in {} steps", session_.scene().name,
                              session_.scene().time.end_s, session_.clock().steps()));
     coupler::log_effects(session_);
-    session_.log("fluid step: " + tasks_.names());
+    coupler::log_steps(
+        session_, tasks_,
+        fmt::format("fluid: {}, {} rank(s)", fluid_.headline(), session_.world().size()));
     if (coupling_) coupling_->begin();
     if (!session_.restart()) {
         if (writes_probes_) write_probes();

@@ -323,7 +323,7 @@ void Participant::run() {
                             scene().name, scene().time.end_s, session_.clock().steps(),
                             substeps_.coupled_step_s * 1e6, substeps_.count));
     coupler::log_effects(session_);
-    session_.log("structure step: " + tasks_.names());
+    coupler::log_steps(session_, tasks_);
     if (session_.restart() && coupling_)
         restore_coupling(parts(), coupler::open_restart(session_));
     if (coupling_) coupling_->exchange_first();

@@ -14,6 +14,7 @@
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/participants/wait.h"
 #include "coupler/scene/effective.h"
+#include "coupler/step/log_head.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -75,6 +76,7 @@ class Player {
     }
 
     void run() {
+        coupler::log_steps(session_, tasks_);
         entry_ = record_.read(0);
         pairs_ = pair_up(exchange_.receive(-1).now_m, entry_.position_m);
         exchange_.send(-1, in_order(entry_.velocity, pairs_));

@@ -9,6 +9,7 @@
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
 #include "coupler/scene/effective.h"
+#include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
@@ -40,7 +41,7 @@ class Player {
     }
 
     void run() {
-        session_.log("structure step: " + tasks_.names());
+        coupler::log_steps(session_, tasks_);
         entry_ = record_.read(0);
         exchange_.send_first(entry_.position_m);
         exchange_.receive(-1, velocity_);
