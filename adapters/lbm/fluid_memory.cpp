@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "adapters/lbm/scene_to_fluid.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/scene/effective.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/parallel/decomposition.h"
@@ -60,6 +61,21 @@ bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
     return implicit && (!plain || !config.obstacles.empty() || config.body_force_n_m3);
 }
 
+// In both sets of touched rows a stencil, a place and a share; three vectors as they come
+// and three as they are used, one that goes back, a force and a velocity.
+constexpr double marker_bytes =
+    2 * (sizeof(coupler::MarkerStencil) + sizeof(coupler::Vec3) + sizeof(double) + 1) +
+    9 * sizeof(coupler::Vec3);
+// Rows along x. Sheets of markers, some to a cell, touch a thirtieth as many where they
+// lie along them and a fifth where they have bent across.
+constexpr double rows_a_marker = 0.1;
+
+// Three numbers a cell, with room for half as many rows again, as there is in the mean.
+double forced_rows_bytes(double markers, int nx, bool single_precision) {
+    return 1.5 * rows_a_marker * markers * 3 * nx *
+           (single_precision ? sizeof(float) : sizeof(double));
+}
+
 }  // namespace
 
 double FluidMemory::peak() const {
@@ -69,7 +85,7 @@ double FluidMemory::peak() const {
     return all + largest;
 }
 
-FluidMemory fluid_memory(const scene::Scene& scene, int ranks) {
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks, double markers) {
     const auto config = to_config(*scene.fluid, *scene::coupled_step_s(scene));
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
@@ -91,6 +107,11 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks) {
     }
     if (!config.obstacles.empty())
         memory.held.emplace_back("map of the obstacles", cells * sizeof(short));
+    if (markers > 0)
+        memory.held.emplace_back(
+            "markers and the rows that they push",
+            markers * marker_bytes +
+                forced_rows_bytes(markers, n[0], storage == fluid::Storage::float_));
     if (keeps_all(scene, config))
         memory.held.emplace_back("the implicit scheme's copy", memory.populations);
     if (has_sums(scene))

@@ -18,8 +18,8 @@ struct FluidMemory {
     double peak() const;
 };
 
-// From the sizes that the solver will allocate; of what bodies touch, which depends on
-// their motion, nothing.
-FluidMemory fluid_memory(const scene::Scene& scene, int ranks);
+// From the sizes that the solver will allocate; markers: how many there are. What bodies
+// touch depends on their motion: it is that of a sheet that is a little bent.
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks, double markers = 0);
 
 }  // namespace magfsi::lbm

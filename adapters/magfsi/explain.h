@@ -9,8 +9,9 @@
 
 namespace magfsi::launch {
 
-// Effects in step order and those absent; SI and lattice values side by side; memory.
-std::string explain(const scene::Scene& scene);
+// Effects in step order and those absent; SI and lattice values side by side; memory on
+// these ranks, or on one.
+std::string explain(const scene::Scene& scene, const Ranks& ranks = {});
 
 // For programs: name, scene_hash (as in summary.json), version of magfsi, ranks by role,
 // machine, with a fluid its

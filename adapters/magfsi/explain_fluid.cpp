@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/marker_placement.h"
 #include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/magfsi/explain_parts.h"
@@ -63,9 +65,21 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
     return text;
 }
 
-// On one rank; others add the ghost rows between them.
-std::string memory(const scene::Scene& scene) {
-    const lbm::FluidMemory m = lbm::fluid_memory(scene, 1);
+double markers(const scene::Scene& scene) {
+    double all = 0;
+    for (std::size_t b = 0; scene.coupling && b < scene.bodies.size(); ++b) {
+        const scene::Body& body = scene.bodies[b];
+        all += static_cast<double>(
+            bodies::place_markers(body, scene.coupling->immersed_boundary,
+                                  scene.fluid->spacing_m, static_cast<int>(b),
+                                  bodies::spans_fluid(*scene.fluid, body))
+                .size());
+    }
+    return all;
+}
+
+std::string memory(const scene::Scene& scene, int ranks) {
+    const lbm::FluidMemory m = lbm::fluid_memory(scene, ranks, markers(scene));
     std::string text =
         fmt::format("  memory: {:.1f} MB of populations", m.populations / 1e6);
     for (const auto& [what, bytes] : m.held)
@@ -121,7 +135,7 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
 
 }  // namespace
 
-std::string explain_fluid(const scene::Scene& scene) {
+std::string explain_fluid(const scene::Scene& scene, int ranks) {
     const scene::Fluid& fluid = *scene.fluid;
     const auto config = lbm::to_config(fluid, *scene::coupled_step_s(scene));
     fluid::check(config);
@@ -131,7 +145,7 @@ std::string explain_fluid(const scene::Scene& scene) {
     std::string text = table(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
-    return text + memory(scene) + warnings(scene, v);
+    return text + memory(scene, ranks) + warnings(scene, v);
 }
 
 }  // namespace magfsi::launch

@@ -15,8 +15,9 @@ std::string explain_structure(const scene::Scene& scene);
 std::string explain_coupling(const scene::Scene& scene);
 
 // SI and lattice values side by side, the collision and why, warnings with the values to
-// use instead. Throws std::invalid_argument on what the solver refuses.
-std::string explain_fluid(const scene::Scene& scene);
+// use instead, memory on so many ranks. Throws std::invalid_argument on what the solver
+// refuses.
+std::string explain_fluid(const scene::Scene& scene, int ranks);
 
 // Cells, step, Courant number, memory. Throws std::invalid_argument likewise.
 std::string explain_openfoam(const scene::Scene& scene);

@@ -46,8 +46,8 @@ int check(const Options& options) {
 
 int explain(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
-    const std::string text = launch::explain(scene);
     const auto ranks = launch::choose_ranks(scene, options.run.ranks);
+    const std::string text = launch::explain(scene, ranks);
     if (options.json)
         fmt::print("{}\n", launch::facts(scene, ranks).dump(2));
     else

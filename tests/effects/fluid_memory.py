@@ -28,15 +28,26 @@ CASES = {
 }
 
 
-def predicted(settings):
-    text = subprocess.run([magfsi.BIN / "magfsi", "explain", SCENE, *magfsi.overrides(settings)],
+# Beside a robot, spacings of a large and a small grid: what markers need is in it, and the
+# ghost rows between two ranks.
+COUPLED = {
+    "swimmer": (magfsi.SWIMMER, "0.2 mm", "0.4 mm", 1),
+    "swimmer, two ranks": (magfsi.SWIMMER, "0.2 mm", "0.4 mm", 2),
+    "small swimmer": (magfsi.SMALL, "0.125 mm", "0.25 mm", 1),
+}
+FEW_STEPS = {"time.end": "0.1 ms", "output": "{}", "probes": "null"}
+
+
+def predicted(settings, scene=SCENE, ranks="fluid=1"):
+    text = subprocess.run([magfsi.BIN / "magfsi", "explain", scene, "--ranks", ranks,
+                           *magfsi.overrides(settings)],
                           check=True, capture_output=True, text=True).stdout
     populations = float(re.search(r"memory: ([\d.]+) MB of populations", text)[1])
     return populations, float(re.search(r"at most ([\d.]+) MB beside", text)[1])
 
 
-def measured(settings):
-    result = magfsi.good_run(SCENE, settings, ranks="fluid=1")
+def measured(settings, scene=SCENE, ranks="fluid=1"):
+    result = magfsi.good_run(scene, settings, ranks=ranks)
     return result.summary()["memory_bytes"]["fluid"] / 1e6
 
 
@@ -53,6 +64,18 @@ class Memory(unittest.TestCase):
                 self.assertLess(abs(taken / most - 1), 0.05)
                 if name in ("nothing else", "float"):
                     self.assertLess(taken / populations, 1.05)
+
+    def test_is_that_of_explain_beside_a_robot(self):
+        for name, (scene, fine, coarse, ranks) in COUPLED.items():
+            with self.subTest(name):
+                grids = [{**FEW_STEPS, "fluid.spacing": spacing} for spacing in (fine, coarse)]
+                on = f"structure=1,fluid={ranks}"
+                populations, most = (a - b for a, b in zip(*(predicted(grid, scene, on)
+                                                             for grid in grids)))
+                taken = measured(grids[0], scene, on) - measured(grids[1], scene, on)
+                magfsi.report(f"{name}: {taken:.1f} MB, predicted {most:.1f} MB, "
+                              f"populations {populations:.1f} MB")
+                self.assertLess(abs(taken / most - 1), 0.05)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ depend on them are compiled anew, and the program is linked without the effect's
 those files may be left: the linker's map and the headers that each object has read show it."""
 
 import functools
+import os
 import re
 import shlex
 import subprocess
@@ -34,6 +35,13 @@ def commands(program):
     return [line for line in text.splitlines() if not line.startswith("ninja:")]
 
 
+def in_tree(path):
+    """Of a path as the build sees it, that from the tree's root; None of those outside."""
+    whole = os.path.normpath(os.path.join(BUILD, path))
+    root = f"{magfsi.ROOT}/"
+    return whole.removeprefix(root) if whole.startswith(root) else None
+
+
 @functools.cache
 def read_by():
     """Of each object of the build, the files of the tree that it has been made of."""
@@ -42,9 +50,9 @@ def read_by():
     reads, now = {}, None
     for line in text.splitlines():
         if line.startswith(" "):
-            path = (BUILD / line.strip()).resolve()
-            if path.is_relative_to(magfsi.ROOT):
-                now.add(str(path.relative_to(magfsi.ROOT)))
+            path = in_tree(line.strip())
+            if path:
+                now.add(path)
         elif line:
             now = reads.setdefault(line.split(":")[0], set())
     return reads
@@ -91,15 +99,14 @@ def compiled(words, target, folder):
     words = list(words)
     words[words.index("-o") + 1] = str(target)
     words[words.index("-MF") + 1] = f"{target}.d"
-    source = (magfsi.ROOT / words[-1]).resolve().relative_to(magfsi.ROOT)
+    source = source_of(words)
     if (folder / source).exists():
         words[-1] = str(folder / source)
     first = next(i for i, word in enumerate(words) if word.startswith("-"))
     words.insert(first, f"-I{folder}")
     subprocess.run(words, cwd=BUILD, check=True)
     made_of = Path(f"{target}.d").read_text().replace("\\\n", " ").split()[1:]
-    return {str(Path(p).relative_to(magfsi.ROOT)) for p in made_of
-            if Path(p).is_relative_to(magfsi.ROOT)}
+    return {in_tree(path) for path in made_of} - {None}
 
 
 def linked(program, folder, made):
@@ -143,7 +150,7 @@ def without(program, removal):
 
 
 def source_of(words):
-    return str(Path(words[-1]).resolve().relative_to(magfsi.ROOT))
+    return in_tree(words[-1])
 
 
 def check_gone(removal, own, made_of):
