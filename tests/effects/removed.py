@@ -108,9 +108,9 @@ class Patches(unittest.TestCase):
                     self.assertTrue(within(new, old))
 
     def test_fit_the_sources(self):
-        for cases in EFFECTS.values():
-            for case in cases:
-                with self.subTest(case.removal.name):
+        for name in NAMES:
+            for case in EFFECTS[name]:
+                with self.subTest(name):
                     variant.overlay(case.removal, Path(magfsi.new_folder()))
 
 
