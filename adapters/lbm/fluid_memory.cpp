@@ -43,9 +43,10 @@ double output_bytes_a_cell(const scene::FluidOutput& output) {
     return peak;
 }
 
-bool has_sums(const scene::Scene& scene) {
+// The only sum that takes velocities beside each other.
+bool has_enstrophy(const scene::Scene& scene) {
     return scene.probes && std::ranges::any_of(scene.probes->fluid, [](auto quantity) {
-               return quantity != scene::FluidQuantity::obstacle_force;
+               return quantity == scene::FluidQuantity::enstrophy;
            });
 }
 
@@ -114,8 +115,9 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks, double markers) {
                 forced_rows_bytes(markers, n[0], storage == fluid::Storage::float_));
     if (keeps_all(scene, config))
         memory.held.emplace_back("the implicit scheme's copy", memory.populations);
-    if (has_sums(scene))
-        memory.passing.emplace_back("sums of the probes", ghosted_cells * velocity_field);
+    if (has_enstrophy(scene))
+        memory.passing.emplace_back("the probe of the enstrophy",
+                                    ghosted_cells * velocity_field);
     if (scene.output.fluid)
         memory.passing.emplace_back("fields in files",
                                     cells * output_bytes_a_cell(*scene.output.fluid));
