@@ -54,6 +54,8 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         arguments.insert(arguments.end(), {"--restart", options.restart});
     for (const std::string& o : options.overrides)
         arguments.insert(arguments.end(), {"--set", o});
+    for (const std::string& note : options.notes)
+        arguments.insert(arguments.end(), {"--note", note});
     const Ranks ranks = choose_ranks(scene, options.ranks);
     std::vector<Program> programs;
     const auto add = [&](const std::string& role, const char* name) {
@@ -127,6 +129,15 @@ double memory_of(const nlohmann::ordered_json& summary) {
     double bytes = 0;
     for (const auto& side : summary.at("memory_bytes")) bytes += side.get<double>();
     return bytes;
+}
+
+void add_to_summary(const fs::path& out, const char* key,
+                    const nlohmann::ordered_json& value) {
+    std::ifstream in(out / "summary.json");
+    auto json = nlohmann::ordered_json::parse(in, nullptr, false);
+    if (!json.is_object()) return;
+    json[key] = value;
+    output::write_atomically(out / "summary.json", json.dump(2) + "\n");
 }
 
 // Beside the actual figures, in summary.json and in a line.
@@ -203,6 +214,7 @@ int run(const RunOptions& options) {
         return coupler::exit_error;
     }
     // What a restart or one side alone takes is not what was predicted.
+    if (!options.accuracy.is_null()) add_to_summary(out, "accuracy", options.accuracy);
     const bool whole = options.restart.empty() && options.replay.empty();
     if (end.exit_code == coupler::exit_done && whole) {
         const Ranks ranks = choose_ranks(scene, options.ranks);

@@ -19,6 +19,8 @@ ParticipantArguments parse_arguments(int argc, char** argv,
     app.add_option("--out", a.out, "Run folder (default: runs/NAME)");
     app.add_option("--set", a.overrides, "Override: path.to.key=value; may be repeated")
         ->allow_extra_args(false);
+    app.add_option("--note", a.notes, "A line for the head of the log; may be repeated")
+        ->allow_extra_args(false);
     app.add_option("--restart", a.restart,
                    "Go on from a checkpoint: latest, or its file");
     app.add_flag("--record", a.record, "Write exchange.record");

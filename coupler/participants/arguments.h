@@ -13,9 +13,10 @@ struct ParticipantArguments {
     std::filesystem::path scene;
     std::filesystem::path out;  // run folder; default runs/NAME of the scene
     std::vector<std::string> overrides;
-    std::string restart;           // "latest", a file of a checkpoint, or empty
-    bool record = false;           // what both sides tell each other, to play it later
-    std::filesystem::path replay;  // the record that a replay participant plays
+    std::vector<std::string> notes;  // for the head of the log
+    std::string restart;             // "latest", a file of a checkpoint, or empty
+    bool record = false;             // what both sides tell each other, to play it later
+    std::filesystem::path replay;    // the record that a replay participant plays
     output::ProgressMode progress = output::ProgressMode::plain;
     bool help = false;
     std::string help_text;

@@ -29,6 +29,7 @@ bool coupled(const scene::Scene& scene) {
 Session::Session(Role role, const ParticipantArguments& arguments, RunState& state)
     : state_(state),
       restart_wanted_(arguments.restart),
+      notes_(arguments.notes),
       world_(role, coupled(read(arguments, state))) {}
 
 double Session::timeout_s() const {
@@ -47,6 +48,7 @@ void Session::begin(double step_s) {
         shake_hands(world_, mine, startup_timeout_s);
     }
     claim_run_folder();
+    for (const std::string& note : notes_) log(note);
     if (!restart_) return;
     for (const std::string& fault : restart_->skipped) log("skipped: " + fault);
     log(fmt::format("restart at step {}, t = {:.6g} s", clock_->step(),

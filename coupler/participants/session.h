@@ -54,6 +54,7 @@ class Session {
 
     RunState& state_;
     std::string restart_wanted_;
+    std::vector<std::string> notes_;
     World world_;
     std::unique_ptr<Clock> clock_;
     std::optional<RestartPoint> restart_;

@@ -40,6 +40,11 @@ Field Field::alternative() && {
     return std::move(*this);
 }
 
+Field Field::chosen_by_accuracy() && {
+    presence = Presence::chosen_by_accuracy;
+    return std::move(*this);
+}
+
 Field Field::optional_alternative() && {
     presence = Presence::optional_alternative;
     return std::move(*this);

@@ -33,8 +33,15 @@ enum class Layout {
 };
 
 // alternative: exactly one of the alternatives of a group must be there;
-// optional_alternative: at most one.
-enum class Presence { required, optional, alternative, optional_alternative };
+// optional_alternative: at most one; chosen_by_accuracy: required unless the scene has
+// the key accuracy.
+enum class Presence {
+    required,
+    optional,
+    alternative,
+    optional_alternative,
+    chosen_by_accuracy
+};
 
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
@@ -68,6 +75,7 @@ struct Field {
     Field optional() &&;
     Field alternative() &&;
     Field optional_alternative() &&;
+    Field chosen_by_accuracy() &&;
     Field or_default(std::string_view yaml) &&;
     Field above(double low) &&;
     Field at_least(double low) &&;

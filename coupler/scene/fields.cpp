@@ -22,6 +22,13 @@ const Field& scene_fields() {
                     .above(0).at_most(0.01).or_default("1e-6"),
             }).optional(),
         }),
+        group("accuracy", "In place of fluid.spacing and of a block's elements: magfsi run "
+              "and explain choose them by the studies of docs/accuracy.", {
+            quantity("error", "%", "The coarsest that keeps the studied error below this.")
+                .above(0).at_most(50).alternative(),
+            quantity("time", "s", "The finest that is predicted to take no longer.").above(0)
+                .alternative(),
+        }).optional(),
         bodies_fields().optional(),
         magnetic_field_fields().optional(),
         group("gravity", "Weight of the bodies; in a fluid, less their buoyancy.", {

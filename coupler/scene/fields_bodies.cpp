@@ -12,7 +12,7 @@ Field mesh() {
         group("box", "A block.", {
             quantity("size", "m", "Length along x, y and z.").vector(3).above(0),
             integer("elements", "Elements along x, y and z.").vector(3).at_least(1)
-                .at_most(100000),
+                .at_most(100000).chosen_by_accuracy(),
         }).alternative(),
         group("oblique", "A plate of parallelogram cells, each a region \"row R column C\".", {
             integer("cells", "Cells along x and y.").vector(2).at_least(1).at_most(10000),

@@ -89,7 +89,8 @@ Field fluid_fields() {
         choice<FluidSolver>("solver", "lbm: built in; openfoam: pimpleFoam.")
             .or_default("lbm"),
         quantity("box", "m", "Length along x, y and z.").vector(3).above(0),
-        quantity("spacing", "m", "Edge of the cubic cells; divides the box.").above(0),
+        quantity("spacing", "m", "Edge of the cubic cells; divides the box.").above(0)
+            .chosen_by_accuracy(),
         quantity("density", "kg/m3", "Mass by volume.").above(0),
         quantity("viscosity", "m2/s", "Kinematic viscosity.").above(0),
         quantity("expected_speed", "m/s", "Largest speed that the run should resolve; "

@@ -74,6 +74,7 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
 }  // namespace
 
 std::string dimension_expectation(std::string_view si_unit) {
+    if (si_unit == "%") return "a share such as 3 %";
     const Dimension dimension = parse_unit(si_unit).dimension;
     return fmt::format("{} such as {}", dimension_name(dimension),
                        dimension_example(dimension));

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "coupler/scene/accuracy.h"
 #include "coupler/scene/checks.h"
 #include "coupler/scene/effective.h"
 #include "coupler/scene/fields.h"
@@ -76,20 +77,35 @@ std::filesystem::path scene_file(const std::filesystem::path& path) {
     return file;
 }
 
-Scene read_scene(const std::filesystem::path& path,
-                 const std::vector<std::string>& overrides) {
-    const std::filesystem::path file = scene_file(path);
+Node read_tree(const std::filesystem::path& file,
+               const std::vector<std::string>& overrides) {
     const Origin start{file.string(), 1, 1};
     Node root = parse_document(file_text(file), start);
     if (root.type == Node::Type::null)
         refuse(start, "an empty file", "a map with keys such as time and bodies");
     apply_overrides(root, overrides);
-    validate(root, scene_fields());
+    return root;
+}
 
+Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
+    validate(root, scene_fields());
     Scene scene;
     TreeReader reader(&root, scene_fields());
     bind_keys(reader, scene);
-    complete(scene, file.parent_path());
+    complete(scene, folder);
+    return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides) {
+    const std::filesystem::path file = scene_file(path);
+    const Node root = read_tree(file, overrides);
+    if (const Node* accuracy = root.find("accuracy")) {
+        refuse(
+            accuracy->key_origin, "accuracy, which this program cannot resolve",
+            "it with magfsi run, check and explain, which choose spacing and elements");
+    }
+    Scene scene = unchecked_scene(root, file.parent_path());
     check_scene(scene, Marks(root));
     scene.hash = scene_hash(scene);
     return scene;

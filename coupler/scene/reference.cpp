@@ -33,6 +33,7 @@ std::string presence(const Field& field) {
     if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
     if (field.presence == Presence::alternative) return "one of these";
     if (field.presence == Presence::optional_alternative) return "at most one of these";
+    if (field.presence == Presence::chosen_by_accuracy) return "required, or `accuracy`";
     return field.presence == Presence::required ? "required" : "";
 }
 

@@ -49,6 +49,9 @@ void add_range(Json& schema, const Range& range) {
 Json value_schema(const Field& field) {
     switch (field.kind) {
         case Kind::quantity: {
+            if (field.unit == "%")
+                return {{"type", "string"},
+                        {"pattern", std::string(number_pattern) + R"(\s*%\s*$)"}};
             if (!field.unit.empty())
                 return {
                     {"type", "string"},

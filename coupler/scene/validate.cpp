@@ -43,7 +43,10 @@ void check_alternatives(const Node& node, const Field& field, const std::string&
 
 void check_required(const Node& node, const Field& field, const std::string& where) {
     for (const Field& child : field.children) {
-        if (child.presence != Presence::required || node.find(child.name)) continue;
+        if (child.presence != Presence::required &&
+            child.presence != Presence::chosen_by_accuracy)
+            continue;
+        if (node.find(child.name)) continue;
         refuse(node.origin, fmt::format("no key \"{}\" in {}", child.name, where),
                fmt::format("{}: {}", child.name, expectation(child)));
     }

@@ -1,5 +1,6 @@
 """Error against seconds, both logarithmic, with the Pareto front; legible in grey."""
 import math
+import re
 
 import matplotlib
 
@@ -18,6 +19,11 @@ LINES = ("-", "--", ":", "-.")
 
 def _plain(value, _=None):
     return f"{value:g}"
+
+
+def _short(label):
+    """Numbers such as 0.1666666667 in four digits."""
+    return re.sub(r"\d+\.\d{5,}", lambda number: f"{float(number.group()):.4g}", label)
 
 
 def _points(study, group, norm):
@@ -69,7 +75,7 @@ def _front(study, axes, runs, norm):
         if run.cell.label(varied) == shown:
             continue  # another setting of the same
         shown = run.cell.label(varied)
-        axes.annotate(run.cell.label(varied), (cost, error), xytext=(-6, -7),
+        axes.annotate(_short(shown), (cost, error), xytext=(-6, -7),
                       textcoords="offset points", fontsize=6.5, color=INK, ha="right",
                       va="top")
 

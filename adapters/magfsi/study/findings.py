@@ -97,6 +97,9 @@ def _order_against(e1, h1, e2, h2, h_reference):
 def order(group, norm):
     """Observed, from the two finest runs with an error; None where they tell none."""
     known = [r for r in with_errors(group, norm) if r.cell.size and r.errors[norm.name] > 0]
+    if norm.reference and norm.reference.finest is not None:
+        # At the reference's own size the error of both is compared, and tells no order.
+        known = [r for r in known if r.cell.size > r.compared_size * (1 + 1e-9)]
     if len(known) < 2 or known[-2].cell.size == known[-1].cell.size:
         return None
     coarse, fine = known[-2:]

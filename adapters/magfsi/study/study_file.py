@@ -32,11 +32,13 @@ class Axis:
 
 @dataclass
 class Reference:
-    """Exactly one of: a number, a formula of t, a table, the finest run."""
+    """Exactly one of: a number, a formula of t, a table, tables by an axis, the finest run."""
     number: float | None = None
     formula: Formula | None = None
     times: list | None = None
     values: list | None = None
+    by_axis: str = ""
+    tables: dict | None = None  # label of that axis: reference
     finest: dict | None = None  # axis: label that the finest run has
 
 
@@ -125,10 +127,19 @@ def _axis(name, value):
     return Axis(name, settings, unit, keys["key"])
 
 
-def _table(value, folder):
+def _table(value, axes, folder):
     keys = value.keys(("file", "time", "time_factor", "value", "value_factor"),
                       ("file", "time", "value"))
     path = folder / keys["file"].scalar()
+    named = [axis for axis in axes if f"{{{axis}}}" in path.name]
+    if named:  # a file for each value of that axis
+        return Reference(by_axis=named[0], tables={
+            s.label: _one_table(keys, path.with_name(path.name.replace(f"{{{named[0]}}}", s.label)))
+            for s in axes[named[0]].settings})
+    return _one_table(keys, path)
+
+
+def _one_table(keys, path):
     try:
         with open(path, newline="") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -164,7 +175,7 @@ def _reference(value, axes, folder):
     if keys["formula"]:
         return Reference(formula=formula(keys["formula"], ["t", *axes]))
     if keys["table"]:
-        return _table(keys["table"], folder)
+        return _table(keys["table"], axes, folder)
     return Reference(finest=_chosen(keys["finest"], axes, single=True))
 
 
