@@ -9,6 +9,7 @@
 #include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
+#include "adapters/magfsi/richardson.h"
 #include "adapters/openfoam/engine_library.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/atomic_file.h"
@@ -157,6 +158,15 @@ void write_predicted(const scene::Scene& scene, const fs::path& out, const Ranks
                json.value("wall_s", 0.0), memory_of(json) / 1e6);
 }
 
+void write_richardson(const scene::Scene& scene, const fs::path& out) {
+    if (!scene.probes) return;
+    add_to_summary(out, "resolution", resolution_of(scene));
+    const auto estimate = richardson(scene, out);
+    if (estimate.is_null()) return;
+    add_to_summary(out, "richardson", estimate);
+    fmt::print("{}\n", richardson_line(estimate));
+}
+
 }  // namespace
 
 std::map<std::string, fs::path> parse_replay(const std::string& text) {
@@ -217,6 +227,7 @@ int run(const RunOptions& options) {
     if (!options.accuracy.is_null()) add_to_summary(out, "accuracy", options.accuracy);
     const bool whole = options.restart.empty() && options.replay.empty();
     if (end.exit_code == coupler::exit_done && whole) {
+        write_richardson(scene, out);
         const Ranks ranks = choose_ranks(scene, options.ranks);
         write_predicted(scene, out, ranks, prediction(scene, ranks));
     }
