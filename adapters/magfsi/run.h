@@ -16,11 +16,11 @@ struct RunOptions {
     std::filesystem::path scene;
     std::filesystem::path out;
     std::vector<std::string> overrides;
-    Ranks ranks;          // those that are given
+    Ranks ranks;                      // those that are given
     std::vector<std::string> notes;   // for the head of the log
     nlohmann::ordered_json accuracy;  // for the summary; null without the key accuracy
-    std::string restart;  // latest, a file of a checkpoint, or empty
-    bool record = false;  // write exchange.record
+    std::string restart;              // latest, a file of a checkpoint, or empty
+    bool record = false;              // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
 };
 

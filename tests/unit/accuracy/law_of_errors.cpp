@@ -1,4 +1,5 @@
-// error = C n^-p is found again from runs that follow it, whatever they were compared with.
+// error = C n^-p is found again from runs that follow it, whatever they were compared
+// with.
 #include <gtest/gtest.h>
 
 #include <cmath>

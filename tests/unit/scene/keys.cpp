@@ -316,9 +316,8 @@ TEST(Keys, of_the_table_are_all_stored) {
         return path.starts_with(".fluid.boundaries.");
     });
     // Resolved into spacing and elements before the scene is read (accuracy.h).
-    std::erase_if(missing, [](const std::string& path) {
-        return path.starts_with(".accuracy.");
-    });
+    std::erase_if(missing,
+                  [](const std::string& path) { return path.starts_with(".accuracy."); });
     EXPECT_EQ(missing, std::vector<std::string>{});
 }
 
