@@ -1,5 +1,6 @@
 option(MAGFSI_TESTS "Build the tests" ON)
 option(MAGFSI_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(MAGFSI_FUZZ "Build the fuzzer of the scene reader; needs clang" OFF)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -12,6 +13,11 @@ add_library(magfsi_options INTERFACE)
 target_include_directories(magfsi_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(magfsi_options INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+if(MAGFSI_FUZZ)
+  target_compile_options(magfsi_options INTERFACE
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined)
+  target_link_options(magfsi_options INTERFACE -fsanitize=address,undefined)
+endif()
 if(MAGFSI_SANITIZE)
   target_compile_options(magfsi_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
