@@ -1,5 +1,6 @@
 option(MAGFSI_TESTS "Build the tests" ON)
 option(MAGFSI_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(MAGFSI_TRAPS "End a participant at an invalid operation, a division by 0, an overflow" OFF)
 option(MAGFSI_FUZZ "Build the fuzzer of the scene reader; needs clang" OFF)
 
 set(CMAKE_CXX_STANDARD 20)

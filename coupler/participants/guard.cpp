@@ -9,6 +9,7 @@
 
 #include "coupler/output/summary.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/floating_point_traps.h"
 #include "coupler/participants/wait.h"
 #include "coupler/scene/effective.h"
 #include "coupler/scene/reader.h"
@@ -80,6 +81,7 @@ int run_participant(Role role, const std::string& description, int argc, char** 
     }
     MPI_Init(&argc, &argv);
     catch_stop_signals();
+    trap_floating_point_faults();  // after MPI's own start
     RunState state;
     try {
         body(arguments, state);

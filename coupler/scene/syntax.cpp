@@ -4,7 +4,10 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <sstream>
+
+#include "coupler/scene/utf8.h"
 
 namespace magfsi::scene {
 
@@ -41,9 +44,24 @@ class DocumentCounter : public YAML::EventHandler {
     int documents_ = 0;
 };
 
+void check_encoding(const std::string& text, const Origin& whole) {
+    const std::size_t fault = first_fault_in_utf8(text);
+    if (fault == std::string::npos) return;
+    const std::string_view before = std::string_view(text).substr(0, fault);
+    Origin where = whole;
+    if (whole.line != 0) {
+        where.line = 1 + static_cast<int>(std::ranges::count(before, '\n'));
+        where.column = static_cast<int>(fault - (before.rfind('\n') + 1)) + 1;
+    }
+    refuse(where,
+           fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[fault])),
+           "text in UTF-8");
+}
+
 }  // namespace
 
 void check_syntax(const std::string& text, const Origin& whole) {
+    check_encoding(text, whole);
     DocumentCounter counter(whole);
     try {
         std::istringstream stream(text);
