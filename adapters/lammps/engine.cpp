@@ -11,6 +11,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "structure/lammps/register_styles.h"
+#include "update.h"
 
 namespace magfsi::lammps {
 
@@ -51,6 +52,15 @@ void Engine::set_up() {
 void Engine::advance(int substeps) {
     // pre no: forces and layout of the step before are still valid.
     command("run " + std::to_string(substeps) + " pre no post no");
+}
+
+void Engine::divide_step(int factor) {
+    LAMMPS_NS::Update& update = *lammps_->update;
+    // The commands for both look for what depends on time, or leave the fixes as they
+    // are.
+    update.ntimestep *= factor;
+    update.dt /= factor;
+    for (int i = 0; i < lammps_->modify->nfix; ++i) lammps_->modify->fix[i]->reset_dt();
 }
 
 int Engine::local_index(int atom_id) const {

@@ -36,6 +36,9 @@ class Engine {
     // First forces and the parallel layout; nodes keep their local indices from here on.
     void set_up();
     void advance(int substeps);
+    // Steps of a whole part of those so far; the time, their number times the step,
+    // stays.
+    void divide_step(int factor);
 
     // Local index of an atom on this rank, owned or ghost; -1 if it is neither.
     int local_index(int atom_id) const;

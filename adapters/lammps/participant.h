@@ -9,6 +9,7 @@
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/come_to_rest.h"
 #include "adapters/lammps/exchange_recorder.h"
+#include "adapters/lammps/step_guard.h"
 #include "adapters/lammps/structure_state.h"
 #include "adapters/lammps/substeps.h"
 #include "coupler/checkpoint/checkpoints.h"
@@ -34,6 +35,8 @@ class Participant {
     std::int64_t steps_between_samples() const;
     void assemble_iterations();
     void add_advance();
+    void add_step_guard();
+    void take_substeps_of_restart();
     void add_slip();
     void assemble_output(output::ProgressMode progress);
     void assemble_checkpoint();
@@ -61,6 +64,7 @@ class Participant {
     std::unique_ptr<Engine> engine_;
     coupler::TaskList tasks_;
     std::unique_ptr<RestFinder> rest_;  // present only for equilibria
+    std::unique_ptr<StepGuard> guard_;  // present only for motion
     // Present only with a fluid:
     std::unique_ptr<BodyCoupling> coupling_;
     bool again_ = false;  // implicit scheme: the step is repeated

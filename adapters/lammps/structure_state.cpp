@@ -71,6 +71,7 @@ void save_structure(const StructureParts& parts, StateWriter* file) {
     save_shares(comm, "sums", engine.fix_sums(), file);
     if (parts.coupling) save_markers(parts, file);
     if (parts.balance) save_shares(comm, "balance", parts.balance->values(), file);
+    if (file) file->table("substeps", std::vector<double>{1.0 * parts.substeps}, {1});
     if (parts.audit && file) {
         const auto carried = parts.audit->carried();
         file->table("energy_audit", carried, {carried.size()});

@@ -18,6 +18,7 @@ struct StructureParts {
     BodyCoupling* coupling = nullptr;
     coupler::BalanceRecord* balance = nullptr;
     EnergyAudit* audit = nullptr;
+    int substeps = 1;  // of the last coupled step
 };
 
 // Collective; file is null but on the root. Contact's lists of neighbours are renewed, as
