@@ -17,19 +17,21 @@ def pressed(by_mm, **more):
 
 
 class Crushed(unittest.TestCase):
-    def test_right_to_half_its_length(self):
-        for by_mm, kind in ((0.3, "3 : 1"), (0.5, "2 : 1")):
+    def test_right_to_a_fifth_of_its_length(self):
+        for by_mm in (0.3, 0.5, 0.8):
             run = pressed(by_mm)
             self.assertEqual(run.code, 0, run.err)
             audit = run.summary()["energy_audit"]
             magfsi.report(f"pressed by {by_mm} mm: {audit}")
-            self.assertLess(audit["residual"], 0.01, kind)
+            self.assertLess(audit["residual"], 0.01, by_mm)
 
     def test_through_itself_is_named(self):
-        run = pressed(1.1)
+        run = pressed(4)
         magfsi.report(run.err.strip())
         self.assertEqual(run.code, 3, run.err)
-        self.assertRegex(run.err, r"element \d+ is inverted at step \d+.*body cube")
+        # Whichever comes first.
+        self.assertRegex(run.err, r"element \d+ is inverted at step \d+.*body cube|"
+                                  r"the run has gained energy that nothing gave")
         self.assertEqual(run.summary()["outcome"], "diverged")
 
 
