@@ -91,7 +91,6 @@ void Streaming::expect_two_grids(Storage storage) const {
     layout.beyond_y.fill(side(periodic[1]));
     layout.beyond_z.fill(side(periodic[2]));
     const Populations populations(n[0], layout.row_count(), storage);
-    const ForcedRows no_force(n[0], n[1], n[2], std::nullopt, storage);
     Field field(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
     for_each_cell([&](std::array<int, 3> x) {
         for (int q = 0; q < directions; ++q) {
@@ -106,7 +105,7 @@ void Streaming::expect_two_grids(Storage storage) const {
     Arrangement arrangement = Arrangement::natural;
     for (int step = 0; step < 7; ++step) {
         const RowBox all{0, n[1], 0, n[2]};
-        sweep({populations, layout, arrangement, no_force, kernels, parameters}, all);
+        sweep({populations, layout, arrangement, nullptr, kernels, parameters}, all);
         arrangement = arrangement == Arrangement::natural ? Arrangement::swapped
                                                           : Arrangement::natural;
         field = streamed(field);
