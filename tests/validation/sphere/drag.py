@@ -92,6 +92,13 @@ class Long(Drag):
         self.assertGreater(order, 1)
         self.assertLess(abs(limit), 0.03)
 
+    def test_reynolds_200(self):
+        # This collision diverges at the inlet with less than 16 cells.
+        settings = {"fluid.viscosity": "0.1 mm2/s", "fluid.collision": "trt",
+                    "fluid.magic_number": 0.1875, "fluid.lattice_speed": 0.12}
+        _, limit = self.converges(settings, 16, 20)
+        self.assertLess(abs(limit), 0.03)
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()

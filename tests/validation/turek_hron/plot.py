@@ -36,7 +36,7 @@ def main():
         for colour, (spacing, folder) in zip(("C1", "C0", "C2"), runs):
             t = column(folder, "t[s]")
             u = [1e3 * v for v in column(folder, f"A_{name}[m]")]
-            text = f"{float(spacing):g} mm, {20 / float(spacing):g} cells in the flag"
+            text = f"{float(spacing):.3g} mm, {20 / float(spacing):.3g} cells in the flag"
             axes[row][0].plot(t, u, lw=0.7, color=colour, label=text)
             end = t[-1]
             part = [(a - end, b) for a, b in zip(t, u) if a >= end - 1.2]
