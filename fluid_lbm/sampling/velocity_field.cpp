@@ -136,10 +136,10 @@ VelocityField sample_velocity(MPI_Comm comm, const Solver& solver) {
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {
             row_moments(solver.view(), y, z, 0, layout.nx, m);
+            double* to = field.at(0, y, z);
             for (int x = 0; x < layout.nx; ++x) {
-                for (int a = 0; a < 3; ++a) {
-                    field.at(x, y, z)[a] = m.j[a][x] / (1 + m.excess[x]);
-                }
+                const double volume = 1 / (1 + m.excess[x]);
+                for (int a = 0; a < 3; ++a) *to++ = m.j[a][x] * volume;
             }
         }
     }

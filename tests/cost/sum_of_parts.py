@@ -22,7 +22,8 @@ PRICES = {
     "s_per_element_substep": ELEMENT_S, "s_per_substep": SUBSTEP_S,
     "s_per_substep_exchange": EXCHANGE_S, "s_per_marker_substep": MARKER_SUBSTEP_S, "s_per_marker_step": MARKER_S,
     "s_per_coupled_step": STEP_S, "s_per_coupled_step_shared": STEP_S,
-    "s_per_cell_row": 0, "s_per_probe_row": 0, "s_per_cell_byte": 0, "s_per_element_file": 0,
+    "s_per_cell_row": 0, "s_per_cell_enstrophy": 0,
+    "s_per_probe_row": 0, "s_per_cell_byte": 0, "s_per_element_file": 0,
     "fluid_bytes": 1e7, "coupled_fluid_bytes": 1.5e7, "lammps_bytes": 3e7, "newton_bytes": 2e7, "bytes_per_cell": 160,
     "bytes_per_cell_file": 20, "bytes_per_element": 1000, "newton_bytes_per_element": 2000,
     "bytes_per_marker": 3000, "structure_file_bytes": 1e6}

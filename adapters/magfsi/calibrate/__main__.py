@@ -60,6 +60,7 @@ def fluid(bench, cores):
     cells = LARGE**3 - SMALL**3
     per_cell = (memory(found[LARGE], "fluid") - memory(found[SMALL], "fluid")) / cells
     probed = bench.run(scenes.fluid(LARGE, 40, probes=2), "fluid=1")
+    curled = bench.run(scenes.fluid(LARGE, 40, probes=2, quantities="enstrophy"), "fluid=1")
     written = bench.run(scenes.fluid(LARGE, 40, files=10), "fluid=1")
     return {
         "fluid": speeds,
@@ -68,6 +69,7 @@ def fluid(bench, cores):
         "bytes_per_cell_file": max(0, memory(written, "fluid") - memory(found[LARGE], "fluid"))
         / LARGE**3,
         "s_per_cell_row": probed["tasks"]["fluid"]["probes"] / 20 / LARGE**3,
+        "s_per_cell_enstrophy": curled["tasks"]["fluid"]["probes"] / 20 / LARGE**3,
         "s_per_cell_byte": written["tasks"]["fluid"]["write fields"] / 4 / LARGE**3 / 12,
     }
 

@@ -17,14 +17,14 @@ fluid:
   boundaries: {{x_min: periodic, x_max: periodic, y_min: periodic, y_max: periodic,
                z_min: periodic, z_max: periodic}}
 """
-PROBES = "probes: {{every: {every} s, fluid: [kinetic_energy, mass, max_speed]}}\n"
+PROBES = "probes: {{every: {every} s, fluid: [{quantities}]}}\n"
 FILES = "output: {{fluid: {{every: {every} s, fields: [velocity]}}}}\n"
 
 
-def fluid(n, steps, precision="double", probes=0, files=0):
+def fluid(n, steps, precision="double", probes=0, files=0, quantities="kinetic_energy"):
     text = FLUID.format(n=n, end=steps, precision=precision)
     if probes:
-        text += PROBES.format(every=probes)
+        text += PROBES.format(every=probes, quantities=quantities)
     if files:
         text += FILES.format(every=files)
     return text

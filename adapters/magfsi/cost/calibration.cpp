@@ -28,6 +28,7 @@ constexpr Entry entries[] = {
     {"s_per_coupled_step", &Calibration::s_per_coupled_step},
     {"s_per_coupled_step_shared", &Calibration::s_per_coupled_step_shared},
     {"s_per_cell_row", &Calibration::s_per_cell_row},
+    {"s_per_cell_enstrophy", &Calibration::s_per_cell_enstrophy},
     {"s_per_probe_row", &Calibration::s_per_probe_row},
     {"s_per_cell_byte", &Calibration::s_per_cell_byte},
     {"s_per_element_file", &Calibration::s_per_element_file},

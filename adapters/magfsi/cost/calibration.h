@@ -34,7 +34,8 @@ struct Calibration {
     double s_per_marker_step = 0;          // spread and sampled, by the fluid
     double s_per_coupled_step = 0;         // messages, on one rank each
     double s_per_coupled_step_shared = 0;  // with more ranks than cores
-    double s_per_cell_row = 0;             // probes of the fluid
+    double s_per_cell_row = 0;             // probes of the fluid: sums
+    double s_per_cell_enstrophy = 0;       // and the enstrophy
     double s_per_probe_row = 0;            // of anything
     double s_per_cell_byte = 0;            // of files
     double s_per_element_file = 0;

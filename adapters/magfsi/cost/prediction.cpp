@@ -44,7 +44,8 @@ double fluid_s(const Work& work, const Calibration& c) {
     const double markers = work.structure ? work.structure->markers : 0;
     const double a_step = f.cells * cell_step_s(f, c) + markers * c.s_per_marker_step;
     return work.steps * work.iterations * a_step +
-           f.probe_rows * f.cells * c.s_per_cell_row / f.ranks +
+           f.sum_rows * f.cells * c.s_per_cell_row / f.ranks +
+           f.enstrophy_rows * f.cells * c.s_per_cell_enstrophy / f.ranks +
            f.files * f.cells * f.bytes_a_cell * c.s_per_cell_byte;
 }
 

@@ -26,6 +26,18 @@ double bytes_a_cell(const std::vector<scene::FluidField>& fields) {
     return bytes;
 }
 
+void add_probes(const scene::Probes& probes, double end_s, FluidWork& work) {
+    using Quantity = scene::FluidQuantity;
+    work.probe_rows = rows(end_s, probes.every_s);
+    for (const Quantity quantity : probes.fluid) {
+        if (quantity == Quantity::enstrophy)
+            work.enstrophy_rows = work.probe_rows;
+        else if (quantity != Quantity::obstacle_force)
+            work.sum_rows = work.probe_rows;
+    }
+    if (probes.energy_audit) work.sum_rows = work.probe_rows;
+}
+
 FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     const scene::Fluid& fluid = *scene.fluid;
     FluidWork work;
@@ -34,7 +46,7 @@ FluidWork fluid_work(const scene::Scene& scene, int ranks) {
         work.cells *= std::round(side / fluid.spacing_m);
     work.single_precision = fluid.precision != scene::Precision::double_;
     if (scene.probes && !coupler::fluid_columns(scene).empty())
-        work.probe_rows = rows(scene.time.end_s, scene.probes->every_s);
+        add_probes(*scene.probes, scene.time.end_s, work);
     if (scene.output.fluid) {
         work.files = rows(scene.time.end_s, scene.output.fluid->every_s);
         work.bytes_a_cell = bytes_a_cell(scene.output.fluid->fields);

@@ -11,7 +11,8 @@ namespace magfsi::launch {
 struct FluidWork {
     double cells = 0;
     bool single_precision = false;  // of populations in memory
-    double probe_rows = 0;          // each a pass over all cells
+    double probe_rows = 0;
+    double sum_rows = 0, enstrophy_rows = 0;  // of them, each a pass over all cells
     double files = 0;
     double bytes_a_cell = 0;  // of a file
     int ranks = 1;
