@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "coupler/immersed_boundary/penalty_kernel.h"
+
 namespace magfsi::coupler {
 
 PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
@@ -52,18 +54,9 @@ void PenaltyForce::follow(double duration_s) {
 
 void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
                          double duration_s) {
-    const std::span<const Vec3> constant = constant_force();
     if (!change_.empty()) follow(duration_s);
-    for (std::size_t m = 0; m < markers_.size(); ++m) {
-        const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        Vec3 force = constant[m];
-        for (std::size_t d = 0; d < 3; ++d) {
-            const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
-            impulse_[m][d] += given * duration_s;
-            force[d] -= given;
-        }
-        to_nodes(markers_[m], force, nodal_force);
-    }
+    pull_nodes({markers_, kappa_, fluid_velocity_, constant_force()}, nodal_velocity,
+               duration_s, nodal_force, impulse_);
 }
 
 }  // namespace magfsi::coupler
