@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "coupler/checkpoint/open_restart.h"
 #include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"

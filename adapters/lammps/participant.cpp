@@ -9,6 +9,7 @@
 #include "adapters/lammps/audit/collect_terms.h"
 #include "adapters/lammps/generated_input.h"
 #include "adapters/lammps/scene_to_input.h"
+#include "coupler/checkpoint/open_restart.h"
 #include "coupler/participants/errors.h"
 #include "coupler/step/boundary_quality.h"
 #include "coupler/step/log_head.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "adapters/lammps/participant.h"
-#include "coupler/checkpoint/restart.h"
+#include "coupler/checkpoint/open_restart.h"
 
 namespace magfsi::lammps {
 

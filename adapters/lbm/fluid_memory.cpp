@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "adapters/lbm/scene_to_fluid.h"
+#include "coupler/exchange/partner_table.h"
+#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/scene/effective.h"
 #include "fluid_lbm/lattice/populations.h"
@@ -77,6 +79,20 @@ double forced_rows_bytes(double markers, int nx, bool single_precision) {
            (single_precision ? sizeof(float) : sizeof(double));
 }
 
+// Those near a cut are known to the ranks on both of its sides.
+double known_markers(const scene::Scene& scene, const fluid::Decomposition& parts,
+                     std::span<const fluid::Vec3> markers_m) {
+    const coupler::Grid grid{scene.fluid->spacing_m, parts.cells, parts.periodic, {}};
+    const auto kernel = coupler::to_kernel(scene.coupling->immersed_boundary.kernel);
+    std::int64_t known = 0;
+    for (const fluid::CellBox& box : parts.boxes) {
+        known += std::ranges::count_if(markers_m, [&](const fluid::Vec3& at) {
+            return coupler::may_touch(grid, kernel, {box.lo, box.hi}, at);
+        });
+    }
+    return static_cast<double>(known);
+}
+
 }  // namespace
 
 double FluidMemory::peak() const {
@@ -86,7 +102,8 @@ double FluidMemory::peak() const {
     return all + largest;
 }
 
-FluidMemory fluid_memory(const scene::Scene& scene, int ranks, double markers) {
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
+                         std::span<const fluid::Vec3> markers_m) {
     const auto config = to_config(*scene.fluid, *scene::coupled_step_s(scene));
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
@@ -108,11 +125,12 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks, double markers) {
     }
     if (!config.obstacles.empty())
         memory.held.emplace_back("map of the obstacles", cells * sizeof(short));
-    if (markers > 0)
+    if (!markers_m.empty())
         memory.held.emplace_back(
             "markers and the rows that they push",
-            markers * marker_bytes +
-                forced_rows_bytes(markers, n[0], storage == fluid::Storage::float_));
+            known_markers(scene, parts, markers_m) * marker_bytes +
+                forced_rows_bytes(static_cast<double>(markers_m.size()), n[0],
+                                  storage == fluid::Storage::float_));
     if (keeps_all(scene, config))
         memory.held.emplace_back("the implicit scheme's copy", memory.populations);
     if (has_enstrophy(scene))

@@ -1,11 +1,13 @@
 // What the fluid participant will need of memory beside its program and libraries.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coupler/scene/scene.h"
+#include "fluid_lbm/fluid.h"
 
 namespace magfsi::lbm {
 
@@ -18,8 +20,9 @@ struct FluidMemory {
     double peak() const;
 };
 
-// From the sizes that the solver will allocate; markers: how many there are. What bodies
-// touch depends on their motion: it is that of a sheet that is a little bent.
-FluidMemory fluid_memory(const scene::Scene& scene, int ranks, double markers = 0);
+// From the sizes that the solver will allocate; markers_m: where they are at the start.
+// What bodies touch depends on their motion: it is that of a sheet that is a little bent.
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
+                         std::span<const fluid::Vec3> markers_m = {});
 
 }  // namespace magfsi::lbm

@@ -2,14 +2,15 @@
 
 #include <cmath>
 
-#include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/scene_to_body.h"
 #include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/magfsi/explain_parts.h"
 #include "coupler/scene/effective.h"
 #include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/units.h"
+#include "structure/lammps/placement.h"
 
 namespace magfsi::launch {
 
@@ -65,21 +66,25 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
     return text;
 }
 
-double markers(const scene::Scene& scene) {
-    double all = 0;
+// Where they start, but for a body that comes bent.
+std::vector<fluid::Vec3> markers_m(const scene::Scene& scene) {
+    std::vector<fluid::Vec3> all;
     for (std::size_t b = 0; scene.coupling && b < scene.bodies.size(); ++b) {
         const scene::Body& body = scene.bodies[b];
-        all += static_cast<double>(
-            bodies::place_markers(body, scene.coupling->immersed_boundary,
-                                  scene.fluid->spacing_m, static_cast<int>(b),
-                                  bodies::spans_fluid(*scene.fluid, body))
-                .size());
+        structure::Body placed = bodies::to_body(body);
+        auto placement = bodies::to_placement(body.initial);
+        placement.relaxed.reset();
+        placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
+        for (const bodies::PlacedMarker& marker : bodies::place_markers(
+                 body, scene.coupling->immersed_boundary, scene.fluid->spacing_m,
+                 static_cast<int>(b), bodies::spans_fluid(*scene.fluid, body)))
+            all.push_back(structure::position(placed.mesh, marker.point));
     }
     return all;
 }
 
 std::string memory(const scene::Scene& scene, int ranks) {
-    const lbm::FluidMemory m = lbm::fluid_memory(scene, ranks, markers(scene));
+    const lbm::FluidMemory m = lbm::fluid_memory(scene, ranks, markers_m(scene));
     std::string text =
         fmt::format("  memory: {:.1f} MB of populations", m.populations / 1e6);
     for (const auto& [what, bytes] : m.held)

@@ -47,10 +47,4 @@ void Checkpoints::finish() const {
         prune_checkpoints(session_.out(), roles_of(session_.scene()));
 }
 
-StateReader open_restart(const Session& session) {
-    return StateReader(checkpoint_file(session.restart()->folder,
-                                       session.restart()->header.step,
-                                       session.world().self()));
-}
-
 }  // namespace magfsi::coupler

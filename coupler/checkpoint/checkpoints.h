@@ -4,9 +4,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
-#include "coupler/checkpoint/state_reader.h"
 #include "coupler/checkpoint/state_writer.h"
 #include "coupler/checkpoint/stop_agreement.h"
 #include "coupler/participants/session.h"
@@ -35,8 +33,5 @@ class Checkpoints {
     std::int64_t every_;
     StopAgreement stop_;
 };
-
-// This participant's file of the checkpoint that the session goes on from.
-StateReader open_restart(const Session& session);
 
 }  // namespace magfsi::coupler

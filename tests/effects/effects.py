@@ -60,6 +60,7 @@ def side(name):
 
 FIX = "structure/lammps/fix_magttice"
 SCHEMES = "coupler/scheme/"
+CHECKPOINTS = ("coupler/checkpoint/checkpoints.*", "coupler/checkpoint/stop_agreement.*")
 EFFECTS = {
     "viscosity": [solid("viscosity", {"bodies.strip.material.viscosity": "null"},
                         "structure/lattice/viscosity.*")],
@@ -105,5 +106,6 @@ EFFECTS = {
     "structure_fields": [solid("structure_fields", {}), *both("structure_fields", {})[:1]],
     "fluid_fields": [fluid("fluid_fields", {}, "adapters/fluids/fluid_files.*"),
                      *both("fluid_fields", {})[1:]],
-    "checkpoint": [solid("checkpoint", {}), fluid("checkpoint", {}), *both("checkpoint", {})],
+    "checkpoint": [solid("checkpoint", {}, *CHECKPOINTS), fluid("checkpoint", {}, *CHECKPOINTS),
+                   *both("checkpoint", {}, *CHECKPOINTS)],
 }

@@ -36,6 +36,8 @@ COUPLED = {
     "swimmer": (magfsi.SWIMMER, "0.2 mm", "0.4 mm", 1),
     "swimmer, two ranks": (magfsi.SWIMMER, "0.2 mm", "0.4 mm", 2),
     "small swimmer": (magfsi.SMALL, "0.125 mm", "0.25 mm", 1),
+    # The cut goes through the body, so that both ranks know all its markers.
+    "small swimmer, two ranks": (magfsi.SMALL, "0.125 mm", "0.25 mm", 2),
 }
 FEW_STEPS = {"time.end": "0.1 ms", "output": "{}", "probes": "null"}
 
