@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 import magfsi_runs as magfsi  # noqa: E402
 
 CELL_S, MARKER_S, STEP_S = 1e-6, 5e-6, 1e-3
+REGULARIZED_S, WALL_S, COUPLED_CELL_S = 2e-7, 4e-6, 3e-8
 ELEMENT_S, SUBSTEP_S, MARKER_SUBSTEP_S, EXCHANGE_S = 2e-6, 3e-5, 4e-7, 1.5e-4
 PRICES = {
     "fluid": [{"cells": 1000, "ranks": 1, "single_precision": False, "s_per_cell_step": CELL_S},
@@ -22,6 +23,8 @@ PRICES = {
     "s_per_element_substep": ELEMENT_S, "s_per_substep": SUBSTEP_S,
     "s_per_substep_exchange": EXCHANGE_S, "s_per_marker_substep": MARKER_SUBSTEP_S, "s_per_marker_step": MARKER_S,
     "s_per_coupled_step": STEP_S, "s_per_coupled_step_shared": STEP_S,
+    "s_per_coupled_cell": COUPLED_CELL_S, "s_per_coupled_cell_shared": 3 * COUPLED_CELL_S,
+    "s_per_cell_regularized": REGULARIZED_S, "s_per_wall_cell": WALL_S,
     "s_per_cell_row": 0, "s_per_cell_enstrophy": 0,
     "s_per_probe_row": 0, "s_per_cell_byte": 0, "s_per_element_file": 0,
     "fluid_bytes": 1e7, "coupled_fluid_bytes": 1.5e7, "lammps_bytes": 3e7, "newton_bytes": 2e7, "bytes_per_cell": 160,
@@ -52,16 +55,40 @@ class SumOfParts(unittest.TestCase):
 
     def test_coupled(self):
         self.calibrate()
-        # small_swimmer: 160 steps of 6 substeps, 40 elements, 560 markers, 16384 cells.
+        # small_swimmer: 160 steps of 6 substeps, 40 elements, 560 markers, 32 x 16 x 32 cells in
+        # walls, of recursive_regularized.
+        cells, walls = 32 * 16 * 32, 4 * 16 * 32 + 2 * 32 * 32
         found = explain(magfsi.SMALL, ranks="structure=1,fluid=1")["predicted"]
-        expected = 160 * (16384 * CELL_S + 560 * MARKER_S + STEP_S
+        expected = 160 * (cells * (CELL_S + REGULARIZED_S + COUPLED_CELL_S)
+                          + walls * WALL_S + 560 * MARKER_S + STEP_S
                           + 6 * (SUBSTEP_S + 40 * ELEMENT_S + 560 * MARKER_SUBSTEP_S))
         self.assertAlmostEqual(found["wall_s"] / expected, 1, places=9)
         self.assertEqual(found["memory_bytes"],
                          {"structure": 3e7 + 40 * 1000 + 560 * 3000,
                           "fluid": 1.5e7 + 16384 * 160})
         text = explain(magfsi.SMALL, ranks="structure=1,fluid=1", as_json=False)
-        self.assertRegex(text, r"time +3\.6 s \(structure .*, fluid .*, messages 0\.16 s\)")
+        self.assertRegex(text, r"time +6\.8 s \(structure .*, fluid .*, messages 0\.24 s\)")
+
+    def test_more_ranks_than_cores(self):
+        """A side that waits then takes time from the other: three times as much here."""
+        self.calibrate()
+        cores = os.cpu_count()
+        found = [explain(magfsi.SMALL, ranks=f"structure={n},fluid=1")["predicted"]["wall_s"]
+                 for n in (cores, cores - 1)]
+        ranked = 160 * 6 * (40 * ELEMENT_S + 560 * MARKER_SUBSTEP_S) * (1 / (cores - 1) - 1 / cores)
+        exchanged = 160 * 6 * EXCHANGE_S if cores == 2 else 0
+        added = 160 * 32 * 16 * 32 * 2 * COUPLED_CELL_S
+        self.assertAlmostEqual(found[0] - found[1], added - ranked + exchanged, places=9)
+
+    def test_periodic_sides_and_other_collisions(self):
+        self.calibrate()
+        sides = "{" + ", ".join(f"{side}: periodic" for side in ("y_min", "y_max")) + "}"
+        first, open_, plain = (explain(magfsi.SMALL, sets, ranks="structure=1,fluid=1")
+                               ["predicted"]["wall_s"]
+                               for sets in ({}, {"fluid.boundaries": sides},
+                                            {"fluid.collision": "bgk"}))
+        self.assertAlmostEqual(first - open_, 160 * 2 * 32 * 32 * WALL_S, places=9)
+        self.assertAlmostEqual(first - plain, 160 * 32 * 16 * 32 * REGULARIZED_S, places=9)
 
     def test_path(self):
         """Through the two points of the prices goes a straight line; 228 nodes, 80 points."""

@@ -1,4 +1,4 @@
-"""magfsi bench --calibrate: measures this machine by short runs, half a minute in all, and keeps
+"""magfsi bench --calibrate: measures this machine by short runs, less than a minute in all, and keeps
 the seconds and bytes in the user's cache folder; explain predicts from them."""
 import datetime
 import json
@@ -59,11 +59,21 @@ def fluid(bench, cores):
                     found[n] = s
     cells = LARGE**3 - SMALL**3
     per_cell = (memory(found[LARGE], "fluid") - memory(found[SMALL], "fluid")) / cells
+    regularized = bench.run(scenes.fluid(LARGE, 100, collision="recursive_regularized"),
+                            "fluid=1")
+    walled = bench.run(scenes.fluid(LARGE, 100, kind="no_slip"), "fluid=1")
     probed = bench.run(scenes.fluid(LARGE, 40, probes=2), "fluid=1")
     curled = bench.run(scenes.fluid(LARGE, 40, probes=2, quantities="enstrophy"), "fluid=1")
     written = bench.run(scenes.fluid(LARGE, 40, files=10), "fluid=1")
+
+    def besides_s(s):
+        return max(0, s["tasks"]["fluid"]["advance fluid"]
+                   - found[LARGE]["tasks"]["fluid"]["advance fluid"]) / 100
+
     return {
         "fluid": speeds,
+        "s_per_cell_regularized": besides_s(regularized) / LARGE**3,
+        "s_per_wall_cell": besides_s(walled) / (6 * LARGE**2),
         "bytes_per_cell": per_cell,
         "fluid_bytes": memory(found[SMALL], "fluid") - SMALL**3 * per_cell,
         "bytes_per_cell_file": max(0, memory(written, "fluid") - memory(found[LARGE], "fluid"))
@@ -122,33 +132,38 @@ def newton(bench):
 
 
 def coupled(bench, known, cores):
-    """What two sides add: markers and messages."""
-    sets = ("output=null", "probes=null", "fluid.spacing=0.4 mm", "time.end=10 ms")
-    s = bench.run(scenes.SWIMMER, "structure=1,fluid=1", sets)
-    shared = bench.run(scenes.SWIMMER, f"structure=1,fluid={cores}", sets)
-    markers, steps = s["immersed_boundary"]["markers"], s["steps"]
-    elements = s["structure"]["elements"]
+    """What two sides add: markers, messages, and what waiting for each other costs."""
+    runs = {(n, ranks): bench.run(scenes.strip_in_fluid(n, steps), f"structure=1,fluid={ranks}")
+            for n, steps in ((SMALL, 600), (LARGE, 200)) for ranks in sorted({1, cores})}
+    s, shared = runs[SMALL, 1], runs[SMALL, cores]
+    markers, elements = s["immersed_boundary"]["markers"], s["structure"]["elements"]
     substep = s["tasks"]["structure"]["advance structure"] / s["substeps"]
     alone = known["s_per_substep"] + known["s_per_element_substep"] * elements
     spread = sum(busy_s(s, "fluid", task) for task in ("spread impulses", "sample velocities"))
-    cells_bytes = s["fluid"]["cells"] * known["bytes_per_cell"]
-    return {
+    cells_bytes = SMALL**3 * known["bytes_per_cell"]
+    found = {
         "s_per_marker_substep": max(0, substep - alone) / markers,
-        "s_per_marker_step": spread / steps / markers,
-        "s_per_coupled_step": rest_s(s) / steps,
-        "s_per_coupled_step_shared": rest_s(shared) / steps,
+        "s_per_marker_step": spread / s["steps"] / markers,
         "bytes_per_marker": max(0, memory(s, "structure") - known["lammps_bytes"]
                                 - elements * known["bytes_per_element"]) / markers,
         "coupled_fluid_bytes": (memory(shared, "fluid") - cells_bytes) / cores,
     }
+    for ranks, name in ((1, ""), (cores, "_shared")):
+        small, large = (rest_s(runs[n, ranks], n, ranks, known, substep) - markers
+                        * found["s_per_marker_step"] for n in (SMALL, LARGE))
+        slope = max(0, large - small) / (LARGE**3 - SMALL**3)
+        found[f"s_per_coupled_cell{name}"] = slope
+        found[f"s_per_coupled_step{name}"] = max(0, small - slope * SMALL**3)
+    return found
 
 
-def rest_s(s):
-    """Wall time that none of the counted tasks explains."""
-    counted = busy_s(s, "structure", "advance structure") + sum(
-        busy_s(s, "fluid", task)
-        for task in ("spread impulses", "sample velocities", "advance fluid"))
-    return max(0, s["wall_s"] - counted)
+def rest_s(s, n, ranks, known, substep):
+    """Of a step on a cube in closed walls, what the prices of both sides alone leave."""
+    [cell] = [speed["s_per_cell_step"] for speed in known["fluid"]
+              if speed["cells"] == n**3 and speed["ranks"] == ranks
+              and not speed["single_precision"]]
+    besides = n**3 * known["s_per_cell_regularized"] + 6 * n**2 * known["s_per_wall_cell"]
+    return (s["wall_s"] - s["substeps"] * substep) / s["steps"] - n**3 * cell - besides / ranks
 
 
 def main():

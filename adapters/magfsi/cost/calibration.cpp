@@ -20,6 +20,8 @@ struct Entry {
 };
 
 constexpr Entry entries[] = {
+    {"s_per_cell_regularized", &Calibration::s_per_cell_regularized},
+    {"s_per_wall_cell", &Calibration::s_per_wall_cell},
     {"s_per_element_substep", &Calibration::s_per_element_substep},
     {"s_per_substep", &Calibration::s_per_substep},
     {"s_per_substep_exchange", &Calibration::s_per_substep_exchange},
@@ -27,6 +29,8 @@ constexpr Entry entries[] = {
     {"s_per_marker_step", &Calibration::s_per_marker_step},
     {"s_per_coupled_step", &Calibration::s_per_coupled_step},
     {"s_per_coupled_step_shared", &Calibration::s_per_coupled_step_shared},
+    {"s_per_coupled_cell", &Calibration::s_per_coupled_cell},
+    {"s_per_coupled_cell_shared", &Calibration::s_per_coupled_cell_shared},
     {"s_per_cell_row", &Calibration::s_per_cell_row},
     {"s_per_cell_enstrophy", &Calibration::s_per_cell_enstrophy},
     {"s_per_probe_row", &Calibration::s_per_probe_row},

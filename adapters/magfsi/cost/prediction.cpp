@@ -42,11 +42,23 @@ double cell_step_s(const FluidWork& work, const Calibration& c) {
 double fluid_s(const Work& work, const Calibration& c) {
     const FluidWork& f = *work.fluid;
     const double markers = work.structure ? work.structure->markers : 0;
-    const double a_step = f.cells * cell_step_s(f, c) + markers * c.s_per_marker_step;
+    const double a_step =
+        f.cells * cell_step_s(f, c) + markers * c.s_per_marker_step +
+        ((f.recursive_regularized ? f.cells * c.s_per_cell_regularized : 0) +
+         f.wall_cells * c.s_per_wall_cell) /
+            f.ranks;
     return work.steps * work.iterations * a_step +
            f.sum_rows * f.cells * c.s_per_cell_row / f.ranks +
            f.enstrophy_rows * f.cells * c.s_per_cell_enstrophy / f.ranks +
            f.files * f.cells * f.bytes_a_cell * c.s_per_cell_byte;
+}
+
+// Of a coupled step, what neither side's work explains.
+double exchange_s(const Work& work, const Calibration& c) {
+    const bool shared = work.fluid->ranks + work.structure->ranks > available_cores();
+    return shared ? c.s_per_coupled_step_shared +
+                        work.fluid->cells * c.s_per_coupled_cell_shared
+                  : c.s_per_coupled_step + work.fluid->cells * c.s_per_coupled_cell;
 }
 
 // Ranks share elements and markers, and exchange the nodes between them.
@@ -105,11 +117,8 @@ Prediction predict(const Work& work, const Calibration& c) {
     }
     if (work.structure) p.structure_s = structure_s(work, c);
     if (work.fluid) p.fluid_s = fluid_s(work, c);
-    if (work.fluid && work.structure) {
-        const bool shared = work.fluid->ranks + work.structure->ranks > available_cores();
-        p.exchange_s = work.steps * work.iterations *
-                       (shared ? c.s_per_coupled_step_shared : c.s_per_coupled_step);
-    }
+    if (work.fluid && work.structure)
+        p.exchange_s = work.steps * work.iterations * exchange_s(work, c);
     const double structure = p.structure_s.value_or(0), fluid = p.fluid_s.value_or(0);
     p.wall_s = (work.at_once ? std::max(structure, fluid) : structure + fluid) +
                p.exchange_s.value_or(0);

@@ -1,12 +1,15 @@
 #include "adapters/magfsi/cost/work.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
+#include "adapters/lbm/scene_to_fluid.h"
 #include "coupler/scene/effective.h"
 #include "coupler/step/probe_columns.h"
+#include "fluid_lbm/collision/choice.h"
 
 namespace magfsi::launch {
 
@@ -38,18 +41,38 @@ void add_probes(const scene::Probes& probes, double end_s, FluidWork& work) {
     if (probes.energy_audit) work.sum_rows = work.probe_rows;
 }
 
+double wall_cells(const fluid::FluidConfig& config) {
+    double cells = 0;
+    for (std::size_t side = 0; side < config.boundaries.size(); ++side) {
+        if (config.boundaries[side].kind == fluid::BoundaryKind::periodic) continue;
+        const std::size_t across = side / 2;
+        cells += static_cast<double>(config.cells[(across + 1) % 3]) *
+                 config.cells[(across + 2) % 3];
+    }
+    return cells;
+}
+
+// What the lattice does to each cell in each step.
+void add_lattice(const scene::Scene& scene, FluidWork& work) {
+    const auto config = lbm::to_config(*scene.fluid, *scene::coupled_step_s(scene));
+    work.cells = static_cast<double>(config.cells[0]) * config.cells[1] * config.cells[2];
+    work.wall_cells = wall_cells(config);
+    work.recursive_regularized =
+        fluid::choose_collision(config) == fluid::Collision::recursive_regularized;
+    work.single_precision = scene.fluid->precision != scene::Precision::double_;
+}
+
 FluidWork fluid_work(const scene::Scene& scene, int ranks) {
-    const scene::Fluid& fluid = *scene.fluid;
     FluidWork work;
-    work.cells = 1;
-    for (const double side : fluid.box_m)
-        work.cells *= std::round(side / fluid.spacing_m);
-    work.single_precision = fluid.precision != scene::Precision::double_;
+    add_lattice(scene, work);
     if (scene.probes && !coupler::fluid_columns(scene).empty())
         add_probes(*scene.probes, scene.time.end_s, work);
     if (scene.output.fluid) {
         work.files = rows(scene.time.end_s, scene.output.fluid->every_s);
-        work.bytes_a_cell = bytes_a_cell(scene.output.fluid->fields);
+        const auto& fields = scene.output.fluid->fields;
+        work.bytes_a_cell = bytes_a_cell(fields);
+        if (std::ranges::find(fields, scene::FluidField::vorticity) != fields.end())
+            work.enstrophy_rows += work.files;
     }
     work.ranks = ranks;
     return work;

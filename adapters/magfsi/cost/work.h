@@ -9,10 +9,12 @@
 namespace magfsi::launch {
 
 struct FluidWork {
-    double cells = 0;
+    double cells = 0, wall_cells = 0;  // at sides that are not periodic
+    bool recursive_regularized = false;
     bool single_precision = false;  // of populations in memory
     double probe_rows = 0;
-    double sum_rows = 0, enstrophy_rows = 0;  // of them, each a pass over all cells
+    double sum_rows = 0;        // of them, each a pass over all cells
+    double enstrophy_rows = 0;  // also vorticities in files
     double files = 0;
     double bytes_a_cell = 0;  // of a file
     int ranks = 1;
