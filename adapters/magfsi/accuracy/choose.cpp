@@ -61,7 +61,7 @@ double by_time(const Cover& cover, const scene::Unresolved& unresolved,
         const auto time_s = wall_s(cover.settings(n));
         if (!time_s) {
             refuse(unresolved.mark, "a time, on a machine that is not calibrated",
-                   "accuracy.error", "run ./magfsi bench --calibrate, a minute");
+                   "accuracy.error", "run ./magfsi bench --calibrate, half a minute");
         }
         if (n == cover.resolutions.front()) coarsest_s = *time_s;
         if (*time_s > most_s) break;

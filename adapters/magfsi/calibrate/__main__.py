@@ -1,4 +1,4 @@
-"""magfsi bench --calibrate: measures this machine by short runs, less than a minute in all, and keeps
+"""magfsi bench --calibrate: measures this machine by short runs, half a minute in all, and keeps
 the seconds and bytes in the user's cache folder; explain predicts from them."""
 import datetime
 import json

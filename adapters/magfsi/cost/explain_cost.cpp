@@ -55,7 +55,7 @@ std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
     if (!calibration) {
         return text +
                "  not known: this machine is not calibrated; ./magfsi bench "
-               "--calibrate does it in a minute\n";
+               "--calibrate does it in half a minute\n";
     }
     const Prediction p = *prediction(scene, ranks);
     const int structure_ranks = ranks.contains("structure") ? ranks.at("structure") : 0;

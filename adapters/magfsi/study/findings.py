@@ -110,14 +110,30 @@ def order(group, norm):
     return math.log(e1 / e2) / math.log(h1 / h2)
 
 
-def cost_exponent(study, group):
-    """Of cost ~ size^-q, from the two finest completed runs."""
+def steps_s(run):
+    """Of the steps without start-up: processor time holds start-up, too, wall time what other work
+    on the machine adds. The less of both is nearest."""
+    return min(run.summary.get("wall_s", math.nan), run.record["core_s"])
+
+
+def updates(run):
+    """Of cells, or without a fluid of elements, in all steps; None for an equilibrium."""
+    s, fluid, structure = run.summary, run.summary.get("fluid"), run.summary.get("structure")
+    if fluid:
+        return fluid["cells"] * s["steps"] * (s["iterations"]["mean"] if s.get("iterations") else 1)
+    return structure["elements"] * s["substeps"] if structure and s.get("substeps") else None
+
+
+def finest_two(group):
+    """Completed, of different sizes; None where there are none."""
     known = [r for r in group if r.completed() and r.cell.size]
-    if len(known) < 2 or known[-2].cell.size == known[-1].cell.size:
-        return None
-    coarse, fine = known[-2:]
-    return math.log(cost(study, fine) / cost(study, coarse)) / math.log(
-        coarse.cell.size / fine.cell.size)
+    return known[-2:] if len(known) > 1 and known[-2].cell.size != known[-1].cell.size else None
+
+
+def exponent(pair, value):
+    """q of value ~ size^-q, through a coarse and a fine run."""
+    coarse, fine = pair
+    return math.log(value(fine) / value(coarse)) / math.log(coarse.cell.size / fine.cell.size)
 
 
 def cheapest(study, runs, norm, most):

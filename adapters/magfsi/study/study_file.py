@@ -83,6 +83,7 @@ class Study:
     derived: dict
     refusals_are_rows: bool
     cost: str
+    remark: str  # ends results.md
     top: marked.Value = field(repr=False, default=None)
     scene_mark: marked.Value = field(repr=False, default=None)
 
@@ -291,7 +292,7 @@ def _right_within(value, norms):
 
 
 KEYS = ("name", "scene", "set", "derived", "ranks", "limit", "axes", "pairs", "skip", "order",
-        "series", "errors", "targets", "right_within", "refusals", "cost")
+        "series", "errors", "targets", "right_within", "refusals", "cost", "remark")
 
 
 def read_study(path):
@@ -324,5 +325,6 @@ def read_study(path):
         norms, targets, _right_within(keys["right_within"], norms),
         derived.read(keys["derived"], axes) if keys["derived"] else {},
         bool(keys["refusals"]) and keys["refusals"].choice(("rows",)) == "rows",
-        keys["cost"].choice(("wall", "core")) if keys["cost"] else "wall", top,
+        keys["cost"].choice(("wall", "core")) if keys["cost"] else "wall",
+        keys["remark"].scalar().strip() if keys["remark"] else "", top,
         keys["scene"])

@@ -100,21 +100,46 @@ def _series_table(study, runs, norm):
     targets = [percent(t) for t in study.targets]
     expected = "".join(f" (expected {study.expected[k]:g})" if k in study.expected else ""
                        for k in ("order",))
-    exponent = f" (expected {study.expected['cost']:g})" if "cost" in study.expected else ""
     head = [", ".join(study.series) or "all", f"observed order{expected}",
-            f"cost exponent{exponent}", *[f"cheapest within {t}" for t in targets]]
+            *[f"cheapest within {t}" for t in targets]]
     lines = [head, ["---"] * len(head)]
     groups = list(findings.series(study, runs).items())
     for label, group in groups + ([("**all**", runs)] if len(groups) > 1 else []):
         known = label != "**all**"
-        line = [label, _number(findings.order(group, norm)) if known and study.size else "",
-                _number(findings.cost_exponent(study, group)) if known and study.size else ""]
+        line = [label, _number(findings.order(group, norm)) if known and study.size else ""]
         for target in study.targets:
             best = findings.cheapest(study, group, norm, target)
             line.append(f"{seconds(findings.cost(study, best))}: {best.cell.text()} "
                         f"({percent(best.errors[norm.name])})" if best else "none")
         lines.append(line)
     return [f"| {' | '.join(line)} |" for line in lines]
+
+
+def _cost_line(study, label, pair):
+    coarse, fine = (findings.updates(r) for r in pair)
+    known = coarse and fine
+    line = [label, f"{study.expected['cost']:g}" if "cost" in study.expected else "",
+            _number(findings.exponent(pair, lambda r: findings.cost(study, r))),
+            _number(findings.exponent(pair, findings.steps_s)),
+            _number(findings.exponent(pair, findings.updates)) if known else ""]
+    return line + [f"{1e9 * findings.steps_s(r) / findings.updates(r):.3g}" if known else ""
+                   for r in pair]
+
+
+def _cost_table(study, runs):
+    """What cost does with resolution, and of what parts: the rest is the price of an update."""
+    pairs = [(label, findings.finest_two(group))
+             for label, group in findings.series(study, runs).items()]
+    if not study.size or not any(pair for _, pair in pairs):
+        return []
+    head = [", ".join(study.series) or "all", "expected",
+            "processor time" if study.cost == "core" else "wall time", "without start-up",
+            "updates of cells or elements", "an update, coarse [ns]", "fine [ns]"]
+    lines = [head, ["---"] * len(head)]
+    lines += [_cost_line(study, label, pair) for label, pair in pairs if pair]
+    return ["", "Exponent q of cost = size^-q, through the two finest runs; cost is the number of "
+            "updates times the price of one, and start-up.", "",
+            *(f"| {' | '.join(line)} |" for line in lines)]
 
 
 def page(study, runs, command):
@@ -128,6 +153,9 @@ def page(study, runs, command):
     for norm in study.norms:
         lines += ["", f"Error `{norm.name}`: {norm.norm} of `{norm.probe}`.", "",
                   *_series_table(study, runs, norm)]
+    lines += _cost_table(study, runs)
+    if study.remark:
+        lines += ["", study.remark]
     ended = [r for r in runs if not r.completed()]
     if study.right_within:
         counts = {}
