@@ -7,9 +7,9 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "coupler/scene/effective.h"
+#include "coupler/scene/split.h"
 
 namespace magfsi::launch {
 
@@ -26,22 +26,15 @@ struct Course {
     double last = 0, largest = 0;  // of the magnitude, with its sign
 };
 
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-    return cells;
-}
-
 // By column, the time left out.
 std::map<std::string, Course> courses(const fs::path& file) {
     std::ifstream in(file);
     std::string line;
     std::map<std::string, Course> found;
     if (!std::getline(in, line)) return found;
-    const auto names = cells_of(line);
+    const auto names = scene::split(line, ',');
     while (std::getline(in, line)) {
-        const auto cells = cells_of(line);
+        const auto cells = scene::split(line, ',');
         for (std::size_t i = 1; i < std::min(cells.size(), names.size()); ++i) {
             Course& course = found[names[i]];
             course.last = std::strtod(cells[i].c_str(), nullptr);

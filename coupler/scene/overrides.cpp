@@ -4,21 +4,11 @@
 
 #include <charconv>
 
+#include "coupler/scene/split.h"
+
 namespace magfsi::scene {
 
 namespace {
-
-std::vector<std::string> split_path(const std::string& path) {
-    std::vector<std::string> parts(1);
-    for (const char c : path) {
-        if (c == '.') {
-            parts.emplace_back();
-        } else {
-            parts.back() += c;
-        }
-    }
-    return parts;
-}
 
 Node& list_item(Node& list, const std::string& part, const Origin& origin) {
     std::size_t index = 0;
@@ -63,7 +53,7 @@ void apply(Node& root, const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string path = text.substr(0, equals);
     const Origin origin{fmt::format("--set {}", path)};
-    const std::vector<std::string> parts = split_path(path);
+    const std::vector<std::string> parts = split(path, '.');
     if (equals == std::string::npos)
         refuse(origin, "no \"=\"", "--set path.to.key=value");
     for (const std::string& part : parts) {

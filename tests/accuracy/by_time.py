@@ -3,6 +3,7 @@
 an uncalibrated machine, is refused."""
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -14,6 +15,8 @@ import magfsi_runs as magfsi  # noqa: E402
 from sum_of_parts import PRICES, explain  # noqa: E402
 
 BEAM = magfsi.ROOT / "tutorials/beam"
+VORTEX = magfsi.ROOT / "docs/accuracy/taylor_green/scene.yaml"
+ROW_S, VORTEX_STEP_S = 31.8309886e-3, 1.62974662  # a row of probes; the step at one cell
 POINTS = 80
 # n elements along and round(n W / L) across make (n + 1) (m + 1) 2 nodes, and a node costs 0.1 ms
 # at each point.
@@ -37,9 +40,11 @@ class ByTime(unittest.TestCase):
         self.file.write_text(json.dumps({"machine": known["machine"], "date": "today",
                                          "version": known["version"], **PRICES}))
 
-    def choice(self, time):
-        words = [magfsi.BIN / "magfsi", "explain", BEAM, "--json", "--set",
-                 f"accuracy.time={time}", "--set", "bodies.beam.mesh.box.elements=null"]
+    def choice(self, time, scene=BEAM, removed=("bodies.beam.mesh.box.elements",)):
+        words = [magfsi.BIN / "magfsi", "explain", scene, "--json", "--set",
+                 f"accuracy.time={time}"]
+        for key in removed:
+            words += ["--set", f"{key}=null"]
         return subprocess.run(words, capture_output=True, text=True)
 
     def test_buys_the_finest(self):
@@ -50,6 +55,27 @@ class ByTime(unittest.TestCase):
             self.assertAlmostEqual(found["predicted"]["wall_s"], seconds(n), places=9)
             self.assertLessEqual(seconds(n), limit)
             self.assertGreater(seconds(n + 1), limit)
+
+    def test_buys_the_finest_vortex(self):
+        """The step falls with the square of the spacing: 30 rows of probes, of whole steps each."""
+        self.calibrate()
+
+        def vortex_s(n):
+            steps = 30 * math.ceil(ROW_S / (VORTEX_STEP_S / n**2) * (1 - 1e-9))
+            return steps * n**3 * (PRICES["fluid"][0]["s_per_cell_step"]
+                                   + PRICES["s_per_cell_regularized"])
+
+        for limit, expected in ((10, None), (60, None), (1e4, 48)):
+            done = self.choice(f"{limit} s", VORTEX, ("fluid.spacing", "time.step"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = json.loads(done.stdout)
+            n = found["accuracy"]["resolution"]
+            self.assertAlmostEqual(found["predicted"]["wall_s"] / vortex_s(n), 1, places=6)
+            self.assertLessEqual(vortex_s(n), limit)
+            if expected:  # the finest that was studied
+                self.assertEqual(n, expected)
+            else:
+                self.assertGreater(vortex_s(n + 2), limit)
 
     def test_less_than_the_coarsest(self):
         self.calibrate()

@@ -58,6 +58,8 @@ class ObservedOrder(unittest.TestCase):
         self.assertEqual(len(orders), 2, page)
         for order in orders:
             self.assertAlmostEqual(order, 2, delta=0.1)
+        # Twice as fine: 8 times the cells, 4 times the steps.
+        self.assertRegex(page, r"(?m)^\| all \|  \| [-0-9.]+ \| [-0-9.]+ \| 5\.00 \|")
         errors = [float(row["error_closed_form[1]"]) for row in rows]
         self.assertEqual(sorted(errors, reverse=True), errors)
         # The reference run itself has no error.

@@ -3,33 +3,18 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "coupler/scene/split.h"
 #include "shipped_studies.h"  // made by CMake from docs/accuracy/*/runs.csv
 
 namespace magfsi::launch {
-
-namespace {
-
-// Without quotes within: the studies' texts that hold commas come last in a row.
-std::vector<std::string> split(std::string_view line) {
-    std::vector<std::string> cells(1);
-    for (const char c : line) {
-        if (c == ',') {
-            cells.emplace_back();
-        } else {
-            cells.back() += c;
-        }
-    }
-    return cells;
-}
-
-}  // namespace
 
 std::vector<StudyRow> parse_rows(std::string_view csv) {
     std::vector<StudyRow> rows;
     std::vector<std::string> names;
     while (!csv.empty()) {
         const auto end = std::min(csv.find('\n'), csv.size());
-        const auto cells = split(csv.substr(0, end));
+        // Without quotes within: the texts that hold commas come last in a row.
+        const auto cells = scene::split(csv.substr(0, end), ',');
         csv.remove_prefix(std::min(end + 1, csv.size()));
         if (names.empty()) {
             names = cells;

@@ -11,6 +11,7 @@ from pathlib import Path
 import scenes
 
 BIN = Path(os.environ.get("MAGFSI_BIN", scenes.TOP / "build/release/bin"))
+MOST_LOAD = 0.5  # that leaves the cores to these runs
 SMALL, LARGE = 24, 72  # cells along a cube: in the caches, and beyond them
 
 
@@ -170,7 +171,10 @@ def main():
     facts = json.loads(subprocess.run(
         [BIN / "magfsi", "explain", scenes.BEAM, "--json"], capture_output=True, text=True,
         check=True).stdout)
-    cores = len(os.sched_getaffinity(0))
+    cores, load = len(os.sched_getaffinity(0)), os.getloadavg()[0]
+    if load > MOST_LOAD:
+        print(f"the machine has other work (load {load:.1f}): prices will be too high; repeat this "
+              "when it is idle", file=sys.stderr)
     found = {"machine": facts["machine"], "version": facts["version"],
              "date": datetime.date.today().isoformat()}
     with tempfile.TemporaryDirectory(prefix="magfsi-calibrate-") as folder:
