@@ -110,10 +110,21 @@ def order(group, norm):
     return math.log(e1 / e2) / math.log(h1 / h2)
 
 
-def steps_s(run):
-    """Of the steps without start-up: processor time holds start-up, too, wall time what other work
-    on the machine adds. The less of both is nearest."""
-    return min(run.summary.get("wall_s", math.nan), run.record["core_s"])
+def start_up_s(runs):
+    """Processor time before the steps: what is left of the run with the shortest steps."""
+    known = [r for r in runs if r.completed() and r.summary.get("wall_s")]
+    if not known:
+        return 0
+    shortest = min(known, key=lambda r: r.summary["wall_s"])
+    return max(0, shortest.record["core_s"] - shortest.summary["wall_s"])
+
+
+def steps_s(run, start_up):
+    """Of the steps: processor time less start-up, or wall time, to which other work on the machine
+    adds; whichever is less."""
+    wall = run.summary.get("wall_s", math.nan)
+    core = run.record["core_s"] - start_up
+    return min(wall, core) if core > 0 else wall
 
 
 def updates(run):

@@ -115,15 +115,15 @@ def _series_table(study, runs, norm):
     return [f"| {' | '.join(line)} |" for line in lines]
 
 
-def _cost_line(study, label, pair):
+def _cost_line(study, label, pair, start_up):
     coarse, fine = (findings.updates(r) for r in pair)
     known = coarse and fine
     line = [label, f"{study.expected['cost']:g}" if "cost" in study.expected else "",
             _number(findings.exponent(pair, lambda r: findings.cost(study, r))),
-            _number(findings.exponent(pair, findings.steps_s)),
+            _number(findings.exponent(pair, lambda r: findings.steps_s(r, start_up))),
             _number(findings.exponent(pair, findings.updates)) if known else ""]
-    return line + [f"{1e9 * findings.steps_s(r) / findings.updates(r):.3g}" if known else ""
-                   for r in pair]
+    return line + [f"{1e9 * findings.steps_s(r, start_up) / findings.updates(r):.3g}"
+                   if known else "" for r in pair]
 
 
 def _cost_table(study, runs):
@@ -136,9 +136,10 @@ def _cost_table(study, runs):
             "processor time" if study.cost == "core" else "wall time", "without start-up",
             "updates of cells or elements", "an update, coarse [ns]", "fine [ns]"]
     lines = [head, ["---"] * len(head)]
-    lines += [_cost_line(study, label, pair) for label, pair in pairs if pair]
+    start_up = findings.start_up_s(runs)
+    lines += [_cost_line(study, label, pair, start_up) for label, pair in pairs if pair]
     return ["", "Exponent q of cost = size^-q, through the two finest runs; cost is the number of "
-            "updates times the price of one, and start-up.", "",
+            f"updates times the price of one, and start-up, {seconds(start_up)}.", "",
             *(f"| {' | '.join(line)} |" for line in lines)]
 
 
