@@ -40,8 +40,9 @@ class ByTime(unittest.TestCase):
         self.file.write_text(json.dumps({"machine": known["machine"], "date": "today",
                                          "version": known["version"], **PRICES}))
 
-    def choice(self, time, scene=BEAM, removed=("bodies.beam.mesh.box.elements",)):
-        words = [magfsi.BIN / "magfsi", "explain", scene, "--json", "--set",
+    def choice(self, time, scene=BEAM, removed=("bodies.beam.mesh.box.elements",),
+               ranks="structure=1"):
+        words = [magfsi.BIN / "magfsi", "explain", scene, "--json", "--ranks", ranks, "--set",
                  f"accuracy.time={time}"]
         for key in removed:
             words += ["--set", f"{key}=null"]
@@ -66,7 +67,7 @@ class ByTime(unittest.TestCase):
                                    + PRICES["s_per_cell_regularized"])
 
         for limit, expected in ((10, None), (60, None), (1e4, 48)):
-            done = self.choice(f"{limit} s", VORTEX, ("fluid.spacing", "time.step"))
+            done = self.choice(f"{limit} s", VORTEX, ("fluid.spacing", "time.step"), "fluid=1")
             self.assertEqual(done.returncode, 0, done.stderr)
             found = json.loads(done.stdout)
             n = found["accuracy"]["resolution"]
