@@ -326,13 +326,14 @@ std::vector<Vec3> BodyCoupling::force_on_parts() {
 
 void BodyCoupling::audit(coupler::BalanceRecord& record) const {
     coupler::InterfaceBalance given;
-    const auto impulse = force_->impulse();
-    for (std::size_t m = 0; m < impulse.size(); ++m) {
-        Vec3 all = impulse[m];
-        if (iterated_)
-            for (std::size_t d = 0; d < 3; ++d) all[d] += iterated_->impulse()[m][d];
-        coupler::add_marker(given, all, fluid_velocity_[m]);
+    std::span<const Vec3> impulse = force_->impulse();
+    std::vector<Vec3> with_iterations;
+    if (iterated_) {
+        with_iterations = iterated_->added_to(impulse);
+        impulse = with_iterations;
     }
+    for (std::size_t m = 0; m < impulse.size(); ++m)
+        coupler::add_marker(given, impulse[m], fluid_velocity_[m]);
     record.add(given);
 }
 

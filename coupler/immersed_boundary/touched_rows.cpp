@@ -113,8 +113,20 @@ void TouchedRows::widen_plain(const MarkerStencil& stencil) {
     }
 }
 
-bool TouchedRows::is_plain(const MarkerStencil& stencil, double share) const {
-    if (share != 1) return false;
+template <bool BesideSolid>
+void TouchedRows::place_each() {
+    for (std::size_t m = 0; m < points_m_.size(); ++m) {
+        set_stencil(stencils_[m], *grid_, kernel_, points_m_[m]);
+        plain_[m] = is_plain(stencils_[m]);
+        if constexpr (BesideSolid) {
+            share_[m] = solid_.fluid_share(stencils_[m]);
+            plain_[m] = plain_[m] && share_[m] == 1;
+        }
+        widen_by(m);
+    }
+}
+
+bool TouchedRows::is_plain(const MarkerStencil& stencil) const {
     for (std::size_t d = 0; d < 3; ++d) {
         const Stencil1D& s = stencil[d];
         if (s.count != support(kernel_) || s.first < box_.lo[d] ||
@@ -129,14 +141,12 @@ void TouchedRows::place(std::span<const Vec3> points_m) {
     rows_.clear();
     points_m_.assign(points_m.begin(), points_m.end());
     stencils_.resize(points_m.size());
-    share_.resize(points_m.size());
+    share_.resize(points_m.size(), 1);
     plain_.resize(points_m.size());
-    for (std::size_t m = 0; m < points_m.size(); ++m) {
-        set_stencil(stencils_[m], *grid_, kernel_, points_m[m]);
-        share_[m] = solid_.fluid_share(stencils_[m]);
-        plain_[m] = is_plain(stencils_[m], share_[m]);
-        widen_by(m);
-    }
+    if (solid_.any())
+        place_each<true>();
+    else
+        place_each<false>();
     origin_.clear();
     cells_ = 0;
     for (const GridRow& r : rows_) {

@@ -46,9 +46,12 @@ class TouchedRows {
     void for_each_run(std::size_t marker, Visit&& visit) const;
     template <typename Visit>
     void without_solid(int y, int z, const Run& run, Visit&& visit) const;
-    // Whether the marker touches kernel_ cells along each axis, all of them fluid of this
-    // rank, one beside the other.
-    bool is_plain(const MarkerStencil& stencil, double share) const;
+    // With the markers' shares in the fluid where there are solid cells.
+    template <bool BesideSolid>
+    void place_each();
+    // Whether the marker touches kernel_ cells along each axis, all of them of this rank,
+    // one beside the other.
+    bool is_plain(const MarkerStencil& stencil) const;
     template <typename Use>
     void with_support(Use&& use) const;
     template <int Cells>

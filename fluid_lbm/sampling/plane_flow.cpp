@@ -34,31 +34,43 @@ void add_cell(const RowMoments& m, std::size_t i, const Layers& layers, double w
     sum[cells] += weight;
 }
 
+// The cells of the two layers; Solid: some may be an obstacle's.
+template <bool Solid>
+void add_layers(const Solver& solver, const Layers& layers, double* sum) {
+    const RowLayout& layout = solver.layout();
+    const CellBox& box = solver.owned();
+    const bool across_rows = layers.axis == 0;
+    const int begin = across_rows ? layers.low : 0;
+    const int end = across_rows ? std::min(layers.low + 2, layout.nx) : layout.nx;
+    RowMoments m;
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            const double of_row =
+                layers.weight(layers.axis == 1 ? box.lo[1] + y : box.lo[2] + z);
+            if (!across_rows && of_row == 0) continue;
+            row_moments(solver.view(), y, z, begin, end, m);
+            for (int x = begin; x < end; ++x) {
+                if constexpr (Solid) {
+                    if (solver.is_solid({x, y, z})) continue;
+                }
+                add_cell(m, static_cast<std::size_t>(x - begin), layers,
+                         across_rows ? layers.weight(x) : of_row, sum);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 PlaneFlow plane_flow(MPI_Comm comm, const Solver& solver, const Units& unit, int axis,
                      double at_cells) {
-    const RowLayout& layout = solver.layout();
-    const CellBox& box = solver.owned();
     const Layers layers = layers_at(
         axis, at_cells, solver.decomposition().cells[static_cast<std::size_t>(axis)]);
     double sum[sums] = {};
-    RowMoments m;
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            if (axis == 1 && layers.weight(box.lo[1] + y) == 0) continue;
-            if (axis == 2 && layers.weight(box.lo[2] + z) == 0) continue;
-            const int begin = axis == 0 ? layers.low : 0;
-            const int end = axis == 0 ? std::min(layers.low + 2, layout.nx) : layout.nx;
-            row_moments(solver.view(), y, z, begin, end, m);
-            for (int x = begin; x < end; ++x) {
-                const std::array<int, 3> cell{x, box.lo[1] + y, box.lo[2] + z};
-                const double weight = layers.weight(cell[static_cast<std::size_t>(axis)]);
-                if (weight == 0 || solver.is_solid({x, y, z})) continue;
-                add_cell(m, static_cast<std::size_t>(x - begin), layers, weight, sum);
-            }
-        }
-    }
+    if (solver.obstacles())
+        add_layers<true>(solver, layers, sum);
+    else
+        add_layers<false>(solver, layers, sum);
     MPI_Allreduce(MPI_IN_PLACE, sum, sums, MPI_DOUBLE, MPI_SUM, comm);
 
     const double area = unit.spacing_m * unit.spacing_m, speed = unit.velocity_m_s();

@@ -86,7 +86,7 @@ def overlay(removal, folder):
             raise AssertionError(f"{removal.registry} has not one line {line}")
         (folder / removal.registry).write_text(text.replace(line, ""))
     else:
-        patch = subprocess.run(["patch", "-p1", "--no-backup-if-mismatch", "-d", folder,
+        patch = subprocess.run(["patch", "-p1", "-N", "--no-backup-if-mismatch", "-d", folder,
                                 "-i", PATCHES / f"{removal.name}.patch"],
                                capture_output=True, text=True)
         if patch.returncode != 0:

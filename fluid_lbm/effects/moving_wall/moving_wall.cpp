@@ -44,10 +44,14 @@ void add_to_cells(const PopulationRows<Real>& rows, const RowLayout& layout, int
         for (int y = cells.lo[1]; y < cells.hi[1]; ++y) {
             Real* row = rows.row(q, layout.row(y, z));
             const bool edge = at_edge(1, y) || at_edge(2, z);
-            for (int x = cells.lo[0]; x < cells.hi[0]; ++x) {
-                const double share = edge || at_edge(0, x) ? 0.5 : 1;
+            const auto add = [&](int x, double share) {
                 row[x] = static_cast<Real>(row[x] + share * term);
-            }
+            };
+            // Only the ends of a row touch a wall along x.
+            const int first = cells.lo[0], last = cells.hi[0] - 1;
+            add(first, edge || at_edge(0, first) ? 0.5 : 1);
+            for (int x = first + 1; x < last; ++x) add(x, edge ? 0.5 : 1);
+            if (last > first) add(last, edge || at_edge(0, last) ? 0.5 : 1);
         }
     }
 }

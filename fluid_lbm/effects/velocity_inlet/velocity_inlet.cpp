@@ -20,7 +20,12 @@ VelocityInlet::VelocityInlet(const LatticeSide& side, int side_index,
     const int rows = cells_.hi[in_plane_[1]] - cells_.lo[in_plane_[1]] + 2;
     velocity_.resize(static_cast<std::size_t>(stride_) * rows);
     open_.resize(velocity_.size());
-    sample(0);
+    find_open();
+    if (side_.course) {
+        follow_course(0);
+    } else {
+        for (const Sampled& s : sampled_) velocity_[s.at] = side_.velocity(s.global);
+    }
 }
 
 int VelocityInlet::index(const Cell& local) const {
@@ -29,7 +34,7 @@ int VelocityInlet::index(const Cell& local) const {
     return j * stride_ + i;
 }
 
-void VelocityInlet::sample(double time) {
+void VelocityInlet::find_open() {
     CellBox margin = cells_;
     for (int a : in_plane_) {
         --margin.lo[a];
@@ -45,9 +50,15 @@ void VelocityInlet::sample(double time) {
         }
         const int at = index(local);
         open_[at] = inside && (!side_.open || side_.open(cell));
-        if (!open_[at]) return;
-        velocity_[at] = side_.course ? side_.course(cell, time) : side_.velocity(cell);
+        if (open_[at]) sampled_.push_back({at, cell});
     });
+    for_each_cell(cells_, [&](const Cell& local) {
+        if (open_[index(local)]) open_cells_.push_back(local);
+    });
+}
+
+void VelocityInlet::follow_course(double time) {
+    for (const Sampled& s : sampled_) velocity_[s.at] = side_.course(s.global, time);
 }
 
 // Change of the velocity over one cell; one-sided at the rim of the opening.
@@ -73,8 +84,7 @@ template <class Real>
 void VelocityInlet::add(const PopulationRows<Real>& rows, const RowLayout& layout,
                         double factor) const {
     const int axis = axis_of(side_index_);
-    for_each_cell(cells_, [&](const Cell& cell) {
-        if (!open_[index(cell)]) return;
+    for (const Cell& cell : open_cells_) {
         const Vec3& centre = velocity_[index(cell)];
         const Vec3 slopes[2] = {slope(cell, in_plane_[0]), slope(cell, in_plane_[1])};
         const int row = layout.row(cell[1], cell[2]);
@@ -90,12 +100,12 @@ void VelocityInlet::add(const PopulationRows<Real>& rows, const RowLayout& layou
             Real& f = rows.row(q, row)[cell[0]];
             f = static_cast<Real>(f + 6 * weight(q) * factor * cu);
         }
-    });
+    }
 }
 
 void VelocityInlet::apply(const Populations& populations, const RowLayout& layout,
                           double time) {
-    if (side_.course) sample(time);
+    if (side_.course) follow_course(time);
     const double factor = side_.factor && !side_.course ? side_.factor(time) : 1;
     populations.visit([&](const auto& rows) { add(rows, layout, factor); });
 }

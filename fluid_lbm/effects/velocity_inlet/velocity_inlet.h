@@ -22,7 +22,8 @@ class VelocityInlet {
 
   private:
     int index(const Cell& local) const;
-    void sample(double time);
+    void find_open();
+    void follow_course(double time);
     Vec3 slope(const Cell& local, int axis) const;
     template <class Real>
     void add(const PopulationRows<Real>& rows, const RowLayout& layout,
@@ -38,6 +39,12 @@ class VelocityInlet {
     // With a margin of one cell around the rank's part of the side.
     std::vector<Vec3> velocity_;
     std::vector<char> open_;
+    struct Sampled {
+        int at;       // in velocity_
+        Cell global;  // where it is
+    };
+    std::vector<Sampled> sampled_;  // all that are open
+    std::vector<Cell> open_cells_;  // this rank's, local indices
 };
 
 }  // namespace magfsi::fluid

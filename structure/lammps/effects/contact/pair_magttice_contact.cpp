@@ -119,6 +119,15 @@ void PairMagtticeContact::collect_candidates() {
 void PairMagtticeContact::compute(int eflag, int vflag) {
     ev_init(eflag, vflag);
     if (neighbor->ago == 0) collect_candidates();
+    if (evflag != 0)
+        add_forces<true>();
+    else
+        add_forces<false>();
+}
+
+// Tally: LAMMPS asks for energies or pressures of this step.
+template <bool Tally>
+void PairMagtticeContact::add_forces() {
     const double* const* const x = atom->x;
     double* const* const f = atom->f;
     const double reach = law_.distance_m * law_.distance_m;
@@ -136,7 +145,7 @@ void PairMagtticeContact::compute(int eflag, int vflag) {
             f[pair.i][d] += factor * apart[d];
             f[pair.j][d] -= factor * apart[d];
         }
-        if (evflag != 0) {
+        if constexpr (Tally) {
             ev_tally(pair.i, pair.j, atom->nlocal, 1, contact.energy_j, 0.0, factor,
                      apart[0], apart[1], apart[2]);
         }

@@ -43,6 +43,8 @@ class PairMagtticeContact : public LAMMPS_NS::Pair {
     };
     bool may_touch(const SurfaceNode& a, const SurfaceNode& b) const;
     void collect_candidates();
+    template <bool Tally>
+    void add_forces();
 
     ContactLaw law_;
     std::vector<SurfaceNode> node_;
