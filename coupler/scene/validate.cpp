@@ -52,6 +52,17 @@ void check_required(const Node& node, const Field& field, const std::string& whe
     }
 }
 
+// What to do about a key that the group has not, or "".
+std::string advice(const std::string& key, const Field& group) {
+    std::vector<std::string> keys, owners;
+    for (const Field& known : group.children) {
+        keys.push_back(known.name);
+        if (known.find(key)) owners.push_back(in_quotes(known.name));
+    }
+    if (owners.empty()) return did_you_mean(key, keys);
+    return fmt::format("it is a key of {}", joined(owners));
+}
+
 // where: the group as errors call it.
 void check_group(const Node& node, const Field& field, const std::string& where) {
     if (node.type != Node::Type::map)
@@ -66,7 +77,7 @@ void check_group(const Node& node, const Field& field, const std::string& where)
         for (const Field& known : field.children) keys.push_back(known.name);
         refuse(child.key_origin,
                fmt::format("the unknown key {} in {}", in_quotes(child.key), where),
-               joined(keys), did_you_mean(child.key, keys));
+               joined(keys), advice(child.key, field));
     }
     check_required(node, field, where);
     check_alternatives(node, field, where);

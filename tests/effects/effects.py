@@ -33,6 +33,8 @@ ON_GROUND = {"platform.point": "[0 mm, 0 mm, 0.11 mm]"}
 SUMS = {"probes": "{every: 5 ms, fluid: [kinetic_energy, enstrophy]}",
         "output.fluid": "{every: 10 ms, fields: [velocity, vorticity]}"}
 
+ONE_SUM = {"probes": "{every: 5 ms, fluid: [kinetic_energy]}"}
+
 
 def solid(name, absent, *files, registry=None):
     return Case("magfsi-structure", SOLID, Removal(name, files, registry), {**SHORT, **absent})
@@ -100,6 +102,10 @@ EFFECTS = {
                         "fluid_lbm/obstacle/cut_links.*")],
     "probes": [solid("probes", {"probes": "null"}), fluid("probes", {}),
                *both("probes", {"probes": "null"})],
+    # Of probes beside others.
+    "enstrophy": [fluid("enstrophy", ONE_SUM)],
+    "plane_flow": [fluid("plane_flow", ONE_SUM, "fluid_lbm/sampling/plane_flow.*")],
+    "body_forces": both("body_forces", {"probes.bodies": "[com]"})[:1],
     "interface_balance": both("interface_balance", {"probes.interface_balance": "null"}),
     "energy_audit": [solid("energy_audit", {}, "adapters/lammps/audit/*"),
                      *both("energy_audit", {}, "adapters/lammps/audit/*")],

@@ -55,22 +55,55 @@ def finished(command):
         raise AssertionError(f"{' '.join(words)}\n{result.stdout}{result.stderr}")
 
 
-def of_steps(program, scene, settings):
-    """program: its path; alone, on one rank, without a partner."""
+def run_alone(program, scene, settings):
+    """Returns callgrind's file."""
     folder = magfsi.new_folder()
     finished([*counted(f"{folder}/count"), program, scene, "--out", folder,
               "--progress", "plain", *magfsi.overrides(settings)])
-    return total(f"{folder}/count", lambda name: CLOCK.match(name))
+    return f"{folder}/count"
+
+
+def of_steps(program, scene, settings):
+    """program: its path; alone, on one rank, without a partner."""
+    return total(run_alone(program, scene, settings), CLOCK.match)
+
+
+def share_of_steps(program, scene, settings, name):
+    """The part of them in calls of a function, by a part of its name."""
+    file = run_alone(program, scene, settings)
+    whole = total(file, CLOCK.match)
+    rest = total(file, lambda called: CLOCK.match(called) or name in called)
+    if rest == whole:
+        raise AssertionError(f"no call of {name} in the steps of {program}")
+    return 1 - rest / whole
+
+
+def run_both(scene, settings, folder, prefix):
+    """The two sides of a coupled scene, one rank each; prefix: {program's name: the words
+    that start it}."""
+    words = [scene, "--out", folder, "--progress", "plain", *magfsi.overrides(settings)]
+    finished(["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1",
+              "-n", "1", *prefix["magfsi-structure"], *words, ":",
+              "-n", "1", *prefix["magfsi-fluid-lbm"], *words])
+
+
+def beside_partner(name):
+    return CLOCK.match(name) or PARTNER.match(name)
 
 
 def of_coupled_steps(program, scene, settings):
     """program: the path of one side's, which is counted; the other side runs beside it."""
     folder = magfsi.new_folder()
-    words = [scene, "--out", folder, "--progress", "plain", *magfsi.overrides(settings)]
-    other = {"magfsi-structure": "magfsi-fluid-lbm", "magfsi-fluid-lbm": "magfsi-structure"}
-    sides = {Path(program).name: [*counted(f"{folder}/count"), program],
-             other[Path(program).name]: [magfsi.BIN / other[Path(program).name]]}
-    finished(["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1",
-              "-n", "1", *sides["magfsi-structure"], *words, ":",
-              "-n", "1", *sides["magfsi-fluid-lbm"], *words])
-    return total(f"{folder}/count", lambda name: CLOCK.match(name) or PARTNER.match(name))
+    prefix = {name: [magfsi.BIN / name] for name in ("magfsi-structure", "magfsi-fluid-lbm")}
+    prefix[Path(program).name] = [*counted(f"{folder}/count"), program]
+    run_both(scene, settings, folder, prefix)
+    return total(f"{folder}/count", beside_partner)
+
+
+def of_both_sides(scene, settings):
+    """Of the structure and of the fluid, counted in one run."""
+    folder = magfsi.new_folder()
+    names = ("magfsi-structure", "magfsi-fluid-lbm")
+    run_both(scene, settings, folder,
+             {name: [*counted(f"{folder}/{name}"), magfsi.BIN / name] for name in names})
+    return [total(f"{folder}/{name}", beside_partner) for name in names]

@@ -7,6 +7,7 @@ steps as in a program from which all that is the effect's own has been removed.
 
 CTest runs a slice of it."""
 
+import functools
 import os
 import re
 import sys
@@ -40,9 +41,16 @@ def chosen():
 NAMES = chosen()
 
 
+@functools.cache
+def counted(coupled, program, scene, settings):
+    of = instructions.of_coupled_steps if coupled else instructions.of_steps
+    return of(program, scene, dict(settings))
+
+
 def count(case, program, settings):
-    of = instructions.of_coupled_steps if case.coupled else instructions.of_steps
-    return of(program, case.scene, {**case.absent, **settings})
+    """Of scenes that many effects are absent from, once."""
+    return counted(case.coupled, program, case.scene,
+                   tuple({**case.absent, **settings}.items()))
 
 
 # What may stand in the place of an object that is gone.

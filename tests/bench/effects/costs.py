@@ -2,9 +2,12 @@
 """What each effect costs on a small reference scene, on against off: prints docs/effects.md.
 
     MAGFSI_BIN=build/release/bin tests/bench/effects/costs.py > docs/effects.md
+    ... costs.py structure            one part of it: structure, fluid, coupled
 
-Instructions are those within the steps (valgrind's callgrind). Seconds are of processor time of the
-whole run, start-up included: medians of pairs on, off, on, off, ..."""
+Instructions are those within the steps (valgrind's callgrind), which are exact: of coupled scenes
+each side's, without MPI. Seconds are of whole runs, start-up included, in pairs on, off, on, off,
+...: processor time of the one process, or, where two wait for each other, the run's own wall
+time."""
 
 import functools
 import os
@@ -22,121 +25,159 @@ TESTS = Path(__file__).resolve().parents[2]
 sys.path += [str(TESTS / "support"), str(TESTS / "effects")]
 import instructions
 import magfsi_runs as magfsi
+import reference
 
 PAIRS = int(os.environ.get("MAGFSI_PAIRS", "5"))
-
-FREE = {"magnetic_field": "null", "gravity": "null", "damping": "null", "platform": "null",
-        "contact": "null", "probes": "null", "bodies.strip.material.viscosity": "null",
-        "bodies.strip.magnetization": "null"}
-MAGNET = {"bodies.strip.magnetization": "{harmonic: {amplitude: 62 kA/m, phase: 45 deg}}",
-          "magnetic_field": "{constant: {magnitude: 17 mT, direction: 45 deg}}"}
-FALL = {"gravity": "{acceleration: 9.81 m/s2}"}
-GROUND = {**FALL, "platform": "{point: [0 mm, 0 mm, 0.11 mm]}"}
-LID = "fluid.boundaries.z_max"
-SIDES = "fluid.boundaries"
-STRUCTURE_SCENE = TESTS / "scenes/every_structure_effect.yaml"
-FLUID_SCENE = TESTS / "effects/still_fluid.yaml"
-
-# What: (with, without); the scene otherwise bare.
-STRUCTURE = {
-    "viscosity": ({"bodies.strip.material.viscosity": "5 Pa s"}, {}),
-    "magnetic field": (MAGNET, {}),
-    "field gradient": ({**MAGNET, "magnetic_field.gradient.matrix": "[[1 T/m, 0 T/m, 0 T/m], "
-                        "[0 T/m, 0 T/m, 0 T/m], [0 T/m, 0 T/m, -1 T/m]]"}, MAGNET),
-    "gravity": (FALL, {}),
-    "damping": ({"damping.rate": "10 1/s"}, {}),
-    "platform": (GROUND, FALL),
-    "friction": ({**GROUND, "platform.friction": "0.3"}, GROUND),
-    "contact": ({"contact": "{}"}, {}),
-    "clamps": ({"bodies.strip.clamps": "[x_min]"}, {}),
-    "rollers": ({"bodies.strip.rollers": "[{face: x_min, axis: x}]"}, {}),
-    "probes, every 10 steps": ({"probes": "{every: 10 us, bodies: [com, shape]}"}, {}),
-    "structure fields, every 10 steps": ({"output.structure.every": "10 us"}, {}),
-}
-FLUID = {
-    "body force": ({"fluid.body_force": "[1 N/m3, 0 N/m3, 0 N/m3]"}, {}),
-    "eddy viscosity": ({"fluid.smagorinsky.constant": "0.1"}, {}),
-    "moving wall": ({LID: "{no_slip: {velocity: [0.01 m/s, 0 m/s, 0 m/s]}}"}, {}),
-    "free slip, one side": ({LID: "free_slip"}, {}),
-    "inlet and outlet": ({SIDES: "{x_min: {velocity_inlet: {velocity: [0.01 m/s, 0 m/s, "
-                          "0 m/s]}}, x_max: pressure_outlet}"}, {}),
-    "obstacle": ({"fluid.obstacles.ball.sphere":
-                  "{centre: [16 mm, 16 mm, 16 mm], diameter: 10 mm}"}, {}),
-    "probes, every 10 steps": ({"probes": "{every: 5 ms, fluid: [kinetic_energy]}"}, {}),
-    "fluid fields, every 10 steps": ({"output.fluid": "{every: 5 ms, fields: [velocity]}"}, {}),
-    "checkpoint, every 10 steps": ({"checkpoint.every": "5 ms"}, {}),
-}
-PARTS = [
-    ("structure", "magfsi-structure", STRUCTURE, STRUCTURE_SCENE,
-     # One step for all, so that a stiffer scene has no more of them.
-     {**FREE, "time.step": "1 us"}, {"time.end": "50 us"}, {"time.end": "5 ms"}),
-    ("fluid", "magfsi-fluid-lbm", FLUID, FLUID_SCENE,
-     {"fluid.box": "[32 mm, 32 mm, 32 mm]"}, {"time.end": "10 ms"}, {"time.end": "100 ms"}),
-]
+STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 
 
-def seconds(program, scene, settings):
-    """(processor seconds, bytes) of a run."""
-    folder = Path(magfsi.new_folder())
-    command = [magfsi.BIN / program, scene, "--out", folder, "--progress", "plain",
-               *magfsi.overrides(settings)]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    summary = magfsi.Run(0, "", "", 0, folder).summary()
-    return (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
-            next(iter(summary["memory_bytes"].values())))
+def alone(program):
+    """(processor seconds, bytes) of a run of this program alone."""
+    def measure(scene, settings):
+        folder = Path(magfsi.new_folder())
+        command = [magfsi.BIN / program, scene, "--out", folder, "--progress", "plain",
+                   *magfsi.overrides(settings)]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+                memory(magfsi.Run(0, "", "", 0, folder)))
+    return measure
+
+
+def memory(run):
+    return sum(run.summary()["memory_bytes"].values())
+
+
+def together(scene, settings):
+    """(wall seconds of the steps, bytes) of a run of both sides, one rank each."""
+    run = magfsi.good_run(scene, settings, ranks="structure=1,fluid=1")
+    return run.summary()["wall_s"], memory(run)
 
 
 @functools.cache
 def count(program, scene, settings):
-    return instructions.of_steps(magfsi.BIN / program, scene, dict(settings))
+    if program is None:
+        return instructions.of_both_sides(scene, dict(settings))
+    return [instructions.of_steps(magfsi.BIN / program, scene, dict(settings))]
 
 
-def row(name, program, scene, on, off, short, long):
-    counts = [count(program, scene, tuple({**s, **short}.items())) for s in (on, off)]
-    pairs = [[seconds(program, scene, {**s, **long}) for s in (on, off)] for _ in range(PAIRS)]
-    time = [statistics.median(pair[i][0] for pair in pairs) for i in (0, 1)]
-    memory = [statistics.median(pair[i][1] for pair in pairs) for i in (0, 1)]
-    return (f"| {name} | {100 * (counts[0] / counts[1] - 1):+.2f} % | {time[1]:.2f} | "
-            f"{time[0] - time[1]:+.2f} | {(memory[0] - memory[1]) / 1e6:+.2f} |")
+def more(on, off):
+    return f"{100 * (on / off - 1):+.2f} %"
+
+
+def row(name, counts, measure, scene, on, off):
+    pairs = [[measure(scene, settings) for settings in (on, off)] for _ in range(PAIRS)]
+    differences = [pair[0][0] - pair[1][0] for pair in pairs]
+    without = statistics.median(pair[1][0] for pair in pairs)
+    bytes_ = [statistics.median(pair[i][1] for pair in pairs) for i in (0, 1)]
+    print(f"| {name} | {' | '.join(counts)} | {without:.3f} | "
+          f"{statistics.median(differences):+.3f} | {min(differences):+.3f} to "
+          f"{max(differences):+.3f} | {(bytes_[0] - bytes_[1]) / 1e6:+.2f} |", flush=True)
+
+
+def rows(program, measure, scene, effects, common, short, long):
+    """short: settings of the runs that are counted; long: of those that are timed."""
+    for name, (on, off) in effects.items():
+        on, off = {**common, **on}, {**common, **off}
+        counts = [count(program, scene, tuple({**s, **short}.items())) for s in (on, off)]
+        row(name, [more(*pair) for pair in zip(*counts)], measure, scene,
+            {**on, **long}, {**off, **long})
 
 
 HEAD = """# What effects cost
 
 Each effect on a small reference scene, on against off. An effect that is off costs nothing:
 `tests/effects/removed.py` ([adding_an_effect.md](adding_an_effect.md)). Instructions are those
-within the steps, start and end apart; seconds are processor time of a longer run with start-up,
-medians of {pairs} pairs on and off in turn; memory is the largest resident.
+within the steps, start and end apart; seconds are of longer runs, medians of {pairs} pairs on and
+off in turn, with the smallest and largest difference of a pair; memory is the largest resident.
 
 Made by
 
     MAGFSI_BIN=build/release/bin tests/bench/effects/costs.py > docs/effects.md
+
+Every step of every scene looks for what is no number any more: the structure at its nodes, the
+fluid within its sweep. That is no effect that a scene can leave out; it costs {watch}.
 """
-INTRO = {
-    "structure": """
-## Structure
+TABLE = """
+## {title}
 
-A bare strip of 20 x 8 elements in LAMMPS, one rank, steps of 1 us; the platform touches from the
-start.
-""",
-    "fluid": """
-## Fluid
+{text}
 
-32 x 32 x 32 cells between walls at rest, one rank, avx2 under callgrind.
-""",
-}
+| effect | {columns} | seconds without | more | from, to | MB more |
+|---|{bars}---|---|---|---|
+"""
+
+
+def table(title, text, columns):
+    print(TABLE.format(title=title, text=text, columns=" | ".join(columns),
+                       bars="---|" * len(columns)), end="", flush=True)
+
+
+def structure():
+    table("Structure", "A bare strip of 20 x 8 elements in LAMMPS, one rank, 5000 steps of 1 us;\n"
+          "the platform touches from the start. Processor time.", ["instructions"])
+    # One step for all, so that a stiffer scene has no more of them.
+    rows(STRUCTURE, alone(STRUCTURE), reference.STRUCTURE_SCENE, reference.STRUCTURE,
+         {**reference.FREE, "time.step": "1 us"}, {"time.end": "50 us"}, {"time.end": "5 ms"})
+
+
+def fluid():
+    table("Fluid", "32 x 32 x 32 cells between walls at rest, one rank, 400 steps; avx2 under\n"
+          "callgrind. Processor time.", ["instructions"])
+    rows(FLUID, alone(FLUID), reference.FLUID_SCENE, reference.FLUID,
+         {"fluid.box": "[32 mm, 32 mm, 32 mm]"}, {"time.end": "10 ms"}, {"time.end": "200 ms"})
+
+
+def coupled():
+    table("Coupled", "The small swimmer of the tests: 40 elements and 638 markers in 32 x 16 x 32\n"
+          "cells, one rank a side, 160 coupled steps of 6 LAMMPS steps. Wall time of the steps.",
+          ["instructions of the structure", "of the fluid"])
+    scene, short, long = reference.COUPLED_SCENE, {"time.end": "0.2 ms"}, {"time.end": "4 ms"}
+    bare = {"probes": "null"}
+    boundary(scene, bare, short, long)
+    rows(None, together, scene, reference.COUPLED, bare, short, long)
+
+
+def boundary(scene, bare, short, long):
+    """Against both sides alone, one after the other."""
+    on = count(None, scene, tuple({**bare, **short}.items()))
+    apart = [(STRUCTURE, reference.BODY_ALONE), (FLUID, reference.FLUID_ALONE)]
+    off = [count(program, scene, tuple({**settings, **short}.items()))[0]
+           for program, settings in apart]
+
+    def measure(scene, settings):
+        if settings is not None:
+            return together(scene, settings)
+        runs = [magfsi.good_run(scene, {**s, **long}) for _, s in apart]
+        return sum(run.summary()["wall_s"] for run in runs), sum(map(memory, runs))
+
+    row("immersed boundary", [more(*pair) for pair in zip(on, off)], measure, scene,
+        {**bare, **long}, None)
+
+
+def watch():
+    """The share of the looks for what is no number, in instructions of the steps."""
+    settings = {**reference.FREE, "time.step": "1 us", "time.end": "50 us"}
+    node = instructions.share_of_steps(magfsi.BIN / STRUCTURE, reference.STRUCTURE_SCENE,
+                                       settings, "check_finite")
+    cell = instructions.share_of_steps(
+        magfsi.BIN / FLUID, reference.FLUID_SCENE,
+        {"fluid.box": "[32 mm, 32 mm, 32 mm]", "time.end": "10 ms"}, "check_divergence")
+    return f"{100 * node:.2f} % and, beside the sweep's own, {100 * cell:.4f} % of the instructions"
+
+
+PARTS = {"structure": structure, "fluid": fluid, "coupled": coupled}
 
 
 def main():
-    print(HEAD.format(pairs=PAIRS))
-    for part, program, effects, scene, common, short, long in PARTS:
-        print(INTRO[part])
-        print("| effect | instructions | seconds without | seconds more | MB more |")
-        print("|---|---|---|---|---|")
-        for name, (on, off) in effects.items():
-            print(row(name, program, scene, {**common, **on}, {**common, **off}, short, long),
-                  flush=True)
+    for name in sys.argv[1:]:
+        if name not in PARTS:
+            sys.exit(f"no part {name}; there are {', '.join(PARTS)}")
+    if not sys.argv[1:]:
+        print(HEAD.format(pairs=PAIRS, watch=watch()), end="")
+    for name in sys.argv[1:] or PARTS:
+        PARTS[name]()
 
 
 if __name__ == "__main__":
