@@ -133,7 +133,7 @@ def draw(study, runs, path):
     panels = [(room, _panel(study, room, runs, norm)) for room, norm in zip(axes.flat, norms)]
     numbers = study.order_axis or next(iter(study.axes))
     axes.flat[0].set_title(f"{study.name}: lines by {', '.join(study.series) or 'nothing'}; "
-                           f"rings: Pareto front, with {numbers}", loc="left", fontsize=8)
+                           f"grey steps, rings: Pareto front; numbers: {numbers}", loc="left", fontsize=8)
     figure.tight_layout(rect=(0, 0, 5.0 / width_in, 1))
     figure.canvas.draw()
     for room, ends in panels:
