@@ -28,7 +28,7 @@ PRICES = {
     "s_per_cell_row": 0, "s_per_cell_enstrophy": 0,
     "s_per_probe_row": 0, "s_per_cell_byte": 0, "s_per_element_file": 0,
     "fluid_bytes": 1e7, "coupled_fluid_bytes": 1.5e7, "lammps_bytes": 3e7, "newton_bytes": 2e7, "bytes_per_cell": 160,
-    "bytes_per_cell_file": 20, "bytes_per_element": 1000, "newton_bytes_per_element": 2000,
+    "bytes_per_cell_file": 20, "bytes_per_cell_curl": 30, "bytes_per_element": 1000, "newton_bytes_per_element": 2000,
     "bytes_per_marker": 3000, "structure_file_bytes": 1e6}
 
 
@@ -150,6 +150,21 @@ class SumOfParts(unittest.TestCase):
         memory = [explain(magfsi.SMALL, ranks=f"structure=1,fluid={n}")["predicted"]
                   ["memory_bytes"]["fluid"] for n in (1, 2)]
         self.assertEqual(memory[1] - memory[0], 1.5e7)
+
+    def test_memory_that_passes(self):
+        """A vorticity needs the velocity of all cells, for files beside what is written."""
+        self.calibrate()
+        cells = 32 * 16 * 32
+        files = "{fluid: {every: 1 ms, fields: [velocity%s]}}"
+
+        def fluid(sets):
+            return explain(magfsi.SMALL, sets, ranks="structure=1,fluid=1")["predicted"][
+                "memory_bytes"]["fluid"]
+
+        alone = fluid({})
+        self.assertEqual(fluid({"probes.fluid": "[enstrophy]"}) - alone, 30 * cells)
+        self.assertEqual(fluid({"output": files % ""}) - alone, 20 * cells)
+        self.assertEqual(fluid({"output": files % ", vorticity"}) - alone, (20 + 30) * cells)
 
     def test_of_another_machine_or_torn(self):
         self.calibrate(machine="another")

@@ -79,6 +79,8 @@ def fluid(bench, cores):
         "fluid_bytes": memory(found[SMALL], "fluid") - SMALL**3 * per_cell,
         "bytes_per_cell_file": max(0, memory(written, "fluid") - memory(found[LARGE], "fluid"))
         / LARGE**3,
+        "bytes_per_cell_curl": max(0, memory(curled, "fluid") - memory(found[LARGE], "fluid"))
+        / LARGE**3,
         "s_per_cell_row": probed["tasks"]["fluid"]["probes"] / 20 / LARGE**3,
         "s_per_cell_enstrophy": curled["tasks"]["fluid"]["probes"] / 20 / LARGE**3,
         "s_per_cell_byte": written["tasks"]["fluid"]["write fields"] / 4 / LARGE**3 / 12,

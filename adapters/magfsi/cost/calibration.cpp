@@ -42,6 +42,7 @@ constexpr Entry entries[] = {
     {"newton_bytes", &Calibration::newton_bytes},
     {"bytes_per_cell", &Calibration::bytes_per_cell},
     {"bytes_per_cell_file", &Calibration::bytes_per_cell_file},
+    {"bytes_per_cell_curl", &Calibration::bytes_per_cell_curl},
     {"bytes_per_element", &Calibration::bytes_per_element},
     {"newton_bytes_per_element", &Calibration::newton_bytes_per_element},
     {"bytes_per_marker", &Calibration::bytes_per_marker},

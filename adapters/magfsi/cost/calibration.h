@@ -48,6 +48,7 @@ struct Calibration {
     double fluid_bytes = 0, coupled_fluid_bytes = 0, lammps_bytes = 0, newton_bytes = 0;
     double bytes_per_cell = 0;       // in double precision
     double bytes_per_cell_file = 0;  // where fields are written
+    double bytes_per_cell_curl = 0;  // where vorticities are needed
     double bytes_per_element = 0, newton_bytes_per_element = 0, bytes_per_marker = 0;
     double structure_file_bytes = 0;  // where fields are written, whatever the elements
 };

@@ -85,6 +85,14 @@ double newton_s(const Work& work, const Calibration& c) {
            s.files * s.elements * c.s_per_element_file;
 }
 
+// Passing: what a cell takes while it is probed or written.
+double passing_bytes(const FluidWork& f, const Calibration& c) {
+    const double curl = f.enstrophy_rows > 0 ? c.bytes_per_cell_curl : 0;
+    if (f.files == 0) return curl;
+    return std::max(
+        curl, c.bytes_per_cell_file + (f.vorticity_files ? c.bytes_per_cell_curl : 0));
+}
+
 void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (work.structure) {
         const StructureWork& s = *work.structure;
@@ -101,7 +109,7 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     const FluidWork& f = *work.fluid;
     p.fluid_bytes = f.ranks * (work.structure ? c.coupled_fluid_bytes : c.fluid_bytes) +
                     f.cells * c.bytes_per_cell * (f.single_precision ? 0.5 : 1) +
-                    (f.files > 0 ? f.cells * c.bytes_per_cell_file : 0);
+                    f.cells * passing_bytes(f, c);
     p.disk_bytes += f.files * f.cells * f.bytes_a_cell;
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }

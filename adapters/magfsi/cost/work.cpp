@@ -71,8 +71,9 @@ FluidWork fluid_work(const scene::Scene& scene, int ranks) {
         work.files = rows(scene.time.end_s, scene.output.fluid->every_s);
         const auto& fields = scene.output.fluid->fields;
         work.bytes_a_cell = bytes_a_cell(fields);
-        if (std::ranges::find(fields, scene::FluidField::vorticity) != fields.end())
-            work.enstrophy_rows += work.files;
+        work.vorticity_files =
+            std::ranges::find(fields, scene::FluidField::vorticity) != fields.end();
+        if (work.vorticity_files) work.enstrophy_rows += work.files;
     }
     work.ranks = ranks;
     return work;

@@ -13,7 +13,8 @@ struct FluidWork {
     bool recursive_regularized = false;
     bool single_precision = false;  // of populations in memory
     double probe_rows = 0;
-    double sum_rows = 0;        // of them, each a pass over all cells
+    double sum_rows = 0;  // of them, each a pass over all cells
+    bool vorticity_files = false;
     double enstrophy_rows = 0;  // also vorticities in files
     double files = 0;
     double bytes_a_cell = 0;  // of a file
