@@ -275,6 +275,18 @@ std::vector<BodyCoupling::MarkerArray> BodyCoupling::carried() {
     return all;
 }
 
+void BodyCoupling::shorten_last_step(double part) {
+    const auto closer = [&](std::span<Vec3> last) {
+        for (std::size_t m = 0; m < last.size(); ++m) {
+            for (std::size_t d = 0; d < 3; ++d)
+                last[m][d] =
+                    fluid_velocity_[m][d] + part * (last[m][d] - fluid_velocity_[m][d]);
+        }
+    };
+    closer(force_->enclosed().last_velocity());
+    closer(last_velocity_);
+}
+
 void BodyCoupling::find_parts(const std::vector<bodies::PlacedMarker>& placed) {
     const scene::Scene& scene = session_.scene();
     if (!scene.probes) return;

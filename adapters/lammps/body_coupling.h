@@ -61,6 +61,9 @@ class BodyCoupling {
         std::span<double> values;
     };
     std::vector<MarkerArray> carried();
+    // After they are back: the last coupled step was this part of what it was (a retry),
+    // and the fluid's velocity then that much closer to the present one.
+    void shorten_last_step(double part);
     // Numbers that are the same on all ranks; with them, after a restart, a fresh object
     // makes room for what is carried. Empty but in the implicit scheme.
     std::vector<double> carried_numbers() const;

@@ -36,6 +36,7 @@ Participant::Participant(coupler::Session& session, const Substeps& substeps,
 
 void Participant::build() {
     const Substeps at_start = substeps_;
+    counted_.fewest = substeps_.count;
     if (session_.restart()) take_substeps_of_restart();
     input_ = to_lammps_input(scene(), substeps_.lammps_step_s);
     if (scene().time.equilibrium) prepare_for_rest(input_, scene());
@@ -221,8 +222,8 @@ void Participant::assemble_record() {
 }
 
 StructureParts Participant::parts() {
-    return {session_,       *engine_,     atoms_,         coupling_.get(),
-            balance_.get(), audit_.get(), substeps_.count};
+    return {session_,       *engine_,     atoms_,    coupling_.get(),
+            balance_.get(), audit_.get(), substeps_, counted_};
 }
 
 // A NaN in one node reaches its neighbours in the next substep: one look a coupled step
@@ -358,15 +359,17 @@ coupler::ParticipantReport Participant::make_report() const {
     constexpr std::int64_t fewest_elements_a_rank = 500;
     report.load.most_ranks = static_cast<int>(
         std::max<std::int64_t>(1, structure.elements / fewest_elements_a_rank));
-    structure.substeps_per_step = substeps_.count;
+    add_steps(structure);
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task != advance_task) continue;
         const auto* repeated = coupling_ ? coupling_->repetitions() : nullptr;
-        const std::int64_t advances =
-            repeated ? repeated->iterations : session_.clock().steps_here();
-        structure.ns_per_element_step = 1e9 * seconds /
-                                        (static_cast<double>(advances) * substeps_.count *
-                                         static_cast<double>(structure.elements));
+        double advances = mean_substeps();
+        if (repeated)
+            advances *= static_cast<double>(repeated->iterations);
+        else
+            advances *= static_cast<double>(session_.clock().steps_here());
+        structure.ns_per_element_step =
+            1e9 * seconds / (advances * static_cast<double>(structure.elements));
     }
     report.structure = structure;
     if (coupling_) {

@@ -37,6 +37,8 @@ class Participant {
     void add_advance();
     void add_step_guard();
     void take_substeps_of_restart();
+    void add_steps(output::StructureSummary& structure) const;
+    double mean_substeps() const;
     void add_slip();
     void assemble_output(output::ProgressMode progress);
     void assemble_checkpoint();
@@ -57,6 +59,7 @@ class Participant {
 
     coupler::Session& session_;
     Substeps substeps_;
+    StepCount counted_;
     structure::LammpsInput input_;
     std::vector<std::string> fix_ids_;  // of each body's fix magttice
     int atoms_ = 0;

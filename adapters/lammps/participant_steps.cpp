@@ -12,9 +12,27 @@ namespace magfsi::lammps {
 void Participant::take_substeps_of_restart() {
     const auto& file = coupler::open_restart(session_);
     if (!file.has("substeps")) return;
-    substeps_.count =
-        std::max(substeps_.count, static_cast<int>(file.table("substeps")[0]));
+    const auto kept = file.table("substeps");
+    substeps_.count = std::max(substeps_.count, static_cast<int>(kept[0]));
     substeps_.lammps_step_s = substeps_.coupled_step_s / substeps_.count;
+    counted_ = {static_cast<std::int64_t>(kept[1]), session_.clock().step(),
+                static_cast<int>(kept[2]), static_cast<std::int64_t>(kept[1])};
+}
+
+double Participant::mean_substeps() const {
+    const auto done =
+        counted_.until(session_.clock().step(), substeps_) - counted_.at_start;
+    return static_cast<double>(done) /
+           static_cast<double>(std::max<std::int64_t>(1, session_.clock().steps_here()));
+}
+
+// What the run's LAMMPS steps came to.
+void Participant::add_steps(output::StructureSummary& structure) const {
+    structure.substeps_per_step = substeps_.count;
+    if (rest_) return;
+    structure.substeps = counted_.until(session_.clock().step(), substeps_);
+    if (counted_.fewest != substeps_.count)
+        structure.fewest_substeps_per_step = counted_.fewest;
 }
 
 void Participant::add_step_guard() {
@@ -22,6 +40,7 @@ void Participant::add_step_guard() {
         if (session_.clock().step() % guard_->every() != 0) return;
         const auto verdict = guard_->look(engine_->gather(atoms_), substeps_);
         if (verdict.factor == 1) return;
+        counted_.change(session_.clock().step(), substeps_);
         engine_->divide_step(verdict.factor);
         substeps_.count *= verdict.factor;
         substeps_.lammps_step_s /= verdict.factor;

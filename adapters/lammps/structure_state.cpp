@@ -71,7 +71,15 @@ void save_structure(const StructureParts& parts, StateWriter* file) {
     save_shares(comm, "sums", engine.fix_sums(), file);
     if (parts.coupling) save_markers(parts, file);
     if (parts.balance) save_shares(comm, "balance", parts.balance->values(), file);
-    if (file) file->table("substeps", std::vector<double>{1.0 * parts.substeps}, {1});
+    if (file) {
+        const auto done =
+            parts.counted.until(parts.session.clock().step(), parts.substeps);
+        file->table(
+            "substeps",
+            std::vector<double>{1.0 * parts.substeps.count, static_cast<double>(done),
+                                1.0 * parts.counted.fewest},
+            {3});
+    }
     if (parts.audit && file) {
         const auto carried = parts.audit->carried();
         file->table("energy_audit", carried, {carried.size()});
@@ -107,6 +115,8 @@ void restore_coupling(const StructureParts& parts, const StateReader& file) {
             std::copy_n(row, 3, array.values.data() + 3 * m);
         }
     }
+    const auto ratio = file.header().steps_in_one(parts.session.clock().step_s());
+    if (ratio > 1) coupling.shorten_last_step(1.0 / static_cast<double>(ratio));
     if (parts.balance && file.has("balance"))
         parts.balance->set(share(file, "balance", parts.session.world().local()));
 }

@@ -4,6 +4,7 @@
 #include "adapters/lammps/audit/energy_audit.h"
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/engine.h"
+#include "adapters/lammps/substeps.h"
 #include "coupler/checkpoint/state_reader.h"
 #include "coupler/checkpoint/state_writer.h"
 #include "coupler/immersed_boundary/balance.h"
@@ -18,7 +19,8 @@ struct StructureParts {
     BodyCoupling* coupling = nullptr;
     coupler::BalanceRecord* balance = nullptr;
     EnergyAudit* audit = nullptr;
-    int substeps = 1;  // of the last coupled step
+    Substeps substeps{};  // of the last coupled step
+    StepCount counted{};
 };
 
 // Collective; file is null but on the root. Contact's lists of neighbours are renewed, as

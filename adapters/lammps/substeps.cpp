@@ -67,7 +67,9 @@ Substeps choose_substeps(const scene::Scene& scene) {
     }
     const auto wanted = scene::coupled_step_s(scene);
     s.coupled_step_s =
-        wanted ? *wanted : even_step_s(scene, elastic_margin * s.elastic_limit_s);
+        wanted ? *wanted
+               : scene::halved(scene,
+                               even_step_s(scene, elastic_margin * s.elastic_limit_s));
     double limit = elastic_margin * s.elastic_limit_s;
     if (scene.fluid && scene.coupling) {
         s.drag_limit_s = 2 / largest_drag_rate(scene, s.coupled_step_s);

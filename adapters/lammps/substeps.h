@@ -1,6 +1,8 @@
 // How many LAMMPS steps make one coupled step.
 #pragma once
 
+#include <cstdint>
+
 #include "coupler/scene/scene.h"
 
 namespace magfsi::lammps {
@@ -11,6 +13,23 @@ struct Substeps {
     double lammps_step_s = 0;
     double elastic_limit_s = 0;  // stable step of the lattice
     double drag_limit_s = 0;     // of the immersed-boundary force; 0 without fluid
+};
+
+// LAMMPS steps of a run in which the number of them in a coupled step may change.
+struct StepCount {
+    std::int64_t before = 0;  // done by the coupled step `since`
+    std::int64_t since = 0;
+    int fewest = 0;             // in any coupled step
+    std::int64_t at_start = 0;  // done when this run began
+
+    std::int64_t until(std::int64_t coupled_step, const Substeps& now) const {
+        return before + (coupled_step - since) * now.count;
+    }
+    // From this coupled step on there is another number of them.
+    void change(std::int64_t coupled_step, const Substeps& until_now) {
+        before = until(coupled_step, until_now);
+        since = coupled_step;
+    }
 };
 
 // Without a coupled step in the scene (no fluid, no time.step) one coupled step is one

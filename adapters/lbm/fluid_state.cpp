@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "coupler/checkpoint/gather.h"
+#include "fluid_lbm/sampling/step_change.h"
 
 namespace magfsi::lbm {
 
@@ -55,6 +56,17 @@ void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
     }
 }
 
+struct StepOfRestart {
+    std::int64_t steps = 1;  // of the run in one of the state's
+    fluid::StepChange factors;
+};
+
+StepOfRestart step_change(const coupler::StateHeader& header, const fluid::Fluid& fluid) {
+    const double step_s = fluid.config().time_step_s;
+    return {header.steps_in_one(step_s),
+            fluid::step_change(fluid.config(), header.step_s)};
+}
+
 }  // namespace
 
 void save_fluid(MPI_Comm comm, const fluid::Fluid& fluid,
@@ -85,11 +97,13 @@ void restore_fluid(MPI_Comm comm, const coupler::StateReader& file, fluid::Fluid
             fmt::join(file.shape(table), " x "), fmt::join(shape_of(fluid), " x ")));
     }
     const fluid::CellBox box = fluid.owned();
-    fluid.set_steps_done(file.header().step);
+    const auto change = step_change(file.header(), fluid);
+    fluid.set_steps_done(file.header().step * change.steps);
     std::vector<double> rows(values_of(fluid, box));
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         file.rows(table, static_cast<std::size_t>(z), static_cast<std::size_t>(box.lo[1]),
                   static_cast<std::size_t>(box.hi[1]), rows);
+        if (change.steps > 1) fluid::change_step(change.factors, rows);
         fluid.set_populations(z, rows);
     }
     if (balance && file.has("balance")) {

@@ -15,8 +15,9 @@ namespace magfsi::lbm {
 void save_fluid(MPI_Comm comm, const fluid::Fluid& fluid,
                 const coupler::BalanceRecord* balance, coupler::StateWriter* file);
 
-// Every rank reads its own cells. Throws coupler::StateFault when the file is of another
-// box.
+// Every rank reads its own cells. Of a state with a longer step it makes one of the
+// fluid's (fluid_lbm/sampling/step_change.h). Throws coupler::StateFault when the file is
+// of another box.
 void restore_fluid(MPI_Comm comm, const coupler::StateReader& file, fluid::Fluid& fluid,
                    coupler::BalanceRecord* balance);
 

@@ -9,6 +9,7 @@
 #include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
+#include "adapters/magfsi/retries.h"
 #include "adapters/magfsi/richardson.h"
 #include "adapters/openfoam/engine_library.h"
 #include "coupler/checkpoint/restart.h"
@@ -57,6 +58,9 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         arguments.insert(arguments.end(), {"--set", o});
     for (const std::string& note : options.notes)
         arguments.insert(arguments.end(), {"--note", note});
+    if (options.halvings > 0)
+        arguments.insert(arguments.end(),
+                         {"--halvings", std::to_string(options.halvings)});
     const Ranks ranks = choose_ranks(scene, options.ranks);
     std::vector<Program> programs;
     const auto add = [&](const std::string& role, const char* name) {
@@ -91,6 +95,12 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
     const bool replays = !options.replay.empty();
     if (!replays && !options.record) return;
     const char* option = replays ? "--replay" : "--record";
+    if (scene.checkpoint && scene.checkpoint->retry()) {
+        throw std::invalid_argument(
+            fmt::format("{}: a run with checkpoint.on_divergence: retry may change its "
+                        "step; take stop",
+                        option));
+    }
     if (!scene.fluid || scene.bodies.empty()) {
         throw std::invalid_argument(fmt::format(
             "{}: the scene has no {}; only a body in a fluid exchanges anything", option,
@@ -167,6 +177,43 @@ void write_richardson(const scene::Scene& scene, const fs::path& out) {
     fmt::print("{}\n", richardson_line(estimate));
 }
 
+JobEnd run_once(const scene::Scene& scene, const RunOptions& options,
+                const fs::path& out) {
+    const auto programs = participants(scene, options, out);
+    if (!goes_on_in(out, options)) clear_run_folder(out);
+    fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));
+    std::fflush(stdout);
+    return run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
+}
+
+std::string cause_in(const fs::path& out) {
+    std::ifstream in(out / "summary.json");
+    const auto json = nlohmann::ordered_json::parse(in, nullptr, false);
+    return json.is_object() ? json.value("cause", "") : "";
+}
+
+JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
+                        const fs::path& out, Retries& retries) {
+    while (true) {
+        options.restart = retries.restart();
+        options.halvings = retries.halvings();
+        const JobEnd end = run_once(scene, options, out);
+        const bool diverged =
+            end.exit_code == coupler::exit_diverged && end.lost.empty() && !end.stopped;
+        if (!diverged || !retries.again(cause_in(out))) {
+            if (!retries.record().empty())
+                add_to_summary(out, "retries", retries.record());
+            if (diverged && !retries.note().empty())
+                fmt::print(stderr, "magfsi: {}\n", retries.note());
+            return end;
+        }
+        fmt::print("{}\n", retries.note());
+        // A log that goes on has the earlier ones.
+        options.notes =
+            retries.restart().empty() ? retries.notes() : std::vector{retries.note()};
+    }
+}
+
 }  // namespace
 
 std::map<std::string, fs::path> parse_replay(const std::string& text) {
@@ -206,13 +253,8 @@ int run(const RunOptions& options) {
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, scene);
     check_exchange(scene, options, out);
-    const auto programs = participants(scene, options, out);
-    if (!goes_on_in(out, options)) clear_run_folder(out);
-    fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));
-    std::fflush(stdout);
-
-    const JobEnd end =
-        run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
+    Retries retries(scene, out, options.restart);
+    const JobEnd end = run_with_retries(scene, options, out, retries);
     if (!end.lost.empty()) {
         fmt::print(stderr, "magfsi: lost a partner: {}\n", end.lost);
         write_lost(scene, out, end.lost);
@@ -225,7 +267,8 @@ int run(const RunOptions& options) {
     }
     // What a restart or one side alone takes is not what was predicted.
     if (!options.accuracy.is_null()) add_to_summary(out, "accuracy", options.accuracy);
-    const bool whole = options.restart.empty() && options.replay.empty();
+    const bool whole =
+        options.restart.empty() && options.replay.empty() && retries.record().empty();
     if (end.exit_code == coupler::exit_done && whole) {
         write_richardson(scene, out);
         const Ranks ranks = choose_ranks(scene, options.ranks);

@@ -20,6 +20,7 @@ struct RunOptions {
     std::vector<std::string> notes;   // for the head of the log
     nlohmann::ordered_json accuracy;  // for the summary; null without the key accuracy
     std::string restart;              // latest, a file of a checkpoint, or empty
+    int halvings = 0;                 // of every step, by retries
     bool record = false;              // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
 };

@@ -42,9 +42,12 @@ Json object(const FluidSummary& fluid) {
 }
 
 Json object(const StructureSummary& structure) {
-    return {{"elements", structure.elements},
-            {"ns_per_element_step", structure.ns_per_element_step},
-            {"substeps_per_step", structure.substeps_per_step}};
+    Json out{{"elements", structure.elements},
+             {"ns_per_element_step", structure.ns_per_element_step},
+             {"substeps_per_step", structure.substeps_per_step}};
+    if (structure.fewest_substeps_per_step)
+        out["fewest_substeps_per_step"] = *structure.fewest_substeps_per_step;
+    return out;
 }
 
 Json object(const BoundarySummary& b) {

@@ -31,7 +31,10 @@ struct FluidSummary {
 struct StructureSummary {
     std::int64_t elements = 0;
     double ns_per_element_step = 0;
-    int substeps_per_step = 1;
+    int substeps_per_step = 1;  // at the end of the run
+    // Where the deformation, or a retry, has changed that number during the run:
+    std::optional<int> fewest_substeps_per_step = {};
+    std::optional<std::int64_t> substeps = {};  // in the whole run
 };
 
 // How well the immersed boundary held, measured at the markers (every probe row, or a

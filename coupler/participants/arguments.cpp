@@ -23,6 +23,8 @@ ParticipantArguments parse_arguments(int argc, char** argv,
         ->allow_extra_args(false);
     app.add_option("--restart", a.restart,
                    "Go on from a checkpoint: latest, or its file");
+    app.add_option("--halvings", a.halvings, "How often every step is halved")
+        ->check(CLI::Range(0, 16));
     app.add_flag("--record", a.record, "Write exchange.record");
     app.add_option("--replay", a.replay, "The exchange.record that is played");
     app.add_option("--progress", a.progress, "terminal, plain or off")

@@ -15,6 +15,7 @@ struct ParticipantArguments {
     std::vector<std::string> overrides;
     std::vector<std::string> notes;  // for the head of the log
     std::string restart;             // "latest", a file of a checkpoint, or empty
+    int halvings = 0;                // of every step, by a retry
     bool record = false;             // what both sides tell each other, to play it later
     std::filesystem::path replay;    // the record that a replay participant plays
     output::ProgressMode progress = output::ProgressMode::plain;

@@ -16,6 +16,7 @@ namespace {
 
 const scene::Scene& read(const ParticipantArguments& arguments, RunState& state) {
     state.scene = scene::read_scene(arguments.scene, arguments.overrides);
+    state.scene.time.halvings = arguments.halvings;
     state.out = arguments.out.empty() ? default_out(state.scene.name) : arguments.out;
     return state.scene;
 }
@@ -62,13 +63,15 @@ void Session::find_restart(double step_s) {
     restart_->folder = restart_folder(restart_wanted_, state_.out);
     StateHeader& header = restart_->header;
     MPI_Bcast(&header, sizeof header, MPI_BYTE, 0, world_.local());
-    if (header.step_s != step_s) {
+    const std::int64_t ratio = header.steps_in_one(step_s);
+    const bool retried = state_.scene.checkpoint && state_.scene.checkpoint->retry();
+    if (ratio == 0 || (ratio > 1 && !retried)) {
         throw std::invalid_argument(
             fmt::format("--restart: the checkpoint in {} has coupled steps of {:.17g} s, "
                         "this run of {:.17g} s; set time.step to the former",
                         restart_->folder.string(), header.step_s, step_s));
     }
-    clock_->start_at(header.step);
+    clock_->start_at(ratio * header.step);
     state_.step = clock_->step();
     state_.time_s = clock_->time_s();
 }
@@ -81,7 +84,7 @@ void Session::claim_run_folder() {
         const bool goes_on =
             restart_ && std::filesystem::equivalent(restart_->folder, state_.out, none);
         // Those of another run, or of steps that this one is about to do again.
-        clear_checkpoints_after(state_.out, goes_on ? clock_->step() : -1);
+        clear_checkpoints_after(state_.out, goes_on ? restart_->header.step : -1);
     }
     MPI_Barrier(world_.local());
     state_.started = true;

@@ -367,6 +367,8 @@ void bind_keys(Io& io, Output& output) {
 template <class Io>
 void bind_keys(Io& io, Checkpoint& checkpoint) {
     io("every", checkpoint.every_s);
+    io("on_divergence", checkpoint.on_divergence);
+    io("retries", checkpoint.retries);
 }
 
 template <class Io>

@@ -137,6 +137,7 @@ void check_checkpoint(const Scene& scene, const Marks& marks) {
                "take the key away: a path starts anew at once from any of its points");
     check_interval(scene, scene.checkpoint->every_s,
                    marks.value({"checkpoint", "every"}));
+    if (scene.checkpoint->retry()) check_retry(scene, marks);
 }
 
 }  // namespace

@@ -20,9 +20,8 @@ constexpr double most_lattice_speed = 0.25;
 // OpenFOAM's implicit step is stable far beyond, but its explicit coupling is of first
 // order.
 constexpr double most_courant = 1;
-// tau = 3 nu dt / dx^2 + 1/2 (lattice speed of sound squared 1/3). Below 0.5001 the
-// viscosity is lost in the scheme's own error; above 2 walls slip.
-constexpr double least_tau = 0.5001;
+// tau = 3 nu dt / dx^2 + 1/2 (lattice speed of sound squared 1/3); above 2 walls slip.
+constexpr double least_tau = least_relaxation_time;
 constexpr double most_tau = 2;
 
 void check_speed(double speed, std::string_view what, const Origin& where,

@@ -40,5 +40,6 @@ void check_fluid(const Scene& scene, const Marks& marks);
 void check_openfoam(const Scene& scene, const Marks& marks);
 void check_step(const Scene& scene, const Marks& marks);
 void check_outputs(const Scene& scene, const Marks& marks);
+void check_retry(const Scene& scene, const Marks& marks);
 
 }  // namespace magfsi::scene

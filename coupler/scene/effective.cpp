@@ -1,5 +1,7 @@
 #include "coupler/scene/effective.h"
 
+#include <cmath>
+
 #include "coupler/scene/json_writer.h"
 
 namespace magfsi::scene {
@@ -25,6 +27,8 @@ std::uint64_t scene_hash(const Scene& scene) {
 std::uint64_t state_hash(const Scene& scene) {
     Scene endless = scene;
     endless.time.end_s = 0;
+    // What a run does when it diverges changes no state before that.
+    if (endless.checkpoint) endless.checkpoint = Checkpoint{endless.checkpoint->every_s};
     return scene_hash(endless);
 }
 
@@ -32,13 +36,17 @@ double path_step_s(const Scene& scene) {
     return scene.probes ? scene.probes->every_s : scene.time.end_s;
 }
 
+double halved(const Scene& scene, double step_s) {
+    return std::ldexp(step_s, -scene.time.halvings);
+}
+
 std::optional<double> coupled_step_s(const Scene& scene) {
-    if (scene.time.step_s) return scene.time.step_s;
+    if (scene.time.step_s) return halved(scene, *scene.time.step_s);
     if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;
     const Fluid& fluid = *scene.fluid;
     const double cells_a_step =
         fluid.solver == FluidSolver::openfoam ? fluid.courant : fluid.lattice_speed;
-    return cells_a_step * fluid.spacing_m / fluid.expected_speed_m_s;
+    return halved(scene, cells_a_step * fluid.spacing_m / fluid.expected_speed_m_s);
 }
 
 }  // namespace magfsi::scene

@@ -21,14 +21,25 @@ std::uint64_t scene_hash(const Scene& scene);
 // that one may go on from a checkpoint of the other.
 std::uint64_t state_hash(const Scene& scene);
 
-// Coupled step [s]: time.step, or lattice_speed (courant for openfoam) times
-// spacing / expected_speed. Empty without
-// a fluid and time.step, where the bodies' own stable step rules.
 // Distance of the points on the path of equilibria [s]: that of the probe rows, or the
 // whole path.
 double path_step_s(const Scene& scene);
 
+// A step [s] of the scene as it is after scene.time.halvings; exact.
+double halved(const Scene& scene, double step_s);
+
+// Coupled step [s]: time.step, or lattice_speed (courant for openfoam) times
+// spacing / expected_speed, halved as the scene says. Empty without a fluid and
+// time.step, where the bodies' own stable step rules.
 std::optional<double> coupled_step_s(const Scene& scene);
+
+// The fluid's on its lattice: 3 nu dt / dx^2 + 1/2; empty without such a fluid. Below the
+// least the viscosity is lost in the scheme's own error.
+constexpr double least_relaxation_time = 0.5001;
+std::optional<double> relaxation_time(const Scene& scene);
+
+// Empty, or why a retry cannot halve the steps once more.
+std::string fault_of_half_step(const Scene& scene);
 
 // Names of the effects in the order in which a step evaluates them.
 std::vector<std::string> active_effects(const Scene& scene);

@@ -63,6 +63,11 @@ const Field& scene_fields() {
         group("checkpoint", "Keeps the state, so that the run can go on from there "
               "(--restart).", {
             quantity("every", "s", "Time between states; the two newest are kept.").above(0),
+            choice<OnDivergence>("on_divergence", "What magfsi run does when the run diverges: "
+                                 "end, or go back to the last state kept and on from there "
+                                 "with half of every step (the lattice-Boltzmann fluid, and "
+                                 "bodies alone or in the serial scheme).").or_default("stop"),
+            integer("retries", "At most, in a run.").at_least(1).at_most(8).or_default("3"),
         }).optional(),
     });
     return scene;

@@ -61,6 +61,9 @@ template <>
 inline constexpr std::array names<Unconverged> =
     std::to_array<std::string_view>({"stop", "go_on"});
 template <>
+inline constexpr std::array names<OnDivergence> =
+    std::to_array<std::string_view>({"stop", "retry"});
+template <>
 inline constexpr std::array names<BodyQuantity> = std::to_array<std::string_view>(
     {"com", "speed", "shape", "max_displacement", "fluid_force", "energy"});
 template <>

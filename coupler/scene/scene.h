@@ -27,6 +27,9 @@ struct Time {
     double end_s = 0;
     std::optional<double> step_s;  // coupled step; absent: from the lattice speed
     std::optional<Equilibrium> equilibrium;
+    // How often a retry has halved all steps of this run; no key of the scene, and no part
+    // of its hash.
+    int halvings = 0;
 };
 
 // --- bodies -------------------------------------------------------------------------
@@ -358,9 +361,16 @@ struct Output {
     std::optional<FluidOutput> fluid;
 };
 
+// retry: go back to the last state kept and on from there with half the steps.
+enum class OnDivergence { stop, retry };
+
 // The state of every participant, kept so that a run can go on from it.
 struct Checkpoint {
     double every_s = 0;
+    OnDivergence on_divergence = OnDivergence::stop;
+    int retries = 3;  // in a run, at most
+
+    bool retry() const { return on_divergence == OnDivergence::retry; }
 };
 
 struct Scene {

@@ -192,7 +192,8 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         if (report.iterations) summary.iterations = report.iterations;
         if (report.structure) {
             summary.structure = report.structure;
-            summary.substeps = summary.steps * report.structure->substeps_per_step;
+            summary.substeps = report.structure->substeps.value_or(
+                summary.steps * report.structure->substeps_per_step);
         }
     }
     if (reports.size() == 2) add_balance(session, summary, reports[0], reports[1]);

@@ -1,0 +1,89 @@
+#include "adapters/magfsi/retries.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "adapters/lammps/substeps.h"
+#include "coupler/checkpoint/checkpoint_files.h"
+#include "coupler/checkpoint/restart.h"
+#include "coupler/scene/effective.h"
+
+namespace magfsi::launch {
+
+namespace {
+
+double time_of(const coupler::StateHeader& header) {
+    return static_cast<double>(header.step) * header.step_s;
+}
+
+bool retry(const scene::Scene& scene) {
+    return scene.checkpoint && scene.checkpoint->retry();
+}
+
+}  // namespace
+
+Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
+                 const std::string& restart)
+    : scene_(scene), out_(out), given_(restart), restart_(restart) {
+    if (!retry(scene) || restart.empty()) return;
+    const auto header = coupler::find_restart(restart, out, scene).header;
+    from_s_ = time_of(header);
+    const auto ratio = std::llround(step_s() / header.step_s);
+    if (ratio > 1) scene_.time.halvings = std::ilogb(static_cast<double>(ratio));
+}
+
+double Retries::step_s() const {
+    const auto coupled = scene::coupled_step_s(scene_);
+    return coupled ? *coupled : lammps::choose_substeps(scene_).coupled_step_s;
+}
+
+Retries::Place Retries::newest() const {
+    const auto at = [&](const std::string& restart) -> Place {
+        return {restart, time_of(coupler::find_restart(restart, out_, scene_).header)};
+    };
+    try {
+        return at("latest");
+    } catch (const std::invalid_argument&) {  // none yet
+        return given_.empty() ? Place{} : at(given_);
+    }
+}
+
+void Retries::drop_newest() const {
+    const auto roles = coupler::roles_of(scene_);
+    const auto steps = coupler::steps_complete(out_, roles);
+    if (steps.empty()) return;
+    for (const coupler::Role role : roles)
+        std::filesystem::remove(coupler::checkpoint_file(out_, steps.front(), role));
+}
+
+bool Retries::again(const std::string& cause) {
+    if (!retry(scene_)) return false;
+    const auto done = static_cast<int>(record_.size());
+    const int most = scene_.checkpoint->retries;
+    const std::string fault =
+        done == most ? fmt::format("{} of at most {} retries done", done, most)
+                     : scene::fault_of_half_step(scene_);
+    if (!fault.empty()) {
+        note_ = fmt::format("no retry: {}", fault);
+        return false;
+    }
+    Place place = newest();
+    if (done > 0 && place.time_s > 0 && place.time_s <= from_s_) {
+        drop_newest();
+        place = newest();
+    }
+    restart_ = place.restart;
+    from_s_ = place.time_s;
+    ++scene_.time.halvings;
+    note_ = fmt::format(
+        "retry {} of at most {}: {}; on from t = {:.6g} s with coupled steps of {:.4g} "
+        "us",
+        done + 1, most, cause, from_s_, step_s() * 1e6);
+    notes_.push_back(note_);
+    record_.push_back(
+        {{"cause", cause}, {"from_s", from_s_}, {"coupled_step_s", step_s()}});
+    return true;
+}
+
+}  // namespace magfsi::launch

@@ -1,0 +1,52 @@
+// Scenes whose steps a retry can halve: docs/stability.md.
+#include <fmt/format.h>
+
+#include "coupler/scene/checks.h"
+#include "coupler/scene/effective.h"
+#include "coupler/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+constexpr const char* without = "take checkpoint.on_divergence: stop";
+
+}  // namespace
+
+std::optional<double> relaxation_time(const Scene& scene) {
+    const auto dt_s = coupled_step_s(scene);
+    if (!dt_s || !scene.fluid || scene.fluid->solver != FluidSolver::lbm) return {};
+    const double dx = scene.fluid->spacing_m;
+    return 3 * scene.fluid->viscosity_m2_s * *dt_s / (dx * dx) + 0.5;
+}
+
+std::string fault_of_half_step(const Scene& scene) {
+    Scene half = scene;
+    ++half.time.halvings;
+    const auto tau = relaxation_time(half);
+    if (!tau || *tau >= least_relaxation_time) return {};
+    return fmt::format("half of the step {} has a relaxation time of {:.6g}, below {}",
+                       format_si(*coupled_step_s(scene), "s"), *tau,
+                       least_relaxation_time);
+}
+
+void check_retry(const Scene& scene, const Marks& marks) {
+    const Origin& here = marks.value({"checkpoint", "on_divergence"});
+    if (scene.fluid && scene.fluid->solver != FluidSolver::lbm)
+        refuse(here, "a retry with fluid.solver openfoam",
+               "it with the lattice-Boltzmann fluid, or bodies alone",
+               fmt::format("{}, and a smaller fluid.courant", without));
+    if (scene.fluid && !scene.bodies.empty() &&
+        scene.coupling->scheme != Scheme::serial) {
+        // Impulses under way, or what was learnt, belong to a step of the old length.
+        refuse(here, "a retry in a scheme that is not serial",
+               "it with coupling.scheme serial",
+               fmt::format("{}, and a smaller fluid.lattice_speed", without));
+    }
+    const std::string fault = fault_of_half_step(scene);
+    if (!fault.empty())
+        refuse(here, "a retry though " + fault, "room for at least one half step",
+               fmt::format("{}, or a smaller fluid.spacing", without));
+}
+
+}  // namespace magfsi::scene

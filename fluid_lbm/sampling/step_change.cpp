@@ -1,0 +1,90 @@
+#include "fluid_lbm/sampling/step_change.h"
+
+#include <array>
+
+#include "fluid_lbm/lattice/d3q19.h"
+#include "fluid_lbm/units.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+using Stress = std::array<std::array<double, 3>, 3>;
+
+struct Flow {
+    double density_excess = 0;
+    std::array<double, 3> velocity{};
+    Stress stress{};  // second moment beyond its equilibrium
+};
+
+Flow flow_of(std::span<const double> f) {
+    Flow flow;
+    for (int q = 0; q < d3q19::directions; ++q) {
+        flow.density_excess += f[q];
+        for (int a = 0; a < 3; ++a) {
+            flow.velocity[a] += d3q19::c[q][a] * f[q];
+            for (int b = 0; b < 3; ++b)
+                flow.stress[a][b] += d3q19::c[q][a] * d3q19::c[q][b] * f[q];
+        }
+    }
+    const double density = 1 + flow.density_excess;
+    for (double& u : flow.velocity) u /= density;
+    for (int a = 0; a < 3; ++a) {
+        flow.stress[a][a] -= d3q19::cs2 * flow.density_excess;
+        for (int b = 0; b < 3; ++b)
+            flow.stress[a][b] -= density * flow.velocity[a] * flow.velocity[b];
+    }
+    return flow;
+}
+
+// w [excess + 3 rho c.u + 4.5 (c c - I/3) : (rho u u + stress)]
+void rebuild(const Flow& flow, std::span<double> f) {
+    const double density = 1 + flow.density_excess;
+    for (int q = 0; q < d3q19::directions; ++q) {
+        double sum = flow.density_excess;
+        for (int a = 0; a < 3; ++a) {
+            sum += 3 * density * d3q19::c[q][a] * flow.velocity[a];
+            for (int b = 0; b < 3; ++b) {
+                const double cc =
+                    d3q19::c[q][a] * d3q19::c[q][b] - (a == b ? d3q19::cs2 : 0);
+                const double flux =
+                    density * flow.velocity[a] * flow.velocity[b] + flow.stress[a][b];
+                sum += 4.5 * cc * flux;
+            }
+        }
+        f[q] = d3q19::weight(q) * sum;
+    }
+}
+
+}  // namespace
+
+StepChange step_change(const FluidConfig& config, double old_step_s) {
+    FluidConfig before = config;
+    before.time_step_s = old_step_s;
+    StepChange change;
+    change.velocity = config.time_step_s / old_step_s;
+    change.stress = relaxation_time(config) / relaxation_time(before) * change.velocity;
+    if (!config.body_force_n_m3) return change;
+    for (std::size_t a = 0; a < 3; ++a)
+        change.momentum[a] = (*config.body_force_n_m3)[a] / units(config).force_n_m3() *
+                             (1 / change.velocity - 1) / 2;
+    return change;
+}
+
+void change_step(const StepChange& change, std::span<double> values) {
+    constexpr std::size_t width = d3q19::directions;
+    for (std::size_t cell = 0; cell + width <= values.size(); cell += width) {
+        Flow flow = flow_of(values.subspan(cell, width));
+        const double before = 1 + flow.density_excess;
+        flow.density_excess *= change.velocity * change.velocity;
+        const double denser = (1 + flow.density_excess) / before;
+        for (int a = 0; a < 3; ++a) {
+            flow.velocity[a] = flow.velocity[a] * change.velocity +
+                               change.momentum[a] / (1 + flow.density_excess);
+            for (int b = 0; b < 3; ++b) flow.stress[a][b] *= denser * change.stress;
+        }
+        rebuild(flow, values.subspan(cell, width));
+    }
+}
+
+}  // namespace magfsi::fluid
