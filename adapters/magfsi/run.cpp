@@ -194,6 +194,7 @@ std::string cause_in(const fs::path& out) {
 
 JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
                         const fs::path& out, Retries& retries) {
+    const std::vector<std::string> head = options.notes;
     while (true) {
         options.restart = retries.restart();
         options.halvings = retries.halvings();
@@ -209,8 +210,11 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
         }
         fmt::print("{}\n", retries.note());
         // A log that goes on has the earlier ones.
-        options.notes =
-            retries.restart().empty() ? retries.notes() : std::vector{retries.note()};
+        options.notes = {retries.note()};
+        if (!retries.restart().empty()) continue;
+        options.notes = head;
+        options.notes.insert(options.notes.end(), retries.notes().begin(),
+                             retries.notes().end());
     }
 }
 

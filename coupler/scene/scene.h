@@ -27,7 +27,7 @@ struct Time {
     double end_s = 0;
     std::optional<double> step_s;  // coupled step; absent: from the lattice speed
     std::optional<Equilibrium> equilibrium;
-    // How often a retry has halved all steps of this run; no key of the scene, and no part
+    // How often a retry has halved all steps of this run; no key of it, no part
     // of its hash.
     int halvings = 0;
 };

@@ -66,12 +66,14 @@ def start(command):
                             stderr=subprocess.PIPE, text=True, start_new_session=True)
 
 
-def run(scene, settings=None, ranks=None, limit_s=600, folder=None):
+def run(scene, settings=None, ranks=None, limit_s=600, folder=None, restart=None):
     """magfsi run; raises if it takes longer than limit_s."""
     folder = folder or new_folder()
     command = [BIN / "magfsi", "run", scene, "--out", folder, *overrides(settings or {})]
     if ranks:
         command += ["--ranks", ranks]
+    if restart:
+        command += ["--restart", restart]
     began = time.monotonic()
     return finish(start(command), began, folder, limit_s)
 

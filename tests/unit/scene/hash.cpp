@@ -44,7 +44,7 @@ TEST(Hash, ignores_comments_order_and_spelling) {
     EXPECT_EQ(read_scene(one.path()).hash, read_scene(another.path()).hash);
 }
 
-TEST(Hash, of_the_states_ignores_the_end_only) {
+TEST(Hash, of_the_states_ignores_what_changes_none) {
     const auto state = [](const std::string& change) {
         return state_hash(read_scene(test_folder / "complete/swimmer.yaml", {change}));
     };
@@ -52,6 +52,7 @@ TEST(Hash, of_the_states_ignores_the_end_only) {
     EXPECT_EQ(state("time.end=240 ms"), as_it_is);
     EXPECT_NE(state("time.step=19 us"), as_it_is);
     EXPECT_NE(state("checkpoint.every=4 ms"), as_it_is);
+    EXPECT_EQ(state("checkpoint.retries=3"), as_it_is);
 }
 
 TEST(Hash, is_that_of_the_values) {
@@ -128,6 +129,7 @@ std::vector<std::string> changes() {
             "output.fluid.every=1 ms",
             "output.fluid.fields=[velocity]",
             "checkpoint.every=4 ms",
+            "checkpoint.retries=4",
             "checkpoint="};
 }
 

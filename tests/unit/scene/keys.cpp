@@ -159,6 +159,8 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_EQ(s.output.structure->every_s, 1e-3);
     EXPECT_EQ(s.output.fluid->every_s, 2e-3);
     EXPECT_EQ(s.checkpoint->every_s, 5e-3);
+    EXPECT_FALSE(s.checkpoint->retry());
+    EXPECT_EQ(s.checkpoint->retries, 2);
     EXPECT_EQ(s.output.fluid->fields,
               (std::vector{FluidField::vorticity, FluidField::density}));
 }
