@@ -199,7 +199,11 @@ void Participant::assemble_output(output::ProgressMode progress) {
 
 void Participant::assemble_checkpoint() {
     checkpoints_ = std::make_unique<coupler::Checkpoints>(
-        session_, [this](coupler::StateWriter* file) { save_structure(parts(), file); });
+        session_, [this](coupler::StateWriter* file) {
+            StructureParts all = parts();
+            all.counted = &counted_;
+            save_structure(all, file);
+        });
     tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
 }
 
@@ -222,8 +226,8 @@ void Participant::assemble_record() {
 }
 
 StructureParts Participant::parts() {
-    return {session_,       *engine_,     atoms_,    coupling_.get(),
-            balance_.get(), audit_.get(), substeps_, counted_};
+    return {session_,       *engine_,     atoms_,         coupling_.get(),
+            balance_.get(), audit_.get(), substeps_.count};
 }
 
 // A NaN in one node reaches its neighbours in the next substep: one look a coupled step
@@ -363,13 +367,11 @@ coupler::ParticipantReport Participant::make_report() const {
     for (const auto& [task, seconds] : tasks_.timer().seconds()) {
         if (task != advance_task) continue;
         const auto* repeated = coupling_ ? coupling_->repetitions() : nullptr;
-        double advances = mean_substeps();
-        if (repeated)
-            advances *= static_cast<double>(repeated->iterations);
-        else
-            advances *= static_cast<double>(session_.clock().steps_here());
-        structure.ns_per_element_step =
-            1e9 * seconds / (advances * static_cast<double>(structure.elements));
+        const std::int64_t advances =
+            repeated ? repeated->iterations : session_.clock().steps_here();
+        structure.ns_per_element_step = 1e9 * seconds /
+                                        (static_cast<double>(advances) * mean_substeps() *
+                                         static_cast<double>(structure.elements));
     }
     report.structure = structure;
     if (coupling_) {

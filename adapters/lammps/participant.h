@@ -37,8 +37,6 @@ class Participant {
     void add_advance();
     void add_step_guard();
     void take_substeps_of_restart();
-    void add_steps(output::StructureSummary& structure) const;
-    double mean_substeps() const;
     void add_slip();
     void assemble_output(output::ProgressMode progress);
     void assemble_checkpoint();
@@ -52,6 +50,8 @@ class Participant {
     std::vector<bodies::BodyLoads> collect_loads();
     double add_partner_values(std::vector<double>& row);
     void check_finite() const;
+    void add_steps(output::StructureSummary& structure) const;
+    double mean_substeps() const;
     coupler::ParticipantReport make_report() const;
     void finish(double wall_s);
 

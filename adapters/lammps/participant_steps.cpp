@@ -21,7 +21,7 @@ void Participant::take_substeps_of_restart() {
 
 double Participant::mean_substeps() const {
     const auto done =
-        counted_.until(session_.clock().step(), substeps_) - counted_.at_start;
+        counted_.until(session_.clock().step(), substeps_.count) - counted_.at_start;
     return static_cast<double>(done) /
            static_cast<double>(std::max<std::int64_t>(1, session_.clock().steps_here()));
 }
@@ -30,7 +30,7 @@ double Participant::mean_substeps() const {
 void Participant::add_steps(output::StructureSummary& structure) const {
     structure.substeps_per_step = substeps_.count;
     if (rest_) return;
-    structure.substeps = counted_.until(session_.clock().step(), substeps_);
+    structure.substeps = counted_.until(session_.clock().step(), substeps_.count);
     if (counted_.fewest != substeps_.count)
         structure.fewest_substeps_per_step = counted_.fewest;
 }
@@ -40,7 +40,7 @@ void Participant::add_step_guard() {
         if (session_.clock().step() % guard_->every() != 0) return;
         const auto verdict = guard_->look(engine_->gather(atoms_), substeps_);
         if (verdict.factor == 1) return;
-        counted_.change(session_.clock().step(), substeps_);
+        counted_.change(session_.clock().step(), substeps_.count);
         engine_->divide_step(verdict.factor);
         substeps_.count *= verdict.factor;
         substeps_.lammps_step_s /= verdict.factor;

@@ -71,15 +71,10 @@ void save_structure(const StructureParts& parts, StateWriter* file) {
     save_shares(comm, "sums", engine.fix_sums(), file);
     if (parts.coupling) save_markers(parts, file);
     if (parts.balance) save_shares(comm, "balance", parts.balance->values(), file);
-    if (file) {
-        const auto done =
-            parts.counted.until(parts.session.clock().step(), parts.substeps);
-        file->table(
-            "substeps",
-            std::vector<double>{1.0 * parts.substeps.count, static_cast<double>(done),
-                                1.0 * parts.counted.fewest},
-            {3});
-    }
+    if (file)
+        file->table("substeps",
+                    parts.counted->carried(parts.session.clock().step(), parts.substeps),
+                    {3});
     if (parts.audit && file) {
         const auto carried = parts.audit->carried();
         file->table("energy_audit", carried, {carried.size()});

@@ -19,8 +19,8 @@ struct StructureParts {
     BodyCoupling* coupling = nullptr;
     coupler::BalanceRecord* balance = nullptr;
     EnergyAudit* audit = nullptr;
-    Substeps substeps{};  // of the last coupled step
-    StepCount counted{};
+    int substeps = 1;                    // of the last coupled step
+    const StepCount* counted = nullptr;  // only to save
 };
 
 // Collective; file is null but on the root. Contact's lists of neighbours are renewed, as

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "coupler/scene/scene.h"
 
@@ -22,13 +23,18 @@ struct StepCount {
     int fewest = 0;             // in any coupled step
     std::int64_t at_start = 0;  // done when this run began
 
-    std::int64_t until(std::int64_t coupled_step, const Substeps& now) const {
-        return before + (coupled_step - since) * now.count;
+    std::int64_t until(std::int64_t coupled_step, int count) const {
+        return before + (coupled_step - since) * count;
     }
     // From this coupled step on there is another number of them.
-    void change(std::int64_t coupled_step, const Substeps& until_now) {
+    void change(std::int64_t coupled_step, int until_now) {
         before = until(coupled_step, until_now);
         since = coupled_step;
+    }
+    // For checkpoints.
+    std::vector<double> carried(std::int64_t coupled_step, int count) const {
+        return {1.0 * count, static_cast<double>(until(coupled_step, count)),
+                1.0 * fewest};
     }
 };
 

@@ -32,7 +32,7 @@ std::string_view trim(std::string_view text) {
 bool split(std::string_view text, Number& number) {
     std::size_t at = 0;
     if (at < text.size() && (text[at] == '+' || text[at] == '-')) {
-        if (text[at] == '-') number.mantissa = "-";
+        if (text[at] == '-') number.mantissa = '-';
         ++at;
     }
     bool digits = false;
