@@ -90,11 +90,6 @@ void check_fluid(const Scene& scene, Lines& lines) {
         lines.push_back(idle("fluid.body_force", "it is 0"));
     if (fluid.initial_velocity_m_s && is_zero(*fluid.initial_velocity_m_s))
         lines.push_back(idle("fluid.initial_velocity", "it is 0"));
-    for (const Boundary& side : fluid.boundaries) {
-        if (side.kind == BoundaryKind::velocity_inlet && is_zero(side.velocity_m_s))
-            lines.push_back(
-                idle("fluid.boundaries: velocity_inlet", "its velocity is 0"));
-    }
 }
 
 void check_interval(const Scene& scene, const char* key, double every_s, Lines& lines) {

@@ -45,6 +45,14 @@ class EnergyAudit(unittest.TestCase):
             # Above the residual: without any of them it would be larger.
             self.assertGreater(max(map(abs, column(probes, name))), 2 * residual, name)
 
+    def test_rounding_of_a_body_at_rest_is_no_gain(self):
+        # Nothing acts: all energies are rounding, here some 1e-21 J; G V is 3e-5 J.
+        run = magfsi.good_run(STRIP, {
+            **AUDIT, "magnetic_field": "null", "gravity": "null", "platform": "null",
+            "bodies.strip.prescribed_motion": "null", "time.end": "5 ms"})
+        self.assertEqual(run.summary()["outcome"], "completed")
+        self.assertLess(run.summary()["energy_audit"]["work_j"], 1e-18)
+
     def test_in_fluids_of_a_tenth_and_ten_times_the_density(self):
         for density in (100, 10000):
             run = magfsi.good_run(magfsi.SMALL, {
