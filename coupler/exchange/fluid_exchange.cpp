@@ -5,6 +5,7 @@
 #include <exception>
 #include <numeric>
 
+#include "coupler/exchange/kept_messages.h"
 #include "coupler/exchange/message.h"
 #include "coupler/exchange/partner_table.h"
 #include "coupler/participants/wait.h"
@@ -20,7 +21,10 @@ FluidExchange::FluidExchange(const World& world, double timeout_s)
 }
 
 FluidExchange::~FluidExchange() {
-    if (std::uncaught_exceptions() > 0) return;
+    if (std::uncaught_exceptions() > 0) {
+        if (!sending_.empty()) keep_until_exit(out_);
+        return;
+    }
     try {
         wait_all(sending_, timeout_s_, "receiver of the last velocities");
     } catch (const std::exception&) {

@@ -25,7 +25,8 @@ class FluidExchange {
     FluidExchange(const World& world, double timeout_s);
 
     // Waits until the last velocities are taken: MPI reads them from here. Not when an
-    // exception ends the run, which the partner may have left already.
+    // exception ends the run, which the partner may have left already: then they are
+    // kept.
     ~FluidExchange();
     FluidExchange(const FluidExchange&) = delete;
     FluidExchange& operator=(const FluidExchange&) = delete;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "coupler/exchange/kept_messages.h"
 #include "coupler/exchange/message.h"
 #include "coupler/participants/wait.h"
 
@@ -15,6 +16,10 @@ StructureExchange::StructureExchange(const World& world, const Grid& grid, Kerne
     const auto ranks = static_cast<std::size_t>(world.partner_size());
     out_.resize(ranks);
     in_.resize(ranks);
+}
+
+StructureExchange::~StructureExchange() {
+    if (!sending_.empty()) keep_until_exit(out_);
 }
 
 int StructureExchange::partners() const {

@@ -17,6 +17,11 @@ class StructureExchange {
     StructureExchange(const World& world, const Grid& grid, Kernel kernel,
                       double timeout_s);
 
+    // What is still under way, when an exception ends the run, is kept.
+    ~StructureExchange();
+    StructureExchange(const StructureExchange&) = delete;
+    StructureExchange& operator=(const StructureExchange&) = delete;
+
     // What the markers of this rank did in coupled step `step`: where they were (the
     // impulse acts there), the impulse given to the fluid [N s], where they are now.
     void send(const Occasion& when, std::span<const Vec3> before_m,
