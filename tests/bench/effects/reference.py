@@ -33,6 +33,9 @@ STRUCTURE = {
                            "[{face: x_min, oscillation: {amplitude: "
                            "[0 mm, 0 mm, 0.01 mm], frequency: 100 Hz}}]"}, {}),
     "probes, every 10 steps": ({"probes": "{every: 10 us, bodies: [com, shape]}"}, {}),
+    "energy audit, every 10 steps": (
+        {"probes": "{every: 10 us, bodies: [com], energy_audit: true}"},
+        {"probes": "{every: 10 us, bodies: [com]}"}),
     "structure fields, every 10 steps": ({"output.structure.every": "10 us"}, {}),
     "checkpoint, every 10 steps": ({"checkpoint.every": "10 us"}, {}),
 }
