@@ -265,7 +265,7 @@ double Participant::add_partner_values(std::vector<double>& row) {
     const std::size_t fluid_values = coupler::fluid_columns(scene()).size();
     const auto given =
         balance_ ? balance_->collect(session_.world().local()) : std::vector<double>{};
-    if (!session_.world().root() || fluid_values + given.size() == 0) return 0;
+    if (!session_.world().root() || (fluid_values == 0 && !balance_)) return 0;
     std::vector<double> numbers(fluid_values + given.size());
     coupler::receive_numbers(session_.world(), session_.clock().step(), numbers,
                              session_.timeout_s());

@@ -29,6 +29,12 @@ class BoundaryQuality(unittest.TestCase):
         # The sheet moves across itself, and so does its slip.
         self.assertAlmostEqual(strong["leakage"] / strong["no_slip_error"], 1, delta=0.3)
 
+    def test_the_interface_is_audited_without_probes_of_the_fluid(self):
+        run = magfsi.good_run(magfsi.SMALL, {
+            "probes": "{every: 0.1 ms, bodies: [com], interface_balance: true}",
+            "time.end": "0.4 ms"})
+        magfsi.check_interface_balance(self, run, "no probe of the fluid")
+
     def test_iterated_forcing_slips_less_and_conserves_as_exactly(self):
         direct = quality()
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
