@@ -18,13 +18,23 @@ void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
 }
 
 void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
+    if (scale_.gravity_m_s2 != Vec3{})
+        follow<true>(fluid_velocity);
+    else
+        follow<false>(fluid_velocity);
+}
+
+template <bool Weighs>
+void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
     const double a_second = 1 / scale_.coupled_step_s;
     for (std::size_t m = 0; m < force_.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double now = (fluid_velocity[m][d] - last_velocity_[m][d]) * a_second;
             double& smooth = acceleration_[m][d];
             smooth += scale_.follow * (now - smooth);
-            force_[m][d] = mass_kg_[m] * (smooth - scale_.gravity_m_s2[d]);
+            double relative = smooth;
+            if constexpr (Weighs) relative -= scale_.gravity_m_s2[d];
+            force_[m][d] = mass_kg_[m] * relative;
             last_velocity_[m][d] = fluid_velocity[m][d];
         }
     }

@@ -45,6 +45,9 @@ class EnclosedFluid {
     std::span<Vec3> acceleration() { return acceleration_; }
 
   private:
+    template <bool Weighs>  // in gravity
+    void follow(std::span<const Vec3> fluid_velocity);
+
     EnclosedFluidScale scale_;
     std::vector<double> mass_kg_;
     std::vector<Vec3> last_velocity_;
