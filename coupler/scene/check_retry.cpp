@@ -13,13 +13,6 @@ constexpr const char* without = "take checkpoint.on_divergence: stop";
 
 }  // namespace
 
-std::optional<double> relaxation_time(const Scene& scene) {
-    const auto dt_s = coupled_step_s(scene);
-    if (!dt_s || !scene.fluid || scene.fluid->solver != FluidSolver::lbm) return {};
-    const double dx = scene.fluid->spacing_m;
-    return 3 * scene.fluid->viscosity_m2_s * *dt_s / (dx * dx) + 0.5;
-}
-
 std::string fault_of_half_step(const Scene& scene) {
     Scene half = scene;
     ++half.time.halvings;

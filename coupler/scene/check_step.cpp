@@ -20,8 +20,7 @@ constexpr double most_lattice_speed = 0.25;
 // OpenFOAM's implicit step is stable far beyond, but its explicit coupling is of first
 // order.
 constexpr double most_courant = 1;
-// tau = 3 nu dt / dx^2 + 1/2 (lattice speed of sound squared 1/3); above 2 walls slip.
-constexpr double least_tau = least_relaxation_time;
+// Above it walls slip.
 constexpr double most_tau = 2;
 
 void check_speed(double speed, std::string_view what, const Origin& where,
@@ -88,20 +87,20 @@ std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
 }
 
 void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {
+    const auto relaxation = relaxation_time(scene);
+    if (!relaxation) return;
     const Fluid& fluid = *scene.fluid;
-    if (fluid.solver != FluidSolver::lbm) return;
-    const double dx = fluid.spacing_m;
-    const double beyond_half = 3 * fluid.viscosity_m2_s * dt_s / (dx * dx);
-    const double tau = beyond_half + 0.5;
-    if (tau >= least_tau && tau <= most_tau) return;
-    const double wanted = (tau < least_tau ? least_tau : most_tau) - 0.5;
+    const double tau = *relaxation;
+    if (tau >= least_relaxation_time && tau <= most_tau) return;
+    const double wanted = tau < least_relaxation_time ? least_relaxation_time : most_tau;
     refuse(marks.value({"fluid", "viscosity"}),
            fmt::format(
                "a relaxation time of {:.6g} (viscosity {:.6g} m2/s, step {}, spacing "
                "{})",
-               tau, fluid.viscosity_m2_s, format_si(dt_s, "s"), format_si(dx, "m")),
-           fmt::format("{} to {}", least_tau, most_tau),
-           advice(scene, dt_s, beyond_half, wanted));
+               tau, fluid.viscosity_m2_s, format_si(dt_s, "s"),
+               format_si(fluid.spacing_m, "m")),
+           fmt::format("{} to {}", least_relaxation_time, most_tau),
+           advice(scene, dt_s, tau - 0.5, wanted - 0.5));
 }
 
 }  // namespace

@@ -49,4 +49,11 @@ std::optional<double> coupled_step_s(const Scene& scene) {
     return halved(scene, cells_a_step * fluid.spacing_m / fluid.expected_speed_m_s);
 }
 
+std::optional<double> relaxation_time(const Scene& scene) {
+    const auto dt_s = coupled_step_s(scene);
+    if (!dt_s || !scene.fluid || scene.fluid->solver != FluidSolver::lbm) return {};
+    const double dx = scene.fluid->spacing_m;
+    return 3 * scene.fluid->viscosity_m2_s * *dt_s / (dx * dx) + 0.5;
+}
+
 }  // namespace magfsi::scene
