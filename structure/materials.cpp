@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace magfsi::structure {
@@ -23,6 +24,11 @@ std::vector<Material> used_materials(const Body& body) {
         if (used[m]) out.push_back(all[m]);
     }
     return out;
+}
+
+bool is_viscous(const Body& body) {
+    return std::ranges::any_of(all_materials(body),
+                               [](const Material& m) { return m.viscosity_pa_s != 0; });
 }
 
 void check_materials(const std::vector<int>& element_material, std::size_t elements,

@@ -21,6 +21,9 @@ std::vector<Material> all_materials(const Body& body);
 // Those that an element is made of.
 std::vector<Material> used_materials(const Body& body);
 
+// Whether one of its materials damps its strain rate.
+bool is_viscous(const Body& body);
+
 // Throws std::invalid_argument where element_material has not one number an element
 // between 0 and `others`; it may be empty where there are no others.
 void check_materials(const std::vector<int>& element_material, std::size_t elements,

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "adapters/lammps/all_finite.h"
 #include "adapters/lammps/fix_fluid_force.h"
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
@@ -74,6 +75,16 @@ bool Engine::owns(int atom_id) const {
 
 const double* Engine::positions() const {
     return lammps_->atom->x[0];
+}
+int Engine::atom_without_place() const {
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    if (atom.nlocal == 0) return 0;
+    const std::span<const double> all(atom.x[0],
+                                      3 * static_cast<std::size_t>(atom.nlocal));
+    if (all_finite(all)) return 0;
+    int i = 0;
+    while (all_finite(all.subspan(3 * static_cast<std::size_t>(i), 3))) ++i;
+    return static_cast<int>(atom.tag[i]);
 }
 const double* Engine::velocities() const {
     return lammps_->atom->v[0];

@@ -44,6 +44,8 @@ class Engine {
     int local_index(int atom_id) const;
     bool owns(int atom_id) const;
     const double* positions() const;  // three values a local or ghost atom
+    // An owned one with a position that is no finite number; 0: none.
+    int atom_without_place() const;
     // Those of ghosts are of LAMMPS's last half step until they are renewed. Collective.
     const double* velocities() const;
     void renew_ghost_velocities();

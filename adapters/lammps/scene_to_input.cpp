@@ -53,7 +53,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     if (scene.platform) input.platform = to_platform(*scene.platform);
     if (scene.contact) input.contact = to_contact(*scene.contact);
     input.time_step_s = time_step_s;
-    structure::check_motions(input.bodies, input.motions);
+    structure::check_effects(input);
     return input;
 }
 

@@ -10,13 +10,26 @@
 
 namespace magfsi::structure {
 
+// All but the first two are only called where the effect is asked for. Null: nothing.
 struct ScriptEffect {
+    using Commands = void (*)(std::vector<std::string>& lines, const LammpsInput&);
+
     const char* name;
     bool (*asked)(const LammpsInput&);
-    // Adds its commands: only called where it is asked for, as are those below.
-    void (*commands)(std::vector<std::string>& lines, const LammpsInput&);
+    // Throws std::invalid_argument on what it cannot do.
+    void (*check)(const LammpsInput&) = nullptr;
+
+    // Its commands, in the order of the script:
+    Commands before_bodies = nullptr;
+    // A keyword of the body's fix magttice and its values (body_force.h).
+    std::string (*body_words)(const LammpsInput&, const Body&) = nullptr;
+    Commands commands = nullptr;  // after the bodies, before what integrates
+    Commands after_integration = nullptr;
+
+    // The group that is integrated in place of all atoms.
+    const char* integrated_group = nullptr;
     // Pressure over displacement [Pa/m] of what it presses on a body's surface with, for
-    // the stable step. Null: nothing.
+    // the stable step.
     double (*surface_spring_pa_m)(const LammpsInput&, const Body&) = nullptr;
     // Nodes come and go near each other, and are looked for within this distance [m] more
     // than they feel. Null: a body's neighbours stay the same.
@@ -25,5 +38,7 @@ struct ScriptEffect {
 
 // Those of this build.
 std::span<const ScriptEffect* const> script_effects();
+// Of these, in their order, those that are asked for.
+std::vector<const ScriptEffect*> asked_effects(const LammpsInput& input);
 
 }  // namespace magfsi::structure

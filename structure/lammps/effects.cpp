@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "structure/lammps/effect.h"
-#include "structure/lammps/script_lines.h"
+#include "structure/materials.h"
 
 namespace magfsi::structure {
 
@@ -20,29 +20,8 @@ constexpr const ScriptEffect* registered[] = {
     nullptr};
 #undef MAGFSI_EFFECT
 
-}  // namespace
-
-std::span<const ScriptEffect* const> script_effects() {
-    return std::span(registered).first(std::size(registered) - 1);
-}
-
-double surface_spring_pa_m(const LammpsInput& input, const Body& body) {
-    double sum = 0;
-    for (const ScriptEffect* effect : script_effects()) {
-        if (effect->surface_spring_pa_m && effect->asked(input))
-            sum += effect->surface_spring_pa_m(input, body);
-    }
-    return sum;
-}
-
-void add_effects(Lines& lines, const LammpsInput& input) {
-    for (const ScriptEffect* effect : script_effects()) {
-        if (effect->asked(input)) effect->commands(lines, input);
-    }
-}
-
-void check_effects(const LammpsInput& input) {
-    const auto check = [](bool asked, const char* name) {
+void refuse_absent(const LammpsInput& input) {
+    const auto need = [](bool asked, const char* name) {
         const auto is_it = [&](const ScriptEffect* e) {
             return std::string(e->name) == name;
         };
@@ -50,10 +29,47 @@ void check_effects(const LammpsInput& input) {
         throw std::invalid_argument(
             fmt::format("{} is asked for, and this program was built without it", name));
     };
-    check(input.contact.has_value(), "contact");
-    check(input.gravity_m_s2.has_value(), "gravity");
-    check(input.drag_rate_1_s.has_value(), "drag");
-    check(input.platform.has_value(), "platform");
+    need(input.field.has_value(), "magnetic_field");
+    need(input.gradient.has_value(), "field_gradient");
+    need(input.contact.has_value(), "contact");
+    need(input.gravity_m_s2.has_value(), "gravity");
+    need(input.drag_rate_1_s.has_value(), "drag");
+    need(input.platform.has_value(), "platform");
+    need(!input.motions.empty(), "prescribed_motion");
+    for (const Body& body : input.bodies) {
+        need(is_viscous(body), "viscosity");
+        need(!body.clamps.empty(), "clamps");
+        need(!body.rollers.empty(), "rollers");
+    }
+}
+
+}  // namespace
+
+std::span<const ScriptEffect* const> script_effects() {
+    return std::span(registered).first(std::size(registered) - 1);
+}
+
+std::vector<const ScriptEffect*> asked_effects(const LammpsInput& input) {
+    std::vector<const ScriptEffect*> asked;
+    for (const ScriptEffect* effect : script_effects()) {
+        if (effect->asked(input)) asked.push_back(effect);
+    }
+    return asked;
+}
+
+void check_effects(const LammpsInput& input) {
+    refuse_absent(input);
+    for (const ScriptEffect* effect : asked_effects(input)) {
+        if (effect->check) effect->check(input);
+    }
+}
+
+double surface_spring_pa_m(const LammpsInput& input, const Body& body) {
+    double sum = 0;
+    for (const ScriptEffect* effect : asked_effects(input)) {
+        if (effect->surface_spring_pa_m) sum += effect->surface_spring_pa_m(input, body);
+    }
+    return sum;
 }
 
 }  // namespace magfsi::structure

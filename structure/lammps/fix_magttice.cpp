@@ -1,7 +1,6 @@
 #include "structure/lammps/fix_magttice.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -18,7 +17,6 @@
 #include "structure/lammps/element_name.h"
 #include "structure/lammps/failure.h"
 #include "structure/lammps/lattice_file.h"
-#include "structure/magnetics/nodal_charge.h"
 
 namespace magfsi::structure {
 namespace {
@@ -40,8 +38,13 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     material.shear_modulus_pa = LAMMPS_NS::utils::numeric(FLERR, arg[5], false, lmp);
     material.lame_lambda_pa = LAMMPS_NS::utils::numeric(FLERR, arg[6], false, lmp);
     try {
-        for (int i = first_keyword; i < narg;) i += parse_keyword(narg - i, arg + i);
-        read_body(arg[3]);
+        std::vector<AskedForce> forces;
+        for (int i = first_keyword; i < narg;)
+            i += parse_keyword(narg - i, arg + i, forces);
+        const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
+        if (std::ranges::any_of(materials_, viscous))
+            forces.push_back({body_force("viscosity"), nullptr});
+        read_body(arg[3], forces);
     } catch (const std::exception& cause) {
         fail(*error, std::string("fix ") + id + " magttice: " + cause.what());
     }
@@ -49,33 +52,37 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
 }
 
 // Returns the number of words of the keyword and its values.
-int FixMagttice::parse_keyword(int left, char** arg) {
+int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& asked) {
     const std::string keyword = arg[0];
-    if (keyword == "element" && left > 1) {
+    const auto with = [&](int values) {
+        if (left > values) return 1 + values;
+        throw std::invalid_argument("\"" + keyword + "\" with " +
+                                    std::to_string(left - 1) +
+                                    " values found, it takes " + std::to_string(values));
+    };
+    if (keyword == "element") {
+        const int words = with(1);
         variant_ = parse_element_name(arg[1]);
-        return 2;
+        return words;
     }
-    if (keyword == "viscosity" && left > 1) {
+    if (keyword == "viscosity") {
+        const int words = with(1);
         materials_.front().viscosity_pa_s =
             LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
-        return 2;
+        return words;
     }
-    if (keyword == "material" && left > 3) {
+    if (keyword == "material") {
+        const int words = with(3);
         parse_material(arg + 1);
-        return 4;
+        return words;
     }
-    if (keyword == "field" && left > 3) {
-        parse_field(arg + 1);
-        return 4;
+    const BodyForceStyle& found = body_force(keyword);
+    for (const AskedForce& other : asked) {
+        if (other.style.make == found.make)
+            throw std::invalid_argument("\"" + keyword + "\" found twice");
     }
-    if (keyword == "gradient" && left > 12) {
-        parse_gradient(arg + 1);
-        return 13;
-    }
-    throw std::invalid_argument("\"" + keyword +
-                                "\" found; \"element\" and \"viscosity\" with one value, "
-                                "\"material\" and \"field\" with three and "
-                                "\"gradient\" with twelve are allowed");
+    asked.push_back({found, arg + 1});
+    return with(found.values);
 }
 
 void FixMagttice::parse_material(char** arg) {
@@ -102,7 +109,8 @@ void FixMagttice::declare_output() {
     restart_global = 1;
 }
 
-void FixMagttice::read_body(const std::string& file) {
+void FixMagttice::read_body(const std::string& file,
+                            const std::vector<AskedForce>& asked) {
     LatticeFile read = read_lattice_file(file);
     if (read.element_material.empty() && materials_.size() > 1) {
         read.element_material.assign(read.elements.size(), 0);
@@ -116,16 +124,10 @@ void FixMagttice::read_body(const std::string& file) {
         by_first_[static_cast<std::size_t>(read.elements[e][0])].push_back(
             static_cast<int>(e));
     }
-    if (has_field_) {
-        charge_a_m_ = nodal_charges(read.nodes_m, read.elements, read.magnetization_a_m);
-    }
-    if (gradient_) read_gradient(read);
-    const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
-    if (std::ranges::any_of(materials_, viscous)) {
-        viscous_.emplace();
-        // Refuses a viscosity that makes no sense before the run.
-        viscous_->assign(lattice_);
-    }
+    const MagtticeBody body{std::string("fix ") + id + " magttice", range_, lattice_,
+                            nodes_m_, read.magnetization_a_m};
+    for (const AskedForce& one : asked)
+        forces_.push_back(one.style.make(lmp, body, one.values));
 }
 
 int FixMagttice::setmask() {
@@ -144,9 +146,6 @@ void FixMagttice::init() {
     if (std::string(update->integrate_style).find("respa") != std::string::npos) {
         fail(*error, who + "works with run_style verlet only");
     }
-    if (viscous_ && comm->ghost_velocity == 0) {
-        fail(*error, who + "viscosity needs the command: comm_modify vel yes");
-    }
     int here = 0;
     for (int i = 0; i < atom->nlocal; ++i) here += range_.node(atom->tag[i]) >= 0 ? 1 : 0;
     int present = 0;
@@ -157,7 +156,7 @@ void FixMagttice::init() {
                          " atoms with IDs from " + std::to_string(range_.first_id) +
                          " on are there");
     }
-    init_field();
+    for (const auto& added : forces_) added->init();
 }
 
 void FixMagttice::rebuild() {
@@ -174,44 +173,29 @@ void FixMagttice::rebuild() {
                  std::to_string(lattice_.longest_diagonal_m) + " at rest)");
     }
     kernel_.assign(lattice_, owned.element, owned.atom);
-    if (viscous_) viscous_->assign(lattice_, owned.element, owned.atom);
-    if (gradient_) {
-        owned_gradient_nodes_ = owned.atom;
-        owned_gradient_elements_.clear();
-        for (int e : owned.element) {
-            owned_gradient_elements_.push_back(
-                gradient_elements_[static_cast<std::size_t>(e)]);
-        }
-    }
-    if (has_field_) charged_ = owned_charges(range_, charge_a_m_, *atom);
+    for (const auto& added : forces_) added->rebuild(owned);
 }
 
 void FixMagttice::setup_pre_reverse(int, int) {
-    if (has_field_) evaluate_field();
-    add_forces();
-    if (gradient_) add_gradient();
-    if (viscous_) add_viscous();
+    add_elastic();
+    for (const auto& added : forces_) added->add();
 }
 
 void FixMagttice::min_pre_reverse(int, int) {
-    if (has_field_) evaluate_field();
-    add_forces();
-    if (gradient_) add_gradient();
+    add_elastic();
+    for (const auto& added : forces_) added->minimize();
 }
 
 void FixMagttice::pre_reverse(int, int) {
-    if (has_field_) advance_field();
-    add_forces();
-    if (gradient_) {
-        const double before = gradient_energy_j_;
-        add_gradient();
-        // Constant in time: its work is what its energy has lost.
-        work_j_ += before - gradient_energy_j_;
+    add_elastic();
+    for (const auto& added : forces_) {
+        const BodyForce::Turnover step = added->advance();
+        work_j_ += step.work_j;
+        lost_j_ += step.lost_j;
     }
-    if (viscous_) lost_j_ += update->dt * add_viscous();
 }
 
-void FixMagttice::add_forces() {
+void FixMagttice::add_elastic() {
     if (kernel_.size() > 0) {
         const KernelResult result = kernel_.add_forces(atom->x[0], atom->f[0]);
         smallest_j_ = result.smallest_j;
@@ -220,11 +204,6 @@ void FixMagttice::add_forces() {
         smallest_j_ = INFINITY;
     }
     energies_known_ = false;
-    double* const* const f = atom->f;
-    for (const ChargedNode& node : charged_) {
-        for (int d = 0; d < 3; ++d)
-            f[node.atom][d] += node.charge_a_m * field_[d].value_t;
-    }
 }
 
 // The body is named as its group is. Positions that are not numbers print as such.

@@ -1,19 +1,17 @@
-// fix ID group magttice: the lattice forces of one body and, with `field` and `gradient`,
-// its magnetic forces, with `viscosity` Kelvin-Voigt damping. See docs/fix_magttice.md.
+// fix ID group magttice: the lattice forces of one body and those that effects add to
+// them (body_force.h). See docs/fix_magttice.md.
 #pragma once
 
 #include "fix.h"
 
 #include <array>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "structure/lammps/lattice_file.h"
+#include "structure/lammps/body_force.h"
 #include "structure/lammps/owned_elements.h"
 #include "structure/lattice/element_kernel.h"
-#include "structure/lattice/viscosity.h"
-#include "structure/magnetics/field_gradient.h"
 
 namespace magfsi::structure {
 
@@ -50,57 +48,37 @@ class FixMagttice : public LAMMPS_NS::Fix {
     void add_elastic_forces(double* f) const;
 
   private:
-    struct FieldComponent {
-        std::string name;  // of the LAMMPS variable; empty: constant
-        int variable = -1;
-        double value_t = 0;
+    // A word that stands for forces of an effect, and its values.
+    struct AskedForce {
+        BodyForceStyle style;
+        char** values = nullptr;
     };
 
     void declare_output();
-    void read_body(const std::string& file);
-    int parse_keyword(int left, char** arg);
+    int parse_keyword(int left, char** arg, std::vector<AskedForce>& asked);
     void parse_material(char** arg);
-    void parse_field(char** arg);
-    void parse_gradient(char** arg);
-    void read_gradient(const LatticeFile& read);
-    void init_field();
+    void read_body(const std::string& file, const std::vector<AskedForce>& asked);
     void rebuild();
-    void evaluate_field();
-    void add_forces();
-    void add_gradient();
-    double add_viscous();  // returns the power lost [W]
+    void add_elastic();
     std::string place(int element) const;
     void refuse_inverted(const KernelResult& result);
-    std::array<double, 3> charge_flow() const;  // sum of q v, this rank [A m2/s]
-    void advance_field();
     void compute_energies();
 
     NodeRange range_;
     Lattice lattice_;
     std::vector<Vec3> nodes_m_;
-    std::vector<double> charge_a_m_;          // by node of the body
     std::vector<std::vector<int>> by_first_;  // elements by their first node
     ElementKernel kernel_;
-    std::vector<ChargedNode> charged_;  // owned by this rank
+    std::vector<std::unique_ptr<BodyForce>> forces_;
 
     ElementVariant variant_ = ElementVariant::full;
     std::vector<Material> materials_;  // as the lattice file numbers them
-    std::optional<ViscousKernel> viscous_;
-    double lost_j_ = 0;  // to viscosity; this rank's share
 
-    std::optional<FieldGradient> gradient_;
-    std::vector<GradientElement> gradient_elements_;        // of the body
-    std::vector<GradientElement> owned_gradient_elements_;  // and their nodes
-    std::vector<std::array<int, 8>> owned_gradient_nodes_;
-    double gradient_energy_j_ = 0;  // this rank's share, of the last step
-
-    bool has_field_ = false;
-    std::array<FieldComponent, 3> field_;
-
-    double work_j_ = 0;  // this rank's share
+    double work_j_ = 0;  // of the field; this rank's share, as those below
+    double lost_j_ = 0;  // to viscosity
     double smallest_j_ = 1;
     bool energies_known_ = false;
-    std::array<double, 2> energy_j_{};  // elastic, magnetic; this rank's share
+    std::array<double, 2> energy_j_{};  // elastic, magnetic
     std::vector<double> scratch_;
 };
 

@@ -16,18 +16,13 @@ namespace magfsi::structure {
 void FixMagttice::compute_energies() {
     if (energies_known_) return;
     energies_known_ = true;
-    energy_j_ = {0, gradient_energy_j_};
+    energy_j_ = {};
     if (kernel_.size() > 0) {
         scratch_.assign(3 * static_cast<std::size_t>(atom->nlocal + atom->nghost), 0.0);
         energy_j_[0] =
             kernel_.add_forces_and_energy(atom->x[0], scratch_.data()).energy_j;
     }
-    const double* const* const x = atom->x;
-    for (const ChargedNode& node : charged_) {
-        for (int d = 0; d < 3; ++d) {
-            energy_j_[1] -= node.charge_a_m * field_[d].value_t * x[node.atom][d];
-        }
-    }
+    for (const auto& added : forces_) energy_j_[1] += added->energy_j();
 }
 
 void FixMagttice::add_elastic_forces(double* f) const {

@@ -31,16 +31,4 @@ OwnedElements owned_elements(const NodeRange& range,
     return out;
 }
 
-std::vector<ChargedNode> owned_charges(const NodeRange& range,
-                                       const std::vector<double>& charge_a_m,
-                                       const LAMMPS_NS::Atom& atom) {
-    std::vector<ChargedNode> out;
-    for (int i = 0; i < atom.nlocal; ++i) {
-        const int node = range.node(atom.tag[i]);
-        if (node < 0 || charge_a_m[static_cast<std::size_t>(node)] == 0) continue;
-        out.push_back({i, charge_a_m[static_cast<std::size_t>(node)]});
-    }
-    return out;
-}
-
 }  // namespace magfsi::structure

@@ -25,11 +25,6 @@ struct NodeRange {
     }
 };
 
-struct ChargedNode {
-    int atom = 0;  // local index
-    double charge_a_m = 0;
-};
-
 struct OwnedElements {
     std::vector<int> element;
     std::vector<std::array<int, 8>> atom;  // local or ghost indices
@@ -40,10 +35,5 @@ OwnedElements owned_elements(const NodeRange& range,
                              const std::vector<Hexahedron>& elements,
                              const std::vector<std::vector<int>>& by_first,
                              LAMMPS_NS::Atom& atom, LAMMPS_NS::Domain& domain);
-
-// Owned nodes whose charge is not zero.
-std::vector<ChargedNode> owned_charges(const NodeRange& range,
-                                       const std::vector<double>& charge_a_m,
-                                       const LAMMPS_NS::Atom& atom);
 
 }  // namespace magfsi::structure

@@ -9,8 +9,6 @@
 
 #include "structure/lammps/failure.h"
 #include "structure/lammps/fix_magttice.h"
-#include "structure/lammps/fix_magttice_field_source.h"
-#include "structure/lammps/fix_magttice_motion.h"
 #include "structure/lammps/fix_magttice_quiet.h"
 #include "structure/lammps/style_creator.h"
 
@@ -32,8 +30,6 @@ void register_styles(LAMMPS_NS::LAMMPS& lammps) {
     using LAMMPS_NS::Fix;
     auto& fixes = *lammps.modify->fix_map;
     fixes["magttice"] = &create<FixMagttice, Fix>;
-    fixes["magttice/field"] = &create<FixMagtticeFieldSource, Fix>;
-    fixes["magttice/motion"] = &create<FixMagtticeMotion, Fix>;
     fixes["magttice/quiet"] = &create<FixMagtticeQuiet, Fix>;
 #define MAGFSI_EFFECT(name) register_##name(lammps);
 #include "structure/lammps/effects.inc"

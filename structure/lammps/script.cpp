@@ -16,10 +16,12 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     LammpsScript script;
     script.first_node = all.first_node;
     add_system(script.setup, input, all, data_file);
-    if (input.field) add_field(script.setup, *input.field);
+    add_effects(script.setup, input, &ScriptEffect::before_bodies);
     add_lattices(script.setup, script, input, all, folder);
-    add_effects(script.setup, input);
-    add_integration(script.setup, input, all);
+    add_effects(script.setup, input, &ScriptEffect::commands);
+    add_integration(script.setup, input);
+    add_effects(script.setup, input, &ScriptEffect::after_integration);
+    add_settings(script.setup, input);
     return script;
 }
 

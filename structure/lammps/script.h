@@ -11,8 +11,8 @@
 #include "structure/body.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/loads.h"
+#include "structure/lammps/motions.h"
 #include "structure/lammps/placement.h"
-#include "structure/lammps/prescribed_motion.h"
 
 namespace magfsi::structure {
 
@@ -36,7 +36,11 @@ struct LammpsInput {
     double time_step_s = 0;
 };
 
-// Stiffness [Pa/m] that platform and contact add to a body's surface at worst.
+// Throws std::invalid_argument on an effect that is not in this build, and on what one
+// that is asked for cannot do.
+void check_effects(const LammpsInput& input);
+
+// Stiffness [Pa/m] that effects add to a body's surface at worst.
 double surface_spring_pa_m(const LammpsInput& input, const Body& body);
 
 struct LammpsScript {

@@ -6,28 +6,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "structure/held_nodes.h"
 #include "structure/lammps/names.h"
 #include "structure/lattice/lattice.h"
 #include "structure/materials.h"
 
 namespace magfsi::structure {
 namespace {
-
-// Nodes held along all axes are clamped, wherever that comes from.
-void add_held(Assembly& all, const Body& body, int first) {
-    const auto held = held_axes(body);
-    for (std::size_t n = 0; n < held.size(); ++n) {
-        const int id = first + static_cast<int>(n);
-        if (held[n] == HeldAxes{true, true, true}) {
-            all.clamped_ids.push_back(id);
-            continue;
-        }
-        for (std::size_t d = 0; d < 3; ++d) {
-            if (held[n][d]) all.held_ids[d].push_back(id);
-        }
-    }
-}
 
 double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
     double longest = 0;
@@ -43,13 +27,11 @@ double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
 }
 
 void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
-    const int first = static_cast<int>(all.atoms.size()) + 1;
-    all.first_node.push_back(first);
+    all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
     const auto masses = node_masses(build_lattice(body));
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         all.atoms.push_back({nodes[a], masses[a]});
     }
-    add_held(all, body, first);
     all.longest_diagonal_m =
         std::max(all.longest_diagonal_m, longest_diagonal(nodes, body));
 }
@@ -76,7 +58,6 @@ void check_input(const LammpsInput& input) {
         throw std::invalid_argument(fmt::format(
             "time step of {:g} s found, it must be positive", input.time_step_s));
     }
-    check_motions(input.bodies, input.motions);
     for (const Body& body : input.bodies) {
         check_materials(body.element_material, body.mesh.elements.size(),
                         body.other_materials.size());
@@ -104,11 +85,6 @@ Assembly assemble(const LammpsInput& input) {
         add_bounds(all, placed_nodes(input.bodies[i], placement, plane));
     }
     all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
-    for (const PrescribedMotion& motion : input.motions) {
-        auto& ids = all.moved_ids.emplace_back();
-        for (const int node : moved_nodes(input.bodies[motion.body], motion))
-            ids.push_back(all.first_node[motion.body] + node);
-    }
     return all;
 }
 

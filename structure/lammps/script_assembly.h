@@ -15,10 +15,7 @@ struct Assembly {
     Vec3 low{}, high{};  // bounds of the bodies before relaxing
     std::vector<int> first_node;
     std::vector<std::string> name;  // fit for LAMMPS IDs and file names
-    std::vector<int> clamped_ids;
-    std::array<std::vector<int>, 3> held_ids;  // along x, y, z; not those of clamped_ids
-    std::vector<std::vector<int>> moved_ids;   // by motion; among clamped_ids
-    double longest_diagonal_m = 0;             // of an element, where it starts
+    double longest_diagonal_m = 0;  // of an element, where it starts
 };
 
 // Throws std::invalid_argument on input that write_lammps_input does not take.

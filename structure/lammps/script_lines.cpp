@@ -23,23 +23,21 @@ int longest_axis(const Assembly& all) {
     return longest;
 }
 
-std::string gradient_words(const GradientInput& gradient) {
-    std::string out = " gradient";
-    for (const Vec3& row : gradient.matrix_t_m) {
-        for (double entry : row) out += fmt::format(" {:.17g}", entry);
-    }
-    for (double entry : gradient.origin_m) out += fmt::format(" {:.17g}", entry);
-    return out;
-}
-
 // Of the effects that look for nodes in each other's reach; 0 without one.
 double neighbor_skin_m(const LammpsInput& input) {
     double skin_m = 0;
-    for (const ScriptEffect* effect : script_effects()) {
-        if (effect->neighbor_skin_m && effect->asked(input))
+    for (const ScriptEffect* effect : asked_effects(input)) {
+        if (effect->neighbor_skin_m)
             skin_m = std::max(skin_m, effect->neighbor_skin_m(input));
     }
     return skin_m;
+}
+
+std::string integrated_group(const LammpsInput& input) {
+    for (const ScriptEffect* effect : asked_effects(input)) {
+        if (effect->integrated_group) return effect->integrated_group;
+    }
+    return "all";
 }
 
 }  // namespace
@@ -67,15 +65,6 @@ void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
          fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
 }
 
-// Variables, so that a script can put its own course in their place.
-void add_field(Lines& lines, const FieldProgram& field) {
-    lines.push_back(
-        fmt::format("fix field all magttice/field {}", field_arguments(field)));
-    for (int d = 0; d < 3; ++d) {
-        lines.push_back(fmt::format("variable B{} equal f_field[{}]", "xyz"[d], d + 1));
-    }
-}
-
 void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
                   const Assembly& all, const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
@@ -91,11 +80,8 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
             "fix {} {} magttice {} {} {:.17g} {:.17g} element {}", script.fix_id.back(),
             all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
             body.material.lame_lambda_pa, element_name(body.element));
-        const bool magnetic = !body.magnetization_a_m.empty();
-        if (input.field && magnetic) line += " field v_Bx v_By v_Bz";
-        if (input.gradient && magnetic) line += gradient_words(*input.gradient);
-        if (body.material.viscosity_pa_s > 0) {
-            line += fmt::format(" viscosity {:.17g}", body.material.viscosity_pa_s);
+        for (const ScriptEffect* effect : asked_effects(input)) {
+            if (effect->body_words) line += effect->body_words(input, body);
         }
         for (const Material& other : body.other_materials) {
             line +=
@@ -106,36 +92,20 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
     }
 }
 
-// Clamped nodes are left out of the integration: they cannot move, and the force on them
-// stays readable as the reaction.
-void add_integration(Lines& lines, const LammpsInput& input, const Assembly& all) {
-    const char* moving = "all";
-    if (!all.clamped_ids.empty()) {
-        lines.push_back(fmt::format("group clamped id {}", id_ranges(all.clamped_ids)));
-        lines.push_back("group moving subtract all clamped");
-        moving = "moving";
+void add_effects(Lines& lines, const LammpsInput& input,
+                 ScriptEffect::Commands ScriptEffect::*place) {
+    for (const ScriptEffect* effect : asked_effects(input)) {
+        if (effect->*place) (effect->*place)(lines, input);
     }
-    // After every fix that adds forces, as LAMMPS calls them in the order of the script;
-    // at rest along the axis at first, the nodes stay so. The fluid's force comes earlier
-    // in the step, before the forces of ghosts are summed.
-    for (std::size_t d = 0; d < 3; ++d) {
-        if (all.held_ids[d].empty()) continue;
-        const std::string group = held_group(d);
-        lines.push_back(fmt::format("group {} id {}", group, id_ranges(all.held_ids[d])));
-        lines.push_back(fmt::format("fix {0} {0} setforce {1} {2} {3}", group,
-                                    d == 0 ? "0.0" : "NULL", d == 1 ? "0.0" : "NULL",
-                                    d == 2 ? "0.0" : "NULL"));
-    }
-    if (input.quiet) lines.push_back(fmt::format("fix quiet {} magttice/quiet", moving));
-    lines.push_back(fmt::format("fix integrate {} nve", moving));
-    // After the drag, which would slow them.
-    for (std::size_t m = 0; m < input.motions.size(); ++m) {
-        const std::string group = moved_group(m);
-        lines.push_back(
-            fmt::format("group {} id {}", group, id_ranges(all.moved_ids[m])));
-        lines.push_back(fmt::format("fix {0} {0} magttice/motion {1}", group,
-                                    motion_words(input.motions[m].course)));
-    }
+}
+
+void add_integration(Lines& lines, const LammpsInput& input) {
+    const std::string group = integrated_group(input);
+    if (input.quiet) lines.push_back(fmt::format("fix quiet {} magttice/quiet", group));
+    lines.push_back(fmt::format("fix integrate {} nve", group));
+}
+
+void add_settings(Lines& lines, const LammpsInput& input) {
     lines.push_back(fmt::format("timestep {:.17g}", input.time_step_s));
     lines.push_back("thermo_style custom step");
     lines.push_back("thermo 0");

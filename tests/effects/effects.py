@@ -51,8 +51,9 @@ def both(name, absent, *files):
             for program in ("magfsi-structure", "magfsi-fluid-lbm")]
 
 
-def listed(name, absent):
-    return [solid(name, absent, f"structure/lammps/effects/{name}/*",
+def listed(name, absent, *more):
+    """more: files beside the folder that only the effect uses."""
+    return [solid(name, absent, f"structure/lammps/effects/{name}/*", *more,
                   registry=STRUCTURE_LIST)]
 
 
@@ -60,23 +61,22 @@ def side(name):
     return [fluid(name, {}, f"fluid_lbm/effects/{name}/*", registry=FLUID_LIST)]
 
 
-FIX = "structure/lammps/fix_magttice"
 SCHEMES = "coupler/scheme/"
 CHECKPOINTS = ("coupler/checkpoint/checkpoints.*", "coupler/checkpoint/stop_agreement.*")
 EFFECTS = {
-    "viscosity": [solid("viscosity", {"bodies.strip.material.viscosity": "null"},
-                        "structure/lattice/viscosity.*")],
-    "magnetic_field": [solid("magnetic_field", {"magnetic_field": "null"},
-                             f"{FIX}_field.cpp", f"{FIX}_field_source.*")],
-    "field_gradient": [solid("field_gradient", {"magnetic_field.gradient": "null"})],
+    "viscosity": listed("viscosity", {"bodies.strip.material.viscosity": "null"},
+                        "structure/lattice/viscosity.*"),
+    "magnetic_field": listed("magnetic_field", {"magnetic_field": "null"}),
+    "field_gradient": listed("field_gradient", {"magnetic_field.gradient": "null"},
+                             "structure/magnetics/field_gradient.*"),
     "gravity": listed("gravity", {"gravity": "null"}),
     "drag": listed("drag", {"damping": "null"}),
     "platform": listed("platform", {"platform": "null"}),
     "friction": [solid("friction", {**ON_GROUND, "platform.friction": "null"})],
     "contact": listed("contact", {"contact": "null"}),
-    "clamps": [solid("clamps", {})],
-    "rollers": [solid("rollers", {})],
-    "prescribed_motion": [solid("prescribed_motion", {}, f"{FIX}_motion.*")],
+    "clamps": listed("clamps", {}),
+    "rollers": listed("rollers", {}),
+    "prescribed_motion": listed("prescribed_motion", {}),
     "immersed_boundary": [
         solid("immersed_boundary", {}, "adapters/lammps/body_*", SCHEMES + "fluid_*",
               "coupler/exchange/structure_exchange.*", "adapters/lammps/exchange_recorder.*"),

@@ -63,7 +63,15 @@ TEST(BadArguments, AreRefusedInOneSentence) {
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice x 1 1 1 element half"}),
                     "element half found; full, mean_f and assumed_strain are allowed"));
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice x 1 1 1 field 0 0"}),
-                    "\"field\" with three"));
+                    "\"field\" with 2 values found, it takes 3"));
+    EXPECT_TRUE(has(cause_of(input, {"fix a all magttice x 1 1 1 viscosity"}),
+                    "\"viscosity\" with 0 values found, it takes 1"));
+    EXPECT_TRUE(has(cause_of(input, {"fix a all magttice x 1 1 1 fields 0 0 0"}),
+                    "\"fields\" found; allowed are element, material, field, gradient, "
+                    "viscosity"));
+    EXPECT_TRUE(
+        has(cause_of(input, {"fix a all magttice x 1 1 1 field 0 0 1 field 0 0 2"}),
+            "\"field\" found twice"));
     EXPECT_TRUE(has(cause_of(input, {"fix a all magttice/field xz constant 1"}),
                     "constant has 2"));
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "structure/lammps/prescribed_motion.h"
+#include "structure/lammps/effects/prescribed_motion/motion_law.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

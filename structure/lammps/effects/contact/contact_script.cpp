@@ -30,11 +30,14 @@ ContactLaw contact_law(const LammpsInput& input) {
 // The nodes that may touch are looked for within the distance and half of it, and again
 // when a node has moved a quarter of the distance.
 extern const ScriptEffect contact_effect{
-    "contact", [](const LammpsInput& input) { return input.contact.has_value(); },
-    add_contact,
-    [](const LammpsInput& input, const Body& body) {
-        return contact_spring_pa_m(body, contact_law(input));
-    },
-    [](const LammpsInput& input) { return 0.5 * contact_law(input).distance_m; }};
+    .name = "contact",
+    .asked = [](const LammpsInput& input) { return input.contact.has_value(); },
+    .commands = add_contact,
+    .surface_spring_pa_m =
+        [](const LammpsInput& input, const Body& body) {
+            return contact_spring_pa_m(body, contact_law(input));
+        },
+    .neighbor_skin_m =
+        [](const LammpsInput& input) { return 0.5 * contact_law(input).distance_m; }};
 
 }  // namespace magfsi::structure

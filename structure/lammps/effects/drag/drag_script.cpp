@@ -5,10 +5,12 @@
 namespace magfsi::structure {
 
 extern const ScriptEffect drag_effect{
-    "drag", [](const LammpsInput& input) { return input.drag_rate_1_s.has_value(); },
-    [](std::vector<std::string>& lines, const LammpsInput& input) {
-        lines.push_back(
-            fmt::format("fix drag all magttice/drag {:.17g}", *input.drag_rate_1_s));
-    }};
+    .name = "drag",
+    .asked = [](const LammpsInput& input) { return input.drag_rate_1_s.has_value(); },
+    .commands =
+        [](std::vector<std::string>& lines, const LammpsInput& input) {
+            lines.push_back(
+                fmt::format("fix drag all magttice/drag {:.17g}", *input.drag_rate_1_s));
+        }};
 
 }  // namespace magfsi::structure

@@ -8,14 +8,16 @@
 namespace magfsi::structure {
 
 extern const ScriptEffect gravity_effect{
-    "gravity", [](const LammpsInput& input) { return input.gravity_m_s2.has_value(); },
-    [](std::vector<std::string>& lines, const LammpsInput& input) {
-        const auto& [gx, gy, gz] = *input.gravity_m_s2;
-        const double magnitude = std::hypot(gx, gy, gz);
-        if (!(magnitude > 0)) return;
-        lines.push_back(
-            fmt::format("fix gravity all gravity {:.17g} vector {:.17g} {:.17g} {:.17g}",
-                        magnitude, gx, gy, gz));
-    }};
+    .name = "gravity",
+    .asked = [](const LammpsInput& input) { return input.gravity_m_s2.has_value(); },
+    .commands =
+        [](std::vector<std::string>& lines, const LammpsInput& input) {
+            const auto& [gx, gy, gz] = *input.gravity_m_s2;
+            const double magnitude = std::hypot(gx, gy, gz);
+            if (!(magnitude > 0)) return;
+            lines.push_back(fmt::format(
+                "fix gravity all gravity {:.17g} vector {:.17g} {:.17g} {:.17g}",
+                magnitude, gx, gy, gz));
+        }};
 
 }  // namespace magfsi::structure

@@ -52,10 +52,10 @@ Platform platform_of(const LammpsInput& input) {
 }
 
 extern const ScriptEffect platform_effect{
-    "platform", [](const LammpsInput& input) { return input.platform.has_value(); },
-    add_platform,
-    [](const LammpsInput& input, const Body&) {
-        return platform_of(input).stiffness_pa_m;
-    }};
+    .name = "platform",
+    .asked = [](const LammpsInput& input) { return input.platform.has_value(); },
+    .commands = add_platform,
+    .surface_spring_pa_m = [](const LammpsInput& input,
+                              const Body&) { return platform_of(input).stiffness_pa_m; }};
 
 }  // namespace magfsi::structure

@@ -8,8 +8,9 @@
 namespace magfsi::structure {
 
 extern const ScriptEffect tether_effect{
-    "tether", [](const LammpsInput&) { return tether_n_m.has_value(); },
-    [](std::vector<std::string>& lines, const LammpsInput&) {
+    .name = "tether",
+    .asked = [](const LammpsInput&) { return tether_n_m.has_value(); },
+    .commands = [](std::vector<std::string>& lines, const LammpsInput&) {
         lines.push_back(fmt::format("fix tether all spring/self {:.17g}", *tether_n_m));
     }};
 

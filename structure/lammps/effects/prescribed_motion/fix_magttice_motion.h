@@ -1,5 +1,5 @@
 // fix ID group magttice/motion COURSE: moves the atoms of its group, which no other fix
-// may integrate, along a course (prescribed_motion.h) from where they are at step 0.
+// may integrate, along a course (motion_law.h) from where they are at step 0.
 //
 // It keeps nothing: each step adds what the course gains in it, so that atoms may migrate
 // and runs may go on from positions alone. (LAMMPS's fix move keeps every atom's start,
@@ -7,7 +7,7 @@
 #pragma once
 
 #include "fix.h"
-#include "structure/lammps/prescribed_motion.h"
+#include "structure/lammps/effects/prescribed_motion/motion_law.h"
 
 namespace magfsi::structure {
 

@@ -1,4 +1,4 @@
-#include "structure/lammps/prescribed_motion.h"
+#include "structure/lammps/effects/prescribed_motion/motion_law.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "structure/lammps/fix_magttice_motion.h"
+#include "structure/lammps/effects/prescribed_motion/fix_magttice_motion.h"
 
 #include "atom.h"
 #include "error.h"

@@ -1,4 +1,4 @@
-#include "structure/lammps/fix_magttice_field_source.h"
+#include "structure/lammps/effects/magnetic_field/fix_magttice_field_source.h"
 
 #include "error.h"
 #include "update.h"
