@@ -14,10 +14,15 @@ namespace magfsi::fluids {
 
 Participant::Participant(coupler::Session& session, FluidSolver& fluid,
                          output::ProgressMode progress)
-    : session_(session), progress_mode_(progress), fluid_(fluid) {
-    if (session.world().coupled())
+    : session_(session),
+      progress_mode_(progress),
+      fluid_(fluid),
+      run_{session, fluid, nullptr} {
+    if (session.world().coupled()) {
         coupling_ = std::make_unique<coupler::FluidCoupling>(session, fluid_);
-    if (session.restart()) fluid_.restore(coupler::open_restart(session_), balance());
+        run_.balance = coupling_->balance();
+    }
+    if (session.restart()) fluid_.restore(coupler::open_restart(session_), run_.balance);
     assemble();
 }
 
@@ -32,67 +37,15 @@ void Participant::assemble() {
     assemble_output();
 }
 
-coupler::BalanceRecord* Participant::balance() const {
-    return coupling_ ? coupling_->balance() : nullptr;
-}
-
 void Participant::assemble_output() {
     const scene::Scene& scene = session_.scene();
-    const bool leads = session_.world().leads();
-    writes_probes_ =
-        scene.probes && (balance() || !coupler::fluid_columns(scene).empty());
-    if (writes_probes_) {
-        if (leads) {
-            probes_ = coupler::open_probes(session_, coupler::fluid_columns(scene));
-        }
-        tasks_.add_output("probes",
-                          [this, every = session_.clock().every(scene.probes->every_s)] {
-                              if (session_.clock().step() % every == 0) write_probes();
-                          });
-    }
-    if (scene.output.fluid) {
-        files_ = std::make_unique<FluidFiles>(session_.world(), fluid_,
-                                              *scene.output.fluid, session_.out());
-        if (session_.restart()) {
-            files_->resume(session_.clock(),
-                           session_.clock().every(scene.output.fluid->every_s));
-        }
-        tasks_.add_output(
-            "write fields",
-            [this, every = session_.clock().every(scene.output.fluid->every_s)] {
-                const auto step = session_.clock().step();
-                if (step % every == 0)
-                    files_->write(step / every, session_.clock().time_s());
-            });
-    }
-    if (scene.checkpoint) assemble_checkpoint();
-    if (leads) {
-        progress_ = coupler::progress_on_stdout(session_, progress_mode_);
-        tasks_.add_output("progress",
-                          [this] { progress_->update(session_.clock().step()); });
-    }
-}
-
-void Participant::assemble_checkpoint() {
-    checkpoints_ = std::make_unique<coupler::Checkpoints>(
-        session_, [this](coupler::StateWriter* file) { fluid_.save(balance(), file); });
-    tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
-}
-
-void Participant::write_probes() {
-    std::vector<double> numbers = fluid_.probe_values(session_.scene());
-    if (!session_.world().coupled()) {
-        if (probes_) probes_->row(session_.clock().time_s(), numbers);
-        return;
-    }
-    if (balance()) {
-        const auto received = balance()->collect(session_.world().local());
-        numbers.insert(numbers.end(), received.begin(), received.end());
-    }
-    if (session_.world().root()) {
-        coupler::send_numbers(session_.world(), session_.clock().step(), numbers,
-                              session_.timeout_s());
-    }
+    outputs_.add(fluid_outputs(), run_, tasks_);
+    outputs_.need(scene.probes.has_value(), "probes");
+    outputs_.need(scene.output.fluid.has_value(), "fluid_fields");
+    outputs_.need(scene.checkpoint.has_value(), "checkpoint");
+    if (!session_.world().leads()) return;
+    progress_ = coupler::progress_on_stdout(session_, progress_mode_);
+    tasks_.add_output("progress", [this] { progress_->update(session_.clock().step()); });
 }
 
 void Participant::run() {
@@ -103,10 +56,7 @@ void Participant::run() {
         session_, tasks_,
         fmt::format("fluid: {}, {} rank(s)", fluid_.headline(), session_.world().size()));
     if (coupling_) coupling_->begin();
-    if (!session_.restart()) {
-        if (writes_probes_) write_probes();
-        if (files_) files_->write(0, 0);
-    }
+    outputs_.begin();
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();
     finish(output::steady_seconds() - start);
@@ -141,9 +91,9 @@ void Participant::finish(double wall_s) {
         return;
     }
     if (!session_.world().leads()) return;
-    if (checkpoints_) checkpoints_->finish();
+    outputs_.finish();
     progress_->finish(session_.clock().step());
-    coupler::write_summary(session_, {&report, 1}, wall_s, probes_.get());
+    coupler::write_summary(session_, {&report, 1}, wall_s, outputs_.probes());
     session_.log(coupler::end_line(session_, wall_s));
 }
 

@@ -4,13 +4,11 @@
 
 #include <memory>
 
-#include "adapters/fluids/fluid_files.h"
-#include "adapters/fluids/fluid_solver.h"
-#include "coupler/checkpoint/checkpoints.h"
-#include "coupler/output/probe_file.h"
+#include "adapters/fluids/fluid_run.h"
 #include "coupler/output/progress.h"
 #include "coupler/participants/session.h"
 #include "coupler/scheme/fluid_coupling.h"
+#include "coupler/step/outputs.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -26,9 +24,6 @@ class Participant {
   private:
     void assemble();
     void assemble_output();
-    void assemble_checkpoint();
-    coupler::BalanceRecord* balance() const;  // null where the scene has none
-    void write_probes();
     coupler::ParticipantReport make_report(double wall_s) const;
     void finish(double wall_s);
 
@@ -37,12 +32,9 @@ class Participant {
     FluidSolver& fluid_;
     coupler::TaskList tasks_;
     std::unique_ptr<coupler::FluidCoupling> coupling_;  // present only with a structure
-    // Present only when the scene names them:
-    std::unique_ptr<FluidFiles> files_;
-    std::unique_ptr<output::ProbeFile> probes_;
-    std::unique_ptr<output::Progress> progress_;
-    std::unique_ptr<coupler::Checkpoints> checkpoints_;
-    bool writes_probes_ = false;
+    FluidRun run_;
+    coupler::Outputs outputs_;
+    std::unique_ptr<output::Progress> progress_;  // on the leading rank
 };
 
 }  // namespace magfsi::fluids

@@ -28,9 +28,9 @@ Participant::Participant(coupler::Session& session, const Substeps& substeps,
                          const coupler::ParticipantArguments& arguments)
     : session_(session), substeps_(substeps) {
     build();
+    run_->recorded = arguments.record;
     assemble();
     assemble_output(arguments.progress);
-    if (arguments.record) assemble_record();
 }
 
 void Participant::build() {
@@ -51,18 +51,14 @@ void Participant::build() {
 
     fix_ids_ = script.fix_id;
     atoms_ = script.first_node.back() - 1;
+    run_.emplace(StructureRun{.session = session_,
+                              .engine = *engine_,
+                              .input = input_,
+                              .fix_ids = fix_ids_,
+                              .atoms = atoms_});
     if (scene().fluid && session_.world().root())
-        whole_mass_kg_ = bodies::whole_masses_kg(scene());
-    const NodalState start = gather();
-    if (session_.world().root()) {
-        if (scene().probes)
-            probe_row_ =
-                std::make_unique<bodies::ProbeRow>(scene(), input_.bodies, start);
-        if (scene().output.structure) {
-            files_ = std::make_unique<bodies::StructureFiles>(input_.bodies, start,
-                                                              session_.out());
-        }
-    }
+        run_->whole_mass_kg = bodies::whole_masses_kg(scene());
+    run_->start = run_->gather();
     if (!scene().time.equilibrium) {
         guard_ = std::make_unique<StepGuard>(input_.bodies, at_start,
                                              session_.world().local());
@@ -162,66 +158,23 @@ std::int64_t Participant::steps_between_samples() const {
 }
 
 void Participant::assemble_output(output::ProgressMode progress) {
-    const bool leads = session_.world().leads();
-    if (scene().probes) {
-        if (leads) {
-            std::vector<std::string> columns = coupler::body_columns(scene());
-            for (const auto& more :
-                 {coupler::fluid_columns(scene()), coupler::interface_columns(scene()),
-                  audit_ ? audit_->columns() : std::vector<std::string>{}}) {
-                columns.insert(columns.end(), more.begin(), more.end());
-            }
-            probes_ = coupler::open_probes(session_, columns);
-        }
-        tasks_.add_output(
-            "probes", [this, every = session_.clock().every(scene().probes->every_s)] {
-                if (session_.clock().step() % every == 0) write_probes();
-            });
-    }
-    if (scene().output.structure) {
-        if (session_.restart() && files_)
-            files_->resume(session_.clock(),
-                           session_.clock().every(scene().output.structure->every_s));
-        tasks_.add_output(
-            "write fields",
-            [this, every = session_.clock().every(scene().output.structure->every_s)] {
-                if (session_.clock().step() % every == 0) write_fields();
-            });
-    }
-    if (scene().checkpoint) assemble_checkpoint();
-    if (leads) {
-        progress_ = coupler::progress_on_stdout(session_, progress);
-        tasks_.add_output("progress",
-                          [this] { progress_->update(session_.clock().step()); });
-    }
-}
-
-void Participant::assemble_checkpoint() {
-    checkpoints_ = std::make_unique<coupler::Checkpoints>(
-        session_, [this](coupler::StateWriter* file) {
-            StructureParts all = parts();
-            all.counted = &counted_;
-            save_structure(all, file);
-        });
-    tasks_.add_output("checkpoint", [this] { checkpoints_->end_step(); });
-}
-
-void Participant::assemble_record() {
-    if (!coupling_)
-        throw std::invalid_argument("--record: without a fluid nothing is exchanged");
-    if (coupling_->iterates())
-        throw std::invalid_argument(
-            "--record: coupling.immersed_boundary.iterations above 1 exchange more "
-            "messages a step than a record holds; take iterations: 1");
-    if (coupling_->repetitions()) {
-        throw std::invalid_argument(
-            "--record: an implicit step has many exchanges, which cannot be played; take "
-            "coupling.scheme: serial");
-    }
-    recorder_ = std::make_unique<ExchangeRecorder>(
-        session_, *coupling_, coupler::fluid_columns(scene()).size());
-    tasks_.add_output("record exchange",
-                      [this] { recorder_->record(session_.clock().step() - 1); });
+    run_->coupling = coupling_.get();
+    run_->balance = balance_.get();
+    run_->audit = audit_.get();
+    run_->state = [this] {
+        StructureParts all = parts();
+        all.counted = &counted_;
+        return all;
+    };
+    outputs_.add(structure_outputs(), *run_, tasks_);
+    run_->start = {};
+    outputs_.need(scene().probes.has_value(), "probes");
+    outputs_.need(scene().output.structure.has_value(), "structure_fields");
+    outputs_.need(scene().checkpoint.has_value(), "checkpoint");
+    outputs_.need(run_->recorded, "record");
+    if (!session_.world().leads()) return;
+    progress_ = coupler::progress_on_stdout(session_, progress);
+    tasks_.add_output("progress", [this] { progress_->update(session_.clock().step()); });
 }
 
 StructureParts Participant::parts() {
@@ -240,88 +193,6 @@ void Participant::check_finite() const {
         node, session_.clock().step()));
 }
 
-std::vector<bodies::BodyLoads> Participant::collect_loads() {
-    std::vector<bodies::BodyLoads> loads(input_.bodies.size());
-    if (coupling_ && bodies::ProbeRow::wants(scene(), scene::BodyQuantity::fluid_force)) {
-        const auto forces = coupling_->force_on_bodies();
-        for (std::size_t b = 0; b < loads.size(); ++b) loads[b].fluid_force_n = forces[b];
-    }
-    if (bodies::ProbeRow::wants(scene(), scene::BodyQuantity::energy)) {
-        for (std::size_t b = 0; b < loads.size(); ++b) {
-            loads[b].energy_elastic_j = engine_->fix_vector(fix_ids_[b], 1);
-            loads[b].work_magnetic_j = engine_->fix_vector(fix_ids_[b], 3);
-        }
-    }
-    return loads;
-}
-
-// Returns what the fluid's last column is, on the root.
-double Participant::add_partner_values(std::vector<double>& row) {
-    const std::size_t fluid_values = coupler::fluid_columns(scene()).size();
-    const auto given =
-        balance_ ? balance_->collect(session_.world().local()) : std::vector<double>{};
-    if (!session_.world().root() || (fluid_values == 0 && !balance_)) return 0;
-    std::vector<double> numbers(fluid_values + given.size());
-    coupler::receive_numbers(session_.world(), session_.clock().step(), numbers,
-                             session_.timeout_s());
-    const std::span<const double> all(numbers);
-    if (recorder_) recorder_->keep_numbers(all.first(fluid_values));
-    row.insert(row.end(), all.begin(),
-               all.begin() + static_cast<std::ptrdiff_t>(fluid_values));
-    const double last = fluid_values > 0 ? numbers[fluid_values - 1] : 0;
-    if (!balance_) return last;
-    const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
-    row.push_back(mismatch.momentum);
-    row.push_back(mismatch.power);
-    return last;
-}
-
-// The fluid's kinetic energy comes last of its columns. Collective.
-void Participant::add_audit(double fluid_kinetic_j, std::vector<double>& row) {
-    const NodalState nodes = engine_->gather(atoms_);
-    EnergyTerms terms =
-        collect_terms(*engine_, scene(), fix_ids_,
-                      coupling_ ? coupling_->work() : nullptr, session_.world().local());
-    if (!session_.world().root()) return;
-    if (coupling_) terms.fluid_kinetic = fluid_kinetic_j;
-    const auto values = audit_->row(nodes, terms);
-    row.insert(row.end(), values.begin(), values.end());
-}
-
-// With the bodies' whole masses, whatever came off their nodes. Collective.
-NodalState Participant::gather() {
-    NodalState state = engine_->gather(atoms_);
-    if (!whole_mass_kg_.empty()) state.mass_kg = whole_mass_kg_;
-    return state;
-}
-
-// Collective; only the root goes on to the row.
-void Participant::write_probes() {
-    const NodalState state = gather();
-    const auto loads = collect_loads();
-    const auto on_parts = coupling_ ? coupling_->force_on_parts() : std::vector<Vec3>{};
-    std::vector<double> row;
-    if (probe_row_) {
-        row = probe_row_->values(session_.clock().time_s(), state, loads, on_parts);
-    }
-    const double fluid_j = coupling_ ? add_partner_values(row) : 0;
-    if (audit_) add_audit(fluid_j, row);
-    if (!probes_) return;
-    probes_->row(session_.clock().time_s(), row);
-    const std::string fault = audit_ ? audit_->fault() : std::string{};
-    if (!fault.empty())
-        throw coupler::Diverged(
-            fmt::format("after {:.6g} s {}", session_.clock().time_s(), fault));
-}
-
-// Collective; only the root goes on to the file.
-void Participant::write_fields() {
-    const auto every = session_.clock().every(scene().output.structure->every_s);
-    const NodalState state = gather();
-    if (files_)
-        files_->write(session_.clock().step() / every, session_.clock().time_s(), state);
-}
-
 void Participant::run() {
     session_.log(
         rest_ ? fmt::format("scene '{}': equilibria by damped motion at {} points",
@@ -335,17 +206,11 @@ void Participant::run() {
     if (session_.restart() && coupling_)
         restore_coupling(parts(), coupler::open_restart(session_));
     if (coupling_) coupling_->exchange_first();
-    if (!session_.restart()) start_anew();
-    if (recorder_) recorder_->record(session_.clock().step() - 1);
+    if (rest_ && !session_.restart()) rest_->find(0);
+    outputs_.begin();
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();
     finish(output::steady_seconds() - start);
-}
-
-void Participant::start_anew() {
-    if (rest_) rest_->find(0);
-    if (scene().probes) write_probes();
-    if (scene().output.structure) write_fields();
 }
 
 coupler::ParticipantReport Participant::make_report() const {
@@ -386,9 +251,9 @@ void Participant::finish(double wall_s) {
             session_.world(), "", session_.timeout_s(), "final report")));
     }
     if (!session_.world().leads()) return;
-    if (checkpoints_) checkpoints_->finish();
+    outputs_.finish();
     progress_->finish(session_.clock().step());
-    coupler::write_summary(session_, reports, wall_s, probes_.get());
+    coupler::write_summary(session_, reports, wall_s, outputs_.probes());
     session_.log(coupler::end_line(session_, wall_s));
 }
 

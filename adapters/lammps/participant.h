@@ -2,20 +2,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
-#include "adapters/bodies/probe_row.h"
-#include "adapters/bodies/structure_files.h"
 #include "adapters/lammps/audit/energy_audit.h"
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/come_to_rest.h"
-#include "adapters/lammps/exchange_recorder.h"
 #include "adapters/lammps/step_guard.h"
-#include "adapters/lammps/structure_state.h"
+#include "adapters/lammps/structure_run.h"
 #include "adapters/lammps/substeps.h"
-#include "coupler/checkpoint/checkpoints.h"
-#include "coupler/output/probe_file.h"
 #include "coupler/output/progress.h"
 #include "coupler/participants/session.h"
+#include "coupler/step/outputs.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -39,16 +36,7 @@ class Participant {
     void take_substeps_of_restart();
     void add_slip();
     void assemble_output(output::ProgressMode progress);
-    void assemble_checkpoint();
-    void assemble_record();
-    void start_anew();
     StructureParts parts();
-    NodalState gather();
-    void add_audit(double fluid_kinetic_j, std::vector<double>& row);
-    void write_probes();
-    void write_fields();
-    std::vector<bodies::BodyLoads> collect_loads();
-    double add_partner_values(std::vector<double>& row);
     void check_finite() const;
     void add_steps(output::StructureSummary& structure) const;
     double mean_substeps() const;
@@ -63,7 +51,6 @@ class Participant {
     structure::LammpsInput input_;
     std::vector<std::string> fix_ids_;  // of each body's fix magttice
     int atoms_ = 0;
-    std::vector<double> whole_mass_kg_;  // with a fluid, on the root
     std::unique_ptr<Engine> engine_;
     coupler::TaskList tasks_;
     std::unique_ptr<RestFinder> rest_;  // present only for equilibria
@@ -72,14 +59,10 @@ class Participant {
     std::unique_ptr<BodyCoupling> coupling_;
     bool again_ = false;  // implicit scheme: the step is repeated
     std::unique_ptr<coupler::BalanceRecord> balance_;
-    std::unique_ptr<ExchangeRecorder> recorder_;  // with --record
-    std::unique_ptr<EnergyAudit> audit_;          // only when the scene asks for it
-    // Present only when the scene names them, and only on the root:
-    std::unique_ptr<bodies::ProbeRow> probe_row_;
-    std::unique_ptr<bodies::StructureFiles> files_;
-    std::unique_ptr<output::ProbeFile> probes_;
-    std::unique_ptr<coupler::Checkpoints> checkpoints_;  // on every rank
-    std::unique_ptr<output::Progress> progress_;
+    std::unique_ptr<EnergyAudit> audit_;  // only when the scene asks for it
+    std::optional<StructureRun> run_;
+    coupler::Outputs outputs_;
+    std::unique_ptr<output::Progress> progress_;  // on the leading rank
 };
 
 }  // namespace magfsi::lammps

@@ -23,6 +23,9 @@ class Case:
 
 STRUCTURE_LIST = "structure/lammps/effects.inc"
 FLUID_LIST = "fluid_lbm/effects.inc"
+# Of outputs, by the program that writes them.
+OUTPUTS = {"magfsi-structure": "adapters/lammps/effects",
+           "magfsi-fluid-lbm": "adapters/fluids/effects"}
 # Every effect that a solid can have but the one that is looked at.
 SOLID = HERE.parent / "scenes/every_structure_effect.yaml"
 FLUID = HERE / "still_fluid.yaml"
@@ -51,6 +54,19 @@ def both(name, absent, *files):
             for program in ("magfsi-structure", "magfsi-fluid-lbm")]
 
 
+def output(name, absent, *more, alone=(), coupled=()):
+    """Of the programs that write it, in a scene of their own and in a coupled one."""
+    scenes = {"magfsi-structure": (SOLID, SHORT), "magfsi-fluid-lbm": (FLUID, FEW_STEPS)}
+    cases = []
+    for program in (*alone, *coupled):
+        folder = OUTPUTS[program]
+        removal = Removal(name, (f"{folder}/{name}/*", *more), f"{folder}.inc")
+        beside = len(cases) >= len(alone)
+        scene, settings = (magfsi.SMALL, COUPLED) if beside else scenes[program]
+        cases.append(Case(program, scene, removal, {**settings, **absent}, beside))
+    return cases
+
+
 def listed(name, absent, *more):
     """more: files beside the folder that only the effect uses."""
     return [solid(name, absent, f"structure/lammps/effects/{name}/*", *more,
@@ -63,6 +79,8 @@ def side(name):
 
 SCHEMES = "coupler/scheme/"
 CHECKPOINTS = ("coupler/checkpoint/checkpoints.*", "coupler/checkpoint/stop_agreement.*")
+STRUCTURE, THE_FLUID = ("magfsi-structure",), ("magfsi-fluid-lbm",)
+BOTH = STRUCTURE + THE_FLUID
 EFFECTS = {
     "viscosity": listed("viscosity", {"bodies.strip.material.viscosity": "null"},
                         "structure/lattice/viscosity.*"),
@@ -79,7 +97,7 @@ EFFECTS = {
     "prescribed_motion": listed("prescribed_motion", {}),
     "immersed_boundary": [
         solid("immersed_boundary", {}, "adapters/lammps/body_*", SCHEMES + "fluid_*",
-              "coupler/exchange/structure_exchange.*", "adapters/lammps/exchange_recorder.*"),
+              "coupler/exchange/structure_exchange.*", "adapters/lammps/effects/record/*"),
         fluid("immersed_boundary", {}, SCHEMES + "*", "coupler/exchange/fluid_*",
               "coupler/immersed_boundary/fluid_side.*")],
     "buoyancy": both("buoyancy", {"gravity": "null"})[:1],
@@ -90,8 +108,8 @@ EFFECTS = {
     "implicit_scheme": both("implicit_scheme", {}, "adapters/lammps/body_iterations.*",
                             SCHEMES + "fixed_point.*", SCHEMES + "iqn_ils.*",
                             "fluid_lbm/streaming/kept_state.*"),
-    "record": both("record", {}, "adapters/lammps/exchange_recorder.*",
-                   "coupler/exchange/exchange_record.*")[:1],
+    "record": output("record", {}, "coupler/exchange/exchange_record.*",
+                     coupled=STRUCTURE),
     "body_force": [fluid("body_force", {})],
     "eddy_viscosity": [fluid("eddy_viscosity", {}, "fluid_lbm/collision/smagorinsky.h")],
     "moving_wall": side("moving_wall"),
@@ -100,8 +118,8 @@ EFFECTS = {
     "pressure_outlet": side("pressure_outlet"),
     "obstacles": [fluid("obstacles", SUMS, "fluid_lbm/obstacle/obstacles.*",
                         "fluid_lbm/obstacle/cut_links.*")],
-    "probes": [solid("probes", {"probes": "null"}), fluid("probes", {}),
-               *both("probes", {"probes": "null"})],
+    "probes": [*output("probes", {}, alone=THE_FLUID),
+               *output("probes", {"probes": "null"}, alone=STRUCTURE, coupled=BOTH)],
     # Of probes beside others.
     "enstrophy": [fluid("enstrophy", ONE_SUM)],
     "plane_flow": [fluid("plane_flow", ONE_SUM, "fluid_lbm/sampling/plane_flow.*")],
@@ -109,9 +127,8 @@ EFFECTS = {
     "interface_balance": both("interface_balance", {"probes.interface_balance": "null"}),
     "energy_audit": [solid("energy_audit", {}, "adapters/lammps/audit/*"),
                      *both("energy_audit", {}, "adapters/lammps/audit/*")],
-    "structure_fields": [solid("structure_fields", {}), *both("structure_fields", {})[:1]],
-    "fluid_fields": [fluid("fluid_fields", {}, "adapters/fluids/fluid_files.*"),
-                     *both("fluid_fields", {})[1:]],
-    "checkpoint": [solid("checkpoint", {}, *CHECKPOINTS), fluid("checkpoint", {}, *CHECKPOINTS),
-                   *both("checkpoint", {}, *CHECKPOINTS)],
+    "structure_fields": output("structure_fields", {}, "adapters/bodies/structure_files.*",
+                               alone=STRUCTURE, coupled=STRUCTURE),
+    "fluid_fields": output("fluid_fields", {}, alone=THE_FLUID, coupled=THE_FLUID),
+    "checkpoint": output("checkpoint", {}, *CHECKPOINTS, alone=BOTH, coupled=BOTH),
 }

@@ -1,4 +1,4 @@
-#include "adapters/lammps/exchange_recorder.h"
+#include "adapters/lammps/effects/record/exchange_recorder.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "adapters/fluids/fluid_files.h"
+#include "adapters/fluids/effects/fluid_fields/fluid_files.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,64 @@
+// Rows of probes.csv; beside a structure, the numbers that go to its rows.
+#include <optional>
+
+#include "adapters/fluids/fluid_run.h"
+#include "coupler/participants/handshake.h"
+#include "coupler/step/probe_columns.h"
+#include "coupler/step/report.h"
+
+namespace magfsi::fluids {
+
+namespace {
+
+class Probes : public coupler::Output {
+  public:
+    explicit Probes(FluidRun& run)
+        : run_(run),
+          session_(run.session),
+          every_(session_.clock().every(session_.scene().probes->every_s)) {
+        if (session_.world().leads())
+            file_ =
+                coupler::open_probes(session_, coupler::fluid_columns(session_.scene()));
+    }
+    void begin() override {
+        if (!session_.restart()) write();
+    }
+    void end_step() override {
+        if (session_.clock().step() % every_ == 0) write();
+    }
+    const output::ProbeFile* probes() const override { return file_.get(); }
+
+  private:
+    void write() {
+        std::vector<double> numbers = run_.fluid.probe_values(session_.scene());
+        if (!session_.world().coupled()) {
+            if (file_) file_->row(session_.clock().time_s(), numbers);
+            return;
+        }
+        if (run_.balance) {
+            const auto received = run_.balance->collect(session_.world().local());
+            numbers.insert(numbers.end(), received.begin(), received.end());
+        }
+        if (session_.world().root()) {
+            coupler::send_numbers(session_.world(), session_.clock().step(), numbers,
+                                  session_.timeout_s());
+        }
+    }
+
+    FluidRun& run_;
+    const coupler::Session& session_;
+    std::int64_t every_;
+    std::unique_ptr<output::ProbeFile> file_;
+};
+
+}  // namespace
+
+extern const FluidOutput probes_output{
+    "probes", "probes", [](FluidRun& run) -> std::unique_ptr<coupler::Output> {
+        const scene::Scene& scene = run.session.scene();
+        if (!scene.probes || (!run.balance && coupler::fluid_columns(scene).empty()))
+            return nullptr;
+        return std::make_unique<Probes>(run);
+    }};
+
+}  // namespace magfsi::fluids

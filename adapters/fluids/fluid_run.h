@@ -1,0 +1,23 @@
+// What a fluid participant's outputs are made from.
+#pragma once
+
+#include "adapters/fluids/fluid_solver.h"
+#include "coupler/immersed_boundary/balance.h"
+#include "coupler/participants/session.h"
+#include "coupler/step/outputs.h"
+
+namespace magfsi::fluids {
+
+struct FluidRun {
+    coupler::Session& session;
+    FluidSolver& fluid;
+    coupler::BalanceRecord* balance = nullptr;  // null where the scene has none
+};
+
+// An output of effects.inc is an object of this type, called NAME_output.
+using FluidOutput = coupler::OutputKind<FluidRun>;
+
+// Those of this build, up to one without a name.
+const FluidOutput* fluid_outputs();
+
+}  // namespace magfsi::fluids

@@ -1,0 +1,133 @@
+// Rows of probes.csv: of the bodies, of the fluid and the interface between them, of the
+// energy audit.
+#include <fmt/format.h>
+
+#include "adapters/bodies/probe_row.h"
+#include "adapters/lammps/audit/collect_terms.h"
+#include "adapters/lammps/structure_run.h"
+#include "coupler/participants/errors.h"
+#include "coupler/participants/handshake.h"
+#include "coupler/step/probe_columns.h"
+#include "coupler/step/report.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+class Probes : public coupler::Output {
+  public:
+    explicit Probes(StructureRun& run);
+    void begin() override {
+        if (!run_.session.restart()) write();
+    }
+    void end_step() override {
+        if (run_.session.clock().step() % every_ == 0) write();
+    }
+    const output::ProbeFile* probes() const override { return file_.get(); }
+
+  private:
+    std::vector<bodies::BodyLoads> collect_loads() const;
+    double add_partner_values(std::vector<double>& row);
+    void add_audit(double fluid_kinetic_j, std::vector<double>& row);
+    void write();
+
+    StructureRun& run_;
+    std::int64_t every_;
+    // On the root; the file on the leading rank.
+    std::unique_ptr<bodies::ProbeRow> of_bodies_;
+    std::unique_ptr<output::ProbeFile> file_;
+};
+
+Probes::Probes(StructureRun& run)
+    : run_(run), every_(run.session.clock().every(run.scene().probes->every_s)) {
+    if (run.session.world().root())
+        of_bodies_ =
+            std::make_unique<bodies::ProbeRow>(run.scene(), run.input.bodies, run.start);
+    if (!run.session.world().leads()) return;
+    std::vector<std::string> columns = coupler::body_columns(run.scene());
+    for (const auto& more :
+         {coupler::fluid_columns(run.scene()), coupler::interface_columns(run.scene()),
+          run.audit ? run.audit->columns() : std::vector<std::string>{}}) {
+        columns.insert(columns.end(), more.begin(), more.end());
+    }
+    file_ = coupler::open_probes(run.session, columns);
+}
+
+std::vector<bodies::BodyLoads> Probes::collect_loads() const {
+    using bodies::ProbeRow;
+    std::vector<bodies::BodyLoads> loads(run_.input.bodies.size());
+    if (run_.coupling &&
+        ProbeRow::wants(run_.scene(), scene::BodyQuantity::fluid_force)) {
+        const auto forces = run_.coupling->force_on_bodies();
+        for (std::size_t b = 0; b < loads.size(); ++b) loads[b].fluid_force_n = forces[b];
+    }
+    if (ProbeRow::wants(run_.scene(), scene::BodyQuantity::energy)) {
+        for (std::size_t b = 0; b < loads.size(); ++b) {
+            loads[b].energy_elastic_j = run_.engine.fix_vector(run_.fix_ids[b], 1);
+            loads[b].work_magnetic_j = run_.engine.fix_vector(run_.fix_ids[b], 3);
+        }
+    }
+    return loads;
+}
+
+// Returns what the fluid's last column is, on the root.
+double Probes::add_partner_values(std::vector<double>& row) {
+    const coupler::Session& session = run_.session;
+    const std::size_t fluid_values = coupler::fluid_columns(run_.scene()).size();
+    const auto given = run_.balance ? run_.balance->collect(session.world().local())
+                                    : std::vector<double>{};
+    if (!session.world().root() || (fluid_values == 0 && !run_.balance)) return 0;
+    std::vector<double> numbers(fluid_values + given.size());
+    coupler::receive_numbers(session.world(), session.clock().step(), numbers,
+                             session.timeout_s());
+    const std::span<const double> all(numbers);
+    const auto of_fluid = all.first(fluid_values);
+    if (run_.heard) run_.heard(of_fluid);
+    row.insert(row.end(), of_fluid.begin(), of_fluid.end());
+    const double last = fluid_values > 0 ? of_fluid.back() : 0;
+    if (!run_.balance) return last;
+    const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
+    row.push_back(mismatch.momentum);
+    row.push_back(mismatch.power);
+    return last;
+}
+
+// The fluid's kinetic energy comes last of its columns. Collective.
+void Probes::add_audit(double fluid_kinetic_j, std::vector<double>& row) {
+    const NodalState nodes = run_.engine.gather(run_.atoms);
+    EnergyTerms terms = collect_terms(run_.engine, run_.scene(), run_.fix_ids,
+                                      run_.coupling ? run_.coupling->work() : nullptr,
+                                      run_.session.world().local());
+    if (!run_.session.world().root()) return;
+    if (run_.coupling) terms.fluid_kinetic = fluid_kinetic_j;
+    const auto values = run_.audit->row(nodes, terms);
+    row.insert(row.end(), values.begin(), values.end());
+}
+
+// Collective; only the root goes on to the row.
+void Probes::write() {
+    const double time_s = run_.session.clock().time_s();
+    const NodalState nodes = run_.gather();
+    const auto loads = collect_loads();
+    const auto on_parts =
+        run_.coupling ? run_.coupling->force_on_parts() : std::vector<Vec3>{};
+    std::vector<double> row;
+    if (of_bodies_) row = of_bodies_->values(time_s, nodes, loads, on_parts);
+    const double fluid_j = run_.coupling ? add_partner_values(row) : 0;
+    if (run_.audit) add_audit(fluid_j, row);
+    if (!file_) return;
+    file_->row(time_s, row);
+    const std::string fault = run_.audit ? run_.audit->fault() : std::string{};
+    if (!fault.empty())
+        throw coupler::Diverged(fmt::format("after {:.6g} s {}", time_s, fault));
+}
+
+}  // namespace
+
+extern const StructureOutput probes_output{
+    "probes", "probes", [](StructureRun& run) -> std::unique_ptr<coupler::Output> {
+        if (!run.scene().probes) return nullptr;
+        return std::make_unique<Probes>(run);
+    }};
+
+}  // namespace magfsi::lammps
