@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "structure/held_nodes.h"
 #include "structure/lammps/effect.h"
 #include "structure/materials.h"
 
@@ -38,7 +39,8 @@ void refuse_absent(const LammpsInput& input) {
     need(!input.motions.empty(), "prescribed_motion");
     for (const Body& body : input.bodies) {
         need(is_viscous(body), "viscosity");
-        need(!body.clamps.empty(), "clamps");
+        need(std::ranges::count(held_axes(body), HeldAxes{true, true, true}) > 0,
+             "clamps");
         need(!body.rollers.empty(), "rollers");
     }
 }

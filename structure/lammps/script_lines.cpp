@@ -67,6 +67,7 @@ void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
 
 void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
                   const Assembly& all, const std::filesystem::path& folder) {
+    const auto effects = asked_effects(input);
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
         const Body& body = input.bodies[i];
         const std::string file = (folder / (all.name[i] + ".lattice")).string();
@@ -80,7 +81,7 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
             "fix {} {} magttice {} {} {:.17g} {:.17g} element {}", script.fix_id.back(),
             all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
             body.material.lame_lambda_pa, element_name(body.element));
-        for (const ScriptEffect* effect : asked_effects(input)) {
+        for (const ScriptEffect* effect : effects) {
             if (effect->body_words) line += effect->body_words(input, body);
         }
         for (const Material& other : body.other_materials) {
