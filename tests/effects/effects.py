@@ -132,3 +132,13 @@ EFFECTS = {
     "fluid_fields": output("fluid_fields", {}, alone=THE_FLUID, coupled=THE_FLUID),
     "checkpoint": output("checkpoint", {}, *CHECKPOINTS, alone=BOTH, coupled=BOTH),
 }
+
+# Names that `explain` gives otherwise, and what no scene can be without.
+CALLED = {"damping": ("drag",), "moving walls": ("moving_wall",),
+          "inlets and outlets": ("velocity_inlet", "pressure_outlet")}
+ALWAYS_THERE = ("elasticity", "fluid")
+
+
+def of_explained(name):
+    """The effects above that a name in the lists of `explain` stands for."""
+    return CALLED.get(name, (name.replace(" ", "_"),))

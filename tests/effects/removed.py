@@ -10,6 +10,7 @@ CTest runs a slice of it."""
 import functools
 import os
 import re
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -23,7 +24,7 @@ sys.path.insert(0, str(HERE))
 import instructions
 import magfsi_runs as magfsi
 import variant
-from effects import EFFECTS
+from effects import ALWAYS_THERE, EFFECTS, of_explained
 
 # What is asked for. Two counts of one program differ by less than a tenth of it.
 BOUND = 1e-3
@@ -101,6 +102,19 @@ class Removed(unittest.TestCase):
         self.assertNotEqual(result.code, 0)
         self.assertIn("drag is asked for, and this program was built without it",
                       result.out + result.err)
+
+
+class Table(unittest.TestCase):
+    def test_has_every_effect_that_explain_names(self):
+        told = subprocess.run([magfsi.BIN / "magfsi", "explain", magfsi.SMALL], check=True,
+                              capture_output=True, text=True).stdout
+        lists = re.findall(r"^  (?:structure step|coupled step|fluid step|outputs): (.*)$",
+                           told, re.M)
+        self.assertEqual(len(lists), 4)
+        names = [name for line in lists for name in re.split(r"; absent: |, ", line)]
+        for name in set(names) - {*ALWAYS_THERE}:
+            for effect in of_explained(name):
+                self.assertIn(effect, EFFECTS)
 
 
 class Patches(unittest.TestCase):
