@@ -1,0 +1,78 @@
+#include "coupler/step/outputs.h"
+
+#include <gtest/gtest.h>
+
+namespace magfsi::coupler {
+namespace {
+
+// What has been called, in order.
+struct Heard {
+    bool wants_second = true;
+    std::string calls;
+};
+
+class Noted : public Output {
+  public:
+    Noted(Heard& heard, char name) : heard_(heard), name_(name) {}
+    void begin() override { heard_.calls += {'b', name_, ' '}; }
+    void end_step() override { heard_.calls += {'s', name_, ' '}; }
+    void finish() override { heard_.calls += {'f', name_, ' '}; }
+
+  private:
+    Heard& heard_;
+    char name_;
+};
+
+const OutputKind<Heard> kinds[] = {{"first", "write first",
+                                    [](Heard& heard) -> std::unique_ptr<Output> {
+                                        return std::make_unique<Noted>(heard, '1');
+                                    }},
+                                   {"second", "write second",
+                                    [](Heard& heard) -> std::unique_ptr<Output> {
+                                        if (!heard.wants_second) return nullptr;
+                                        return std::make_unique<Noted>(heard, '2');
+                                    }},
+                                   {}};
+
+TEST(Outputs, act_in_the_order_of_their_list) {
+    Heard heard;
+    TaskList tasks;
+    Outputs outputs;
+    outputs.add(kinds, heard, tasks);
+    EXPECT_EQ(tasks.names(), "write first, write second");
+    outputs.begin();
+    tasks.run();
+    outputs.finish();
+    EXPECT_EQ(heard.calls, "b1 b2 s1 s2 f1 f2 ");
+    EXPECT_EQ(outputs.probes(), nullptr);
+}
+
+TEST(Outputs, that_nobody_wants_have_no_task) {
+    Heard heard{.wants_second = false, .calls = {}};
+    TaskList tasks;
+    Outputs outputs;
+    outputs.add(kinds, heard, tasks);
+    EXPECT_EQ(tasks.names(), "write first");
+    outputs.begin();
+    tasks.run();
+    EXPECT_EQ(heard.calls, "b1 s1 ");
+}
+
+TEST(Outputs, that_the_build_lacks_are_refused_by_name) {
+    Heard heard;
+    TaskList tasks;
+    Outputs outputs;
+    outputs.add(kinds, heard, tasks);
+    EXPECT_NO_THROW(outputs.need(true, "second"));
+    EXPECT_NO_THROW(outputs.need(false, "third"));
+    try {
+        outputs.need(true, "third");
+        FAIL() << "third is not in the build";
+    } catch (const std::invalid_argument& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "third is asked for, and this program was built without it");
+    }
+}
+
+}  // namespace
+}  // namespace magfsi::coupler
