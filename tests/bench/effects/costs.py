@@ -161,7 +161,7 @@ def watch():
     """The share of the looks for what is no number, in instructions of the steps."""
     settings = {**reference.FREE, "time.step": "1 us", "time.end": "50 us"}
     node = instructions.share_of_steps(magfsi.BIN / STRUCTURE, reference.STRUCTURE_SCENE,
-                                       settings, "check_finite")
+                                       settings, "atom_without_place")
     cell = instructions.share_of_steps(
         magfsi.BIN / FLUID, reference.FLUID_SCENE,
         {"fluid.box": "[32 mm, 32 mm, 32 mm]", "time.end": "10 ms"}, "check_divergence")
