@@ -12,7 +12,9 @@ namespace magfsi::scene {
 namespace {
 
 constexpr double divides_within = 1e-6;  // of a side: far below what a cell resolves
-constexpr int least_cells = 4;  // the widest delta kernel spans 4 cells; it wraps
+constexpr int least_cells = 4;       // the widest delta kernel spans 4 cells; it wraps
+constexpr double most_cells = 1e11;  // 8 TB of populations in single precision
+constexpr double most_cells_along = 2e9;  // their number is an int
 
 bool divides(double side, double spacing) {
     const double cells = std::round(side / spacing);
@@ -24,14 +26,15 @@ bool divides_all(const Vec3& box, double spacing) {
 }
 
 // The spacing nearest to the wanted one that divides all sides, or the box of whole
-// cells.
+// cells. It divides the shortest side, too, which has the fewest cells to look at.
 std::string advice(const Fluid& fluid) {
     const double wanted = fluid.spacing_m;
-    const long cells = std::max(1L, std::lround(fluid.box_m[0] / wanted));
+    const double shortest = std::ranges::min(fluid.box_m);
+    const long cells = std::max(1L, std::lround(shortest / wanted));
     for (long away = 0; 2 * away <= cells; ++away) {
         double best = 0;
         for (const long n : {cells - away, cells + away}) {
-            const double spacing = fluid.box_m[0] / static_cast<double>(n);
+            const double spacing = shortest / static_cast<double>(n);
             if (divides_all(fluid.box_m, spacing) &&
                 (best == 0 || std::abs(spacing - wanted) < std::abs(best - wanted)))
                 best = spacing;
@@ -44,6 +47,25 @@ std::string advice(const Fluid& fluid) {
         box[i] = std::max(1.0, std::round(fluid.box_m[i] / wanted)) * wanted;
     return fmt::format("the nearest box is [{}, {}, {}]", format_si(box[0], "m"),
                        format_si(box[1], "m"), format_si(box[2], "m"));
+}
+
+// A slip of a unit, most often, and more than any machine holds.
+void check_cells(const Fluid& fluid, const Marks& marks) {
+    double all = 1, along = 0;
+    for (const double side : fluid.box_m) {
+        const double cells = std::max(1.0, side / fluid.spacing_m);
+        all *= cells;
+        along = std::max(along, cells);
+    }
+    if (all <= most_cells && along <= most_cells_along) return;
+    const double coarser =
+        std::max(std::cbrt(all / most_cells), along / most_cells_along);
+    refuse(marks.value({"fluid", "spacing"}),
+           fmt::format("{:.3g} cells, {:.3g} along the longest side", all, along),
+           fmt::format("at most {:.0e} cells, {:.0e} along a side", most_cells,
+                       most_cells_along),
+           fmt::format("take a spacing above {}, or a smaller box",
+                       format_si(coarser * fluid.spacing_m, "m")));
 }
 
 void check_spacing(const Fluid& fluid, const Marks& marks) {
@@ -127,6 +149,7 @@ void check_taylor_green(const Fluid& fluid, const Marks& marks) {
 
 void check_fluid(const Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
+    check_cells(*scene.fluid, marks);
     check_spacing(*scene.fluid, marks);
     check_periodic_pairs(*scene.fluid, marks);
     check_walls(*scene.fluid, marks);
