@@ -6,7 +6,6 @@
 
 #include "coupler/checkpoint/open_restart.h"
 #include "coupler/step/log_head.h"
-#include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 

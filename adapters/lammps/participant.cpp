@@ -12,7 +12,6 @@
 #include "coupler/participants/errors.h"
 #include "coupler/step/boundary_quality.h"
 #include "coupler/step/log_head.h"
-#include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "structure/lammps/register_styles.h"
 

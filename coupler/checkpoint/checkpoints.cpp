@@ -42,7 +42,7 @@ void Checkpoints::write() {
     finish();
 }
 
-void Checkpoints::finish() const {
+void Checkpoints::finish() {
     if (session_.world().leads())
         prune_checkpoints(session_.out(), roles_of(session_.scene()));
 }

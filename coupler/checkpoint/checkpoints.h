@@ -1,4 +1,4 @@
-// The task "checkpoint" of a participant: writes its state every so many coupled steps,
+// A participant's output "checkpoint": writes its state every so many coupled steps,
 // and once more when the run was told to end, which it then does in order.
 #pragma once
 
@@ -8,10 +8,11 @@
 #include "coupler/checkpoint/state_writer.h"
 #include "coupler/checkpoint/stop_agreement.h"
 #include "coupler/participants/session.h"
+#include "coupler/step/outputs.h"
 
 namespace magfsi::coupler {
 
-class Checkpoints {
+class Checkpoints : public Output {
   public:
     // Collective over the participant; file is null but on its root.
     using Save = std::function<void(StateWriter* file)>;
@@ -20,10 +21,10 @@ class Checkpoints {
     Checkpoints(Session& session, Save save);
 
     // After everything else of a step that leaves files.
-    void end_step();
+    void end_step() override;
 
     // When both sides have ended: takes away the checkpoints beyond those kept.
-    void finish() const;
+    void finish() override;
 
   private:
     void write();

@@ -8,7 +8,7 @@ namespace {
 // What has been called, in order.
 struct Heard {
     bool wants_second = true;
-    std::string calls;
+    std::string calls{};
 };
 
 class Noted : public Output {
@@ -34,11 +34,17 @@ const OutputKind<Heard> kinds[] = {{"first", "write first",
                                     }},
                                    {}};
 
-TEST(Outputs, act_in_the_order_of_their_list) {
+class ListOfOutputs : public testing::Test {
+  protected:
+    void add() { outputs.add(kinds, heard, tasks); }
+
     Heard heard;
     TaskList tasks;
     Outputs outputs;
-    outputs.add(kinds, heard, tasks);
+};
+
+TEST_F(ListOfOutputs, act_in_the_order_of_their_list) {
+    add();
     EXPECT_EQ(tasks.names(), "write first, write second");
     outputs.begin();
     tasks.run();
@@ -47,22 +53,17 @@ TEST(Outputs, act_in_the_order_of_their_list) {
     EXPECT_EQ(outputs.probes(), nullptr);
 }
 
-TEST(Outputs, that_nobody_wants_have_no_task) {
-    Heard heard{.wants_second = false, .calls = {}};
-    TaskList tasks;
-    Outputs outputs;
-    outputs.add(kinds, heard, tasks);
+TEST_F(ListOfOutputs, that_nobody_wants_have_no_task) {
+    heard.wants_second = false;
+    add();
     EXPECT_EQ(tasks.names(), "write first");
     outputs.begin();
     tasks.run();
     EXPECT_EQ(heard.calls, "b1 s1 ");
 }
 
-TEST(Outputs, that_the_build_lacks_are_refused_by_name) {
-    Heard heard;
-    TaskList tasks;
-    Outputs outputs;
-    outputs.add(kinds, heard, tasks);
+TEST_F(ListOfOutputs, that_the_build_lacks_are_refused_by_name) {
+    add();
     EXPECT_NO_THROW(outputs.need(true, "second"));
     EXPECT_NO_THROW(outputs.need(false, "third"));
     try {

@@ -1,6 +1,4 @@
 // Rows of probes.csv; beside a structure, the numbers that go to its rows.
-#include <optional>
-
 #include "adapters/fluids/fluid_run.h"
 #include "coupler/participants/handshake.h"
 #include "coupler/step/probe_columns.h"
