@@ -1,7 +1,7 @@
 // The mesh of a body as the scene describes it.
 #pragma once
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/mesh/mesh.h"
 
 namespace magfsi::bodies {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/body.h"
 
 namespace magfsi::bodies {

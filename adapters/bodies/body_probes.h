@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "adapters/bodies/nodal_state.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/mesh/mesh.h"
 
 namespace magfsi::bodies {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/mesh/mesh.h"
 #include "structure/mesh/mesh_ends.h"
 

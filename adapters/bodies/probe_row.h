@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "adapters/bodies/body_probes.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/body.h"
 #include "structure/lammps/field_program.h"
 

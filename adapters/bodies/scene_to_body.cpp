@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
-#include "coupler/scene/fault.h"
-#include "coupler/scene/suggestion.h"
+#include "adapters/scene/fault.h"
+#include "adapters/scene/suggestion.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/magnetics/magnetization_table.h"
 

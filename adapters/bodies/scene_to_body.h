@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/body.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"

@@ -3,7 +3,7 @@
 
 #include "adapters/bodies/nodal_state.h"
 #include "adapters/bodies/probe_row.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/equilibrium/newton.h"
 #include "structure/lammps/field_program.h"
 

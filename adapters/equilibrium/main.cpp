@@ -2,7 +2,7 @@
 //   magfsi-equilibrium SCENE --out DIR
 #include "adapters/equilibrium/participant.h"
 #include "coupler/participants/guard.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;

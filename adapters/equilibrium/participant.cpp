@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "coupler/participants/errors.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/reader.h"
 #include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"

@@ -10,7 +10,7 @@
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/grid_fluid.h"
 #include "coupler/output/summary.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::fluids {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "adapters/lammps/engine.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/lammps/script.h"
 
 namespace magfsi::lammps {

@@ -1,7 +1,7 @@
 // The scene in the terms of structure/lammps.
 #pragma once
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "structure/lammps/script.h"
 
 namespace magfsi::lammps {

@@ -9,7 +9,7 @@
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/lammps/scene_to_input.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::lammps {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::lammps {
 

@@ -6,7 +6,7 @@
 #include "coupler/exchange/partner_table.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/parallel/decomposition.h"
 #include "fluid_lbm/solver.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi::lbm {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi::lbm {

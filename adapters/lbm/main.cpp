@@ -6,7 +6,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/guard.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;

@@ -1,7 +1,7 @@
 // The scene's fluid in the terms of fluid_lbm/.
 #pragma once
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "fluid_lbm/fluid.h"
 
 namespace magfsi::lbm {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "adapters/magfsi/explain_parts.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::launch {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "adapters/magfsi/ranks.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

@@ -2,7 +2,7 @@
 
 #include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::launch {
 

@@ -7,7 +7,7 @@
 #include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/magfsi/explain_parts.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/units.h"
 #include "structure/lammps/placement.h"

@@ -6,7 +6,7 @@
 #include "adapters/magfsi/explain_parts.h"
 #include "adapters/openfoam/engine_library.h"
 #include "adapters/openfoam/scene_to_mesh.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::launch {
 

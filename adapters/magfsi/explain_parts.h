@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

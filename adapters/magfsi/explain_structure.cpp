@@ -9,8 +9,8 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/explain_parts.h"
-#include "coupler/scene/effective.h"
-#include "coupler/scene/names.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
 #include "structure/lattice/element_advice.h"
 
 namespace magfsi::launch {

@@ -8,9 +8,9 @@
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "coupler/participants/errors.h"
-#include "coupler/scene/effective.h"
-#include "coupler/scene/reader.h"
-#include "coupler/scene/schema.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/reader.h"
+#include "adapters/scene/schema.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

@@ -7,7 +7,7 @@
 #include "adapters/lammps/substeps.h"
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/checkpoint/restart.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::launch {
 

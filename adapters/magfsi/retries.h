@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
-#include "coupler/scene/effective.h"
-#include "coupler/scene/split.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/split.h"
 
 namespace magfsi::launch {
 

@@ -17,8 +17,8 @@
 #include "coupler/output/summary.h"
 #include "coupler/participants/arguments.h"
 #include "coupler/participants/errors.h"
-#include "coupler/scene/effective.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/reader.h"
 
 namespace magfsi::launch {
 

@@ -4,7 +4,7 @@
 
 #include "adapters/openfoam/stock_case.h"
 #include "coupler/output/atomic_file.h"
-#include "coupler/scene/names.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::openfoam {
 

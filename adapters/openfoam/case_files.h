@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::openfoam {
 

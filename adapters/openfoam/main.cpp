@@ -7,7 +7,7 @@
 #include "adapters/fluids/participant.h"
 #include "adapters/openfoam/foam_fluid.h"
 #include "coupler/participants/guard.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;

@@ -5,7 +5,7 @@
 
 #include "adapters/openfoam/engine/engine.h"
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::openfoam {
 

@@ -5,7 +5,7 @@
 #include "adapters/openfoam/case_files.h"
 #include "adapters/openfoam/inlet.h"
 #include "adapters/openfoam/scene_to_mesh.h"
-#include "coupler/scene/names.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::openfoam {
 

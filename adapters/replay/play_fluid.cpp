@@ -13,7 +13,7 @@
 #include "coupler/exchange/fluid_exchange.h"
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "coupler/step/log_head.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"

@@ -8,7 +8,7 @@
 #include "coupler/immersed_boundary/grid_text.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "coupler/step/log_head.h"
 #include "coupler/step/probe_columns.h"
 #include "coupler/step/progress_line.h"

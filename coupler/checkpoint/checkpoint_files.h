@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coupler/participants/world.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 

@@ -6,7 +6,7 @@
 
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::coupler {
 

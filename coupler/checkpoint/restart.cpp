@@ -4,7 +4,7 @@
 
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/checkpoint/state_reader.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "coupler/step/clock.h"
 
 namespace magfsi::coupler {

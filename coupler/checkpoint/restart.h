@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupler/checkpoint/state_header.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 

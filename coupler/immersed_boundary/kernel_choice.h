@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coupler/immersed_boundary/delta_kernel.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 

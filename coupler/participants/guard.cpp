@@ -11,8 +11,8 @@
 #include "coupler/participants/errors.h"
 #include "coupler/participants/floating_point_traps.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scene/effective.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/reader.h"
 
 namespace magfsi::coupler {
 

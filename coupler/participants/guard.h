@@ -6,7 +6,7 @@
 
 #include "coupler/participants/arguments.h"
 #include "coupler/participants/world.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 

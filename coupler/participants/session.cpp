@@ -8,7 +8,7 @@
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/reader.h"
 
 namespace magfsi::coupler {
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 

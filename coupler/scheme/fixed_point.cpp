@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "coupler/participants/errors.h"
-#include "coupler/scene/names.h"
+#include "adapters/scene/names.h"
 #include "coupler/scheme/inner_product.h"
 
 namespace magfsi::coupler {

@@ -5,7 +5,7 @@
 
 #include "coupler/immersed_boundary/slip.h"
 #include "coupler/output/summary.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 

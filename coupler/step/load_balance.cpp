@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "coupler/scene/names.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::coupler {
 

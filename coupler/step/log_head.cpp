@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "coupler/participants/handshake.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::coupler {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "coupler/output/memory.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::coupler {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "coupler/scene/effective.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/reader.h"
 
 namespace magfsi::scene {
 

@@ -9,7 +9,7 @@
 
 #include "adapters/bodies/nodal_state.h"
 #include "coupler/output/summary.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::lammps {
 

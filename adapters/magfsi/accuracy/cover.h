@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapters/magfsi/accuracy/law.h"
-#include "coupler/scene/accuracy.h"
+#include "adapters/scene/accuracy.h"
 
 namespace magfsi::launch {
 

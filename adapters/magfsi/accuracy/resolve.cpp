@@ -1,6 +1,6 @@
 #include "adapters/magfsi/accuracy/choose.h"
 #include "adapters/magfsi/cost/prediction.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/reader.h"
 
 namespace magfsi::launch {
 

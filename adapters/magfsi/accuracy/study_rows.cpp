@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "coupler/scene/split.h"
+#include "adapters/scene/split.h"
 #include "shipped_studies.h"  // made by CMake from docs/accuracy/*/runs.csv
 
 namespace magfsi::launch {

@@ -7,7 +7,7 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/scene/effective.h"
+#include "adapters/scene/effective.h"
 #include "coupler/step/probe_columns.h"
 #include "fluid_lbm/collision/choice.h"
 

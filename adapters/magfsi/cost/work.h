@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "adapters/magfsi/ranks.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

@@ -1,8 +1,8 @@
 // Each effect is either active or absent, in the order of a step.
 #include <gtest/gtest.h>
 
-#include "coupler/scene/effective.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {

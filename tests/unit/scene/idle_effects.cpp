@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "coupler/scene/effective.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {

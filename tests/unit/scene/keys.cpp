@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "coupler/scene/effective.h"
-#include "coupler/scene/fields.h"
-#include "coupler/scene/reader.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/fields.h"
+#include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {

@@ -2,7 +2,7 @@
 // its place: no other exception, no crash.
 #include <gtest/gtest.h>
 
-#include "coupler/scene/reader.h"
+#include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupler/scene/fault.h"
-#include "coupler/scene/quantity.h"
-#include "coupler/scene/unit.h"
+#include "adapters/scene/fault.h"
+#include "adapters/scene/quantity.h"
+#include "adapters/scene/unit.h"
 
 namespace magfsi::scene {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "coupler/scene/fields.h"
-#include "coupler/scene/schema.h"
+#include "adapters/scene/fields.h"
+#include "adapters/scene/schema.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {

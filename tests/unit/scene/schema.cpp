@@ -1,10 +1,10 @@
 // The JSON Schema says what the field table says, and accepts the scenes that are right.
-#include "coupler/scene/schema.h"
+#include "adapters/scene/schema.h"
 
 #include <gtest/gtest.h>
 
-#include "coupler/scene/document.h"
-#include "coupler/scene/fields.h"
+#include "adapters/scene/document.h"
+#include "adapters/scene/fields.h"
 #include "tests/unit/scene/json_schema.h"
 #include "tests/unit/scene/scene_files.h"
 

@@ -1,7 +1,7 @@
 // Near names are found; far ones are not forced upon anyone.
 #include <gtest/gtest.h>
 
-#include "coupler/scene/suggestion.h"
+#include "adapters/scene/suggestion.h"
 
 namespace magfsi::scene {
 namespace {

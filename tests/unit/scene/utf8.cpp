@@ -1,5 +1,5 @@
 // Scene files are UTF-8; what is not is refused with its place.
-#include "coupler/scene/utf8.h"
+#include "adapters/scene/utf8.h"
 
 #include <gtest/gtest.h>
 

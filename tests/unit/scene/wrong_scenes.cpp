@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "coupler/scene/reader.h"
+#include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
 namespace magfsi::scene {

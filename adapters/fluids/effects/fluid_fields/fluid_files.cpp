@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "coupler/scene/names.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::fluids {
 

@@ -11,7 +11,7 @@
 #include "coupler/output/pvd.h"
 #include "coupler/output/vti.h"
 #include "coupler/participants/world.h"
-#include "coupler/scene/scene.h"
+#include "adapters/scene/scene.h"
 #include "coupler/step/clock.h"
 
 namespace magfsi::fluids {

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+
+#include "adapters/scene/check_motion.h"
+#include "adapters/scene/checks.h"
+#include "adapters/scene/field.h"
+#include "adapters/scene/names.h"
+#include "adapters/scene/suggestion.h"
+#include "adapters/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+constexpr std::string_view axes = "xyz";
+
+// mean_f takes 3 min(l_i, l_j)^2 for the hourglass stiffness; with an in-plane edge below
+// the edge through the thickness that is the wrong one, and bending several times too
+// soft.
+void check_mean_f(const Body& body, const BoxMesh& box, const Marks& marks) {
+    if (body.element != ElementVariant::mean_f) return;
+    Vec3 edge{};
+    for (int i = 0; i < 3; ++i) edge[i] = box.size_m[i] / box.elements[i];
+    const auto& size = box.size_m;
+    const auto thickness = std::ranges::min_element(size) - size.begin();
+    for (int i = 0; i < 3; ++i) {
+        // Rounding of equal edges is no fault.
+        if (edge[i] >= edge[thickness] * (1 - 1e-9)) continue;
+        const int most = std::max(1, static_cast<int>(size[i] / edge[thickness] + 1e-9));
+        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
+               fmt::format("mean_f elements with the edge {} along {}, shorter than {} "
+                           "through the thickness",
+                           format_si(edge[i], "m"), axes[i],
+                           format_si(edge[thickness], "m")),
+               "in-plane edges of at least the edge through the thickness",
+               fmt::format("take at most {} elements along {}, more layers along {}, or "
+                           "element: assumed_strain",
+                           most, axes[i], axes[thickness]));
+    }
+}
+
+void check_node_count(const Body& body, const BoxMesh& box, const Marks& marks) {
+    std::int64_t nodes = 1;
+    for (const int n : box.elements) {
+        nodes *= n + 1;
+        // Node numbers are int.
+        if (nodes <= std::numeric_limits<int>::max()) continue;
+        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
+               "a mesh of more than 2147483647 nodes", "fewer elements");
+    }
+}
+
+void check_clamps(const Body& body, const Marks& marks) {
+    for (std::size_t i = 0; i < body.clamps.size(); ++i) {
+        const std::string& clamp = body.clamps[i];
+        const Origin& here = marks.item({"bodies", body.name, "clamps"}, i);
+        check_face(body, clamp, "clamps", here);
+        const auto earlier = body.clamps.begin() + static_cast<std::ptrdiff_t>(i);
+        if (std::find(body.clamps.begin(), earlier, clamp) != earlier)
+            refuse(here, fmt::format("{} twice in clamps", in_quotes(clamp)),
+                   "each face once");
+    }
+}
+
+void check_rollers(const Body& body, const Marks& marks) {
+    for (std::size_t i = 0; i < body.rollers.size(); ++i) {
+        const Origin& here = marks.item({"bodies", body.name, "rollers"}, i);
+        for (const std::string& face : body.rollers[i].faces)
+            check_face(body, face, "rollers", here);
+    }
+    // The relaxed shape is found before the body is turned.
+    const auto& turn = body.initial.rotation;
+    if (!body.initial.relaxed || !turn) return;
+    for (const Roller& roller : body.rollers) {
+        if (roller.axis != turn->plane[0] && roller.axis != turn->plane[1]) continue;
+        refuse(marks.key({"bodies", body.name, "rollers"}),
+               fmt::format("rollers along {} of a body that is relaxed and then turned "
+                           "about another axis",
+                           axes[static_cast<std::size_t>(roller.axis)]),
+               "rollers along the axis of initial.rotation, or no relaxed shape");
+    }
+}
+
+// Which regions a mesh has is known when it is built; a block has none. name: the list as
+// errors call it.
+template <class Item>
+void check_regions(const Body& body, const std::vector<Item>& list, Path here,
+                   std::string_view name, const Marks& marks) {
+    if (list.empty()) return;
+    if (std::holds_alternative<BoxMesh>(body.mesh))
+        refuse(marks.key(here),
+               fmt::format("{} of a block, whose mesh has no regions", name),
+               "them for the meshes oblique and gmsh");
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        for (const std::string& region : list[i].regions) {
+            if (seen.insert(region).second) continue;
+            refuse(marks.item(here, i),
+                   fmt::format("the region {} twice in {}", in_quotes(region), name),
+                   "each region once");
+        }
+    }
+}
+
+void check_material_regions(const Body& body, const Marks& marks) {
+    check_regions(body, body.material_regions, {"bodies", body.name, "material_regions"},
+                  "material_regions", marks);
+}
+
+void check_magnetization(const Body& body, const Marks& marks) {
+    if (!body.magnetization) return;
+    if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization)) {
+        if (m->along == m->into)
+            refuse(
+                marks.value({"bodies", body.name, "magnetization", "harmonic", "into"}),
+                fmt::format("along and into both {}", axis_names[m->along]),
+                "two different axes");
+    }
+    if (const auto* m = std::get_if<RegionMagnetization>(&*body.magnetization)) {
+        check_regions(body, m->regions, {"bodies", body.name, "magnetization", "regions"},
+                      "magnetization regions", marks);
+    }
+    const auto* domains = std::get_if<DomainMagnetization>(&*body.magnetization);
+    for (std::size_t i = 0; domains && i < domains->domains.size(); ++i) {
+        const auto& box = domains->domains[i].box_m;
+        for (int k = 0; box && k < 3; ++k) {
+            if ((*box)[0][k] < (*box)[1][k]) continue;
+            refuse(marks.value({"bodies", body.name, "magnetization", "domains"}),
+                   fmt::format("a domain box (number {}) that is empty along {}", i + 1,
+                               axes[k]),
+                   "[lower corner, upper corner]");
+        }
+    }
+}
+
+void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
+    if (body.initial.relaxed && !body.magnetization)
+        refuse(marks.key({"bodies", body.name, "initial", "relaxed"}),
+               "relaxed for a body without magnetization", "it for magnetized bodies");
+    if (scene.fluid && !body.initial.position_m)
+        refuse(marks.value({"bodies", body.name, "initial"}),
+               fmt::format("no initial position of \"{}\" in a scene with a fluid",
+                           body.name),
+               "initial: {position: [x, y, z]}, where the centre of volume goes");
+}
+
+// Half the extent along each axis of the turned block.
+Vec3 half_extent(const Body& body, const BoxMesh& box) {
+    Vec3 half{};
+    for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
+    if (!body.initial.rotation) return half;
+    const auto [a, b] = body.initial.rotation->plane;
+    const double c = std::abs(std::cos(body.initial.rotation->angle_rad));
+    const double s = std::abs(std::sin(body.initial.rotation->angle_rad));
+    Vec3 turned = half;
+    turned[a] = c * half[a] + s * half[b];
+    turned[b] = s * half[a] + c * half[b];
+    return turned;
+}
+
+// Of a body that starts relaxed, the flat block counts: its curled shape is not known
+// yet.
+void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
+                  const Marks& marks) {
+    if (!scene.fluid || !body.initial.position_m) return;
+    const Vec3 half = half_extent(body, box);
+    for (int i = 0; i < 3; ++i) {
+        const double side = scene.fluid->box_m[i];
+        const double centre = (*body.initial.position_m)[i];
+        const double slack = 1e-9 * side;  // a body as wide as the box may touch it
+        const bool below = centre - half[i] < -slack;
+        if (!below && centre + half[i] <= side + slack) continue;
+        const double end = below ? centre - half[i] : centre + half[i];
+        const double from = half[i], to = side - half[i];
+        refuse(marks.value({"bodies", body.name, "initial", "position"}),
+               fmt::format("\"{}\" reaching {} = {}, outside the fluid box", body.name,
+                           axes[i], format_si(end, "m")),
+               fmt::format("{} from 0 m to {}", axes[i], format_si(side, "m")),
+               from <= to ? fmt::format("put its centre between {} and {}",
+                                        format_si(from, "m"), format_si(to, "m"))
+                          : "take a larger box");
+    }
+}
+
+}  // namespace
+
+void check_face(const Body& body, const std::string& face, std::string_view list,
+                const Origin& here) {
+    const std::vector<std::string> faces = words(names<Face>);
+    if (std::holds_alternative<FileMesh>(body.mesh)) return;
+    if (std::ranges::find(faces, face) == faces.end())
+        refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
+               joined(faces), did_you_mean(face, faces));
+}
+
+void check_bodies(const Scene& scene, const Marks& marks) {
+    for (const Body& body : scene.bodies) {
+        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        if (box) check_node_count(body, *box, marks);
+        if (box) check_mean_f(body, *box, marks);
+        check_clamps(body, marks);
+        check_rollers(body, marks);
+        check_prescribed_motion(scene, body, marks);
+        check_material_regions(body, marks);
+        check_magnetization(body, marks);
+        check_initial(scene, body, marks);
+        if (box) check_inside(scene, body, *box, marks);
+    }
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,56 @@
+// What a scene comes to: its values in SI, its hash, its effects and its step.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/scene/scene.h"
+
+namespace magfsi::scene {
+
+// All values in SI (angles in rad) under the keys of the scene file, defaults included.
+nlohmann::ordered_json effective_scene(const Scene& scene);
+
+// 64-bit FNV-1a of effective_scene with sorted keys: comments, the order of keys and the
+// spelling of units do not matter. scene.hash itself is not looked at.
+std::uint64_t scene_hash(const Scene& scene);
+
+// The same whatever time.end is: scenes with equal ones go through the same states, so
+// that one may go on from a checkpoint of the other.
+std::uint64_t state_hash(const Scene& scene);
+
+// Distance of the points on the path of equilibria [s]: that of the probe rows, or the
+// whole path.
+double path_step_s(const Scene& scene);
+
+// A step [s] of the scene as it is after scene.time.halvings; exact.
+double halved(const Scene& scene, double step_s);
+
+// Coupled step [s]: time.step, or lattice_speed (courant for openfoam) times
+// spacing / expected_speed, halved as the scene says. Empty without a fluid and
+// time.step, where the bodies' own stable step rules.
+std::optional<double> coupled_step_s(const Scene& scene);
+
+// The fluid's on its lattice: 3 nu dt / dx^2 + 1/2; empty without such a fluid. Below the
+// least the viscosity is lost in the scheme's own error.
+constexpr double least_relaxation_time = 0.5001;
+std::optional<double> relaxation_time(const Scene& scene);
+
+// Empty, or why a retry cannot halve the steps once more.
+std::string fault_of_half_step(const Scene& scene);
+
+// Names of the effects in the order in which a step evaluates them.
+std::vector<std::string> active_effects(const Scene& scene);
+std::vector<std::string> absent_effects(const Scene& scene);
+
+// The same, a line for each of the structure step, the coupled step, the fluid step and
+// the outputs: "fluid step: fluid, obstacles; absent: body force, ...".
+std::vector<std::string> effects_by_step(const Scene& scene);
+
+// A line for each effect that is in the scene and can do nothing there, such as a damping
+// of rate 0: which, why, and what to do. Warnings, for nothing is wrong with the result.
+std::vector<std::string> idle_effects(const Scene& scene);
+
+}  // namespace magfsi::scene

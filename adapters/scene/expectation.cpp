@@ -1,0 +1,84 @@
+// What may stand at a key, in words, for errors and the reference page.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "adapters/scene/field.h"
+#include "adapters/scene/quantity.h"
+#include "adapters/scene/unit.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+std::string one_value(const Field& field) {
+    const std::string limits = describe(field.range, field.unit);
+    const std::string tail = limits.empty() ? "" : ", " + limits;
+    switch (field.kind) {
+        case Kind::quantity:
+            return dimension_expectation(field.unit) + tail;
+        case Kind::integer:
+            return "a whole number" + tail;
+        case Kind::boolean:
+            return "true or false";
+        case Kind::text:
+            return "one line of text";
+        case Kind::identifier:
+            return "a name of letters, digits and _, a letter first";
+        case Kind::choice:
+            return "one of " + joined(field.choices);
+        default:
+            return "";
+    }
+}
+
+std::string container(const Field& field) {
+    std::vector<std::string> keys;
+    for (const Field& child : field.children) keys.push_back(child.name);
+    if (field.kind == Kind::named) return "a map from names to maps with " + joined(keys);
+    if (field.kind == Kind::list) return "a list of maps with " + joined(keys);
+    return "a map with the keys " + joined(keys);
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string describe(const Range& range, std::string_view unit) {
+    std::string text;
+    if (std::isfinite(range.low))
+        text = fmt::format("{} {}", range.low_open ? "above" : "at least",
+                           format_si(range.low, unit));
+    if (std::isfinite(range.high))
+        text += fmt::format("{}at most {}", text.empty() ? "" : " and ",
+                            format_si(range.high, unit));
+    return text;
+}
+
+std::string expectation(const Field& field) {
+    if (!is_leaf(field)) return container(field);
+    const std::string value = one_value(field);
+    switch (field.layout) {
+        case Layout::vector:
+            return fmt::format("a list of {} values, each {}", field.length, value);
+        case Layout::list:
+            return field.count_min > 1
+                       ? fmt::format("a list of at least {} values, each {}",
+                                     field.count_min, value)
+                       : fmt::format("a list, each {}", value);
+        case Layout::one_or_list:
+            return fmt::format("{}, or a list of such", value);
+        case Layout::rows:
+            return fmt::format("a list of {}{} lists of {} values, each {}",
+                               field.count_min == field.count_max ? "" : "at least ",
+                               field.count_min, field.length, value);
+        case Layout::single:
+            break;
+    }
+    return value;
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,114 @@
+#include "adapters/scene/reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "adapters/scene/accuracy.h"
+#include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/fields.h"
+#include "adapters/scene/overrides.h"
+#include "adapters/scene/tree_reader.h"
+#include "adapters/scene/validate.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+std::string file_text(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (!stream.is_open() || stream.bad())
+        refuse({file.string()}, "a file that cannot be read", "readable scene files");
+    return text.str();
+}
+
+// A vector of length 0 is left for the checks to refuse.
+void normalise(Vec3& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (double& component : v) component /= length > 0 ? length : 1;
+}
+
+void complete(Coupling& coupling) {
+    const bool implicit = coupling.scheme == Scheme::implicit;
+    if (implicit && !coupling.iteration) coupling.iteration.emplace();
+    if (!coupling.sampled_velocity)
+        coupling.sampled_velocity =
+            implicit ? SampledVelocity::linear : SampledVelocity::frozen;
+}
+
+// Defaults that depend on other keys; files of the scene count from its folder.
+void complete(Scene& scene, const std::filesystem::path& folder) {
+    for (Body& body : scene.bodies) {
+        if (auto* mesh = std::get_if<FileMesh>(&body.mesh))
+            mesh->file = (folder / mesh->file).string();
+        if (!body.magnetization) continue;
+        if (auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
+            table->file = (folder / table->file).string();
+        auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
+        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        if (harmonic && box && harmonic->wavelength_m == 0)
+            harmonic->wavelength_m = box->size_m[harmonic->along];
+    }
+    if (scene.fluid) {
+        for (Obstacle& obstacle : scene.fluid->obstacles) {
+            if (auto* surface = std::get_if<StlSurface>(&obstacle.shape))
+                surface->file = (folder / surface->file).string();
+        }
+    }
+    if (scene.gravity) normalise(scene.gravity->direction);
+    if (scene.platform) normalise(scene.platform->normal);
+    if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
+    if (scene.coupling) complete(*scene.coupling);
+}
+
+}  // namespace
+
+std::filesystem::path scene_file(const std::filesystem::path& path) {
+    const bool folder = std::filesystem::is_directory(path);
+    std::filesystem::path file = folder ? path / "scene.yaml" : path;
+    if (!std::filesystem::exists(file))
+        refuse({file.string()}, "no such file",
+               "a scene file, or a folder with a scene.yaml");
+    return file;
+}
+
+Node read_tree(const std::filesystem::path& file,
+               const std::vector<std::string>& overrides) {
+    const Origin start{file.string(), 1, 1};
+    Node root = parse_document(file_text(file), start);
+    if (root.type == Node::Type::null)
+        refuse(start, "an empty file", "a map with keys such as time and bodies");
+    apply_overrides(root, overrides);
+    return root;
+}
+
+Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
+    validate(root, scene_fields());
+    Scene scene;
+    TreeReader reader(&root, scene_fields());
+    bind_keys(reader, scene);
+    complete(scene, folder);
+    return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides) {
+    const std::filesystem::path file = scene_file(path);
+    const Node root = read_tree(file, overrides);
+    if (const Node* accuracy = root.find("accuracy")) {
+        refuse(
+            accuracy->key_origin, "accuracy, which this program cannot resolve",
+            "it with magfsi run, check and explain, which choose spacing and elements");
+    }
+    Scene scene = unchecked_scene(root, file.parent_path());
+    check_scene(scene, Marks(root));
+    scene.hash = scene_hash(scene);
+    return scene;
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,27 @@
+// From a YAML file to a Scene. Every fault is a SceneError with one message.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "adapters/scene/scene.h"
+
+namespace magfsi::scene {
+
+// what(): "file:line:column: what was found; what is allowed; suggestion", one line.
+class SceneError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// path: a scene file, or a tutorial folder (its scene.yaml). overrides: as given to
+// --set, "path.to.key=value"; a fault in one is reported as "--set path.to.key: ...".
+Scene read_scene(const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides = {});
+
+// The file that read_scene would open.
+std::filesystem::path scene_file(const std::filesystem::path& path);
+
+}  // namespace magfsi::scene

@@ -1,0 +1,9 @@
+// magfsi-scene-reference: prints docs/scene.md.
+#include <cstdio>
+
+#include "adapters/scene/schema.h"
+
+int main() {
+    const std::string page = magfsi::scene::scene_reference_markdown();
+    return std::fputs(page.c_str(), stdout) < 0 ? 1 : 0;
+}

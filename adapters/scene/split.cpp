@@ -1,0 +1,17 @@
+#include "adapters/scene/split.h"
+
+namespace magfsi::scene {
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+}  // namespace magfsi::scene
