@@ -3,7 +3,12 @@
 # avx2, avx512): put everything into `namespace MAGFSI_ISA` so that no symbol is shared.
 # FILE must not instantiate templates of the standard library: the linker could keep the
 # AVX-512 copy of one and run it on a machine without AVX-512.
-# The default build thus runs on any x86-64 and picks its kernels at start-up.
+# The default build thus runs on any x86-64 and picks its kernels at start-up:
+# isa/instruction_set.h. What kernels are written in: isa/simd.h.
+add_library(magfsi_isa STATIC ${CMAKE_CURRENT_LIST_DIR}/isa/instruction_set.cpp)
+target_include_directories(magfsi_isa PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+target_link_libraries(magfsi_isa PUBLIC magfsi_options)
+
 function(magfsi_isa_variants target file)
   set(flags_sse2 -msse2)
   set(flags_avx2 -mavx2 -mfma)
@@ -12,9 +17,10 @@ function(magfsi_isa_variants target file)
   foreach(isa sse2 avx2 avx512)
     set(object ${target}_${stem}_${isa})
     add_library(${object} OBJECT ${file})
-    target_link_libraries(${object} PRIVATE magfsi_options)
+    target_link_libraries(${object} PRIVATE magfsi_isa)
     target_compile_definitions(${object} PRIVATE MAGFSI_ISA=${isa} MAGFSI_ISA_${isa})
     target_compile_options(${object} PRIVATE ${flags_${isa}} -O3 -Wno-psabi)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${object}>)
   endforeach()
+  target_link_libraries(${target} PUBLIC magfsi_isa)
 endfunction()

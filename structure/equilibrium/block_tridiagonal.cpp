@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "isa/instruction_set.h"
 #include "structure/equilibrium/dense_update.h"
-#include "structure/lattice/instruction_set.h"
 
 namespace magfsi::structure {
 namespace {

@@ -3,8 +3,6 @@
 #include <numeric>
 #include <utility>
 
-#include "structure/lattice/instruction_set.h"
-
 namespace magfsi::structure {
 namespace {
 
@@ -26,11 +24,8 @@ KernelKind kind_of(const Lattice& lattice) {
 
 }  // namespace
 
-ElementKernel::ElementKernel() {
-    const InstructionSet set = choose_instruction_set();
-    isa_ = name(set);
-    function_ = functions[static_cast<std::size_t>(set)];
-}
+ElementKernel::ElementKernel(InstructionSet set)
+    : function_(functions[static_cast<std::size_t>(set)]) {}
 
 void ElementKernel::assign(const Lattice& lattice) {
     std::vector<int> all(lattice.elements.size());

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "isa/instruction_set.h"
 #include "structure/lattice/element_batches.h"
 #include "structure/lattice/lane_packing.h"
 #include "structure/lattice/lattice.h"
@@ -16,10 +16,7 @@ namespace magfsi::structure {
 
 class ElementKernel {
   public:
-    // The instruction set is the widest of sse2, avx2 and avx512 that the machine has;
-    // the environment variable MAGFSI_ISA lowers it. Throws std::invalid_argument on
-    // another value of it.
-    ElementKernel();
+    explicit ElementKernel(InstructionSet set = choose_instruction_set());
 
     // Packs these elements of the lattice; nodes: for each of them the eight indices of
     // its nodes in x and f.
@@ -35,7 +32,6 @@ class ElementKernel {
         return run(x, f, true);
     }
 
-    const std::string& isa() const { return isa_; }
     std::size_t size() const { return size_; }
 
   private:
@@ -50,7 +46,6 @@ class ElementKernel {
     KernelResult run(const double* x, double* f, bool energy) const;
     KernelResult run(const Part& part, const double* x, double* f, bool energy) const;
 
-    std::string isa_;
     ElementKernelFunction function_ = nullptr;
     KernelKind kind_ = KernelKind::brick_full;
     std::size_t size_ = 0;

@@ -1,6 +1,9 @@
-// Vectors of doubles as wide as the instruction set, and what the element kernel does
-// with them. For the files of magfsi_isa_variants only; everything is internal to them.
+// Three vectors of lanes, and what the element kernels do with them: node access, the
+// logarithm, Hadamard transforms. For the files of magfsi_isa_variants only; everything
+// is internal to them.
 #pragma once
+
+#include "isa/simd.h"
 
 #if !defined(MAGFSI_ISA)
 #error "simd_lanes.h is for the files of magfsi_isa_variants"
@@ -9,26 +12,18 @@
 namespace magfsi::structure::MAGFSI_ISA {
 namespace {
 
-#if defined(MAGFSI_ISA_avx512)
-constexpr int width = 8;
-#elif defined(MAGFSI_ISA_avx2)
-constexpr int width = 4;
-#else
-constexpr int width = 2;
-#endif
+constexpr int width = vector_bytes / sizeof(double);
 
-typedef double Real __attribute__((vector_size(8 * width)));
-typedef long long Bits __attribute__((vector_size(8 * width)));
-typedef double Pair __attribute__((vector_size(16)));
+using Real = Simd<double, width>::Vector;
+using Bits = Simd<long long, width>::Vector;
+using Pair = Simd<double, 2>::Vector;
 typedef double LoosePair __attribute__((vector_size(16), aligned(8)));
 
-#define MAGFSI_INLINE static inline __attribute__((always_inline))
-
 MAGFSI_INLINE Real load(const double* p) {
-    return *reinterpret_cast<const Real*>(p);
+    return load_aligned<Real>(p);
 }
 MAGFSI_INLINE Real splat(double value) {
-    return Real{} + value;
+    return magfsi::splat<Real>(value);
 }
 
 struct Vec {

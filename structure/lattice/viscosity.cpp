@@ -6,7 +6,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "structure/lattice/instruction_set.h"
 #include "structure/lattice/material_parts.h"
 #include "structure/lattice/viscous_element.h"
 
@@ -40,8 +39,8 @@ void check_viscosity(const Material& material) {
 
 }  // namespace
 
-ViscousKernel::ViscousKernel()
-    : function_(functions[static_cast<std::size_t>(choose_instruction_set())]) {}
+ViscousKernel::ViscousKernel(InstructionSet set)
+    : function_(functions[static_cast<std::size_t>(set)]) {}
 
 void ViscousKernel::assign(const Lattice& lattice) {
     std::vector<int> all(lattice.elements.size());

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "isa/instruction_set.h"
 #include "structure/lattice/lane_packing.h"
 #include "structure/lattice/lattice.h"
 #include "structure/lattice/viscous_batches.h"
@@ -14,8 +15,7 @@ namespace magfsi::structure {
 
 class ViscousKernel {
   public:
-    // As ElementKernel: the widest instruction set of the machine, lowered by MAGFSI_ISA.
-    ViscousKernel();
+    explicit ViscousKernel(InstructionSet set = choose_instruction_set());
 
     // Packs those of these elements (any variant) whose material is viscous; nodes: for
     // each of them the eight indices of its nodes in x, v and f. Throws

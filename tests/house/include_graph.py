@@ -54,7 +54,7 @@ def edges(root, path):
     """(what is included, whether it is a file of ours, whether in quotes)."""
     for mark, name in INCLUDE.findall(path.read_text(errors="replace")):
         quoted = mark == '"'
-        for base in (root, path.parent) if quoted else (root,):
+        for base in (root, root / "cmake", path.parent) if quoted else (root,):
             if (base / name).is_file():
                 resolved = os.path.normpath(base / name)  # "../" names a room, too
                 yield os.path.relpath(resolved, root), True, quoted

@@ -1,0 +1,91 @@
+// What kernels are written in: GCC vector extensions, one source for every instruction
+// set and both precisions. Everything here is always inlined into the functions of a
+// variant's namespace, so that no symbol compiled for AVX-512 can be picked by another
+// variant.
+#pragma once
+
+#define MAGFSI_INLINE [[gnu::always_inline]] inline
+#define MAGFSI_INLINE_LAMBDA __attribute__((always_inline))
+
+namespace magfsi {
+
+// Width of the vectors of the instruction set that this file is compiled for.
+#if defined(MAGFSI_ISA_avx512)
+constexpr int vector_bytes = 64;
+#elif defined(MAGFSI_ISA_avx2)
+constexpr int vector_bytes = 32;
+#else
+constexpr int vector_bytes = 16;
+#endif
+
+template <class T, int Width>
+struct Simd {
+    using Vector [[gnu::vector_size(Width * sizeof(T))]] = T;
+};
+
+template <class T>
+struct ValueOf {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<T&> {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<const T&> {
+    using Type = T;
+};
+// float or double of a vector V.
+template <class V>
+using Lane = typename ValueOf<decltype(V{}[0])>::Type;
+
+// The vector that an array, or a class with operator[], has at each index.
+template <class Array>
+const Array& some();  // never defined
+template <class Array>
+using VectorOf = typename ValueOf<decltype(some<Array>()[0])>::Type;
+
+// A factor of kernels for both precisions, rounded once from double.
+template <class V>
+constexpr Lane<V> constant(double value) {
+    return static_cast<Lane<V>>(value);
+}
+
+template <class V>
+inline constexpr int lanes = sizeof(V) / sizeof(Lane<V>);
+
+template <class V>
+MAGFSI_INLINE V splat(Lane<V> value) {
+    return V{} + value;
+}
+
+// From any address. Real may be narrower or wider than the lanes of V.
+template <class V, class Real>
+MAGFSI_INLINE V load(const Real* from) {
+    typename Simd<Real, lanes<V>>::Vector value;
+    __builtin_memcpy(&value, from, sizeof value);
+    if constexpr (sizeof(Real) == sizeof(Lane<V>)) {
+        return value;
+    } else {
+        return __builtin_convertvector(value, V);
+    }
+}
+
+// From an address that is a multiple of the vector's size.
+template <class V>
+MAGFSI_INLINE V load_aligned(const Lane<V>* from) {
+    return *reinterpret_cast<const V*>(from);
+}
+
+template <class V, class Real>
+MAGFSI_INLINE void store(Real* to, const V& value) {
+    if constexpr (sizeof(Real) == sizeof(Lane<V>)) {
+        __builtin_memcpy(to, &value, sizeof value);
+    } else {
+        using Stored = typename Simd<Real, lanes<V>>::Vector;
+        const Stored stored = __builtin_convertvector(value, Stored);
+        __builtin_memcpy(to, &stored, sizeof stored);
+    }
+}
+
+}  // namespace magfsi
