@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "adapters/magfsi/accuracy/choose.h"
 #include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
@@ -45,34 +44,16 @@ int check(const Options& options) {
     return coupler::exit_done;
 }
 
-std::string notes(const Options& options) {
-    std::string text;
-    for (const std::string& line : options.run.notes) text += line + "\n";
-    return text;
-}
-
 int explain(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     const auto ranks = launch::choose_ranks(scene, options.run.ranks);
     const std::string text = launch::explain(scene, ranks);
-    auto facts = launch::facts(scene, ranks);
-    if (!options.run.accuracy.is_null()) facts["accuracy"] = options.run.accuracy;
+    const auto facts = launch::facts(scene, ranks);
     if (options.json)
         fmt::print("{}\n", facts.dump(2));
     else
-        fmt::print("{}{}{}", notes(options), text, launch::explain_cost(scene, ranks));
+        fmt::print("{}{}", text, launch::explain_cost(scene, ranks));
     return coupler::exit_done;
-}
-
-// The key accuracy becomes settings; from here on the scene has a resolution.
-void resolve(Options& options) {
-    const auto choice = launch::resolve_accuracy(options.run.scene, options.run.overrides,
-                                                 options.run.ranks);
-    if (!choice) return;
-    auto& overrides = options.run.overrides;
-    overrides.insert(overrides.end(), choice->settings.begin(), choice->settings.end());
-    options.run.notes = choice->words;
-    options.run.accuracy = choice->json;
 }
 
 int execute(CLI::App& app, Options& options) {
@@ -82,7 +63,6 @@ int execute(CLI::App& app, Options& options) {
     options.run.ranks = launch::parse_ranks(options.ranks);
     options.run.replay = launch::parse_replay(options.replay);
     const std::string command = app.get_subcommands().front()->get_name();
-    if (command != "schema") resolve(options);
     if (command == "schema") {
         fmt::print("{}\n", scene::scene_schema().dump(2));
         return coupler::exit_done;

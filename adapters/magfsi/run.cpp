@@ -5,12 +5,10 @@
 
 #include <fstream>
 
-#include "adapters/magfsi/cost/experience.h"
 #include "adapters/magfsi/cost/prediction.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/mpi_job.h"
 #include "adapters/magfsi/retries.h"
-#include "adapters/magfsi/richardson.h"
 #include "adapters/openfoam/engine_library.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/atomic_file.h"
@@ -152,13 +150,10 @@ void add_to_summary(const fs::path& out, const char* key,
 }
 
 // Beside the actual figures, in summary.json and in a line.
-void write_predicted(const scene::Scene& scene, const fs::path& out, const Ranks& ranks,
-                     const std::optional<Prediction>& predicted) {
+void write_predicted(const fs::path& out, const std::optional<Prediction>& predicted) {
     std::ifstream in(out / "summary.json");
     auto json = nlohmann::ordered_json::parse(in, nullptr, false);
     if (!predicted || !json.is_object()) return;
-    if (scene.time.equilibrium)
-        keep_experience(scene.hash, ranks.at("structure"), json.value("wall_s", 0.0));
     json["predicted"] = to_json(*predicted);
     output::write_atomically(out / "summary.json", json.dump(2) + "\n");
     if (!predicted->wall_s) return;
@@ -166,15 +161,6 @@ void write_predicted(const scene::Scene& scene, const fs::path& out, const Ranks
                *predicted->wall_s,
                (predicted->structure_bytes + predicted->fluid_bytes) / 1e6,
                json.value("wall_s", 0.0), memory_of(json) / 1e6);
-}
-
-void write_richardson(const scene::Scene& scene, const fs::path& out) {
-    if (!scene.probes) return;
-    add_to_summary(out, "resolution", resolution_of(scene));
-    const auto estimate = richardson(scene, out);
-    if (estimate.is_null()) return;
-    add_to_summary(out, "richardson", estimate);
-    fmt::print("{}\n", richardson_line(estimate));
 }
 
 JobEnd run_once(const scene::Scene& scene, const RunOptions& options,
@@ -270,13 +256,10 @@ int run(const RunOptions& options) {
         return coupler::exit_error;
     }
     // What a restart or one side alone takes is not what was predicted.
-    if (!options.accuracy.is_null()) add_to_summary(out, "accuracy", options.accuracy);
     const bool whole =
         options.restart.empty() && options.replay.empty() && retries.record().empty();
     if (end.exit_code == coupler::exit_done && whole) {
-        write_richardson(scene, out);
-        const Ranks ranks = choose_ranks(scene, options.ranks);
-        write_predicted(scene, out, ranks, prediction(scene, ranks));
+        write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
     }
     return end.exit_code;
 }

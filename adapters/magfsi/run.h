@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct RunOptions {
     std::vector<std::string> overrides;
     Ranks ranks;                      // those that are given
     std::vector<std::string> notes;   // for the head of the log
-    nlohmann::ordered_json accuracy;  // for the summary; null without the key accuracy
     std::string restart;              // latest, a file of a checkpoint, or empty
     int halvings = 0;                 // of every step, by retries
     bool record = false;              // write exchange.record

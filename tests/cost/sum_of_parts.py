@@ -97,54 +97,6 @@ class SumOfParts(unittest.TestCase):
         self.assertAlmostEqual(explain(beam)["predicted"]["wall_s"], 80 * 0.01 * 2.28, places=9)
         self.assertIsNone(explain(magfsi.ROOT / "tutorials/strip")["predicted"]["wall_s"])
 
-    def test_a_path_that_ran_before(self):
-        self.calibrate()
-        beam = magfsi.ROOT / "tutorials/beam"
-        first = magfsi.good_run(beam, {"probes.every": "100 ms", "output": "null"}).summary()
-        self.assertIn("predicted", first)
-        again = explain(beam, {"probes.every": "100 ms", "output": "null"})["predicted"]
-        self.assertEqual(again["wall_s"], first["wall_s"])
-        other = explain(beam, {"probes.every": "50 ms", "output": "null"})["predicted"]
-        self.assertNotEqual(other["wall_s"], first["wall_s"])
-
-    def keep(self, scene, seconds_by_ranks):
-        """As a run keeps them, beside the calibration."""
-        known = explain(scene)
-        (self.file.parent / "paths.json").write_text(json.dumps({
-            "machine": known["machine"], "version": known["version"],
-            known["scene_hash"]: seconds_by_ranks}))
-
-    def test_of_runs_on_the_same_ranks_the_fastest_counts(self):
-        self.calibrate()
-        beam, sets = magfsi.ROOT / "tutorials/beam", {"probes.every": "100 ms", "output": "null"}
-        scene = Path(magfsi.new_folder()) / "scene.yaml"
-        scene.write_text((beam / "scene.yaml").read_text())
-        known = explain(scene, sets)
-        kept = self.file.parent / "paths.json"
-        for before, after in ((1000.0, None), (1e-6, 1e-6)):
-            kept.write_text(json.dumps({"machine": known["machine"], "version": known["version"],
-                                        known["scene_hash"]: {"1": before}}))
-            s = magfsi.good_run(scene, sets).summary()
-            self.assertEqual(s["predicted"]["wall_s"], before)
-            found = json.loads(kept.read_text())[known["scene_hash"]]["1"]
-            self.assertEqual(found, after or s["wall_s"])
-
-    def test_damped_motion_on_other_ranks(self):
-        """80 elements in turn, or 40 and what the ranks exchange: dearer than what it saves."""
-        self.calibrate()
-        gravity = magfsi.ROOT / "tutorials/gravity"
-        self.keep(gravity, {"1": 6.0})
-        alone, shared = SUBSTEP_S + 80 * ELEMENT_S, SUBSTEP_S + 40 * ELEMENT_S + EXCHANGE_S
-        self.assertEqual(explain(gravity, ranks="structure=1")["predicted"]["wall_s"], 6.0)
-        found = explain(gravity, ranks="structure=2")["predicted"]["wall_s"]
-        self.assertAlmostEqual(found, 6.0 * shared / alone, places=9)
-        text = explain(gravity, ranks="structure=2", as_json=False)
-        self.assertRegex(text, r"8\.2 s, by what it took before on structure=1\n"
-                               r" *faster +with --ranks structure=1: 6 s")
-        self.assertNotIn("faster", explain(gravity, ranks="structure=1", as_json=False))
-        self.keep(gravity, {"1": 6.0, "2": 13.0})
-        self.assertEqual(explain(gravity, ranks="structure=2")["predicted"]["wall_s"], 13.0)
-
     def test_memory_of_each_rank(self):
         self.calibrate()
         memory = [explain(magfsi.SMALL, ranks=f"structure=1,fluid={n}")["predicted"]

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """An absent effect costs nothing: a scene without it executes the same instructions in its
-steps as in a program from which all that is the effect's own has been removed.
+steps as in a program that was built without the effect's folder and its line in a list.
 
     MAGFSI_BIN=build/release/bin tests/effects/removed.py            of all effects
     MAGFSI_BIN=build/release/bin tests/effects/removed.py drag       of this one
@@ -8,26 +8,96 @@ steps as in a program from which all that is the effect's own has been removed.
 CTest runs a slice of it."""
 
 import functools
-import os
 import re
-import subprocess
 import sys
 import unittest
+from dataclasses import dataclass
 from pathlib import Path
 
-os.environ["MAGFSI_BIN"] = str(Path(os.environ.get("MAGFSI_BIN", "build/release/bin")).resolve())
-for name in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"):
-    os.environ.setdefault(name, "1")
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "support"))
-sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 import instructions
 import magfsi_runs as magfsi
 import variant
-from effects import ALWAYS_THERE, EFFECTS, of_explained
+from variant import Removal
 
 # What is asked for. Two counts of one program differ by less than a tenth of it.
 BOUND = 1e-3
+STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
+# The lists of effects, each with the folder beside it; of outputs, by the program that writes.
+STRUCTURE_LIST, FLUID_LIST = "structure/lammps/effects.inc", "fluid_lbm/effects.inc"
+OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/effects.inc", FLUID: "adapters/fluids/effects.inc"}
+
+# Scenes with every effect but the one that is looked at, and settings that shorten them.
+TESTS = magfsi.ROOT / "tests"
+SCENES = {STRUCTURE: (TESTS / "scenes/every_structure_effect.yaml", {"time.end": "50 us"}),
+          FLUID: (TESTS / "effects/still_fluid.yaml",
+                  {"time.end": "20 ms",
+                   "fluid.boundaries": "{x_min: periodic, x_max: periodic}"})}
+COUPLED = (magfsi.SMALL, {"time.end": "0.2 ms"})
+
+
+@dataclass(frozen=True)
+class Case:
+    """program: whose instructions are counted; settings: with which the scene is short and
+    without the effect."""
+
+    program: str
+    scene: Path
+    removal: Removal
+    settings: dict
+    coupled: bool = False
+
+
+def case(program, registry, name, absent, files=(), coupled=False):
+    """files: beside the folder, what only the effect uses."""
+    scene, short = COUPLED if coupled else SCENES[program]
+    folder = registry.removesuffix(".inc")
+    return Case(program, scene, Removal(name, (f"{folder}/{name}/*", *files), registry),
+                {**short, **absent}, coupled)
+
+
+def of_structure(name, *files, **absent):
+    return [case(STRUCTURE, STRUCTURE_LIST, name, absent, files)]
+
+
+def of_fluid(name):
+    return [case(FLUID, FLUID_LIST, name, {})]
+
+
+def output(name, *files, absent=None, alone=(), coupled=()):
+    """alone, coupled: the programs that write it, in a scene of their own and beside a partner."""
+    return [case(program, OUTPUT_LISTS[program], name, absent or {}, files, beside)
+            for beside, programs in ((False, alone), (True, coupled)) for program in programs]
+
+
+BOTH = (STRUCTURE, FLUID)
+EFFECTS = {
+    "viscosity": of_structure("viscosity", "structure/lattice/viscosity.*",
+                              **{"bodies.strip.material.viscosity": "null"}),
+    "magnetic_field": of_structure("magnetic_field", magnetic_field="null"),
+    "field_gradient": of_structure("field_gradient", "structure/magnetics/field_gradient.*",
+                                   **{"magnetic_field.gradient": "null"}),
+    "gravity": of_structure("gravity", gravity="null"),
+    "drag": of_structure("drag", damping="null"),
+    "platform": of_structure("platform", platform="null"),
+    "contact": of_structure("contact", contact="null"),
+    "clamps": of_structure("clamps"),
+    "rollers": of_structure("rollers"),
+    "prescribed_motion": of_structure("prescribed_motion"),
+    "moving_wall": of_fluid("moving_wall"),
+    "free_slip": of_fluid("free_slip"),
+    "velocity_inlet": of_fluid("velocity_inlet"),
+    "pressure_outlet": of_fluid("pressure_outlet"),
+    "record": output("record", "coupler/exchange/exchange_record.*", coupled=[STRUCTURE]),
+    "probes": [*output("probes", alone=[FLUID]),
+               *output("probes", absent={"probes": "null"}, alone=[STRUCTURE], coupled=BOTH)],
+    "structure_fields": output("structure_fields", "adapters/bodies/structure_files.*",
+                               alone=[STRUCTURE], coupled=[STRUCTURE]),
+    "fluid_fields": output("fluid_fields", alone=[FLUID], coupled=[FLUID]),
+    "checkpoint": output("checkpoint", "coupler/checkpoint/checkpoints.*",
+                         "coupler/checkpoint/stop_agreement.*", alone=BOTH, coupled=BOTH),
+}
 
 
 def chosen():
@@ -44,28 +114,13 @@ NAMES = chosen()
 
 @functools.cache
 def counted(coupled, program, scene, settings):
+    """Of scenes that many effects are absent from, once."""
     of = instructions.of_coupled_steps if coupled else instructions.of_steps
     return of(program, scene, dict(settings))
 
 
-def count(case, program, settings):
-    """Of scenes that many effects are absent from, once."""
-    return counted(case.coupled, program, case.scene,
-                   tuple({**case.absent, **settings}.items()))
-
-
-# What may stand in the place of an object that is gone.
-NOTHING = re.compile(r"nullptr|false|\b0\b|\{\}|std::vector<Vec3>\{\}|\"advance fluid\"|\s")
-
-
-def letters(lines):
-    return "".join(NOTHING.sub("", line[1:]) for line in lines)
-
-
-def within(short, long):
-    """Whether all its letters stand in the other, in that order."""
-    rest = iter(long)
-    return all(letter in rest for letter in short)
+def count(case, program, more=()):
+    return counted(case.coupled, program, case.scene, tuple({**case.settings, **dict(more)}.items()))
 
 
 class Removed(unittest.TestCase):
@@ -76,8 +131,8 @@ class Removed(unittest.TestCase):
                     self.compare(effect, case)
 
     def compare(self, effect, case):
-        here = count(case, magfsi.BIN / case.program, {})
-        gone = count(case, variant.without(case.program, case.removal), {})
+        here = count(case, magfsi.BIN / case.program)
+        gone = count(case, variant.without(case.program, case.removal))
         what = f"{effect}, {case.program}{', coupled' if case.coupled else ''}"
         magfsi.report(f"{what}: {here} instructions absent, {gone} removed: "
                       f"{100 * (here / gone - 1):+.4f} %")
@@ -87,9 +142,8 @@ class Removed(unittest.TestCase):
     def test_the_count_sees_an_effect_that_does_nothing(self):
         """A drag of rate 0 changes no velocity, and is seen all the same."""
         case = EFFECTS["drag"][0]
-        null = count(case, magfsi.BIN / case.program,
-                     {"damping": "{rate: 0 1/s}"})
-        none = count(case, magfsi.BIN / case.program, {})
+        null = count(case, magfsi.BIN / case.program, {"damping": "{rate: 0 1/s}"})
+        none = count(case, magfsi.BIN / case.program)
         magfsi.report(f"drag of rate 0: {100 * (null / none - 1):+.3f} % of the instructions")
         self.assertGreater(null / none - 1, BOUND)
 
@@ -103,38 +157,13 @@ class Removed(unittest.TestCase):
         self.assertIn("drag is asked for, and this program was built without it",
                       result.out + result.err)
 
-
-class Table(unittest.TestCase):
-    def test_has_every_effect_that_explain_names(self):
-        told = subprocess.run([magfsi.BIN / "magfsi", "explain", magfsi.SMALL], check=True,
-                              capture_output=True, text=True).stdout
-        lists = re.findall(r"^  (?:structure step|coupled step|fluid step|outputs): (.*)$",
-                           told, re.M)
-        self.assertEqual(len(lists), 4)
-        names = [name for line in lists for name in re.split(r"; absent: |, ", line)]
-        for name in set(names) - {*ALWAYS_THERE}:
-            for effect in of_explained(name):
-                self.assertIn(effect, EFFECTS)
-
-
-class Patches(unittest.TestCase):
-    def test_only_take_away(self):
-        """What a patch leaves of each place was there before, but for includes and nothings."""
-        for patch in sorted(variant.PATCHES.glob("*.patch")):
-            for hunk in re.split(r"^@@.*$", patch.read_text(), flags=re.M)[1:]:
-                lines = [line for line in re.split(r"^--- ", hunk, flags=re.M)[0].splitlines()
-                         if not line.startswith("+#include")]
-                old = letters(line for line in lines if line.startswith("-"))
-                new = letters(line for line in lines if line.startswith("+"))
-                with self.subTest(patch=patch.name, hunk=hunk):
-                    self.assertTrue(within(new, old))
-
-    def test_fit_the_sources(self):
-        """All, whatever effects are counted: sources change more often than counts are made."""
-        for name in EFFECTS:
-            for case in EFFECTS[name]:
-                with self.subTest(name):
-                    variant.overlay(case.removal, Path(magfsi.new_folder()))
+    def test_every_line_of_the_lists_is_an_effect_here(self):
+        for registry in (STRUCTURE_LIST, FLUID_LIST, *OUTPUT_LISTS.values()):
+            names = re.findall(r"^MAGFSI_EFFECT\((\w+)\)", (magfsi.ROOT / registry).read_text(), re.M)
+            self.assertTrue(names, registry)
+            for name in names:
+                registries = {case.removal.registry for case in EFFECTS.get(name, ())}
+                self.assertIn(registry, registries, name)
 
 
 if __name__ == "__main__":

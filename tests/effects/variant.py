@@ -1,7 +1,7 @@
-"""A participant as if an effect had never been written. What is the effect's own is taken out of
-copies of the sources: its line of an effects.inc, or the lines of a patch; all objects that
-depend on them are compiled anew, and the program is linked without the effect's files. Nothing of
-those files may be left: the linker's map and the headers that each object has read show it."""
+"""A participant built without an effect: without its line of an effects.inc and without its
+files. All objects that depend on the list are compiled anew, from a copy of it, and the program
+is linked without the effect's files. Nothing of those files may be left: the linker's map and the
+headers that each object has read show it."""
 
 import functools
 import os
@@ -14,17 +14,15 @@ from pathlib import Path
 import magfsi_runs as magfsi
 
 BUILD = magfsi.BIN.parent
-PATCHES = Path(__file__).resolve().parent / "removed"
 
 
 @dataclass(frozen=True)
 class Removal:
-    """files: globs of what is the effect's alone; registry: the list with its line, or None:
-    removed/NAME.patch takes out its lines."""
+    """files: globs of what is the effect's alone; registry: the list with its line."""
 
     name: str
-    files: tuple = ()
-    registry: str = None
+    files: tuple
+    registry: str
 
 
 @functools.cache
@@ -68,31 +66,15 @@ def objects(program):
     return made
 
 
-def patched_files(name):
-    return re.findall(r"^\+\+\+ b/(\S+)$", (PATCHES / f"{name}.patch").read_text(), re.M)
-
-
 def overlay(removal, folder):
-    """Copies of the sources without the effect, below a folder; returns their paths."""
-    paths = [removal.registry] if removal.registry else patched_files(removal.name)
-    for path in paths:
-        copy = folder / path
-        copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_text((magfsi.ROOT / path).read_text())
-    if removal.registry:
-        line = f"MAGFSI_EFFECT({removal.name})\n"
-        text = (folder / removal.registry).read_text()
-        if text.count(line) != 1:
-            raise AssertionError(f"{removal.registry} has not one line {line}")
-        (folder / removal.registry).write_text(text.replace(line, ""))
-    else:
-        patch = subprocess.run(["patch", "-p1", "-N", "--no-backup-if-mismatch", "-d", folder,
-                                "-i", PATCHES / f"{removal.name}.patch"],
-                               capture_output=True, text=True)
-        if patch.returncode != 0:
-            raise AssertionError(f"{removal.name}.patch takes out lines that have changed: "
-                                 f"{patch.stdout}{patch.stderr}")
-    return paths
+    """A copy of the list without the effect, below a folder."""
+    line = f"MAGFSI_EFFECT({removal.name})\n"
+    text = (magfsi.ROOT / removal.registry).read_text()
+    if text.count(line) != 1:
+        raise AssertionError(f"{removal.registry} has not one line {line}")
+    copy = folder / removal.registry
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    copy.write_text(text.replace(line, ""))
 
 
 def compiled(words, target, folder):
@@ -130,19 +112,17 @@ def without(program, removal):
     """The program's path. Throws if something of the effect is left in it."""
     folder = BUILD / "removed" / f"{removal.name}-{program}"
     subprocess.run(["rm", "-rf", folder], check=True)
-    changed = set(overlay(removal, folder))
+    overlay(removal, folder)
     own = {str(path.relative_to(magfsi.ROOT)) for glob in removal.files
            for path in magfsi.ROOT.glob(glob)}
-    if removal.files and not own:
+    if not own:
         raise AssertionError(f"{removal.name} has no files {removal.files}")
     reads, made, seen = read_by(), {}, {}
     for number, (target, words) in enumerate(objects(program).items()):
-        if not reads[target] & changed or source_of(words) in own:
+        if removal.registry not in reads[target] or source_of(words) in own:
             continue
         made[target] = str(folder / f"{number}.o")
         seen[made[target]] = compiled(words, made[target], folder)
-    if not made:
-        return None
     sources = {target: words for target, words in objects(program).items()
                if source_of(words) in own and target not in made}
     kept = linked(program, folder, {**made, **dict.fromkeys(sources, "")})

@@ -12,17 +12,10 @@ std::string duration(double seconds) {
     return fmt::format("{:.2g} h", seconds / 3600);
 }
 
-// ranks: of the structure.
-std::string time_line(const Prediction& p, bool path, int ranks) {
+std::string time_line(const Prediction& p, bool path) {
     if (!p.wall_s)
         return "unknown: damped motion takes as many steps as it needs to come to rest";
     std::string text = duration(*p.wall_s);
-    if (p.experienced && p.experienced_ranks == ranks)
-        return text + ", as it took before";
-    if (p.experienced) {
-        return text + fmt::format(", by what it took before on structure={}",
-                                  p.experienced_ranks);
-    }
     if (path) {
         text +=
             " if Newton's method meets no instability on the path, several times "
@@ -58,9 +51,8 @@ std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
                "--calibrate does it in half a minute\n";
     }
     const Prediction p = *prediction(scene, ranks);
-    const int structure_ranks = ranks.contains("structure") ? ranks.at("structure") : 0;
-    text += fmt::format("  time    {}\n", time_line(p, scene.time.equilibrium.has_value(),
-                                                    structure_ranks));
+    text += fmt::format("  time    {}\n",
+                        time_line(p, scene.time.equilibrium.has_value()));
     if (const auto faster = faster_ranks(scene, ranks)) {
         text += fmt::format("  faster  with --ranks {}: {}\n", to_text(faster->first),
                             duration(*faster->second.wall_s));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/magfsi/cost/experience.h"
 #include "adapters/magfsi/mpi_job.h"
 
 namespace magfsi::launch {
@@ -139,31 +138,7 @@ Work on_ranks(Work work, const Ranks& ranks) {
     return work;
 }
 
-void use_experience(const std::map<int, double>& wall_s, const Work& work,
-                    const Calibration& c, Prediction& p) {
-    if (!work.path || wall_s.empty()) return;
-    auto known = wall_s.find(work.structure->ranks);
-    if (known == wall_s.end()) {
-        if (work.path->newton) return;
-        known = wall_s.begin();
-    }
-    StructureWork then = *work.structure;
-    then.ranks = known->first;
-    const double before_s = substep_s(then, c);
-    const bool same = then.ranks == work.structure->ranks || before_s <= 0;
-    p.wall_s = known->second * (same ? 1 : substep_s(*work.structure, c) / before_s);
-    p.experienced = true;
-    p.experienced_ranks = then.ranks;
-}
-
 namespace {
-
-Prediction predict_with_experience(const scene::Scene& scene, const Work& work,
-                                   const Calibration& calibration) {
-    Prediction p = predict(work, calibration);
-    use_experience(experienced_wall_s(scene.hash), work, calibration, p);
-    return p;
-}
 
 // Those worth a look: one rank a core at most, and Newton's method has one.
 std::vector<Ranks> other_ranks(const Work& work, const Ranks& ranks) {
@@ -185,7 +160,7 @@ std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ran
         return std::nullopt;
     const auto calibration = read_calibration();
     if (!calibration) return std::nullopt;
-    return predict_with_experience(scene, work_of(scene, ranks), *calibration);
+    return predict(work_of(scene, ranks), *calibration);
 }
 
 std::optional<std::pair<Ranks, Prediction>> faster_ranks(const scene::Scene& scene,
@@ -199,8 +174,7 @@ std::optional<std::pair<Ranks, Prediction>> faster_ranks(const scene::Scene& sce
     const Calibration calibration = *read_calibration();
     std::optional<std::pair<Ranks, Prediction>> best;
     for (const Ranks& other : other_ranks(work, ranks)) {
-        const Prediction p =
-            predict_with_experience(scene, on_ranks(work, other), calibration);
+        const Prediction p = predict(on_ranks(work, other), calibration);
         if (!p.wall_s || *p.wall_s >= least_s) continue;
         least_s = *p.wall_s;
         best = {other, p};

@@ -1,7 +1,6 @@
 // What a scene will cost on this machine.
 #pragma once
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,8 +13,6 @@ namespace magfsi::launch {
 
 struct Prediction {
     std::optional<double> wall_s;  // of the steps; nothing for unknown motion to rest
-    bool experienced = false;      // it took that long before
-    int experienced_ranks = 0;     // of the structure, then
     std::optional<double> structure_s, fluid_s, exchange_s;  // its parts
     double structure_bytes = 0, fluid_bytes = 0;             // memory of all ranks
     double disk_bytes = 0;                                   // fields and probes
@@ -25,11 +22,6 @@ Prediction predict(const Work& work, const Calibration& calibration);
 
 // The same work on other ranks.
 Work on_ranks(Work work, const Ranks& ranks);
-
-// A path of equilibria that has run, by its seconds on some ranks: on others, as the
-// prices of a step of motion have it. Nothing for Newton's method, which runs on one.
-void use_experience(const std::map<int, double>& wall_s, const Work& work,
-                    const Calibration& calibration, Prediction& prediction);
 
 // The ranks, up to a core each, on which this will take clearly less time; nothing where
 // there are none. Memory decides nothing here.

@@ -28,7 +28,7 @@ struct StructureWork {
     int ranks = 1;
 };
 
-// Paths of equilibria, whose steps are known by experience only.
+// Paths of equilibria, whose steps show only when they run.
 struct PathWork {
     double points = 0;
     bool newton = true;  // else by damped motion

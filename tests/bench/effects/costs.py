@@ -87,8 +87,8 @@ def rows(program, measure, scene, effects, common, short, long):
 
 HEAD = """# What effects cost
 
-Each effect on a small reference scene, on against off. An effect that is off costs nothing:
-`tests/effects/removed.py` ([adding_an_effect.md](adding_an_effect.md)). Instructions are those
+Each effect on a small reference scene, on against off. That an effect which is a folder costs
+nothing where it is off, `tests/effects/removed.py` shows ([adding_an_effect.md](adding_an_effect.md)). Instructions are those
 within the steps, start and end apart; seconds are of longer runs, medians of {pairs} pairs on and
 off in turn, with the smallest and largest difference of a pair; memory is the largest resident.
 
