@@ -8,7 +8,7 @@
 #include "coupler/checkpoint/state_reader.h"
 #include "coupler/checkpoint/state_writer.h"
 #include "coupler/immersed_boundary/balance.h"
-#include "coupler/immersed_boundary/grid_fluid.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/output/summary.h"
 #include "adapters/scene/scene.h"
 

@@ -11,9 +11,9 @@
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/body_iterations.h"
-#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
-#include "coupler/immersed_boundary/solid_cells.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/participants/wait.h"
 
 namespace magfsi::lammps {
@@ -149,7 +149,7 @@ void BodyCoupling::attach_force() {
                 force_->apply(velocity, force, step_s);
             });
     }
-    work_ = std::make_unique<MarkerWork>(force_->markers().size());
+    work_ = std::make_unique<coupler::MarkerWork>(force_->markers().size());
     engine_.attach_fluid_force(
         [this](const double* velocity, double* force, double step_s) {
             force_->apply(velocity, force, step_s);
@@ -188,17 +188,18 @@ std::vector<Vec3> BodyCoupling::marker_positions() const {
 
 void BodyCoupling::exchange_first() {
     now_m_ = marker_positions();
+    const std::vector<Vec3> nothing(now_m_.size());
     if (session_.restart()) {
         if (under_way_.empty())
-            exchange_->send_first(now_m_);
+            exchange_->send(-1, now_m_, nothing, now_m_);
         else
-            exchange_->send_first(before_m_, under_way_, now_m_);
+            exchange_->send(-1, before_m_, under_way_, now_m_);
         // The checkpoint has them already, to the last bit.
         std::vector<Vec3> again(fluid_velocity_.size());
         exchange_->receive(-1, again);
         return;
     }
-    exchange_->send_first(now_m_);
+    exchange_->send(-1, now_m_, nothing, now_m_);
     exchange_->receive(-1, fluid_velocity_);
     force_->enclosed().start(fluid_velocity_);
     if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
@@ -244,9 +245,9 @@ void BodyCoupling::iterate_forcing() {
     const std::int64_t step = session_.clock().step();
     std::vector<Vec3> velocity(force_->markers().size());
     for (int i = 1; i < session_.scene().coupling->immersed_boundary.iterations; ++i) {
-        exchange_->receive(step, velocity);
-        exchange_->send_more(step, before_m_,
-                             iterated_->correct(before_m_, now_m_, velocity), now_m_);
+        exchange_->receive({step, i}, velocity);
+        exchange_->send({step, i}, before_m_,
+                        iterated_->correct(before_m_, now_m_, velocity), now_m_);
     }
 }
 

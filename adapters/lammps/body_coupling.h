@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "adapters/bodies/marker_placement.h"
-#include "adapters/lammps/audit/marker_work.h"
 #include "adapters/lammps/engine.h"
-#include "coupler/exchange/structure_exchange.h"
+#include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/balance.h"
-#include "coupler/immersed_boundary/iterated_forcing.h"
-#include "coupler/immersed_boundary/penalty_force.h"
+#include "coupler/immersed_boundary/direct_forcing.h"
 #include "coupler/immersed_boundary/slip.h"
 #include "coupler/output/summary.h"
 #include "coupler/participants/session.h"
@@ -88,7 +86,7 @@ class BodyCoupling {
     // Adds the last step to the record, with the velocities sampled before it.
     void audit(coupler::BalanceRecord& record) const;
     // Null but with probes.energy_audit.
-    const MarkerWork* work() const { return work_.get(); }
+    const coupler::MarkerWork* work() const { return work_.get(); }
 
     // One sample of how well the boundary holds, with the velocities just received.
     void measure_slip();
@@ -126,7 +124,7 @@ class BodyCoupling {
     std::unique_ptr<coupler::PenaltyForce> force_;
     std::unique_ptr<coupler::SlipRecord> slip_;
     std::unique_ptr<coupler::IteratedForcing> iterated_;  // only with iterations
-    std::unique_ptr<MarkerWork> work_;                    // only with energy_audit
+    std::unique_ptr<coupler::MarkerWork> work_;           // only with energy_audit
     std::unique_ptr<coupler::StructureExchange> exchange_;
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
     // A step before fluid_velocity_; empty where the scheme looks at one sample only.

@@ -69,7 +69,7 @@ void BodyCoupling::start_iterations() {
         force_->enclosed(),
         {},
         std::vector<Vec3>(force_->markers().size()),
-        MarkerWork(0)});
+        coupler::MarkerWork(0)});
 }
 
 int BodyCoupling::current_iteration() const {

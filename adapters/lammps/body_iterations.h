@@ -14,7 +14,7 @@ struct BodyCoupling::Iterations {
     coupler::EnclosedFluid enclosed;
     std::vector<Vec3> markers_m;
     std::vector<Vec3> answer;
-    MarkerWork work;  // at the start of the step; of an energy audit
+    coupler::MarkerWork work;  // at the start of the step; of an energy audit
 };
 
 }  // namespace magfsi::lammps

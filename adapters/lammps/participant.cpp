@@ -125,7 +125,7 @@ void Participant::assemble_iterations() {
     add_advance();
     tasks_.add_coupling("send impulses", [this] { coupling_->send_impulses(); });
     tasks_.add_coupling("wait for fluid", [this] { coupling_->receive_answer(); });
-    tasks_.add_coupling("judge answer", [this] { again_ = coupling_->repeat(); });
+    tasks_.add_coupling("check convergence", [this] { again_ = coupling_->repeat(); });
     tasks_.repeat_from(first, [this] { return again_; });
     if (balance_)
         tasks_.add_coupling("audit interface", [this] { coupling_->audit(*balance_); });

@@ -10,6 +10,7 @@
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/lammps/scene_to_input.h"
 #include "adapters/scene/effective.h"
+#include "coupler/immersed_boundary/direct_forcing.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::lammps {
@@ -21,21 +22,21 @@ namespace {
 constexpr double elastic_margin = 0.9;
 constexpr double drag_margin = 0.5;
 
-// The largest drag rate of a node: sum over its markers of N_a kappa over its mass. kappa
-// is that of penalty_force.h, inversely proportional to the coupled step.
+// The largest drag rate of a node: sum over its markers of N_a kappa over its mass.
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
+    const auto& boundary = scene.coupling->immersed_boundary;
+    const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
+                                      coupled_step_s};
     const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
         const scene::Body& body = scene.bodies[b];
         const auto mass = structure::node_masses(structure::build_lattice(solids[b]));
         std::vector<double> drag(mass.size());
-        const auto& boundary = scene.coupling->immersed_boundary;
         for (const auto& m :
              bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0,
                                    bodies::spans_fluid(*scene.fluid, body))) {
-            const double kappa = boundary.strength * 2 * scene.fluid->density_kg_m3 *
-                                 m.volume_m3 / coupled_step_s;
+            const double kappa = scale.drag_coefficient_kg_s(m.volume_m3);
             for (std::size_t a = 0; a < 8; ++a) {
                 drag[static_cast<std::size_t>(m.point.node[a])] +=
                     m.point.weight[a] * kappa;

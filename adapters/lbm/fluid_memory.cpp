@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/exchange/partner_table.h"
+#include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "adapters/scene/effective.h"

@@ -10,8 +10,8 @@
 
 #include "adapters/replay/difference_file.h"
 #include "adapters/replay/opened_record.h"
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/wait.h"
 #include "adapters/scene/effective.h"
 #include "coupler/step/log_head.h"

@@ -4,8 +4,8 @@
 //        : -n 2 magfsi-fluid-lbm SCENE --out DIR
 #include "adapters/replay/difference_file.h"
 #include "adapters/replay/opened_record.h"
-#include "coupler/exchange/structure_exchange.h"
-#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
 #include "adapters/scene/effective.h"
@@ -43,7 +43,8 @@ class Player {
     void run() {
         coupler::log_steps(session_, tasks_);
         entry_ = record_.read(0);
-        exchange_.send_first(entry_.position_m);
+        exchange_.send(-1, entry_.position_m, std::vector<Vec3>(velocity_.size()),
+                       entry_.position_m);
         exchange_.receive(-1, velocity_);
         if (probes_ && !session_.restart()) write_probes();
         const double start = output::steady_seconds();

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "coupler/exchange/message.h"
-#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/grid.h"
 
 namespace magfsi::coupler {
 

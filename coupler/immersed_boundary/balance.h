@@ -1,6 +1,5 @@
-// The audit of the interface: what the body gave in a coupled step against what the
-// fluid's cells received. Exists only when the scene asks for it
-// (probes.interface_balance).
+// The audits of the interface: momentum and power that the two sides find in a coupled
+// step, and the work at the markers.
 #pragma once
 
 #include <mpi.h>
@@ -8,11 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "coupler/immersed_boundary/grid.h"
+#include "coupler/immersed_boundary/direct_forcing.h"
 
 namespace magfsi::coupler {
 
-// One side's sums over one coupled step.
+// What the body gave in a coupled step against what the fluid's cells received. Exists
+// only when the scene asks for it (probes.interface_balance). One side's sums over one
+// coupled step:
 struct InterfaceBalance {
     Vec3 impulse_n_s{};
     double work_j = 0;             // impulse times sampled fluid velocity
@@ -49,5 +50,35 @@ struct Mismatch {
 // The worst step. given carries the scales. Infinite where something was received though
 // nothing was given, and where a number is not finite.
 Mismatch worst_mismatch(std::span<const double> given, std::span<const double> received);
+
+// Work that the immersed boundary does on the body, marker by marker. Exists only with
+// probes.energy_audit.
+class MarkerWork {
+  public:
+    explicit MarkerWork(std::size_t markers);
+
+    // Before the first substep of a coupled step; then after each, with the velocity of
+    // the half step, (x(n+1) - x(n)) / dt: the mean of the forces at both ends of the
+    // substep times that is what the equation of motion takes up.
+    void begin_step();
+    void add_substep(const PenaltyForce& force, const double* nodal_velocity,
+                     double duration_s);
+
+    // Sums over this rank's markers since the start [J].
+    double by_fluid_j() const { return sum(0); }     // by the coupling force
+    double by_enclosed_j() const { return sum(1); }  // by the enclosed fluid's
+
+    // Kept in checkpoints, three numbers a marker: both works, and the last forces.
+    std::span<Vec3> works() { return works_; }
+    std::span<Vec3> last_fluid_force() { return last_fluid_force_; }
+    std::span<Vec3> last_enclosed_force() { return last_enclosed_force_; }
+
+  private:
+    double sum(std::size_t which) const;
+
+    std::vector<Vec3> works_;
+    std::vector<Vec3> last_fluid_force_, last_enclosed_force_;
+    std::vector<Vec3> impulse_before_;
+};
 
 }  // namespace magfsi::coupler

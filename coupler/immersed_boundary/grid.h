@@ -1,8 +1,10 @@
-// What the immersed boundary needs to know of a fluid: a uniform grid of cells with
-// values at the cell centres, cut into one box a rank. SI.
+// What the coupling needs to know of a fluid: a uniform grid of cells with values at the
+// cell centres, cut into one box per rank, and what can be done with it. SI.
 #pragma once
 
 #include <array>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace magfsi::coupler {
@@ -25,6 +27,38 @@ struct Grid {
     std::array<bool, 3> periodic{};
     std::vector<CellBox> owned_by_rank;
     std::vector<GridRow> solid{};  // cells without fluid, of all ranks
+};
+
+// As text, for the partner at start-up.
+std::string to_text(const Grid& grid);
+Grid grid_from_text(const std::string& text);
+
+// A fluid on a uniform grid. A new fluid backend implements this and joins through the
+// same immersed boundary and exchange as every other.
+class GridFluid {
+  public:
+    virtual ~GridFluid() = default;
+
+    // The same on all ranks.
+    virtual const Grid& grid() const = 0;
+
+    // Velocity [m/s] in cells of this rank, three values per cell, row after row: the
+    // state before the coming step's force acts.
+    virtual void velocity(std::span<const GridRow> rows, std::span<double> out) = 0;
+
+    // Force density [N/m3] of the coming step only.
+    virtual void set_force(std::span<const GridRow> rows,
+                           std::span<const double> density) = 0;
+
+    // One coupled step.
+    virtual void advance() = 0;
+
+    // For schemes that repeat a step: keep() notes the state between two steps, in
+    // memory; go_back() returns to it from the step's end, as often as is wanted. Between
+    // go_back() and the next advance() only set_force() is called, in the same rows. A
+    // fluid without these can take part in the other schemes only.
+    virtual void keep();
+    virtual void go_back();
 };
 
 }  // namespace magfsi::coupler

@@ -1,8 +1,8 @@
 // The scene's word for a kernel.
 #pragma once
 
-#include "coupler/immersed_boundary/delta_kernel.h"
 #include "adapters/scene/scene.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 
 namespace magfsi::coupler {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "coupler/participants/errors.h"
 
@@ -54,6 +53,79 @@ MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_
     MarkerStencil stencil;
     set_stencil(stencil, grid, kernel, point_m);
     return stencil;
+}
+
+SolidCells::SolidCells(const Grid& grid) : cells_(grid.cells) {
+    if (grid.solid.empty()) return;
+    std::array<int, 3> hi{};
+    lo_ = grid.cells;
+    for (const GridRow& r : grid.solid) {
+        const std::array<int, 3> first{r.x_begin, r.y, r.z};
+        const std::array<int, 3> end{r.x_end, r.y + 1, r.z + 1};
+        for (std::size_t d = 0; d < 3; ++d) {
+            lo_[d] = std::min(lo_[d], first[d]);
+            hi[d] = std::max(hi[d], end[d]);
+        }
+    }
+    std::size_t count = 1;
+    for (std::size_t d = 0; d < 3; ++d) {
+        size_[d] = hi[d] - lo_[d];
+        count *= static_cast<std::size_t>(size_[d]);
+    }
+    solid_.assign(count, false);
+    for (const GridRow& r : grid.solid) {
+        const auto row =
+            static_cast<std::ptrdiff_t>(r.z - lo_[2]) * size_[1] + r.y - lo_[1];
+        const auto first = solid_.begin() + row * size_[0] - lo_[0];
+        std::fill(first + r.x_begin, first + r.x_end, true);
+    }
+}
+
+bool SolidCells::at(int x, int y, int z) const {
+    const std::array<int, 3> cell{x - lo_[0], y - lo_[1], z - lo_[2]};
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (cell[d] < 0 || cell[d] >= size_[d]) return false;
+    }
+    return solid_[(static_cast<std::size_t>(cell[2]) *
+                       static_cast<std::size_t>(size_[1]) +
+                   static_cast<std::size_t>(cell[1])) *
+                      static_cast<std::size_t>(size_[0]) +
+                  static_cast<std::size_t>(cell[0])];
+}
+
+// Whether the stencil's cells, unless they wrap, reach into the box around all solid
+// cells.
+bool SolidCells::may_meet(const MarkerStencil& stencil) const {
+    for (std::size_t d = 0; d < 3; ++d) {
+        const int first = stencil[d].first, end = first + stencil[d].count;
+        const bool wraps = first < 0 || end > cells_[d];
+        if (!wraps && (end <= lo_[d] || first >= lo_[d] + size_[d])) return false;
+    }
+    return true;
+}
+
+double SolidCells::fluid_share(const MarkerStencil& stencil) const {
+    if (!any() || !may_meet(stencil)) return 1;
+    const auto& [sx, sy, sz] = stencil;
+    double share = 0;
+    bool met = false;
+    for (int k = 0; k < sz.count; ++k) {
+        const int z = wrapped(sz.first + k, cells_[2]);
+        for (int j = 0; j < sy.count; ++j) {
+            const int y = wrapped(sy.first + j, cells_[1]);
+            for (int i = 0; i < sx.count; ++i) {
+                const double weight = sx.weight[static_cast<std::size_t>(i)] *
+                                      sy.weight[static_cast<std::size_t>(j)] *
+                                      sz.weight[static_cast<std::size_t>(k)];
+                if (weight == 0) continue;
+                if (at(wrapped(sx.first + i, cells_[0]), y, z))
+                    met = true;
+                else
+                    share += weight;
+            }
+        }
+    }
+    return met ? share : 1;
 }
 
 }  // namespace magfsi::coupler

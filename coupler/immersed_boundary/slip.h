@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "coupler/immersed_boundary/markers.h"
+#include "coupler/immersed_boundary/direct_forcing.h"
 
 namespace magfsi::coupler {
 

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
-#include "coupler/participants/errors.h"
 #include "adapters/scene/names.h"
-#include "coupler/scheme/inner_product.h"
+#include "coupler/participants/errors.h"
+#include "coupler/participants/wait.h"
 
 namespace magfsi::coupler {
 
 namespace {
+
+constexpr int convergence_tag = 75;
 
 std::span<double> flat(std::span<Vec3> v) {
     return {v.empty() ? nullptr : v.front().data(), 3 * v.size()};
@@ -29,12 +32,50 @@ double norm_of_all(MPI_Comm comm, double size, std::size_t markers) {
 
 }  // namespace
 
+ConvergenceSender::ConvergenceSender(const World& world, double timeout_s)
+    : world_(world), timeout_s_(timeout_s) {}
+
+ConvergenceSender::~ConvergenceSender() {
+    if (std::uncaught_exceptions() > 0) return;
+    try {
+        wait_all({&sending_, 1}, timeout_s_, "receiver of the last convergence message");
+    } catch (const std::exception&) {
+        // The fluid waits for it no more; it has said why.
+    }
+}
+
+void ConvergenceSender::send(const Occasion& when, bool again) {
+    if (!world_.root()) return;
+    wait_all({&sending_, 1}, timeout_s_, "receiver of the convergence message");
+    note_ = {when.step, when.iteration, again ? 1 : 0};
+    MPI_Isend(note_.data(), 3, MPI_INT64_T, 0, convergence_tag, world_.partner(),
+              &sending_);
+}
+
+bool step_is_repeated(const World& world, const Occasion& when, double timeout_s) {
+    std::array<std::int64_t, 3> note{};
+    if (world.root()) {
+        MPI_Request request;
+        MPI_Irecv(note.data(), 3, MPI_INT64_T, 0, convergence_tag, world.partner(),
+                  &request);
+        wait_all({&request, 1}, timeout_s,
+                 fmt::format("convergence of iteration {} of step {}", when.iteration,
+                             when.step));
+    }
+    MPI_Bcast(note.data(), 3, MPI_INT64_T, 0, world.local());
+    if (note[0] == when.step && note[1] == when.iteration) return note[2] != 0;
+    throw PartnerLost(fmt::format(
+        "the two sides are out of step: convergence of step {}, iteration {}, expected "
+        "step {}, iteration {}",
+        note[0], note[1], when.step, when.iteration));
+}
+
 FixedPoint::FixedPoint(const World& world, const Setting& setting, std::size_t markers)
     : world_(world),
       setting_(setting),
       rest_norm_m_s_(norm_of_all(world.local(), setting.rest_m_s, markers)),
       acceleration_(make_acceleration(world.local(), setting.iteration)),
-      verdict_(world, setting.timeout_s),
+      convergence_(world, setting.timeout_s),
       guess_(markers) {
     record_.measure = "fluid velocity at the markers";
     record_.acceleration = scene::name_of(setting.iteration.acceleration);
@@ -88,7 +129,7 @@ bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
             "coupling.iteration.most, or unconverged: go_on",
             step, iteration_ + 1, record_.measure, residual, wanted.velocity_tolerance));
     }
-    verdict_.send({step, iteration_}, again);
+    convergence_.send({step, iteration_}, again);
     if (again) {
         acceleration_->improve(flat(std::span<Vec3>(guess_)), answered);
         ++iteration_;

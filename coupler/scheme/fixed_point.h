@@ -1,18 +1,43 @@
 // The implicit step as a fixed point for the fluid's velocities at the markers at its
-// end: guess, measure, verdict, next guess. On the structure's ranks, each with its own
-// markers.
+// end: guess, residual, convergence check, next guess. On the structure's ranks, each
+// with its own markers.
 #pragma once
 
+#include <mpi.h>
+
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "coupler/immersed_boundary/grid.h"
+#include "coupler/exchange/exchange.h"
 #include "coupler/output/summary.h"
 #include "coupler/scheme/acceleration.h"
-#include "coupler/scheme/verdict.h"
 
 namespace magfsi::coupler {
+
+// In an implicit scheme the structure decides whether a step is repeated, and the fluid
+// learns it by a message. The structure's end; only its root sends.
+class ConvergenceSender {
+  public:
+    ConvergenceSender(const World& world, double timeout_s);
+    ~ConvergenceSender();
+    ConvergenceSender(const ConvergenceSender&) = delete;
+    ConvergenceSender& operator=(const ConvergenceSender&) = delete;
+
+    void send(const Occasion& when, bool again);
+
+  private:
+    const World& world_;
+    double timeout_s_;
+    std::array<std::int64_t, 3> note_{};  // step, iteration, again
+    MPI_Request sending_ = MPI_REQUEST_NULL;
+};
+
+// The fluid's end: whether the step is repeated. Collective over the fluid. Throws
+// PartnerLost when the message is of another step or iteration.
+bool step_is_repeated(const World& world, const Occasion& when, double timeout_s);
 
 class FixedPoint {
   public:
@@ -53,7 +78,7 @@ class FixedPoint {
     Setting setting_;
     double rest_norm_m_s_ = 0;  // of all markers' velocities
     std::unique_ptr<Acceleration> acceleration_;
-    VerdictSender verdict_;
+    ConvergenceSender convergence_;
     std::vector<Vec3> guess_;
     int iteration_ = 0;
     output::IterationSummary record_;

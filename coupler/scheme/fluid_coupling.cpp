@@ -1,9 +1,9 @@
 #include "coupler/scheme/fluid_coupling.h"
 
-#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
-#include "coupler/scheme/verdict.h"
+#include "coupler/scheme/fixed_point.h"
 
 namespace magfsi::coupler {
 
@@ -84,7 +84,7 @@ void FluidCoupling::add_repeated_turn(TaskList& tasks) {
     tasks.add_coupling("send velocities", [this] {
         exchange_.send({session_.clock().step(), iteration_}, sampled_);
     });
-    tasks.add_coupling("wait for verdict", [this] { hear_verdict(); });
+    tasks.add_coupling("wait for convergence check", [this] { check_convergence(); });
     tasks.repeat_from(first, [this] { return again_; });
     add_audit(tasks, [this] { return immersed_boundary_.received(felt_); });
     add_count(tasks);
@@ -96,9 +96,9 @@ void FluidCoupling::keep_state() {
     if (balance_) felt_ = immersed_boundary_.sampled_cells();
 }
 
-void FluidCoupling::hear_verdict() {
-    again_ = receive_verdict(session_.world(), {session_.clock().step(), iteration_},
-                             session_.timeout_s());
+void FluidCoupling::check_convergence() {
+    again_ = step_is_repeated(session_.world(), {session_.clock().step(), iteration_},
+                              session_.timeout_s());
     if (!again_) return;
     fluid_.go_back();
     ++iteration_;
@@ -154,9 +154,9 @@ void FluidCoupling::iterate_forcing() {
     const std::int64_t step = session_.clock().step();
     const int iterations = coupling_of(session_).immersed_boundary.iterations;
     for (int i = 1; i < iterations; ++i) {
-        exchange_.send(step, sample_forced(batch_->before_m));
-        batch_ = &exchange_.receive_more(step);
-        immersed_boundary_.spread_more(batch_->impulse);
+        exchange_.send({step, i}, sample_forced(batch_->before_m));
+        batch_ = &exchange_.receive({step, i});
+        immersed_boundary_.spread(batch_->before_m, batch_->impulse, true);
     }
 }
 

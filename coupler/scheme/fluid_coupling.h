@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/immersed_boundary/fluid_side.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/spreading.h"
 #include "coupler/participants/session.h"
 #include "coupler/step/task_list.h"
 
@@ -47,7 +47,7 @@ class FluidCoupling {
     void iterate_forcing();
     std::span<const Vec3> sample_forced(std::span<const Vec3> points_m);
     void keep_state();
-    void hear_verdict();
+    void check_convergence();
 
     Session& session_;
     GridFluid& fluid_;

@@ -15,7 +15,7 @@ void attach_audit(Engine& engine, const structure::LammpsInput& input) {
 
 EnergyTerms collect_terms(const Engine& engine, const scene::Scene& scene,
                           const std::vector<std::string>& magttice_fixes,
-                          const MarkerWork* markers, MPI_Comm comm) {
+                          const coupler::MarkerWork* markers, MPI_Comm comm) {
     EnergyTerms terms;
     for (const std::string& fix : magttice_fixes) {
         terms.elastic += engine.fix_vector(fix, 1);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapters/lammps/audit/energy_audit.h"
-#include "adapters/lammps/audit/marker_work.h"
+#include "coupler/immersed_boundary/balance.h"
 #include "adapters/lammps/engine.h"
 #include "structure/lammps/script.h"
 
@@ -20,6 +20,6 @@ void attach_audit(Engine& engine, const structure::LammpsInput& input);
 // All but the fluid's own. markers: null without a fluid. Collective.
 EnergyTerms collect_terms(const Engine& engine, const scene::Scene& scene,
                           const std::vector<std::string>& magttice_fixes,
-                          const MarkerWork* markers, MPI_Comm comm);
+                          const coupler::MarkerWork* markers, MPI_Comm comm);
 
 }  // namespace magfsi::lammps

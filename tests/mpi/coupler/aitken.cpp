@@ -1,7 +1,6 @@
 // Aitken's factor on linear maps.
-#include "coupler/scheme/aitken.h"
+#include "coupler/scheme/acceleration.h"
 
-#include "coupler/scheme/under_relaxation.h"
 #include "tests/mpi/coupler/fixed_points.h"
 
 namespace magfsi::coupler {

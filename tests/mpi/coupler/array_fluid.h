@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupler/immersed_boundary/grid_fluid.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "tests/unit/coupler/grids.h"
 
 namespace magfsi::coupler::testing {

@@ -42,7 +42,7 @@ std::vector<int> counted(const World& world, const FixedPoint::Setting& wanted,
     if (world.self() == Role::fluid) {
         for (int step = 0; step < steps; ++step) {
             int iteration = 0;
-            while (receive_verdict(world, {step, iteration}, timeout_s)) ++iteration;
+            while (step_is_repeated(world, {step, iteration}, timeout_s)) ++iteration;
             all.push_back(iteration + 1);
         }
         return all;
@@ -88,7 +88,7 @@ TEST(FixedPointOfAStep, goes_on_and_is_counted_if_the_scene_says_so) {
 TEST(FixedPointOfAStep, ends_with_what_was_reached) {
     const World world(role_in(1), true);
     if (world.self() == Role::fluid) {
-        EXPECT_TRUE(receive_verdict(world, {7, 0}, timeout_s));
+        EXPECT_TRUE(step_is_repeated(world, {7, 0}, timeout_s));
         return;
     }
     auto wanted = setting();
@@ -124,14 +124,14 @@ TEST(FixedPointOfAStep, first_guess_goes_on_as_the_step_before) {
     EXPECT_EQ(constant.guess()[0], (Vec3{2, 2, 1}));
 }
 
-TEST(FixedPointOfAStep, a_verdict_of_another_iteration_is_refused) {
+TEST(FixedPointOfAStep, a_message_of_another_iteration_is_refused) {
     const World world(role_in(1), true);
     if (world.self() == Role::structure) {
-        VerdictSender sender(world, timeout_s);
+        ConvergenceSender sender(world, timeout_s);
         sender.send({5, 1}, true);
         return;
     }
-    EXPECT_THROW(receive_verdict(world, {5, 2}, timeout_s), PartnerLost);
+    EXPECT_THROW(step_is_repeated(world, {5, 2}, timeout_s), PartnerLost);
 }
 
 }  // namespace

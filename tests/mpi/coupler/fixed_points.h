@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "coupler/scheme/acceleration.h"
-#include "coupler/scheme/inner_product.h"
 #include "tests/mpi/coupler/split.h"
 
 namespace magfsi::coupler::testing {

@@ -1,8 +1,7 @@
 // The quasi-Newton acceleration on linear maps, where it must be exact after as many
 // iterations as there are dimensions, whatever the map does by itself.
-#include "coupler/scheme/iqn_ils.h"
+#include "coupler/scheme/acceleration.h"
 
-#include "coupler/scheme/under_relaxation.h"
 #include "tests/mpi/coupler/fixed_points.h"
 
 namespace magfsi::coupler {

@@ -8,8 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/exchange/structure_exchange.h"
+#include "coupler/exchange/exchange.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/unit/coupler/grids.h"
 
@@ -24,7 +23,7 @@ constexpr std::size_t markers = 20'000;
 // What takes the freed memory next, in which MPI goes on to serve the partner.
 void live_on(const World& world) {
     const std::vector<std::vector<double>> later(
-        16, std::vector<double>(marker_message_size(markers), 5.0));
+        16, std::vector<double>(message_header + marker_values * markers, 5.0));
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(600);
     while (std::chrono::steady_clock::now() < end) {
         int there = 0;
@@ -47,7 +46,7 @@ Grid grid_of(const World& world) {
 void expect_velocities(const World& world) {
     const Grid grid = grid_of(world);
     StructureExchange exchange(world, grid, Kernel::three_point, timeout_s);
-    exchange.send_first(places);
+    send_first(exchange, places);
     ask_late();
     std::vector<Vec3> velocity(markers);
     exchange.receive(-1, velocity);
@@ -92,7 +91,7 @@ TEST(LastMessage, outlives_an_exception_of_the_structure) {
         EXPECT_THROW(
             {
                 StructureExchange exchange(world, grid, Kernel::three_point, timeout_s);
-                exchange.send_first(places, places, places);
+                exchange.send(-1, places, places, places);
                 throw std::runtime_error("diverged");
             },
             std::runtime_error);

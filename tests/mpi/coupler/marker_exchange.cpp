@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/exchange/structure_exchange.h"
+#include "coupler/exchange/exchange.h"
 #include "coupler/participants/handshake.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/mpi/coupler/travelling_markers.h"
@@ -48,7 +47,7 @@ void run_structure(const World& world, Owner owner) {
     BalanceRecord given;
 
     std::vector<Vec3> velocity(mine(markers.positions(0)).size());
-    exchange.send_first(mine(markers.positions(0)));
+    send_first(exchange, mine(markers.positions(0)));
     exchange.receive(-1, velocity);
     double worst = worst_difference(velocity, mine(expected[0]));
     int least = exchange.partners();

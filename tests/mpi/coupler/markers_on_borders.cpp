@@ -5,9 +5,8 @@
 
 #include <algorithm>
 
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/exchange/structure_exchange.h"
-#include "coupler/immersed_boundary/fluid_side.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/spreading.h"
 #include "coupler/participants/handshake.h"
 #include "tests/mpi/coupler/array_fluid.h"
 #include "tests/mpi/coupler/split.h"
@@ -102,7 +101,7 @@ void structure_steps(const World& world, const Grid& grid, Kernel kernel, Worst&
     StructureExchange exchange(world, grid, kernel, timeout_s);
     BalanceRecord given;
     std::vector<Vec3> velocity(points.size());
-    exchange.send_first(points);
+    send_first(exchange, points);
     exchange.receive(-1, velocity);
     EXPECT_EQ(exchange.partners(), world.partner_size()) << "the cloud fills the box";
     for (std::int64_t step = 0; step < steps; ++step) {

@@ -1,8 +1,7 @@
 // A message of another coupled step ends the run on the side that receives it.
 #include <gtest/gtest.h>
 
-#include "coupler/exchange/fluid_exchange.h"
-#include "coupler/exchange/structure_exchange.h"
+#include "coupler/exchange/exchange.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
 #include "tests/mpi/coupler/split.h"
@@ -37,7 +36,7 @@ TEST(OutOfStep, the_fluid_refuses_markers_of_another_step) {
     if (world.self() == Role::structure) {
         const Grid grid = small_grid(world.partner_size());
         StructureExchange exchange(world, grid, Kernel::three_point, timeout_s);
-        exchange.send_first(one_marker());
+        send_first(exchange, one_marker());
         std::vector<Vec3> velocity(1);
         exchange.receive(-1, velocity);
         exchange.send(1, one_marker(), one_marker(), one_marker());
@@ -59,7 +58,7 @@ TEST(OutOfStep, the_structure_refuses_velocities_of_another_step) {
     if (world.self() == Role::structure) {
         const Grid grid = small_grid(world.partner_size());
         StructureExchange exchange(world, grid, Kernel::three_point, timeout_s);
-        exchange.send_first(one_marker());
+        send_first(exchange, one_marker());
         std::vector<Vec3> velocity(1);
         const std::string why = refusal([&] { exchange.receive(-1, velocity); });
         EXPECT_NE(why.find("fluid rank 0 carries step 6"), std::string::npos) << why;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "coupler/exchange/exchange.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler::testing {
@@ -35,6 +36,11 @@ inline std::vector<int> splits() {
 
 inline Role role_in(int structure_ranks) {
     return world_rank() < structure_ranks ? Role::structure : Role::fluid;
+}
+
+// The message before the first step.
+inline void send_first(StructureExchange& exchange, const std::vector<Vec3>& points_m) {
+    exchange.send(-1, points_m, std::vector<Vec3>(points_m.size()), points_m);
 }
 
 }  // namespace magfsi::coupler::testing

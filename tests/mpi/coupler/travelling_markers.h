@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "coupler/immersed_boundary/fluid_side.h"
+#include "coupler/immersed_boundary/spreading.h"
 #include "tests/mpi/coupler/array_fluid.h"
 
 namespace magfsi::coupler::testing {

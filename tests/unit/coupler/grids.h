@@ -1,15 +1,37 @@
 // Grids cut into boxes, points and values at random, for the tests of the coupler.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <span>
 #include <vector>
 
-#include "coupler/immersed_boundary/delta_kernel.h"
 #include "coupler/immersed_boundary/grid.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 
 namespace magfsi::coupler::testing {
+
+// phi(r) of each kernel, as it is defined piece by piece.
+inline double delta(Kernel kernel, double r) {
+    const double d = std::abs(r);
+    if (kernel == Kernel::two_point) return std::max(0.0, 1 - d);
+    if (kernel == Kernel::three_point) {
+        if (d <= 0.5) return (1 + std::sqrt(1 - 3 * d * d)) / 3;
+        if (d >= 1.5) return 0;
+        return (5 - 3 * d - std::sqrt(std::max(0.0, 1 - 3 * (1 - d) * (1 - d)))) / 6;
+    }
+    if (d < 1) return (3 - 2 * d + std::sqrt(1 + 4 * d - 4 * d * d)) / 8;
+    if (d >= 2) return 0;
+    return (5 - 2 * d - std::sqrt(std::max(0.0, -7 + 12 * d - 4 * d * d))) / 8;
+}
+
+inline Stencil1D stencil_1d(Kernel kernel, double position_in_cells) {
+    Stencil1D s;
+    set_stencil(s, kernel, position_in_cells);
+    return s;
+}
 
 inline constexpr Kernel all_kernels[] = {Kernel::two_point, Kernel::three_point,
                                          Kernel::four_point};

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "coupler/checkpoint/gather.h"
-#include "coupler/exchange/message.h"
+#include "coupler/exchange/exchange.h"
 
 namespace magfsi::lammps {
 

@@ -1,16 +1,18 @@
-// The rows of one rank's cells that a set of markers touches, and the sums over them:
-// interpolation (eq. 14) and spreading (eq. 15).
+// The fluid's cells beneath a set of markers, and the sums over them: interpolation
+// (eq. 14) and spreading (eq. 15).
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
+#include "coupler/immersed_boundary/balance.h"
+#include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
-#include "coupler/immersed_boundary/solid_cells.h"
 
 namespace magfsi::coupler {
 
+// The rows of one rank's cells that markers touch.
 class TouchedRows {
   public:
     // box: the cells of this rank; markers may reach beyond it, what lies there is left
@@ -28,8 +30,10 @@ class TouchedRows {
     // marker's velocity; the shares of all ranks add up.
     void interpolate(std::span<const double> velocity, std::span<Vec3> markers) const;
 
-    // Adds each marker's force [N] as a force density [N/m3] to the cells.
-    void spread(std::span<const Vec3> force_n, std::span<double> density) const;
+    // Adds each marker's impulse [N s], given in duration_s, as a force density [N/m3] to
+    // the cells.
+    void spread(std::span<const Vec3> impulse, double duration_s,
+                std::span<double> density) const;
 
     // to[cell] += factor * values[cell] in the cells that these rows share with `other`,
     // to which the values belong: three a cell, row after row. Both are of the same box.
@@ -78,6 +82,49 @@ class TouchedRows {
     std::vector<std::ptrdiff_t> origin_;  // of each row: number of its cell x = 0
     std::vector<int> row_of_;             // (y, z) -> row, -1: not touched
     std::size_t cells_ = 0;
+};
+
+// The fluid rank's half of the immersed boundary: spreads impulses, samples velocities.
+class FluidSide {
+  public:
+    FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
+              double coupled_step_s);
+
+    // Gives the impulses [N s] of a step to the fluid as forces over that step. more:
+    // besides those of the last spread, at the same points.
+    void spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse,
+                bool more = false);
+
+    // This rank's share of the velocities at the points.
+    std::span<const Vec3> sample(std::span<const Vec3> points_m);
+
+    // The same with half the change of velocity that the last spread's forces will make
+    // in the coming step, F dt / (2 rho): the physical velocity of Guo's scheme.
+    std::span<const Vec3> sample_forced(std::span<const Vec3> points_m,
+                                        double density_kg_m3);
+
+    // The velocities of the cells that the last sample read, row after row.
+    const std::vector<double>& sampled_cells() const { return velocity_; }
+
+    // What this rank's cells received in the last spread: the sums over the cells, not
+    // over the markers. Costs a pass over the touched rows.
+    InterfaceBalance received();
+
+    // The same where the fluid has moved on since the markers felt it. felt: the
+    // sampled_cells() of a sample at the points of the last spread.
+    InterfaceBalance received(std::span<const double> felt) const;
+
+  private:
+    void read_cells(std::span<const Vec3> points_m);
+    std::span<const Vec3> interpolate(std::size_t markers);
+
+    GridFluid& fluid_;
+    double coupled_step_s_;
+    TouchedRows spread_rows_;
+    TouchedRows sample_rows_;
+    std::vector<double> density_;
+    std::vector<double> velocity_;
+    std::vector<Vec3> sampled_;
 };
 
 }  // namespace magfsi::coupler

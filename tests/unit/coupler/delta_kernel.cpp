@@ -9,8 +9,7 @@
 namespace magfsi::coupler {
 namespace {
 
-using testing::all_kernels;
-using testing::Random;
+using namespace testing;
 
 // Four weights of order one, each rounded once or twice.
 constexpr double rounding = 2e-15;

@@ -1,8 +1,19 @@
-#include "coupler/immersed_boundary/grid_text.h"
+#include "coupler/immersed_boundary/grid.h"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace magfsi::coupler {
+
+namespace {
+
+[[noreturn]] void refuse_repetition() {
+    throw std::invalid_argument(
+        "coupling.scheme: implicit repeats steps, and this fluid cannot go back to the "
+        "start of one; take serial or parallel, or fluid.solver: lbm");
+}
+
+}  // namespace
 
 std::string to_text(const Grid& grid) {
     nlohmann::json boxes = nlohmann::json::array();
@@ -23,12 +34,18 @@ Grid grid_from_text(const std::string& text) {
     grid.spacing_m = json.at("spacing_m");
     grid.cells = json.at("cells");
     grid.periodic = json.at("periodic");
-    for (const auto& box : json.at("owned_by_rank")) {
+    for (const auto& box : json.at("owned_by_rank"))
         grid.owned_by_rank.push_back({box.at(0), box.at(1)});
-    }
     for (const auto& row : json.at("solid"))
         grid.solid.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
     return grid;
+}
+
+void GridFluid::keep() {
+    refuse_repetition();
+}
+void GridFluid::go_back() {
+    refuse_repetition();
 }
 
 }  // namespace magfsi::coupler

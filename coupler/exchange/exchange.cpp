@@ -1,0 +1,281 @@
+#include "coupler/exchange/exchange.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numeric>
+
+#include "coupler/participants/errors.h"
+#include "coupler/participants/wait.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+using Messages = std::vector<std::vector<double>>;
+
+// MPI keeps no copy of a long message: the partner may read it from here until this
+// process ends, and would take what came into freed memory for an answer.
+void keep_until_exit(Messages& messages) {
+    static auto& kept = *new std::vector<Messages>;  // never freed
+    kept.push_back(std::move(messages));
+}
+
+std::string in_words(const Occasion& when) {
+    if (when.iteration == 0) return fmt::format("step {}", when.step);
+    return fmt::format("step {}, iteration {}", when.step, when.iteration);
+}
+
+bool overlap(int a_lo, int a_hi, int b_lo, int b_hi) {
+    return a_lo < b_hi && b_lo < a_hi;
+}
+
+// Numbers of markers to and from every rank of the partner.
+void exchange_counts(const World& world, const std::vector<int>& mine,
+                     std::vector<int>& theirs, std::int64_t step, double timeout_s) {
+    MPI_Request request;
+    MPI_Ialltoall(mine.data(), 1, MPI_INT, theirs.data(), 1, MPI_INT, world.partner(),
+                  &request);
+    wait_all({&request, 1}, step < 0 ? startup_timeout_s : timeout_s,
+             fmt::format("partner table of step {}", step));
+}
+
+void start_send(const World& world, int rank, int tag, const std::vector<double>& message,
+                std::vector<MPI_Request>& sending) {
+    MPI_Isend(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
+              world.partner(), &sending.emplace_back());
+}
+
+// Receives a message from each of the ranks into its place in `in`, which has its size,
+// and completes what is being sent.
+void receive_from(const World& world, const std::vector<int>& ranks, int tag,
+                  Messages& in, std::vector<MPI_Request>& sending, double timeout_s,
+                  const std::string& what) {
+    wait_for_messages(world.partner(), ranks, tag, timeout_s, what);
+    std::vector<MPI_Request> requests(sending);
+    for (const int rank : ranks) {
+        auto& message = in[static_cast<std::size_t>(rank)];
+        MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
+                  world.partner(), &requests.emplace_back());
+    }
+    wait_all(requests, timeout_s, what);
+    sending.clear();
+}
+
+}  // namespace
+
+void write_header(std::vector<double>& message, const Occasion& when,
+                  std::size_t markers) {
+    message[0] = static_cast<double>(when.step);
+    message[1] = static_cast<double>(when.iteration);
+    message[2] = static_cast<double>(markers);
+}
+
+void check_header(std::span<const double> message, const Occasion& when,
+                  std::size_t markers, const std::string& sender) {
+    const Occasion got(static_cast<std::int64_t>(message[0]),
+                       static_cast<int>(message[1]));
+    const auto got_markers = static_cast<std::size_t>(message[2]);
+    const bool now = got.step == when.step && got.iteration == when.iteration;
+    if (now && got_markers == markers) return;
+    throw PartnerLost(fmt::format(
+        "the two sides are out of step: a message of {} carries {} with {} markers, "
+        "expected {} with {}",
+        sender, in_words(got), got_markers, in_words(when), markers));
+}
+
+bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& point_m) {
+    const int reach = support(kernel) / 2 + 1 + renew_margin_cells;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const int n = grid.cells[d];
+        int cell = static_cast<int>(std::floor(point_m[d] / grid.spacing_m));
+        if (grid.periodic[d]) cell -= n * static_cast<int>(std::floor(double(cell) / n));
+        const int lo = cell - reach;
+        const int hi = cell + reach + 1;
+        bool any = overlap(lo, hi, box.lo[d], box.hi[d]);
+        if (grid.periodic[d]) {
+            any = any || overlap(lo - n, hi - n, box.lo[d], box.hi[d]) ||
+                  overlap(lo + n, hi + n, box.lo[d], box.hi[d]);
+        }
+        if (!any) return false;
+    }
+    return true;
+}
+
+std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
+                                            std::span<const Vec3> points_m) {
+    // A point far outside would meet no rank, and nobody would notice.
+    for (const Vec3& point : points_m) marker_stencil(grid, kernel, point);
+    std::vector<std::vector<int>> table(grid.owned_by_rank.size());
+    for (std::size_t rank = 0; rank < table.size(); ++rank) {
+        for (std::size_t m = 0; m < points_m.size(); ++m) {
+            if (may_touch(grid, kernel, grid.owned_by_rank[rank], points_m[m]))
+                table[rank].push_back(static_cast<int>(m));
+        }
+    }
+    return table;
+}
+
+void check_margin(const Grid& grid, std::span<const Vec3> then_m,
+                  std::span<const Vec3> now_m, std::int64_t step) {
+    const double margin_m = renew_margin_cells * grid.spacing_m;
+    for (std::size_t m = 0; m < now_m.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double moved = std::abs(now_m[m][d] - then_m[m][d]);
+            if (moved <= margin_m) continue;
+            throw Diverged(fmt::format(
+                "the body moves too fast for the fluid's grid: in coupled step {} marker "
+                "{} at ({:.4g}, {:.4g}, {:.4g}) mm has moved {:.3g} cells in at most {} "
+                "steps (limit {}); take a smaller time step (fluid.lattice_speed) or "
+                "check the loads",
+                step, m, now_m[m][0] * 1e3, now_m[m][1] * 1e3, now_m[m][2] * 1e3,
+                moved / grid.spacing_m, renew_every, renew_margin_cells));
+        }
+    }
+}
+
+StructureExchange::StructureExchange(const World& world, const Grid& grid, Kernel kernel,
+                                     double timeout_s)
+    : world_(world),
+      grid_(grid),
+      kernel_(kernel),
+      timeout_s_(timeout_s),
+      out_(static_cast<std::size_t>(world.partner_size())),
+      in_(out_.size()) {}
+
+StructureExchange::~StructureExchange() {
+    if (!sending_.empty()) keep_until_exit(out_);
+}
+
+void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m) {
+    table_ = partner_table(grid_, kernel_, points_m);
+    renewed_at_.assign(points_m.begin(), points_m.end());
+    std::vector<int> mine(table_.size());
+    std::vector<int> theirs(table_.size());  // the fluid sends zeros
+    partners_.clear();
+    for (std::size_t f = 0; f < table_.size(); ++f) {
+        const std::size_t markers = table_[f].size();
+        mine[f] = static_cast<int>(markers);
+        if (markers == 0) continue;
+        partners_.push_back(static_cast<int>(f));
+        out_[f].resize(message_header + marker_values * markers);
+        in_[f].resize(message_header + velocity_values * markers);
+    }
+    exchange_counts(world_, mine, theirs, step, timeout_s_);
+}
+
+void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_m,
+                             std::span<const Vec3> impulse, std::span<const Vec3> now_m) {
+    if (renews_partners(when)) renew(when.step, when.step < 0 ? now_m : before_m);
+    check_margin(grid_, renewed_at_, now_m, when.step);
+    sending_.clear();
+    for (const int partner : partners_) {
+        const auto f = static_cast<std::size_t>(partner);
+        write_header(out_[f], when, table_[f].size());
+        double* at = out_[f].data() + message_header;
+        for (const int marker : table_[f]) {
+            const auto m = static_cast<std::size_t>(marker);
+            put(at, before_m[m]);
+            put(at + 3, impulse[m]);
+            put(at + 6, now_m[m]);
+            at += marker_values;
+        }
+        start_send(world_, partner, marker_tag, out_[f], sending_);
+    }
+}
+
+void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity) {
+    receive_from(world_, partners_, velocity_tag, in_, sending_, timeout_s_,
+                 fmt::format("fluid velocities of step {}", when.step));
+    std::ranges::fill(velocity, Vec3{});
+    for (const int partner : partners_) {
+        const auto f = static_cast<std::size_t>(partner);
+        check_header(in_[f], when, table_[f].size(), fmt::format("fluid rank {}", f));
+        const double* at = in_[f].data() + message_header;
+        for (const int marker : table_[f]) {
+            for (std::size_t d = 0; d < 3; ++d)
+                velocity[static_cast<std::size_t>(marker)][d] += at[d];
+            at += velocity_values;
+        }
+    }
+}
+
+FluidExchange::FluidExchange(const World& world, double timeout_s)
+    : world_(world),
+      timeout_s_(timeout_s),
+      count_(static_cast<std::size_t>(world.partner_size())),
+      in_(count_.size()),
+      out_(count_.size()) {}
+
+FluidExchange::~FluidExchange() {
+    if (std::uncaught_exceptions() > 0) {
+        if (!sending_.empty()) keep_until_exit(out_);
+        return;
+    }
+    try {
+        wait_all(sending_, timeout_s_, "receiver of the last velocities");
+    } catch (const std::exception&) {
+        // The structure waits for these velocities no more; it has said why.
+    }
+}
+
+void FluidExchange::renew(std::int64_t step) {
+    const std::vector<int> nothing(count_.size(), 0);
+    exchange_counts(world_, nothing, count_, step, timeout_s_);
+    partners_.clear();
+    for (std::size_t s = 0; s < count_.size(); ++s) {
+        if (count_[s] == 0) continue;
+        partners_.push_back(static_cast<int>(s));
+        const auto markers = static_cast<std::size_t>(count_[s]);
+        in_[s].resize(message_header + marker_values * markers);
+    }
+    const auto total =
+        static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
+    batch_.before_m.resize(total);
+    batch_.impulse.resize(total);
+    batch_.now_m.resize(total);
+}
+
+const MarkerBatch& FluidExchange::receive(const Occasion& when) {
+    if (renews_partners(when)) renew(when.step);
+    receive_from(world_, partners_, marker_tag, in_, sending_,
+                 when.step < 0 ? startup_timeout_s : timeout_s_,
+                 fmt::format("structure markers of step {}", when.step));
+    std::size_t m = 0;
+    for (const int partner : partners_) {
+        const auto s = static_cast<std::size_t>(partner);
+        const auto count = static_cast<std::size_t>(count_[s]);
+        check_header(in_[s], when, count, fmt::format("structure rank {}", s));
+        const double* at = in_[s].data() + message_header;
+        for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values) {
+            batch_.before_m[m] = get(at);
+            batch_.impulse[m] = get(at + 3);
+            batch_.now_m[m] = get(at + 6);
+        }
+    }
+    return batch_;
+}
+
+void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity) {
+    std::size_t m = 0;
+    for (const int partner : partners_) {
+        const auto s = static_cast<std::size_t>(partner);
+        const auto count = static_cast<std::size_t>(count_[s]);
+        // Not in renew: the last velocities may still be under way then.
+        out_[s].resize(message_header + velocity_values * count);
+        write_header(out_[s], when, count);
+        double* at = out_[s].data() + message_header;
+        for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values)
+            put(at, velocity[m]);
+        start_send(world_, partner, velocity_tag, out_[s], sending_);
+    }
+}
+
+void FluidExchange::finish_sending() {
+    wait_all(sending_, timeout_s_, "receiver of the velocities");
+    sending_.clear();
+}
+
+}  // namespace magfsi::coupler

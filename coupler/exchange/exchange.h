@@ -1,0 +1,158 @@
+// The two messages of a coupled step and both ends of their exchange.
+//
+// Everything is doubles; step numbers and counts are exact in them. Each message carries
+// its step, and a receiver refuses any other. A structure rank sends only to the fluid
+// ranks whose cells its markers can reach. That table is renewed every few coupled steps,
+// with a margin that a marker cannot cross in between, so that in most steps nothing has
+// to be announced.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupler/immersed_boundary/grid.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
+#include "coupler/participants/world.h"
+
+namespace magfsi::coupler {
+
+constexpr int marker_tag = 81;    // structure -> fluid
+constexpr int velocity_tag = 82;  // fluid -> structure
+
+constexpr std::size_t message_header = 3;  // step, iteration, number of markers
+constexpr std::size_t marker_values = 9;   // position now, impulse, position next
+constexpr std::size_t velocity_values = 3;
+
+// Which exchange a message belongs to: the coupled step, -1 before the first, and within
+// it the iteration of an implicit scheme or of iterated forcing.
+struct Occasion {
+    std::int64_t step = 0;
+    int iteration = 0;
+    Occasion(std::int64_t step_number, int repeated = 0)
+        : step(step_number), iteration(repeated) {}
+};
+
+void write_header(std::vector<double>& message, const Occasion& when,
+                  std::size_t markers);
+
+// Throws PartnerLost when the message is of another step or iteration, or of another
+// number of markers.
+void check_header(std::span<const double> message, const Occasion& when,
+                  std::size_t markers, const std::string& sender);
+
+inline void put(double* at, const Vec3& v) {
+    at[0] = v[0];
+    at[1] = v[1];
+    at[2] = v[2];
+}
+inline Vec3 get(const double* at) {
+    return {at[0], at[1], at[2]};
+}
+
+constexpr std::int64_t renew_every = 5;  // coupled steps
+constexpr int renew_margin_cells = 2;    // 0.4 cells a step, all that the lattice allows
+
+// Whether the markers of this exchange may be those of a new table: before the first step
+// and in every fifth, but not when it is repeated.
+inline bool renews_partners(const Occasion& when) {
+    if (when.iteration > 0) return false;
+    return when.step < 0 || (when.step > 0 && when.step % renew_every == 0);
+}
+
+// Whether a marker at point_m, moved by up to the margin, touches a cell of the box.
+bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& point_m);
+
+// For each fluid rank the markers it may meet, ascending. Throws Diverged when a point
+// lies outside a box without periodic sides.
+std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
+                                            std::span<const Vec3> points_m);
+
+// Throws Diverged when a marker moved further than the margin since the table was made.
+void check_margin(const Grid& grid, std::span<const Vec3> then_m,
+                  std::span<const Vec3> now_m, std::int64_t step);
+
+// The structure rank's end.
+class StructureExchange {
+  public:
+    StructureExchange(const World& world, const Grid& grid, Kernel kernel,
+                      double timeout_s);
+
+    // When an exception ends the run, messages still under way are kept.
+    ~StructureExchange();
+    StructureExchange(const StructureExchange&) = delete;
+    StructureExchange& operator=(const StructureExchange&) = delete;
+
+    // What the markers of this rank did: where they were (the impulse acts there), the
+    // impulse given to the fluid [N s], where they are now. Step -1 asks for the
+    // velocities at the first positions.
+    void send(const Occasion& when, std::span<const Vec3> before_m,
+              std::span<const Vec3> impulse, std::span<const Vec3> now_m);
+
+    // The fluid's velocity [m/s] at the positions sent last: the sum of the ranks'
+    // shares.
+    void receive(const Occasion& when, std::span<Vec3> velocity);
+
+    // Fluid ranks this rank exchanges messages with at present.
+    int partners() const { return static_cast<int>(partners_.size()); }
+
+  private:
+    void renew(std::int64_t step, std::span<const Vec3> points_m);
+
+    const World& world_;
+    const Grid& grid_;
+    Kernel kernel_;
+    double timeout_s_;
+    std::vector<std::vector<int>> table_;  // by fluid rank
+    std::vector<int> partners_;            // fluid ranks that have any
+    std::vector<Vec3> renewed_at_;
+    std::vector<std::vector<double>> out_, in_;  // by fluid rank
+    std::vector<MPI_Request> sending_;
+};
+
+// The markers that may touch this rank's cells, those of structure rank 0 first.
+struct MarkerBatch {
+    std::vector<Vec3> before_m;  // where the impulse acts
+    std::vector<Vec3> impulse;   // given to the fluid [N s]
+    std::vector<Vec3> now_m;     // where to sample next
+};
+
+// The fluid rank's end.
+class FluidExchange {
+  public:
+    FluidExchange(const World& world, double timeout_s);
+
+    // Waits until the last velocities are taken: MPI reads them from here. Not when an
+    // exception ends the run, which the partner may have left already: then they are
+    // kept.
+    ~FluidExchange();
+    FluidExchange(const FluidExchange&) = delete;
+    FluidExchange& operator=(const FluidExchange&) = delete;
+
+    // The structure's message of a coupled step; -1 is the one before step 0.
+    const MarkerBatch& receive(const Occasion& when);
+
+    // This rank's share of the velocities [m/s] at the batch's `now` positions.
+    void send(const Occasion& when, std::span<const Vec3> velocity);
+
+    // Waits until the structure has them. A message too long for MPI's buffers moves only
+    // while both sides are inside MPI: without this the structure may wait for a whole
+    // step of a fluid that goes on to work.
+    void finish_sending();
+
+  private:
+    void renew(std::int64_t step);
+
+    const World& world_;
+    double timeout_s_;
+    std::vector<int> count_;     // markers by structure rank
+    std::vector<int> partners_;  // structure ranks that have any
+    std::vector<std::vector<double>> in_, out_;
+    std::vector<MPI_Request> sending_;
+    MarkerBatch batch_;
+};
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,144 @@
+#include "coupler/immersed_boundary/direct_forcing.h"
+
+#include <algorithm>
+
+namespace magfsi::coupler {
+
+EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
+                             const EnclosedFluidScale& scale)
+    : scale_(scale),
+      last_velocity_(markers.size()),
+      acceleration_(markers.size()),
+      force_(markers.size()) {
+    mass_kg_.reserve(markers.size());
+    for (const Marker& m : markers)
+        mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
+}
+
+void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
+    last_velocity_.assign(fluid_velocity.begin(), fluid_velocity.end());
+}
+
+void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
+    if (scale_.gravity_m_s2 != Vec3{})
+        follow<true>(fluid_velocity);
+    else
+        follow<false>(fluid_velocity);
+}
+
+template <bool Weighs>
+void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
+    const double a_second = 1 / scale_.coupled_step_s;
+    for (std::size_t m = 0; m < force_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double now = (fluid_velocity[m][d] - last_velocity_[m][d]) * a_second;
+            double& smooth = acceleration_[m][d];
+            smooth += scale_.follow * (now - smooth);
+            double relative = smooth;
+            if constexpr (Weighs) relative -= scale_.gravity_m_s2[d];
+            force_[m][d] = mass_kg_[m] * relative;
+            last_velocity_[m][d] = fluid_velocity[m][d];
+        }
+    }
+}
+
+PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
+                           const Vec3& gravity_m_s2)
+    : markers_(std::move(markers)),
+      enclosed_(markers_, {scale.fluid_density_kg_m3, scale.coupled_step_s, gravity_m_s2,
+                           scale.enclosed_follow}),
+      coupled_step_s_(scale.coupled_step_s),
+      fluid_velocity_(markers_.size()),
+      impulse_(markers_.size()) {
+    kappa_.reserve(markers_.size());
+    for (const Marker& m : markers_)
+        kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
+}
+
+void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity,
+                              std::span<const Vec3> owed) {
+    std::copy(fluid_velocity.begin(), fluid_velocity.end(), fluid_velocity_.begin());
+    std::fill(impulse_.begin(), impulse_.end(), Vec3{});
+    change_.clear();
+    enclosed_.begin_step(fluid_velocity);
+    if (owed.empty()) return;
+    paying_.assign(enclosed_.force().begin(), enclosed_.force().end());
+    for (std::size_t m = 0; m < owed.size(); ++m)
+        for (std::size_t d = 0; d < 3; ++d) paying_[m][d] -= owed[m][d] / coupled_step_s_;
+}
+
+void PenaltyForce::let_change(std::span<const Vec3> start, std::span<const Vec3> end) {
+    start_.assign(start.begin(), start.end());
+    change_.assign(end.begin(), end.end());
+    for (std::size_t m = 0; m < change_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) change_[m][d] -= start_[m][d];
+    }
+    elapsed_s_ = 0;
+}
+
+void PenaltyForce::hold(std::span<const Vec3> fluid_velocity) {
+    std::ranges::copy(fluid_velocity, fluid_velocity_.begin());
+}
+
+void PenaltyForce::follow(double duration_s) {
+    const double part = (elapsed_s_ + 0.5 * duration_s) / coupled_step_s_;
+    for (std::size_t m = 0; m < change_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            fluid_velocity_[m][d] = start_[m][d] + part * change_[m][d];
+    }
+    elapsed_s_ += duration_s;
+}
+
+void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
+                         double duration_s) {
+    if (!change_.empty()) follow(duration_s);
+    const auto constant = constant_force();
+    for (std::size_t m = 0; m < markers_.size(); ++m) {
+        const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
+        Vec3 force = constant[m];
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
+            impulse_[m][d] += given * duration_s;
+            force[d] -= given;
+        }
+        to_nodes(markers_[m], force, nodal_force);
+    }
+}
+
+IteratedForcing::IteratedForcing(std::span<const Marker> markers,
+                                 const PenaltyScale& scale)
+    : coupled_step_s_(scale.coupled_step_s),
+      last_(markers.size()),
+      impulse_(markers.size()) {
+    moved_mass_kg_.reserve(markers.size());
+    PenaltyScale whole = scale;
+    whole.strength = std::min(scale.strength, 1.0);
+    for (const Marker& m : markers)
+        moved_mass_kg_.push_back(whole.moved_mass_kg(m.volume_m3));
+}
+
+void IteratedForcing::begin_step() {
+    std::ranges::fill(impulse_, Vec3{});
+}
+
+std::span<const Vec3> IteratedForcing::correct(std::span<const Vec3> before_m,
+                                               std::span<const Vec3> now_m,
+                                               std::span<const Vec3> fluid_velocity) {
+    for (std::size_t m = 0; m < last_.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double mean = (now_m[m][d] - before_m[m][d]) / coupled_step_s_;
+            last_[m][d] = moved_mass_kg_[m] * (mean - fluid_velocity[m][d]);
+            impulse_[m][d] += last_[m][d];
+        }
+    }
+    return last_;
+}
+
+std::vector<Vec3> IteratedForcing::added_to(std::span<const Vec3> of_drag) const {
+    std::vector<Vec3> all(of_drag.begin(), of_drag.end());
+    for (std::size_t m = 0; m < all.size(); ++m)
+        for (std::size_t d = 0; d < 3; ++d) all[m][d] += impulse_[m][d];
+    return all;
+}
+
+}  // namespace magfsi::coupler

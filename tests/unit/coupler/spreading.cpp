@@ -1,0 +1,371 @@
+// Interpolation (eq. 14) and spreading (eq. 15), on one rank and on several, at
+// obstacles, and with the forces that are still to act.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "coupler/immersed_boundary/spreading.h"
+#include "tests/mpi/coupler/travelling_markers.h"
+#include "tests/unit/coupler/grids.h"
+
+namespace magfsi::coupler {
+namespace {
+
+using namespace testing;
+
+// Interpolation (eq. 14) and spreading (eq. 15) are adjoint; spreading keeps the force
+// and interpolation a uniform velocity.
+constexpr std::size_t marker_count = 200;
+
+// Sums of some 1e4 products round to about 1e-15 of the sum of their magnitudes.
+constexpr double rounding = 1e-13;
+
+class SpreadingAndInterpolation : public ::testing::TestWithParam<Kernel> {
+  protected:
+    SpreadingAndInterpolation()
+        : grid_(cut_grid({13, 11, 9}, {true, false, true})),
+          rows_(grid_, grid_.owned_by_rank[0], GetParam()),
+          random_(3) {
+        rows_.place(random_.points(grid_, marker_count));
+    }
+
+    double cell_volume_m3() const { return std::pow(grid_.spacing_m, 3); }
+
+    Grid grid_;
+    TouchedRows rows_;
+    Random random_;
+};
+
+TEST_P(SpreadingAndInterpolation, are_adjoint) {
+    const auto force = random_.vectors(marker_count, 1e-6);
+    std::vector<double> velocity(3 * rows_.cells());
+    for (double& u : velocity) u = random_.between(-0.5, 0.5);
+    std::vector<Vec3> at_markers(marker_count);
+    rows_.interpolate(velocity, at_markers);
+    std::vector<double> density(velocity.size());
+    rows_.spread(force, 1, density);
+
+    double power_of_markers = 0;
+    double scale = 0;
+    for (std::size_t m = 0; m < marker_count; ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            power_of_markers += force[m][d] * at_markers[m][d];
+            scale += std::abs(force[m][d] * at_markers[m][d]);
+        }
+    }
+    double power_of_cells = 0;
+    for (std::size_t i = 0; i < density.size(); ++i) {
+        power_of_cells += density[i] * velocity[i] * cell_volume_m3();
+    }
+    std::printf("power: relative difference %.1e\n",
+                std::abs(power_of_markers - power_of_cells) / scale);
+    EXPECT_NEAR(power_of_markers, power_of_cells, rounding * scale);
+}
+
+TEST_P(SpreadingAndInterpolation, spreading_keeps_the_total_force) {
+    const auto force = random_.vectors(marker_count, 1e-6);
+    std::vector<double> density(3 * rows_.cells());
+    rows_.spread(force, 1, density);
+    Vec3 total{};
+    Vec3 expected{};
+    for (std::size_t i = 0; i < density.size(); ++i)
+        total[i % 3] += density[i] * cell_volume_m3();
+    for (const Vec3& f : force)
+        for (std::size_t d = 0; d < 3; ++d) expected[d] += f[d];
+    for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_NEAR(total[d], expected[d], rounding * marker_count * 1e-6)
+            << "axis " << d;
+    }
+}
+
+TEST_P(SpreadingAndInterpolation, a_uniform_velocity_is_sampled_exactly) {
+    std::vector<double> velocity(3 * rows_.cells());
+    const Vec3 uniform{0.3, -0.7, 1.1};
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = uniform[i % 3];
+    std::vector<Vec3> at_markers(marker_count, Vec3{9, 9, 9});
+    rows_.interpolate(velocity, at_markers);
+    for (const Vec3& u : at_markers) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            // Up to 64 weights that add up to one, each rounded.
+            ASSERT_NEAR(u[d], uniform[d], 2e-14);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKernels, SpreadingAndInterpolation,
+                         ::testing::ValuesIn(all_kernels));
+
+// However the grid is cut into ranks' boxes, the shares add up to the answer of one box.
+constexpr std::array<int, 3> cut_cells{10, 12, 9};
+constexpr std::array<bool, 3> periodic{true, true, false};
+constexpr std::size_t cloud_size = 150;
+
+// The velocities are of order one; 64 products are added in another order.
+constexpr double shares_rounding = 1e-14;
+
+struct Sums {
+    std::vector<Vec3> velocity;
+    CellField density;
+};
+
+// The sum of all ranks' shares.
+Sums sums(const Grid& grid, Kernel kernel) {
+    Random random(5);
+    const auto points = random.points(grid, cloud_size);
+    const auto force = random.vectors(cloud_size, 1);
+    CellField field(grid);
+    for (double& u : field.values()) u = random.between(-1, 1);
+
+    Sums total{std::vector<Vec3>(cloud_size), CellField(grid)};
+    for (const CellBox& box : grid.owned_by_rank) {
+        TouchedRows rows(grid, box, kernel);
+        rows.place(points);
+        std::vector<Vec3> share(cloud_size);
+        rows.interpolate(field.read(rows.rows()), share);
+        for (std::size_t m = 0; m < cloud_size; ++m)
+            for (std::size_t d = 0; d < 3; ++d) total.velocity[m][d] += share[m][d];
+        std::vector<double> density(3 * rows.cells());
+        rows.spread(force, 1, density);
+        total.density.add(rows.rows(), density);
+    }
+    return total;
+}
+
+class SharesAddUp : public ::testing::TestWithParam<std::array<int, 3>> {};
+
+TEST_P(SharesAddUp, to_the_answer_of_one_box) {
+    const double per_volume = std::pow(cut_grid(cut_cells, periodic).spacing_m, -3);
+    for (const Kernel kernel : all_kernels) {
+        const Sums whole = sums(cut_grid(cut_cells, periodic), kernel);
+        const Sums parts = sums(cut_grid(cut_cells, periodic, GetParam()), kernel);
+        for (std::size_t m = 0; m < cloud_size; ++m) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                ASSERT_NEAR(parts.velocity[m][d], whole.velocity[m][d], shares_rounding)
+                    << "marker " << m;
+            }
+        }
+        const auto& a = parts.density.values();
+        const auto& b = whole.density.values();
+        for (std::size_t i = 0; i < b.size(); ++i) {
+            ASSERT_NEAR(a[i], b[i], shares_rounding * per_volume) << "cell " << i / 3;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, SharesAddUp,
+                         ::testing::Values(std::array{1, 2, 1}, std::array{1, 3, 2},
+                                           std::array{2, 1, 1}, std::array{2, 3, 2},
+                                           std::array{5, 6, 3}));
+
+// What the fluid is asked for: each row once, inside the rank's box, and no row too many.
+TEST(TouchedRows, are_unique_and_inside_the_box) {
+    const Grid grid = cut_grid({12, 10, 8}, {true, true, false}, {2, 3, 2});
+    for (const Kernel kernel : all_kernels) {
+        for (const CellBox& box : grid.owned_by_rank) {
+            TouchedRows rows(grid, box, kernel);
+            Random random(9);
+            for (int turn = 0; turn < 3; ++turn) {  // place() must forget the rows before
+                rows.place(random.points(grid, 60));
+                std::set<std::pair<int, int>> seen;
+                std::size_t cells = 0;
+                for (const GridRow& r : rows.rows()) {
+                    EXPECT_TRUE(seen.insert({r.y, r.z}).second) << r.y << ", " << r.z;
+                    EXPECT_LT(r.x_begin, r.x_end);
+                    EXPECT_GE(r.x_begin, box.lo[0]);
+                    EXPECT_LE(r.x_end, box.hi[0]);
+                    EXPECT_TRUE(r.y >= box.lo[1] && r.y < box.hi[1]) << r.y;
+                    EXPECT_TRUE(r.z >= box.lo[2] && r.z < box.hi[2]) << r.z;
+                    cells += static_cast<std::size_t>(r.x_end - r.x_begin);
+                }
+                EXPECT_EQ(cells, rows.cells());
+            }
+        }
+    }
+}
+
+TEST(TouchedRows, one_marker_touches_its_kernel_and_no_more) {
+    const Grid grid = cut_grid({12, 12, 12}, {true, true, true});
+    const double h = grid.spacing_m;
+    TouchedRows rows(grid, grid.owned_by_rank[0], Kernel::three_point);
+    rows.place(std::vector<Vec3>{{5.6 * h, 6.4 * h, 7.5 * h}});
+    ASSERT_EQ(rows.rows().size(), 9u);
+    for (const GridRow& r : rows.rows()) {
+        EXPECT_TRUE(r.x_begin == 4 && r.x_end == 7) << r.x_begin << " to " << r.x_end;
+        EXPECT_TRUE(r.y >= 5 && r.y <= 7 && r.z >= 6 && r.z <= 8) << r.y << ", " << r.z;
+    }
+    EXPECT_EQ(rows.cells(), 27u);
+}
+
+// A row is one range of x: a marker across the side makes it run through.
+TEST(TouchedRows, a_marker_across_the_periodic_x_side_reaches_both_ends) {
+    const Grid grid = cut_grid({12, 12, 12}, {true, false, false});
+    const double h = grid.spacing_m;
+    TouchedRows rows(grid, grid.owned_by_rank[0], Kernel::two_point);
+    rows.place(std::vector<Vec3>{{-0.2 * h, 6 * h, 6 * h}});
+    CellField density(grid);
+    std::vector<double> values(3 * rows.cells());
+    rows.spread(std::vector<Vec3>{{1, 0, 0}}, 1, values);
+    density.add(rows.rows(), values);
+    // Centres at 11.5 and 12.5 cells, the marker at 11.8; a quarter to each of four rows.
+    const double quarter = 0.25 / (h * h * h);
+    EXPECT_NEAR(density.values()[density.index(11, 5, 5)], 0.7 * quarter,
+                1e-14 * quarter);
+    EXPECT_NEAR(density.values()[density.index(0, 5, 5)], 0.3 * quarter, 1e-14 * quarter);
+    EXPECT_EQ(density.values()[density.index(6, 5, 5)], 0);
+}
+
+TEST(TouchedRows, no_marker_no_row) {
+    const Grid grid = cut_grid({12, 12, 12}, {true, true, true}, {1, 2, 1});
+    TouchedRows rows(grid, grid.owned_by_rank[1], Kernel::four_point);
+    EXPECT_EQ(rows.cells(), 0u);
+    rows.place({});
+    EXPECT_TRUE(rows.rows().empty());
+    const double middle = 3 * grid.spacing_m;  // in the other rank's half
+    rows.place(std::vector<Vec3>{{middle, middle, middle}});
+    EXPECT_TRUE(rows.rows().empty());
+    std::vector<Vec3> share(1, Vec3{9, 9, 9});
+    rows.interpolate({}, share);
+    EXPECT_EQ(share[0], Vec3{});
+}
+
+// Near obstacles markers read from and give to fluid cells alone, and neither force nor
+// velocity is lost; also in boxes thinner than the kernel.
+// A plate of 2 x 3 cells through the depth, across the periodic side of z.
+Grid with_plate(int depth) {
+    Grid grid = cut_grid({12, 10, depth}, {false, false, true});
+    for (int z = 0; z < depth; ++z) {
+        for (int y = 4; y < 7; ++y) grid.solid.push_back({y, z, 5, 7});
+    }
+    return grid;
+}
+
+class MarkersAtObstacles : public ::testing::TestWithParam<Kernel> {
+  protected:
+    std::vector<Vec3> outside(const Grid& grid, Random& random) {
+        std::vector<Vec3> kept;
+        for (const Vec3& p : random.points(grid, 400)) {
+            if (SolidCells(grid).fluid_share(marker_stencil(grid, GetParam(), p)) > 1e-6)
+                kept.push_back(p);
+        }
+        return kept;
+    }
+};
+
+TEST_P(MarkersAtObstacles, give_all_their_force_to_the_fluid) {
+    for (const int depth : {1, 2, 8}) {
+        const Grid grid = with_plate(depth);
+        Random random(5);
+        const auto points = outside(grid, random);
+        ASSERT_GT(points.size(), 300u);
+        TouchedRows rows(grid, grid.owned_by_rank[0], GetParam());
+        rows.place(points);
+        const auto force = random.vectors(points.size(), 1e-6);
+        std::vector<double> density(3 * rows.cells());
+        rows.spread(force, 1, density);
+        CellField field(grid);
+        field.add(rows.rows(), density);
+        Vec3 left{};
+        for (const Vec3& f : force)
+            for (std::size_t d = 0; d < 3; ++d) left[d] += f[d];
+        const SolidCells solid(grid);
+        for (int z = 0; z < depth; ++z)
+            for (int y = 0; y < 10; ++y)
+                for (int x = 0; x < 12; ++x)
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        const double f = field.values()[field.index(x, y, z) + d];
+                        EXPECT_TRUE(f == 0 || !solid.at(x, y, z));
+                        left[d] -= f * std::pow(grid.spacing_m, 3);
+                    }
+        // Rounding of 400 forces of 1e-6, spread over up to 64 cells each.
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(left[d], 0, 1e-17) << depth;
+    }
+}
+
+TEST_P(MarkersAtObstacles, sample_a_uniform_velocity_exactly) {
+    for (const int depth : {1, 3}) {
+        const Grid grid = with_plate(depth);
+        Random random(6);
+        const auto points = outside(grid, random);
+        TouchedRows rows(grid, grid.owned_by_rank[0], GetParam());
+        rows.place(points);
+        std::vector<double> velocity(3 * rows.cells(), 0.7);
+        std::vector<Vec3> found(points.size());
+        rows.interpolate(velocity, found);
+        // Up to 64 weights, scaled so that they add up to one.
+        for (const Vec3& u : found) ASSERT_NEAR(u[1], 0.7, 1e-14);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKernels, MarkersAtObstacles,
+                         ::testing::ValuesIn(all_kernels));
+
+TEST(SolidCells, leave_the_share_of_the_fluid) {
+    const Grid grid = with_plate(4);
+    const SolidCells solid(grid);
+    const double h = grid.spacing_m;
+    const auto share = [&](double x, double y) {
+        return solid.fluid_share(
+            marker_stencil(grid, Kernel::two_point, {x * h, y * h, 0.1 * h}));
+    };
+    EXPECT_EQ(share(3.2, 5.5), 1);           // far: exactly
+    EXPECT_NEAR(share(5, 5.5), 0.5, 1e-14);  // on the wall between the cells 4 and 5
+    EXPECT_EQ(share(6, 5.5), 0);
+    EXPECT_NEAR(share(7.25, 5.5), 0.75, 1e-14);
+}
+
+TEST(SolidCells, of_a_grid_without_obstacles_are_none) {
+    const Grid grid = cut_grid({5, 5, 5}, {true, true, true});
+    EXPECT_FALSE(SolidCells(grid).any());
+}
+
+// The sample with half the pending forces is the mean of the samples before and after the
+// step in which they act, wherever the markers have gone to in the meantime.
+class ForcedSample : public ::testing::Test {
+  protected:
+    const Grid grid = channel(1);
+    const TravellingMarkers markers{grid.spacing_m};
+    ArrayFluid fluid{grid, 0};
+    FluidSide side{fluid, grid.owned_by_rank[0], kernel, ArrayFluid::step_s};
+};
+
+TEST_F(ForcedSample, is_the_mean_of_before_and_after) {
+    // Four steps apart: about one cell, so that the rows overlap in part.
+    const auto there = markers.positions(4);
+    side.spread(markers.positions(0), markers.impulses(0));
+    const auto copy = [](std::span<const Vec3> u) {
+        return std::vector<Vec3>(u.begin(), u.end());
+    };
+    const auto before = copy(side.sample(there));
+    const auto forced = copy(side.sample_forced(there, ArrayFluid::density_kg_m3));
+    fluid.advance();
+    const auto after = copy(side.sample(there));
+    double largest_change = 0;
+    for (std::size_t m = 0; m < there.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            // Velocities are of order one; some hundred roundings.
+            EXPECT_NEAR(forced[m][d], 0.5 * (before[m][d] + after[m][d]), 1e-14);
+            largest_change = std::max(largest_change, after[m][d] - before[m][d]);
+        }
+    }
+    EXPECT_GT(largest_change, 1e-4);  // there was something to be seen
+}
+
+// A fluid that has moved on is audited with what the markers felt before.
+TEST_F(ForcedSample, audit_with_the_velocities_that_were_felt) {
+    const auto points = markers.positions(0);
+    side.spread(points, markers.impulses(3));
+    const auto felt = side.sample(points);
+    InterfaceBalance given;
+    const auto impulses = markers.impulses(5);
+    for (std::size_t m = 0; m < points.size(); ++m)
+        add_marker(given, impulses[m], felt[m]);
+    fluid.advance();
+    side.spread(points, impulses);
+    const auto received = side.received(side.sampled_cells());
+    EXPECT_NEAR(received.work_j, given.work_j, 1e-13 * given.work_scale_j);
+    EXPECT_GT(std::abs(side.received().work_j - given.work_j), 1e-6 * given.work_scale_j);
+}
+
+}  // namespace
+}  // namespace magfsi::coupler
