@@ -27,7 +27,7 @@ class ProbeRow {
     // Whether the scene has this column for its bodies.
     static bool wants(const scene::Scene& scene, scene::BodyQuantity quantity);
 
-    // In the order of coupler::body_columns. force_on_parts_n: the fluid's, in the order
+    // In the order of scene::body_columns. force_on_parts_n: the fluid's, in the order
     // of probes.integrals, of a scene with a fluid.
     std::vector<double> values(double time_s, const NodalState& state,
                                const std::vector<BodyLoads>& loads,

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include "coupler/participants/errors.h"
-#include "adapters/scene/reader.h"
 #include "coupler/step/log_head.h"
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 
@@ -17,8 +16,6 @@ template <class Work>
 void or_diverged(const Work& work) {
     try {
         work();
-    } catch (const scene::SceneError&) {
-        throw;
     } catch (const std::runtime_error& fault) {
         throw coupler::Diverged(fault.what());
     }
@@ -26,9 +23,9 @@ void or_diverged(const Work& work) {
 
 }  // namespace
 
-Participant::Participant(coupler::Session& session, output::ProgressMode progress)
-    : session_(session) {
-    const scene::Scene& scene = session.scene();
+Participant::Participant(const scene::Scene& scene, coupler::Session& session,
+                         output::ProgressMode progress)
+    : scene_(scene), session_(session) {
     std::vector<structure::Body> solids;
     bodies::NodalState start;
     for (const scene::Body& body : scene.bodies) {
@@ -45,7 +42,7 @@ Participant::Participant(coupler::Session& session, output::ProgressMode progres
     if (scene.probes) {
         probe_row_ = std::make_unique<bodies::ProbeRow>(scene, solids, start);
         probes_ = std::make_unique<output::ProbeFile>(session.out() / "probes.csv",
-                                                      coupler::body_columns(scene));
+                                                      scene::body_columns(scene));
     }
     if (scene.output.structure)
         files_ = std::make_unique<bodies::StructureFiles>(solids, start, session.out());
@@ -53,14 +50,13 @@ Participant::Participant(coupler::Session& session, output::ProgressMode progres
 }
 
 void Participant::assemble(output::ProgressMode progress) {
-    const scene::Scene& scene = session_.scene();
     tasks_.add("find equilibrium", [this] { advance(); });
     tasks_.add("count step", [this] { session_.complete_step(); });
     if (probes_) tasks_.add("probes", [this] { write_probes(); });
     if (files_) {
         tasks_.add(
             "write fields",
-            [this, every = session_.clock().every(scene.output.structure->every_s)] {
+            [this, every = session_.clock().every(scene_.output.structure->every_s)] {
                 if (session_.clock().step() % every == 0) write_fields();
             });
     }
@@ -113,13 +109,13 @@ void Participant::write_probes() {
 }
 
 void Participant::write_fields() {
-    const auto every = session_.clock().every(session_.scene().output.structure->every_s);
+    const auto every = session_.clock().every(scene_.output.structure->every_s);
     files_->write(session_.clock().step() / every, session_.clock().time_s(), state());
 }
 
 void Participant::run() {
     session_.log(fmt::format("scene '{}': equilibria by Newton's method at {} points",
-                             session_.scene().name, session_.clock().steps()));
+                             scene_.name, session_.clock().steps()));
     coupler::log_effects(session_);
     session_.log("each point: " + tasks_.names());
     if (probes_) write_probes();

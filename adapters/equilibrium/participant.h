@@ -15,7 +15,7 @@ namespace magfsi::equilibrium {
 class Participant {
   public:
     // After session.begin.
-    Participant(coupler::Session& session, output::ProgressMode progress);
+    Participant(const scene::Scene& scene, coupler::Session& session, output::ProgressMode progress);
     void run();
 
   private:
@@ -27,6 +27,7 @@ class Participant {
     bodies::NodalState state() const;
     void finish(double wall_s);
 
+    const scene::Scene& scene_;
     coupler::Session& session_;
     double start_s_ = output::steady_seconds();  // the first equilibrium is found at once
     std::vector<std::unique_ptr<LoadPath>> paths_;  // one a body

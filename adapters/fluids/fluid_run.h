@@ -9,6 +9,7 @@
 namespace magfsi::fluids {
 
 struct FluidRun {
+    const scene::Scene& scene;
     coupler::Session& session;
     FluidSolver& fluid;
     coupler::BalanceRecord* balance = nullptr;  // null where the scene has none

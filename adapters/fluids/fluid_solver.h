@@ -19,7 +19,7 @@ class FluidSolver : public coupler::GridFluid {
     // One line on what runs: cells, step, method.
     virtual std::string headline() const = 0;
 
-    // In the order of coupler::fluid_columns. Collective.
+    // In the order of scene::fluid_columns. Collective.
     virtual std::vector<double> probe_values(const scene::Scene& scene) = 0;
 
     // Of this rank's cells of grid(), x fastest: 3 values a cell, density 1. Collective.

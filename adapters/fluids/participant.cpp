@@ -11,12 +11,13 @@
 
 namespace magfsi::fluids {
 
-Participant::Participant(coupler::Session& session, FluidSolver& fluid,
-                         output::ProgressMode progress)
-    : session_(session),
+Participant::Participant(const scene::Scene& scene, coupler::Session& session,
+                         FluidSolver& fluid, output::ProgressMode progress)
+    : scene_(scene),
+      session_(session),
       progress_mode_(progress),
       fluid_(fluid),
-      run_{session, fluid, nullptr} {
+      run_{scene, session, fluid, nullptr} {
     if (session.world().coupled()) {
         coupling_ = std::make_unique<coupler::FluidCoupling>(session, fluid_);
         run_.balance = coupling_->balance();
@@ -37,19 +38,18 @@ void Participant::assemble() {
 }
 
 void Participant::assemble_output() {
-    const scene::Scene& scene = session_.scene();
     outputs_.add(fluid_outputs(), run_, tasks_);
-    outputs_.need(scene.probes.has_value(), "probes");
-    outputs_.need(scene.output.fluid.has_value(), "fluid_fields");
-    outputs_.need(scene.checkpoint.has_value(), "checkpoint");
+    outputs_.need(scene_.probes.has_value(), "probes");
+    outputs_.need(scene_.output.fluid.has_value(), "fluid_fields");
+    outputs_.need(scene_.checkpoint.has_value(), "checkpoint");
     if (!session_.world().leads()) return;
     progress_ = coupler::progress_on_stdout(session_, progress_mode_);
     tasks_.add_output("progress", [this] { progress_->update(session_.clock().step()); });
 }
 
 void Participant::run() {
-    session_.log(fmt::format("scene '{}' to {:.6g} s in {} steps", session_.scene().name,
-                             session_.scene().time.end_s, session_.clock().steps()));
+    session_.log(fmt::format("scene '{}' to {:.6g} s in {} steps", scene_.name,
+                             scene_.time.end_s, session_.clock().steps()));
     coupler::log_effects(session_);
     coupler::log_steps(
         session_, tasks_,

@@ -17,7 +17,7 @@ namespace magfsi::fluids {
 class Participant {
   public:
     // fluid: at the session's step and state; both outlive this.
-    Participant(coupler::Session& session, FluidSolver& fluid,
+    Participant(const scene::Scene& scene, coupler::Session& session, FluidSolver& fluid,
                 output::ProgressMode progress);
     void run();
 
@@ -27,6 +27,7 @@ class Participant {
     coupler::ParticipantReport make_report(double wall_s) const;
     void finish(double wall_s);
 
+    const scene::Scene& scene_;
     coupler::Session& session_;
     output::ProgressMode progress_mode_;
     FluidSolver& fluid_;

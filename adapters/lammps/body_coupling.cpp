@@ -41,8 +41,8 @@ std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
     return sum;
 }
 
-coupler::PenaltyScale penalty_scale(const coupler::Session& session) {
-    const scene::Scene& scene = session.scene();
+coupler::PenaltyScale penalty_scale(const scene::Scene& scene,
+                                    const coupler::Session& session) {
     coupler::PenaltyScale scale{scene.coupling->immersed_boundary.strength,
                                 scene.fluid->density_kg_m3, session.clock().step_s()};
     if (scene.coupling->scheme == scene::Scheme::implicit) scale.enclosed_follow = 1;
@@ -55,18 +55,18 @@ std::span<double> flat(std::span<Vec3> v) {
 
 }  // namespace
 
-BodyCoupling::BodyCoupling(const coupler::Session& session, Engine& engine,
-                           const std::vector<int>& first_node)
-    : session_(session),
+BodyCoupling::BodyCoupling(const scene::Scene& scene, const coupler::Session& session,
+                           Engine& engine, const std::vector<int>& first_node)
+    : scene_(scene),
+      session_(session),
       engine_(engine),
-      bodies_(session.scene().bodies.size()),
-      gravity_m_s2_(bodies::to_gravity(session.scene()).value_or(Vec3{})) {
-    const scene::Scene& scene = session.scene();
+      bodies_(scene.bodies.size()),
+      gravity_m_s2_(bodies::to_gravity(scene).value_or(Vec3{})) {
     grid_ = coupler::grid_from_text(coupler::swap_text(
         session.world(), "", coupler::startup_timeout_s, "description of the grid"));
     const auto& boundary = scene.coupling->immersed_boundary;
     const auto placed = place_all(scene);
-    const coupler::PenaltyScale scale = penalty_scale(session);
+    const coupler::PenaltyScale scale = penalty_scale(scene, session);
     auto markers = own_markers(placed, first_node);
     share_fluid_inside(markers);
     force_ =
@@ -95,7 +95,7 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
     const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) {
     const coupler::SolidCells solid(grid_);
     const auto kernel =
-        coupler::to_kernel(session_.scene().coupling->immersed_boundary.kernel);
+        coupler::to_kernel(scene_.coupling->immersed_boundary.kernel);
     std::vector<coupler::Marker> mine;
     placed_ = placed.size();
     for (const bodies::PlacedMarker& p : placed) {
@@ -126,7 +126,7 @@ std::vector<coupler::Marker> BodyCoupling::own_markers(
 
 // What came off the nodes is no force of the markers any more.
 void BodyCoupling::share_fluid_inside(std::vector<coupler::Marker>& markers) {
-    const scene::Scene& scene = session_.scene();
+    const scene::Scene& scene = scene_;
     notes_velocities_ =
         bodies::ProbeRow::wants(scene, scene::BodyQuantity::fluid_force) ||
         (scene.probes && !scene.probes->integrals.empty());
@@ -142,7 +142,7 @@ void BodyCoupling::share_fluid_inside(std::vector<coupler::Marker>& markers) {
 }
 
 void BodyCoupling::attach_force() {
-    const auto& probes = session_.scene().probes;
+    const auto& probes = scene_.probes;
     if (!probes || !probes->energy_audit) {
         return engine_.attach_fluid_force(
             [this](const double* velocity, double* force, double step_s) {
@@ -244,7 +244,7 @@ void BodyCoupling::send_impulses() {
 void BodyCoupling::iterate_forcing() {
     const std::int64_t step = session_.clock().step();
     std::vector<Vec3> velocity(force_->markers().size());
-    for (int i = 1; i < session_.scene().coupling->immersed_boundary.iterations; ++i) {
+    for (int i = 1; i < scene_.coupling->immersed_boundary.iterations; ++i) {
         exchange_->receive({step, i}, velocity);
         exchange_->send({step, i}, before_m_,
                         iterated_->correct(before_m_, now_m_, velocity), now_m_);
@@ -289,7 +289,7 @@ void BodyCoupling::shorten_last_step(double part) {
 }
 
 void BodyCoupling::find_parts(const std::vector<bodies::PlacedMarker>& placed) {
-    const scene::Scene& scene = session_.scene();
+    const scene::Scene& scene = scene_;
     if (!scene.probes) return;
     for (const scene::IntegralProbe& integral : scene.probes->integrals) {
         const auto* part = std::get_if<scene::BodyPart>(&integral.over);

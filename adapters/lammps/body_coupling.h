@@ -23,7 +23,8 @@ class BodyCoupling {
     // After engine.set_up(), with the bodies where they start, also before a restart: a
     // rank takes the markers of the elements whose first node it
     // owns. first_node: atom id of each body's node 0.
-    BodyCoupling(const coupler::Session& session, Engine& engine,
+    BodyCoupling(const scene::Scene& scene, const coupler::Session& session,
+                 Engine& engine,
                  const std::vector<int>& first_node);
     ~BodyCoupling();
 
@@ -108,6 +109,7 @@ class BodyCoupling {
     int current_iteration() const;
     void add_learnt(std::vector<MarkerArray>& all);
 
+    const scene::Scene& scene_;
     const coupler::Session& session_;
     Engine& engine_;
     coupler::Grid grid_;

@@ -57,7 +57,7 @@ std::vector<Vec3> mean(std::span<const Vec3> a, std::span<const Vec3> b) {
 BodyCoupling::~BodyCoupling() = default;
 
 void BodyCoupling::start_iterations() {
-    const scene::Coupling& coupling = *session_.scene().coupling;
+    const scene::Coupling& coupling = *scene_.coupling;
     const double rest_m_s =
         rest_lattice_speed * grid_.spacing_m / session_.clock().step_s();
     iterations_.reset(new Iterations{

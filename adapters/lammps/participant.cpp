@@ -23,9 +23,10 @@ constexpr const char* advance_task = "advance structure";
 
 }  // namespace
 
-Participant::Participant(coupler::Session& session, const Substeps& substeps,
+Participant::Participant(const scene::Scene& scene, coupler::Session& session,
+                         const Substeps& substeps,
                          const coupler::ParticipantArguments& arguments)
-    : session_(session), substeps_(substeps) {
+    : scene_(scene), session_(session), substeps_(substeps) {
     build();
     run_->recorded = arguments.record;
     assemble();
@@ -50,7 +51,8 @@ void Participant::build() {
 
     fix_ids_ = script.fix_id;
     atoms_ = script.first_node.back() - 1;
-    run_.emplace(StructureRun{.session = session_,
+    run_.emplace(StructureRun{.scene = scene_,
+                              .session = session_,
                               .engine = *engine_,
                               .input = input_,
                               .fix_ids = fix_ids_,
@@ -65,7 +67,7 @@ void Participant::build() {
         rest_ = std::make_unique<RestFinder>(*engine_, scene(), substeps_.lammps_step_s);
     }
     if (session_.world().coupled()) {
-        coupling_ = std::make_unique<BodyCoupling>(session_, *engine_, script.first_node);
+        coupling_ = std::make_unique<BodyCoupling>(scene_, session_, *engine_, script.first_node);
         if (scene().probes && scene().probes->interface_balance) {
             balance_ = std::make_unique<coupler::BalanceRecord>();
         }
@@ -177,7 +179,7 @@ void Participant::assemble_output(output::ProgressMode progress) {
 }
 
 StructureParts Participant::parts() {
-    return {session_,       *engine_,     atoms_,         coupling_.get(),
+    return {scene_, session_,       *engine_,     atoms_,         coupling_.get(),
             balance_.get(), audit_.get(), substeps_.count};
 }
 
@@ -234,7 +236,8 @@ coupler::ParticipantReport Participant::make_report() const {
     }
     report.structure = structure;
     if (coupling_) {
-        report.immersed_boundary = coupler::boundary_summary(coupling_->slip(), scene());
+        report.immersed_boundary = coupler::boundary_summary(
+            coupling_->slip(), session_.plan().given_speed_m_s);
         session_.log(coupler::to_text(*report.immersed_boundary));
     }
     if (audit_) report.energy_audit = audit_->summary();

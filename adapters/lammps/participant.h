@@ -20,7 +20,8 @@ namespace magfsi::lammps {
 
 class Participant {
   public:
-    Participant(coupler::Session& session, const Substeps& substeps,
+    Participant(const scene::Scene& scene, coupler::Session& session,
+                const Substeps& substeps,
                 const coupler::ParticipantArguments& arguments);
     void run();
 
@@ -43,8 +44,9 @@ class Participant {
     coupler::ParticipantReport make_report() const;
     void finish(double wall_s);
 
-    const scene::Scene& scene() const { return session_.scene(); }
+    const scene::Scene& scene() const { return scene_; }
 
+    const scene::Scene& scene_;
     coupler::Session& session_;
     Substeps substeps_;
     StepCount counted_;

@@ -13,6 +13,7 @@
 namespace magfsi::lammps {
 
 struct StructureRun {
+    const scene::Scene& scene;
     coupler::Session& session;
     Engine& engine;
     const structure::LammpsInput& input;
@@ -32,7 +33,6 @@ struct StructureRun {
     // What the fluid has sent for a row of probes, on the root. Empty: nobody listens.
     std::function<void(std::span<const double>)> heard{};
 
-    const scene::Scene& scene() const { return session.scene(); }
     NodalState gather() const;  // with whole masses; collective
 };
 

@@ -79,7 +79,7 @@ void save_structure(const StructureParts& parts, StateWriter* file) {
         const auto carried = parts.audit->carried();
         file->table("energy_audit", carried, {carried.size()});
     }
-    if (!parts.session.scene().contact) return;
+    if (!parts.scene.contact) return;
     broadcast(nodes, atoms * width, comm);
     engine.renew_neighbours();
     engine.put_nodes(nodes);
@@ -90,7 +90,7 @@ void restore_bodies(const StructureParts& parts, const StateReader& file) {
     const auto nodes = rows_of(file, "nodes", static_cast<std::size_t>(parts.atoms),
                                engine.node_values());
     engine.put_nodes(nodes);
-    if (parts.session.scene().contact) {
+    if (parts.scene.contact) {
         engine.renew_neighbours();
         engine.put_nodes(nodes);
     }

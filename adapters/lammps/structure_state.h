@@ -12,6 +12,7 @@
 namespace magfsi::lammps {
 
 struct StructureParts {
+    const scene::Scene& scene;
     const coupler::Session& session;
     Engine& engine;
     int atoms = 0;

@@ -9,7 +9,7 @@
 
 namespace magfsi::lbm {
 
-// In the order of coupler::fluid_columns. Collective.
+// In the order of scene::fluid_columns. Collective.
 std::vector<double> probe_values(const scene::Scene& scene, const fluid::Fluid& fluid);
 
 // Axes of drag and lift. The flow's: along which an inlet (the first one), a body force

@@ -4,23 +4,21 @@
 #include "adapters/fluids/participant.h"
 #include "adapters/lbm/lbm_fluid.h"
 #include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/participants/errors.h"
-#include "coupler/participants/guard.h"
+#include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;
-    return coupler::run_participant(
+    return run_scene(
         coupler::Role::fluid, "The lattice-Boltzmann fluid of a magfsi scene", argc, argv,
-        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
-            coupler::Session session(coupler::Role::fluid, arguments, state);
-            if (!session.scene().fluid)
-                throw std::runtime_error("the scene has no fluid");
-            session.begin(*scene::coupled_step_s(session.scene()));
+        [](const scene::Scene& scene, coupler::Session& session,
+           const coupler::ParticipantArguments& arguments) {
+            if (!scene.fluid) throw std::runtime_error("the scene has no fluid");
+            session.begin(*scene::coupled_step_s(scene));
             const MPI_Comm comm = session.world().local();
-            fluid::Fluid lattice(
-                comm, lbm::to_config(*session.scene().fluid, session.clock().step_s()));
+            fluid::Fluid lattice(comm,
+                                 lbm::to_config(*scene.fluid, session.clock().step_s()));
             lbm::LbmFluid fluid(comm, lattice);
-            fluids::Participant(session, fluid, arguments.progress).run();
+            fluids::Participant(scene, session, fluid, arguments.progress).run();
         });
 }

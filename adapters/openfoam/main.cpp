@@ -5,26 +5,26 @@
 #include <algorithm>
 
 #include "adapters/fluids/participant.h"
+#include "adapters/run_scene.h"
 #include "adapters/openfoam/foam_fluid.h"
-#include "coupler/participants/guard.h"
 #include "adapters/scene/effective.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;
-    return coupler::run_participant(
+    return run_scene(
         coupler::Role::fluid, "The fluid of a magfsi scene by OpenFOAM", argc, argv,
-        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
-            coupler::Session session(coupler::Role::fluid, arguments, state);
-            if (!session.scene().fluid)
+        [](const scene::Scene& scene, coupler::Session& session,
+           const coupler::ParticipantArguments& arguments) {
+            if (!scene.fluid)
                 throw std::runtime_error("the scene has no fluid");
-            session.begin(*scene::coupled_step_s(session.scene()));
+            session.begin(*scene::coupled_step_s(scene));
             const coupler::Clock& clock = session.clock();
             openfoam::CaseTimes times{clock.step_s(), clock.steps(),
                                       std::max<std::int64_t>(1, clock.steps() / 10)};
-            if (const auto& output = session.scene().output.fluid)
+            if (const auto& output = scene.output.fluid)
                 times.steps_between_files = clock.every(output->every_s);
-            openfoam::FoamFluid fluid(session.world().local(), *session.scene().fluid,
+            openfoam::FoamFluid fluid(session.world().local(), *scene.fluid,
                                       times, session.out() / "openfoam");
-            fluids::Participant(session, fluid, arguments.progress).run();
+            fluids::Participant(scene, session, fluid, arguments.progress).run();
         });
 }

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 
 namespace magfsi::replay {
 
@@ -53,15 +53,16 @@ void check_steps(const RecordHeader& header, std::int64_t entries,
 
 }  // namespace
 
-coupler::RecordReader open_record(const coupler::ParticipantArguments& arguments,
+coupler::RecordReader open_record(const scene::Scene& scene,
+                                  const coupler::ParticipantArguments& arguments,
                                   const coupler::Session& session) {
-    check_scene(session.scene());
+    check_scene(scene);
     if (session.world().size() != 1)
         throw std::invalid_argument("--replay: a record is played by one rank");
     coupler::RecordReader record(arguments.replay);
     const RecordHeader& header = record.header();
     check_steps(header, record.entries(), session.clock());
-    const auto wanted = coupler::fluid_columns(session.scene()).size();
+    const auto wanted = scene::fluid_columns(scene).size();
     if (header.numbers != wanted) {
         throw std::invalid_argument(
             fmt::format("--replay: the record has {} fluid values a probe row, the scene "

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "adapters/replay/difference_file.h"
+#include "adapters/run_scene.h"
 #include "adapters/replay/opened_record.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
@@ -63,8 +64,9 @@ std::vector<Vec3> in_order(std::span<const Vec3> recorded,
 
 class Player {
   public:
-    Player(coupler::Session& session, coupler::RecordReader record)
-        : session_(session),
+    Player(const scene::Scene& scene, coupler::Session& session, coupler::RecordReader record)
+        : scene_(scene),
+          session_(session),
           record_(std::move(record)),
           exchange_(session.world(), session.timeout_s()),
           difference_(session, "m") {
@@ -112,12 +114,13 @@ class Player {
             difference_.add(batch_->now_m, in_order(entry_.position_m, pairs_));
         });
         if (!sends_numbers()) return;
-        const auto every = session_.clock().every(session_.scene().probes->every_s);
+        const auto every = session_.clock().every(scene_.probes->every_s);
         tasks_.add_output("probes", [this, every] {
             if (session_.clock().step() % every == 0) send_numbers();
         });
     }
 
+    const scene::Scene& scene_;
     coupler::Session& session_;
     coupler::RecordReader record_;
     coupler::FluidExchange exchange_;
@@ -134,12 +137,12 @@ class Player {
 
 int main(int argc, char** argv) {
     using namespace magfsi;
-    return coupler::run_participant(
+    return run_scene(
         coupler::Role::fluid, "The fluid of a recorded run, played to a live structure",
         argc, argv,
-        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
-            coupler::Session session(coupler::Role::fluid, arguments, state);
-            session.begin(*scene::coupled_step_s(session.scene()));
-            replay::Player(session, replay::open_record(arguments, session)).run();
+        [](const scene::Scene& scene, coupler::Session& session,
+           const coupler::ParticipantArguments& arguments) {
+            session.begin(*scene::coupled_step_s(scene));
+            replay::Player(scene, session, replay::open_record(scene, arguments, session)).run();
         });
 }

@@ -3,6 +3,7 @@
 //   mpirun -n 1 magfsi-replay-structure SCENE --out DIR --replay RUN/exchange.record
 //        : -n 2 magfsi-fluid-lbm SCENE --out DIR
 #include "adapters/replay/difference_file.h"
+#include "adapters/run_scene.h"
 #include "adapters/replay/opened_record.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
@@ -10,7 +11,7 @@
 #include "coupler/participants/wait.h"
 #include "adapters/scene/effective.h"
 #include "coupler/step/log_head.h"
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
@@ -23,16 +24,17 @@ using coupler::Vec3;
 
 class Player {
   public:
-    Player(coupler::Session& session, coupler::RecordReader record,
+    Player(const scene::Scene& scene, coupler::Session& session, coupler::RecordReader record,
            output::ProgressMode mode)
-        : session_(session),
+        : scene_(scene),
+          session_(session),
           record_(std::move(record)),
           grid_(coupler::grid_from_text(coupler::swap_text(session.world(), "",
                                                            coupler::startup_timeout_s,
                                                            "description of the grid"))),
           exchange_(
               session.world(), grid_,
-              coupler::to_kernel(session.scene().coupling->immersed_boundary.kernel),
+              coupler::to_kernel(scene.coupling->immersed_boundary.kernel),
               session.timeout_s()),
           velocity_(record_.header().markers),
           difference_(session, "m/s"),
@@ -70,8 +72,8 @@ class Player {
                           [this] { difference_.add(velocity_, entry_.velocity); });
         if (record_.header().numbers > 0) {
             probes_ =
-                coupler::open_probes(session_, coupler::fluid_columns(session_.scene()));
-            const auto every = session_.clock().every(session_.scene().probes->every_s);
+                coupler::open_probes(session_, scene::fluid_columns(scene_));
+            const auto every = session_.clock().every(scene_.probes->every_s);
             tasks_.add_output("probes", [this, every] {
                 if (session_.clock().step() % every == 0) write_probes();
             });
@@ -99,6 +101,7 @@ class Player {
         session_.log(coupler::end_line(session_, wall_s));
     }
 
+    const scene::Scene& scene_;
     coupler::Session& session_;
     coupler::RecordReader record_;
     coupler::Grid grid_;
@@ -117,13 +120,13 @@ class Player {
 
 int main(int argc, char** argv) {
     using namespace magfsi;
-    return coupler::run_participant(
+    return run_scene(
         coupler::Role::structure,
         "The structure of a recorded run, played to a live fluid", argc, argv,
-        [](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
-            coupler::Session session(coupler::Role::structure, arguments, state);
-            session.begin(*scene::coupled_step_s(session.scene()));
-            replay::Player(session, replay::open_record(arguments, session),
+        [](const scene::Scene& scene, coupler::Session& session,
+           const coupler::ParticipantArguments& arguments) {
+            session.begin(*scene::coupled_step_s(scene));
+            replay::Player(scene, session, replay::open_record(scene, arguments, session),
                            arguments.progress)
                 .run();
         });

@@ -11,9 +11,9 @@
 namespace magfsi::scene {
 
 // what(): "file:line:column: what was found; what is allowed; suggestion", one line.
-class SceneError : public std::runtime_error {
+class SceneError : public std::invalid_argument {
   public:
-    using std::runtime_error::runtime_error;
+    using std::invalid_argument::invalid_argument;
 };
 
 // path: a scene file, or a tutorial folder (its scene.yaml). overrides: as given to

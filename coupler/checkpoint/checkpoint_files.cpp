@@ -31,13 +31,6 @@ bool has_its_name(const fs::path& file) {
 
 }  // namespace
 
-std::vector<Role> roles_of(const scene::Scene& scene) {
-    std::vector<Role> roles;
-    if (!scene.bodies.empty()) roles.push_back(Role::structure);
-    if (scene.fluid) roles.push_back(Role::fluid);
-    return roles;
-}
-
 fs::path checkpoint_file(const fs::path& folder, std::int64_t step, Role role) {
     return folder / fmt::format("{}{:010d}_{}.h5", prefix, step, to_string(role));
 }

@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "coupler/participants/world.h"
-#include "adapters/scene/scene.h"
 
 namespace magfsi::coupler {
 
 constexpr std::size_t checkpoints_kept = 2;
-
-std::vector<Role> roles_of(const scene::Scene& scene);
 
 std::filesystem::path checkpoint_file(const std::filesystem::path& folder,
                                       std::int64_t step, Role role);

@@ -6,14 +6,13 @@
 
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/participants/wait.h"
-#include "adapters/scene/effective.h"
 
 namespace magfsi::coupler {
 
 Checkpoints::Checkpoints(Session& session, Save save)
     : session_(session),
       save_(std::move(save)),
-      every_(session.clock().every(session.scene().checkpoint->every_s)),
+      every_(session.clock().every(session.plan().checkpoint->every_s)),
       stop_(session.world(), session.timeout_s()) {
     postpone_stop();
 }
@@ -33,7 +32,7 @@ void Checkpoints::write() {
     if (world.root()) {
         file = std::make_unique<StateWriter>(
             checkpoint_file(session_.out(), step, world.self()),
-            StateHeader{scene::state_hash(session_.scene()), step,
+            StateHeader{session_.plan().state_hash, step,
                         session_.clock().step_s()});
     }
     save_(file.get());
@@ -44,7 +43,7 @@ void Checkpoints::write() {
 
 void Checkpoints::finish() {
     if (session_.world().leads())
-        prune_checkpoints(session_.out(), roles_of(session_.scene()));
+        prune_checkpoints(session_.out(), session_.plan().roles);
 }
 
 }  // namespace magfsi::coupler

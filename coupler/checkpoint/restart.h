@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupler/checkpoint/state_header.h"
-#include "adapters/scene/scene.h"
+#include "coupler/participants/run_plan.h"
 
 namespace magfsi::coupler {
 
@@ -22,7 +22,7 @@ struct RestartPoint {
 // before), or when it is of another scene; scenes may differ in time.end.
 RestartPoint find_restart(const std::string& wanted,
                           const std::filesystem::path& run_folder,
-                          const scene::Scene& scene);
+                          const RunPlan& plan);
 
 // Where its files are.
 std::filesystem::path restart_folder(const std::string& wanted,

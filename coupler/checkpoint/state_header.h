@@ -7,7 +7,7 @@
 namespace magfsi::coupler {
 
 struct StateHeader {
-    std::uint64_t state_hash = 0;  // of the scene, whatever its end (scene::state_hash)
+    std::uint64_t state_hash = 0;  // of the scene, whatever its end
     std::int64_t step = 0;         // coupled steps that were completed
     double step_s = 0;             // the coupled step
 

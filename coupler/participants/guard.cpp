@@ -11,8 +11,6 @@
 #include "coupler/participants/errors.h"
 #include "coupler/participants/floating_point_traps.h"
 #include "coupler/participants/wait.h"
-#include "adapters/scene/effective.h"
-#include "adapters/scene/reader.h"
 
 namespace magfsi::coupler {
 
@@ -28,15 +26,13 @@ Ending classify(const std::exception_ptr& exception) {
     using output::Outcome;
     try {
         std::rethrow_exception(exception);
-    } catch (const scene::SceneError& e) {
-        return {exit_input, Outcome::stopped, e.what()};
     } catch (const Diverged& e) {
         return {exit_diverged, Outcome::diverged, e.what()};
     } catch (const PartnerLost& e) {
         return {exit_partner, Outcome::lost_partner, e.what()};
     } catch (const Stopped& e) {
         return {exit_partner, Outcome::stopped, e.what()};
-    } catch (const std::invalid_argument& e) {  // what only mesh or solver can refuse
+    } catch (const std::invalid_argument& e) {  // of the scene, a mesh, or a solver
         return {exit_input, Outcome::stopped, e.what()};
     } catch (const std::exception& e) {
         return {exit_error, Outcome::stopped, e.what()};
@@ -49,12 +45,12 @@ void write_failure(const RunState& state, const Ending& ending) {
     const bool told = ending.outcome == output::Outcome::stopped;
     if (told && std::filesystem::exists(state.out / "summary.json")) return;
     output::Summary summary;
-    summary.scene = state.scene.name;
-    summary.scene_hash = state.scene.hash;
+    summary.scene = state.plan.name;
+    summary.scene_hash = state.plan.scene_hash;
     summary.outcome = ending.outcome;
     summary.cause = ending.cause;
-    summary.effects = scene::active_effects(state.scene);
-    summary.absent_effects = scene::absent_effects(state.scene);
+    summary.effects = state.plan.effects;
+    summary.absent_effects = state.plan.absent_effects;
     summary.steps = state.step;
     summary.simulated_s = state.time_s;
     try {

@@ -5,15 +5,14 @@
 #include <functional>
 
 #include "coupler/participants/arguments.h"
-#include "coupler/participants/world.h"
-#include "adapters/scene/scene.h"
+#include "coupler/participants/run_plan.h"
 
 namespace magfsi::coupler {
 
 // What the guard needs to know to write a summary of a run that failed.
 struct RunState {
     std::filesystem::path out;
-    scene::Scene scene;
+    RunPlan plan;
     std::int64_t step = 0;  // coupled steps that were completed
     double time_s = 0;
     bool started = false;  // the run folder exists and is ours

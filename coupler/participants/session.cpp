@@ -8,41 +8,36 @@
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/wait.h"
-#include "adapters/scene/reader.h"
 
 namespace magfsi::coupler {
 
 namespace {
 
-const scene::Scene& read(const ParticipantArguments& arguments, RunState& state) {
-    state.scene = scene::read_scene(arguments.scene, arguments.overrides);
-    state.scene.time.halvings = arguments.halvings;
-    state.out = arguments.out.empty() ? default_out(state.scene.name) : arguments.out;
-    return state.scene;
-}
-
-bool coupled(const scene::Scene& scene) {
-    return scene.fluid && !scene.bodies.empty();
+RunState& fill(RunState& state, const ParticipantArguments& arguments, RunPlan plan) {
+    state.plan = std::move(plan);
+    state.out = arguments.out.empty() ? default_out(state.plan.name) : arguments.out;
+    return state;
 }
 
 }  // namespace
 
-Session::Session(Role role, const ParticipantArguments& arguments, RunState& state)
-    : state_(state),
+Session::Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
+                 RunState& state)
+    : state_(fill(state, arguments, std::move(plan))),
       restart_wanted_(arguments.restart),
       notes_(arguments.notes),
-      world_(role, coupled(read(arguments, state))) {}
+      world_(role, state_.plan.roles.size() == 2) {}
 
 double Session::timeout_s() const {
-    return state_.scene.coupling ? state_.scene.coupling->timeout_s : startup_timeout_s;
+    return plan().coupling ? plan().coupling->timeout_s : startup_timeout_s;
 }
 
 void Session::begin(double step_s) {
-    clock_ = std::make_unique<Clock>(step_s, state_.scene.time.end_s);
+    clock_ = std::make_unique<Clock>(step_s, plan().end_s);
     if (!restart_wanted_.empty()) find_restart(step_s);
     if (world_.coupled()) {
         Agreement mine;
-        mine.scene_hash = state_.scene.hash;
+        mine.scene_hash = plan().scene_hash;
         mine.steps = clock_->steps();
         mine.step_ps = std::llround(step_s * 1e12);
         mine.first_step = clock_->first_step();
@@ -59,12 +54,12 @@ void Session::begin(double step_s) {
 void Session::find_restart(double step_s) {
     restart_.emplace();
     if (world_.root())
-        restart_ = coupler::find_restart(restart_wanted_, state_.out, state_.scene);
+        restart_ = coupler::find_restart(restart_wanted_, state_.out, plan());
     restart_->folder = restart_folder(restart_wanted_, state_.out);
     StateHeader& header = restart_->header;
     MPI_Bcast(&header, sizeof header, MPI_BYTE, 0, world_.local());
     const std::int64_t ratio = header.steps_in_one(step_s);
-    const bool retried = state_.scene.checkpoint && state_.scene.checkpoint->retry();
+    const bool retried = plan().checkpoint && plan().checkpoint->retry;
     if (ratio == 0 || (ratio > 1 && !retried)) {
         throw std::invalid_argument(
             fmt::format("--restart: the checkpoint in {} has coupled steps of {:.17g} s, "

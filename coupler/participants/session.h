@@ -1,5 +1,5 @@
-// What both participants do alike before the first step: read the scene, meet the
-// partner, agree, claim the run folder.
+// What both participants do alike before the first step: find the partner, agree with it,
+// claim the run folder.
 #pragma once
 
 #include <spdlog/logger.h>
@@ -16,9 +16,9 @@ namespace magfsi::coupler {
 
 class Session {
   public:
-    // Reads the scene named by the arguments into state, joins the world. Throws
-    // SceneError, PartnerLost.
-    Session(Role role, const ParticipantArguments& arguments, RunState& state);
+    // Puts plan and run folder into state and joins the world. Throws PartnerLost.
+    Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
+            RunState& state);
 
     // step_s: the coupled step. Finds the checkpoint that was asked for, shakes hands,
     // makes the run folder and, on the lead, its log. Throws std::invalid_argument on a
@@ -26,7 +26,7 @@ class Session {
     void begin(double step_s);
 
     const World& world() const { return world_; }
-    const scene::Scene& scene() const { return state_.scene; }
+    const RunPlan& plan() const { return state_.plan; }
     const std::filesystem::path& out() const { return state_.out; }
     Clock& clock() { return *clock_; }
     const Clock& clock() const { return *clock_; }

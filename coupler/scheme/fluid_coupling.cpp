@@ -10,7 +10,7 @@ namespace magfsi::coupler {
 namespace {
 
 const scene::Coupling& coupling_of(const Session& session) {
-    return *session.scene().coupling;
+    return *session.plan().coupling;
 }
 
 bool at_once(const Session& session) {
@@ -28,7 +28,7 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
           fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
           to_kernel(coupling_of(session).immersed_boundary.kernel),
           session.clock().step_s()) {
-    if (session.scene().probes && session.scene().probes->interface_balance)
+    if (session.plan().interface_balance)
         balance_ = std::make_unique<BalanceRecord>();
     swap_text(session.world(), to_text(fluid.grid()), startup_timeout_s,
               "description of the grid");
@@ -140,7 +140,7 @@ void FluidCoupling::add_audit(TaskList& tasks,
 
 std::span<const Vec3> FluidCoupling::sample_forced(std::span<const Vec3> points_m) {
     return immersed_boundary_.sample_forced(points_m,
-                                            session_.scene().fluid->density_kg_m3);
+                                            session_.plan().fluid_density_kg_m3);
 }
 
 void FluidCoupling::add_iterations(TaskList& tasks) {

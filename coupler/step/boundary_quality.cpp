@@ -3,23 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace magfsi::coupler {
 
-double given_flow_speed(const scene::Scene& scene) {
-    double largest = 0;
-    const auto look_at = [&](const Vec3& v) {
-        largest = std::max(largest, std::hypot(v[0], v[1], v[2]));
-    };
-    for (const scene::Boundary& side : scene.fluid->boundaries)
-        look_at(side.velocity_m_s);
-    if (scene.fluid->initial_velocity_m_s) look_at(*scene.fluid->initial_velocity_m_s);
-    return largest;
-}
-
 output::BoundarySummary boundary_summary(const SlipReport& slip,
-                                         const scene::Scene& scene) {
+                                         double given_speed_m_s) {
     output::BoundarySummary b;
     b.markers = slip.markers;
     b.samples = slip.samples;
@@ -27,7 +15,7 @@ output::BoundarySummary boundary_summary(const SlipReport& slip,
     b.largest_error_m_s = slip.largest_error_m_s;
     b.marker_speed_m_s = slip.marker_speed_m_s;
     b.leakage_m3_s = slip.leakage_m3_s;
-    b.reference_speed_m_s = std::max(slip.marker_speed_m_s, given_flow_speed(scene));
+    b.reference_speed_m_s = std::max(slip.marker_speed_m_s, given_speed_m_s);
     if (b.reference_speed_m_s > 0) {
         b.error = b.error_m_s / b.reference_speed_m_s;
         if (slip.surface_m2 > 0)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "adapters/scene/scene.h"
+#include "adapters/scene/coupling.h"
 
 namespace magfsi::coupler {
 

@@ -3,14 +3,13 @@
 #include <sstream>
 
 #include "coupler/participants/handshake.h"
-#include "adapters/scene/effective.h"
 
 namespace magfsi::coupler {
 
 void log_effects(const Session& session) {
-    for (const std::string& line : scene::effects_by_step(session.scene()))
+    for (const std::string& line : session.plan().effects_by_step)
         session.log("effects of the " + line);
-    for (const std::string& line : scene::idle_effects(session.scene()))
+    for (const std::string& line : session.plan().warnings)
         session.log("warning: " + line);
 }
 

@@ -11,7 +11,7 @@ std::unique_ptr<output::Progress> progress_on_stdout(const Session& session,
     const char* const end = mode == output::ProgressMode::plain ? "\n" : "";
     return std::make_unique<output::Progress>(
         mode,
-        output::ProgressGoal{session.clock().steps(), session.scene().time.end_s,
+        output::ProgressGoal{session.clock().steps(), session.plan().end_s,
                              session.clock().first_step()},
         [end](std::string_view text) {
             fmt::print("{}{}", text, end);

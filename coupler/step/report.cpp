@@ -6,7 +6,6 @@
 #include <array>
 
 #include "coupler/output/memory.h"
-#include "adapters/scene/effective.h"
 
 namespace magfsi::coupler {
 
@@ -85,7 +84,7 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
 // What takes two sides: the summary of a run without a partner has none of it.
 void add_balance(const Session& session, output::Summary& summary,
                  const ParticipantReport& structure, const ParticipantReport& fluid) {
-    const scene::Scheme scheme = session.scene().coupling->scheme;
+    const scene::Scheme scheme = session.plan().coupling->scheme;
     summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
     summary.immersed_boundary_share = immersed_boundary_share(structure.load, fluid.load);
     const auto cores = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
@@ -156,8 +155,8 @@ std::string end_line(const Session& session, double wall_s) {
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
                    double wall_s, const output::ProbeFile* probes) {
     output::Summary summary;
-    summary.scene = session.scene().name;
-    summary.scene_hash = session.scene().hash;
+    summary.scene = session.plan().name;
+    summary.scene_hash = session.plan().scene_hash;
     summary.outcome = output::Outcome::completed;
     if (session.stop_cause()) {
         summary.outcome = output::Outcome::stopped;
@@ -165,8 +164,8 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
     }
     if (session.restart())
         summary.extra["restarted_at_step"] = session.clock().first_step();
-    summary.effects = scene::active_effects(session.scene());
-    summary.absent_effects = scene::absent_effects(session.scene());
+    summary.effects = session.plan().effects;
+    summary.absent_effects = session.plan().absent_effects;
     summary.steps = session.clock().step();
     summary.simulated_s = session.clock().time_s();
     summary.wall_s = wall_s;

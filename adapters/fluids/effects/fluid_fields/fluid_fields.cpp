@@ -9,8 +9,8 @@ class FluidFields : public coupler::Output {
   public:
     explicit FluidFields(FluidRun& run)
         : session_(run.session),
-          every_(session_.clock().every(session_.scene().output.fluid->every_s)),
-          files_(session_.world(), run.fluid, *session_.scene().output.fluid,
+          every_(session_.clock().every(run.scene.output.fluid->every_s)),
+          files_(session_.world(), run.fluid, *run.scene.output.fluid,
                  session_.out()) {
         if (session_.restart()) files_.resume(session_.clock(), every_);
     }
@@ -33,7 +33,7 @@ class FluidFields : public coupler::Output {
 extern const FluidOutput fluid_fields_output{
     "fluid_fields", "write fields",
     [](FluidRun& run) -> std::unique_ptr<coupler::Output> {
-        if (!run.session.scene().output.fluid) return nullptr;
+        if (!run.scene.output.fluid) return nullptr;
         return std::make_unique<FluidFields>(run);
     }};
 

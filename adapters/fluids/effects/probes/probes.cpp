@@ -1,7 +1,7 @@
 // Rows of probes.csv; beside a structure, the numbers that go to its rows.
 #include "adapters/fluids/fluid_run.h"
 #include "coupler/participants/handshake.h"
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::fluids {
@@ -13,10 +13,9 @@ class Probes : public coupler::Output {
     explicit Probes(FluidRun& run)
         : run_(run),
           session_(run.session),
-          every_(session_.clock().every(session_.scene().probes->every_s)) {
+          every_(session_.clock().every(run.scene.probes->every_s)) {
         if (session_.world().leads())
-            file_ =
-                coupler::open_probes(session_, coupler::fluid_columns(session_.scene()));
+            file_ = coupler::open_probes(session_, scene::fluid_columns(run.scene));
     }
     void begin() override {
         if (!session_.restart()) write();
@@ -28,7 +27,7 @@ class Probes : public coupler::Output {
 
   private:
     void write() {
-        std::vector<double> numbers = run_.fluid.probe_values(session_.scene());
+        std::vector<double> numbers = run_.fluid.probe_values(run_.scene);
         if (!session_.world().coupled()) {
             if (file_) file_->row(session_.clock().time_s(), numbers);
             return;
@@ -53,8 +52,8 @@ class Probes : public coupler::Output {
 
 extern const FluidOutput probes_output{
     "probes", "probes", [](FluidRun& run) -> std::unique_ptr<coupler::Output> {
-        const scene::Scene& scene = run.session.scene();
-        if (!scene.probes || (!run.balance && coupler::fluid_columns(scene).empty()))
+        const scene::Scene& scene = run.scene;
+        if (!scene.probes || (!run.balance && scene::fluid_columns(scene).empty()))
             return nullptr;
         return std::make_unique<Probes>(run);
     }};

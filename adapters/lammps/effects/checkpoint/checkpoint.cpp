@@ -6,7 +6,7 @@ namespace magfsi::lammps {
 extern const StructureOutput checkpoint_output{
     "checkpoint", "checkpoint",
     [](StructureRun& run) -> std::unique_ptr<coupler::Output> {
-        if (!run.scene().checkpoint) return nullptr;
+        if (!run.scene.checkpoint) return nullptr;
         return std::make_unique<coupler::Checkpoints>(
             run.session,
             [&run](coupler::StateWriter* file) { save_structure(run.state(), file); });

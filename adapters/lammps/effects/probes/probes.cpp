@@ -7,7 +7,7 @@
 #include "adapters/lammps/structure_run.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::lammps {
@@ -39,14 +39,14 @@ class Probes : public coupler::Output {
 };
 
 Probes::Probes(StructureRun& run)
-    : run_(run), every_(run.session.clock().every(run.scene().probes->every_s)) {
+    : run_(run), every_(run.session.clock().every(run.scene.probes->every_s)) {
     if (run.session.world().root())
         of_bodies_ =
-            std::make_unique<bodies::ProbeRow>(run.scene(), run.input.bodies, run.start);
+            std::make_unique<bodies::ProbeRow>(run.scene, run.input.bodies, run.start);
     if (!run.session.world().leads()) return;
-    std::vector<std::string> columns = coupler::body_columns(run.scene());
+    std::vector<std::string> columns = scene::body_columns(run.scene);
     for (const auto& more :
-         {coupler::fluid_columns(run.scene()), coupler::interface_columns(run.scene()),
+         {scene::fluid_columns(run.scene), scene::interface_columns(run.scene),
           run.audit ? run.audit->columns() : std::vector<std::string>{}}) {
         columns.insert(columns.end(), more.begin(), more.end());
     }
@@ -57,11 +57,11 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
     using bodies::ProbeRow;
     std::vector<bodies::BodyLoads> loads(run_.input.bodies.size());
     if (run_.coupling &&
-        ProbeRow::wants(run_.scene(), scene::BodyQuantity::fluid_force)) {
+        ProbeRow::wants(run_.scene, scene::BodyQuantity::fluid_force)) {
         const auto forces = run_.coupling->force_on_bodies();
         for (std::size_t b = 0; b < loads.size(); ++b) loads[b].fluid_force_n = forces[b];
     }
-    if (ProbeRow::wants(run_.scene(), scene::BodyQuantity::energy)) {
+    if (ProbeRow::wants(run_.scene, scene::BodyQuantity::energy)) {
         for (std::size_t b = 0; b < loads.size(); ++b) {
             loads[b].energy_elastic_j = run_.engine.fix_vector(run_.fix_ids[b], 1);
             loads[b].work_magnetic_j = run_.engine.fix_vector(run_.fix_ids[b], 3);
@@ -73,7 +73,7 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
 // Returns what the fluid's last column is, on the root.
 double Probes::add_partner_values(std::vector<double>& row) {
     const coupler::Session& session = run_.session;
-    const std::size_t fluid_values = coupler::fluid_columns(run_.scene()).size();
+    const std::size_t fluid_values = scene::fluid_columns(run_.scene).size();
     const auto given = run_.balance ? run_.balance->collect(session.world().local())
                                     : std::vector<double>{};
     if (!session.world().root() || (fluid_values == 0 && !run_.balance)) return 0;
@@ -95,7 +95,7 @@ double Probes::add_partner_values(std::vector<double>& row) {
 // The fluid's kinetic energy comes last of its columns. Collective.
 void Probes::add_audit(double fluid_kinetic_j, std::vector<double>& row) {
     const NodalState nodes = run_.engine.gather(run_.atoms);
-    EnergyTerms terms = collect_terms(run_.engine, run_.scene(), run_.fix_ids,
+    EnergyTerms terms = collect_terms(run_.engine, run_.scene, run_.fix_ids,
                                       run_.coupling ? run_.coupling->work() : nullptr,
                                       run_.session.world().local());
     if (!run_.session.world().root()) return;
@@ -126,7 +126,7 @@ void Probes::write() {
 
 extern const StructureOutput probes_output{
     "probes", "probes", [](StructureRun& run) -> std::unique_ptr<coupler::Output> {
-        if (!run.scene().probes) return nullptr;
+        if (!run.scene.probes) return nullptr;
         return std::make_unique<Probes>(run);
     }};
 

@@ -1,6 +1,6 @@
 #include "adapters/lammps/effects/record/exchange_recorder.h"
 #include "adapters/lammps/structure_run.h"
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 
 namespace magfsi::lammps {
 
@@ -10,7 +10,7 @@ class Record : public coupler::Output {
   public:
     explicit Record(StructureRun& run)
         : session_(run.session),
-          recorder_(session_, *run.coupling, coupler::fluid_columns(run.scene()).size()) {
+          recorder_(session_, *run.coupling, scene::fluid_columns(run.scene).size()) {
         run.heard = [this](std::span<const double> of_fluid) {
             recorder_.keep_numbers(of_fluid);
         };

@@ -9,7 +9,7 @@ class StructureFields : public coupler::Output {
   public:
     explicit StructureFields(StructureRun& run)
         : run_(run),
-          every_(run.session.clock().every(run.scene().output.structure->every_s)) {
+          every_(run.session.clock().every(run.scene.output.structure->every_s)) {
         if (!run.session.world().root()) return;
         files_ = std::make_unique<bodies::StructureFiles>(run.input.bodies, run.start,
                                                           run.session.out());
@@ -40,7 +40,7 @@ class StructureFields : public coupler::Output {
 extern const StructureOutput structure_fields_output{
     "structure_fields", "write fields",
     [](StructureRun& run) -> std::unique_ptr<coupler::Output> {
-        if (!run.scene().output.structure) return nullptr;
+        if (!run.scene.output.structure) return nullptr;
         return std::make_unique<StructureFields>(run);
     }};
 

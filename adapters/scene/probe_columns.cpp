@@ -1,6 +1,6 @@
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 
-namespace magfsi::coupler {
+namespace magfsi::scene {
 
 namespace {
 
@@ -12,8 +12,8 @@ void add_vector(std::vector<std::string>& columns, const std::string& name,
 }
 
 void add_body(std::vector<std::string>& columns, const std::string& body,
-              scene::BodyQuantity quantity) {
-    using Q = scene::BodyQuantity;
+              BodyQuantity quantity) {
+    using Q = BodyQuantity;
     switch (quantity) {
         case Q::com:
             add_vector(columns, body + ".com", "m");
@@ -52,17 +52,17 @@ void add_plane(std::vector<std::string>& columns, const std::string& name) {
     columns.push_back(name + ".pressure[Pa]");
 }
 
-const char* column(scene::FluidQuantity quantity) {
+const char* column(FluidQuantity quantity) {
     switch (quantity) {
-        case scene::FluidQuantity::kinetic_energy:
+        case FluidQuantity::kinetic_energy:
             return "kinetic_energy[J]";
-        case scene::FluidQuantity::enstrophy:
+        case FluidQuantity::enstrophy:
             return "enstrophy[1/s^2]";
-        case scene::FluidQuantity::mass:
+        case FluidQuantity::mass:
             return "mass[kg]";
-        case scene::FluidQuantity::max_speed:
+        case FluidQuantity::max_speed:
             return "max_speed[m/s]";
-        case scene::FluidQuantity::obstacle_force:
+        case FluidQuantity::obstacle_force:
             break;  // several columns an obstacle
     }
     return "";
@@ -70,43 +70,43 @@ const char* column(scene::FluidQuantity quantity) {
 
 }  // namespace
 
-std::vector<std::string> body_columns(const scene::Scene& scene) {
+std::vector<std::string> body_columns(const Scene& scene) {
     std::vector<std::string> columns;
     if (!scene.probes) return columns;
     if (scene.magnetic_field) columns.emplace_back("field[T]");
-    for (const scene::Body& body : scene.bodies) {
+    for (const Body& body : scene.bodies) {
         for (const auto quantity : scene.probes->bodies)
             add_body(columns, body.name, quantity);
     }
-    for (const scene::PointProbe& point : scene.probes->points) {
+    for (const PointProbe& point : scene.probes->points) {
         add_vector(columns, point.name, "m");
         for (const char axis : {'x', 'y', 'z'}) {
             columns.push_back(point.name + "_u" + axis + "[m]");
         }
     }
-    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
-        if (std::holds_alternative<scene::BodyPart>(integral.over))
+    for (const IntegralProbe& integral : scene.probes->integrals) {
+        if (std::holds_alternative<BodyPart>(integral.over))
             add_part(columns, integral.name, scene.fluid.has_value());
     }
     return columns;
 }
 
-std::vector<std::string> fluid_columns(const scene::Scene& scene) {
+std::vector<std::string> fluid_columns(const Scene& scene) {
     std::vector<std::string> columns;
     if (!scene.probes) return columns;
     for (const auto quantity : scene.probes->fluid) {
-        if (quantity != scene::FluidQuantity::obstacle_force) {
+        if (quantity != FluidQuantity::obstacle_force) {
             columns.emplace_back(column(quantity));
             continue;
         }
-        for (const scene::Obstacle& obstacle : scene.fluid->obstacles) {
+        for (const Obstacle& obstacle : scene.fluid->obstacles) {
             columns.push_back(obstacle.name + ".drag[N]");
             columns.push_back(obstacle.name + ".lift[N]");
             add_vector(columns, obstacle.name + ".force", "N");
         }
     }
-    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
-        if (std::holds_alternative<scene::FluidPlane>(integral.over))
+    for (const IntegralProbe& integral : scene.probes->integrals) {
+        if (std::holds_alternative<FluidPlane>(integral.over))
             add_plane(columns, integral.name);
     }
     if (scene.fluid && scene.probes->energy_audit)
@@ -114,9 +114,9 @@ std::vector<std::string> fluid_columns(const scene::Scene& scene) {
     return columns;
 }
 
-std::vector<std::string> interface_columns(const scene::Scene& scene) {
+std::vector<std::string> interface_columns(const Scene& scene) {
     if (!scene.probes || !scene.probes->interface_balance) return {};
     return {"interface.momentum_mismatch[1]", "interface.power_mismatch[1]"};
 }
 
-}  // namespace magfsi::coupler
+}  // namespace magfsi::scene

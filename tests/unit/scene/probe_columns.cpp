@@ -1,16 +1,16 @@
 // The names of the columns of probes.csv are a promise to every script that reads them.
-#include "coupler/step/probe_columns.h"
+#include "adapters/scene/probe_columns.h"
 
 #include <gtest/gtest.h>
 
-namespace magfsi::coupler {
+namespace magfsi::scene {
 namespace {
 
 using Names = std::vector<std::string>;
 
-scene::Scene robot_in_water() {
-    scene::Scene scene;
-    scene::Body body;
+Scene robot_in_water() {
+    Scene scene;
+    Body body;
     body.name = "robot";
     scene.bodies.push_back(body);
     scene.fluid.emplace();
@@ -19,7 +19,7 @@ scene::Scene robot_in_water() {
 }
 
 TEST(ProbeColumns, of_a_body) {
-    using Q = scene::BodyQuantity;
+    using Q = BodyQuantity;
     auto scene = robot_in_water();
     scene.probes->bodies = {Q::com,         Q::speed, Q::shape, Q::max_displacement,
                             Q::fluid_force, Q::energy};
@@ -37,7 +37,7 @@ TEST(ProbeColumns, of_a_point_after_all_bodies) {
     auto scene = robot_in_water();
     scene.bodies.push_back(scene.bodies[0]);
     scene.bodies[1].name = "twin";
-    scene.probes->bodies = {scene::BodyQuantity::max_displacement};
+    scene.probes->bodies = {BodyQuantity::max_displacement};
     scene.probes->points = {{"tip", "robot", {}}};
     EXPECT_EQ(body_columns(scene),
               (Names{"robot.max_displacement[m]", "twin.max_displacement[m]", "tip_x[m]",
@@ -46,13 +46,13 @@ TEST(ProbeColumns, of_a_point_after_all_bodies) {
 
 TEST(ProbeColumns, the_field_comes_first_and_only_where_there_is_one) {
     auto scene = robot_in_water();
-    scene.probes->bodies = {scene::BodyQuantity::max_displacement};
+    scene.probes->bodies = {BodyQuantity::max_displacement};
     scene.magnetic_field.emplace();
     EXPECT_EQ(body_columns(scene), (Names{"field[T]", "robot.max_displacement[m]"}));
 }
 
 TEST(ProbeColumns, of_the_fluid) {
-    using Q = scene::FluidQuantity;
+    using Q = FluidQuantity;
     auto scene = robot_in_water();
     scene.probes->fluid = {Q::kinetic_energy, Q::enstrophy, Q::mass, Q::max_speed};
     EXPECT_EQ(fluid_columns(scene), (Names{"kinetic_energy[J]", "enstrophy[1/s^2]",
@@ -65,8 +65,8 @@ TEST(ProbeColumns, of_integrals_on_the_side_that_they_are_of) {
     auto scene = robot_in_water();
     scene.probes->bodies.clear();
     scene.probes->fluid.clear();
-    scene.probes->integrals = {{"fin", scene::BodyPart{"robot", {}}},
-                               {"gate", scene::FluidPlane{0, 1e-3}}};
+    scene.probes->integrals = {{"fin", BodyPart{"robot", {}}},
+                               {"gate", FluidPlane{0, 1e-3}}};
     EXPECT_EQ(
         body_columns(scene),
         (Names{"fin.ux[m]", "fin.uy[m]", "fin.uz[m]", "fin.momentum_x[kg m/s]",
@@ -88,7 +88,7 @@ TEST(ProbeColumns, of_the_interface_only_when_asked_for) {
 
 TEST(ProbeColumns, the_fluids_share_of_the_energy_comes_last_of_its_columns) {
     auto scene = robot_in_water();
-    scene.probes->fluid = {scene::FluidQuantity::mass};
+    scene.probes->fluid = {FluidQuantity::mass};
     scene.probes->energy_audit = true;
     EXPECT_EQ(fluid_columns(scene), (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
     scene.fluid.reset();
@@ -106,4 +106,4 @@ TEST(ProbeColumns, none_without_probes) {
 }
 
 }  // namespace
-}  // namespace magfsi::coupler
+}  // namespace magfsi::scene

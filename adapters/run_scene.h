@@ -1,0 +1,26 @@
+// The main function of a participant that runs a scene.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "adapters/scene/scene.h"
+#include "coupler/participants/guard.h"
+#include "coupler/participants/session.h"
+
+namespace magfsi {
+
+// What the coupler has to know of a scene.
+coupler::RunPlan run_plan(const scene::Scene& scene);
+
+// Begins the session with its coupled step and runs. scene and session outlive the call.
+using RunScene =
+    std::function<void(const scene::Scene&, coupler::Session&,
+                       const coupler::ParticipantArguments&)>;
+
+// coupler::run_participant with the scene of the arguments, read, and its session. Returns
+// the exit code.
+int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
+              const RunScene& run);
+
+}  // namespace magfsi
