@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adapters/lammps/substeps.h"
+#include "adapters/run_scene.h"
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/checkpoint/restart.h"
 #include "adapters/scene/effective.h"
@@ -27,7 +28,7 @@ Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
                  const std::string& restart)
     : scene_(scene), out_(out), given_(restart), restart_(restart) {
     if (!retry(scene) || restart.empty()) return;
-    const auto header = coupler::find_restart(restart, out, scene).header;
+    const auto header = coupler::find_restart(restart, out, run_plan(scene)).header;
     from_s_ = time_of(header);
     const auto ratio = std::llround(step_s() / header.step_s);
     if (ratio > 1) scene_.time.halvings = std::ilogb(static_cast<double>(ratio));
@@ -40,7 +41,8 @@ double Retries::step_s() const {
 
 Retries::Place Retries::newest() const {
     const auto at = [&](const std::string& restart) -> Place {
-        return {restart, time_of(coupler::find_restart(restart, out_, scene_).header)};
+        return {restart,
+                time_of(coupler::find_restart(restart, out_, run_plan(scene_)).header)};
     };
     try {
         return at("latest");
@@ -50,7 +52,7 @@ Retries::Place Retries::newest() const {
 }
 
 void Retries::drop_newest() const {
-    const auto roles = coupler::roles_of(scene_);
+    const auto roles = run_plan(scene_).roles;
     const auto steps = coupler::steps_complete(out_, roles);
     if (steps.empty()) return;
     for (const coupler::Role role : roles)

@@ -15,6 +15,7 @@
 #include "coupler/output/summary.h"
 #include "coupler/participants/arguments.h"
 #include "coupler/participants/errors.h"
+#include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
 
@@ -241,7 +242,7 @@ int run(const RunOptions& options) {
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     if (!options.restart.empty())
-        (void)coupler::find_restart(options.restart, out, scene);
+        (void)coupler::find_restart(options.restart, out, run_plan(scene));
     check_exchange(scene, options, out);
     Retries retries(scene, out, options.restart);
     const JobEnd end = run_with_retries(scene, options, out, retries);
