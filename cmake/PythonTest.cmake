@@ -1,5 +1,9 @@
-# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s]): a Python script (standard library
-# only) that runs the built programs.
+# What Python needs to find of ours: the package, the programs, and a place for its bytecode.
+set(MAGFSI_PYTHON_ENVIRONMENT PYTHONPATH=${PROJECT_SOURCE_DIR}/adapters/python
+  PYTHONPYCACHEPREFIX=${CMAKE_BINARY_DIR}/pycache MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+
+# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [ARGUMENTS ...]): a Python script
+# (standard library only) that runs the built programs.
 function(magfsi_python_test name)
   cmake_parse_arguments(arg "" "SCRIPT;TIMEOUT" "LABELS;ARGUMENTS" ${ARGN})
   if(NOT arg_TIMEOUT)
@@ -10,5 +14,5 @@ function(magfsi_python_test name)
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ON)
   set_property(TEST ${name} PROPERTY ENVIRONMENT
-    ${MAGFSI_MPI_ENVIRONMENT} MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+    ${MAGFSI_MPI_ENVIRONMENT} ${MAGFSI_PYTHON_ENVIRONMENT})
 endfunction()

@@ -1,16 +1,13 @@
-#!/usr/bin/python3
 """What is predicted is the sum of what is asked, at the prices of the calibration; without one for
 this machine nothing is."""
 
 import json
 import os
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 CELL_S, MARKER_S, STEP_S = 1e-6, 5e-6, 1e-3
 REGULARIZED_S, WALL_S, COUPLED_CELL_S = 2e-7, 4e-6, 3e-8
@@ -33,7 +30,7 @@ PRICES = {
 
 
 def explain(scene, settings=None, ranks="", as_json=True):
-    words = [magfsi.BIN / "magfsi", "explain", scene, *magfsi.overrides(settings or {})]
+    words = [testing.BIN / "magfsi", "explain", scene, *testing.overrides(settings or {})]
     words += ["--ranks", ranks] if ranks else []
     done = subprocess.run([*words, *(["--json"] if as_json else [])], capture_output=True,
                           text=True, check=True)
@@ -42,13 +39,13 @@ def explain(scene, settings=None, ranks="", as_json=True):
 
 class SumOfParts(unittest.TestCase):
     def setUp(self):
-        cache = Path(magfsi.new_folder())
+        cache = Path(testing.new_folder())
         os.environ["XDG_CACHE_HOME"] = str(cache)
         self.file = cache / "magfsi/calibration.json"
         self.file.parent.mkdir()
 
     def calibrate(self, **changed):
-        known = explain(magfsi.SMALL)
+        known = explain(testing.SMALL)
         self.assertNotIn("predicted", known)
         self.file.write_text(json.dumps({"machine": known["machine"], "date": "today",
                                          "version": known["version"], **PRICES, **changed}))
@@ -58,7 +55,7 @@ class SumOfParts(unittest.TestCase):
         # small_swimmer: 160 steps of 6 substeps, 40 elements, 560 markers, 32 x 16 x 32 cells in
         # walls, of recursive_regularized.
         cells, walls = 32 * 16 * 32, 4 * 16 * 32 + 2 * 32 * 32
-        found = explain(magfsi.SMALL, ranks="structure=1,fluid=1")["predicted"]
+        found = explain(testing.SMALL, ranks="structure=1,fluid=1")["predicted"]
         expected = 160 * (cells * (CELL_S + REGULARIZED_S + COUPLED_CELL_S)
                           + walls * WALL_S + 560 * MARKER_S + STEP_S
                           + 6 * (SUBSTEP_S + 40 * ELEMENT_S + 560 * MARKER_SUBSTEP_S))
@@ -66,14 +63,14 @@ class SumOfParts(unittest.TestCase):
         self.assertEqual(found["memory_bytes"],
                          {"structure": 3e7 + 40 * 1000 + 560 * 3000,
                           "fluid": 1.5e7 + 16384 * 160})
-        text = explain(magfsi.SMALL, ranks="structure=1,fluid=1", as_json=False)
+        text = explain(testing.SMALL, ranks="structure=1,fluid=1", as_json=False)
         self.assertRegex(text, r"time +6\.8 s \(structure .*, fluid .*, messages 0\.24 s\)")
 
     def test_more_ranks_than_cores(self):
         """A side that waits then takes time from the other: three times as much here."""
         self.calibrate()
         cores = os.cpu_count()
-        found = [explain(magfsi.SMALL, ranks=f"structure={n},fluid=1")["predicted"]["wall_s"]
+        found = [explain(testing.SMALL, ranks=f"structure={n},fluid=1")["predicted"]["wall_s"]
                  for n in (cores, cores - 1)]
         ranked = 160 * 6 * (40 * ELEMENT_S + 560 * MARKER_SUBSTEP_S) * (1 / (cores - 1) - 1 / cores)
         exchanged = 160 * 6 * EXCHANGE_S if cores == 2 else 0
@@ -83,7 +80,7 @@ class SumOfParts(unittest.TestCase):
     def test_periodic_sides_and_other_collisions(self):
         self.calibrate()
         sides = "{" + ", ".join(f"{side}: periodic" for side in ("y_min", "y_max")) + "}"
-        first, open_, plain = (explain(magfsi.SMALL, sets, ranks="structure=1,fluid=1")
+        first, open_, plain = (explain(testing.SMALL, sets, ranks="structure=1,fluid=1")
                                ["predicted"]["wall_s"]
                                for sets in ({}, {"fluid.boundaries": sides},
                                             {"fluid.collision": "bgk"}))
@@ -93,13 +90,13 @@ class SumOfParts(unittest.TestCase):
     def test_path(self):
         """Through the two points of the prices goes a straight line; 228 nodes, 80 points."""
         self.calibrate()
-        beam = magfsi.ROOT / "tutorials/beam"
+        beam = testing.ROOT / "tutorials/beam"
         self.assertAlmostEqual(explain(beam)["predicted"]["wall_s"], 80 * 0.01 * 2.28, places=9)
-        self.assertIsNone(explain(magfsi.ROOT / "tutorials/strip")["predicted"]["wall_s"])
+        self.assertIsNone(explain(testing.ROOT / "tutorials/strip")["predicted"]["wall_s"])
 
     def test_memory_of_each_rank(self):
         self.calibrate()
-        memory = [explain(magfsi.SMALL, ranks=f"structure=1,fluid={n}")["predicted"]
+        memory = [explain(testing.SMALL, ranks=f"structure=1,fluid={n}")["predicted"]
                   ["memory_bytes"]["fluid"] for n in (1, 2)]
         self.assertEqual(memory[1] - memory[0], 1.5e7)
 
@@ -110,7 +107,7 @@ class SumOfParts(unittest.TestCase):
         files = "{fluid: {every: 1 ms, fields: [velocity%s]}}"
 
         def fluid(sets):
-            return explain(magfsi.SMALL, sets, ranks="structure=1,fluid=1")["predicted"][
+            return explain(testing.SMALL, sets, ranks="structure=1,fluid=1")["predicted"][
                 "memory_bytes"]["fluid"]
 
         alone = fluid({})
@@ -120,10 +117,10 @@ class SumOfParts(unittest.TestCase):
 
     def test_of_another_machine_or_torn(self):
         self.calibrate(machine="another")
-        self.assertNotIn("predicted", explain(magfsi.SMALL))
-        self.assertIn("bench --calibrate", explain(magfsi.SMALL, as_json=False))
+        self.assertNotIn("predicted", explain(testing.SMALL))
+        self.assertIn("bench --calibrate", explain(testing.SMALL, as_json=False))
         self.file.write_text(self.file.read_text()[:100])
-        self.assertNotIn("predicted", explain(magfsi.SMALL))
+        self.assertNotIn("predicted", explain(testing.SMALL))
 
 
 if __name__ == "__main__":

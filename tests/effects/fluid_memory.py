@@ -4,12 +4,10 @@ effects add, and hardly anything else. A process has its program and libraries b
 
 import re
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi
+from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "still_fluid.yaml"
 LARGE, SMALL = "[96 mm, 96 mm, 96 mm]", "[16 mm, 16 mm, 16 mm]"
@@ -33,25 +31,25 @@ CASES = {
 # Beside a robot, spacings of a large and a small grid: what markers need is in it, and the
 # ghost rows between two ranks.
 COUPLED = {
-    "swimmer": (magfsi.SWIMMER, "0.2 mm", "0.4 mm", 1),
-    "swimmer, two ranks": (magfsi.SWIMMER, "0.2 mm", "0.4 mm", 2),
-    "small swimmer": (magfsi.SMALL, "0.125 mm", "0.25 mm", 1),
+    "swimmer": (testing.SWIMMER, "0.2 mm", "0.4 mm", 1),
+    "swimmer, two ranks": (testing.SWIMMER, "0.2 mm", "0.4 mm", 2),
+    "small swimmer": (testing.SMALL, "0.125 mm", "0.25 mm", 1),
     # The cut goes through the body, so that both ranks know all its markers.
-    "small swimmer, two ranks": (magfsi.SMALL, "0.125 mm", "0.25 mm", 2),
+    "small swimmer, two ranks": (testing.SMALL, "0.125 mm", "0.25 mm", 2),
 }
 FEW_STEPS = {"time.end": "0.1 ms", "output": "{}", "probes": "null"}
 
 
 def predicted(settings, scene=SCENE, ranks="fluid=1"):
-    text = subprocess.run([magfsi.BIN / "magfsi", "explain", scene, "--ranks", ranks,
-                           *magfsi.overrides(settings)],
+    text = subprocess.run([testing.BIN / "magfsi", "explain", scene, "--ranks", ranks,
+                           *testing.overrides(settings)],
                           check=True, capture_output=True, text=True).stdout
     populations = float(re.search(r"memory: ([\d.]+) MB of populations", text)[1])
     return populations, float(re.search(r"at most ([\d.]+) MB beside", text)[1])
 
 
 def measured(settings, scene=SCENE, ranks="fluid=1"):
-    result = magfsi.good_run(scene, settings, ranks=ranks)
+    result = testing.good_run(scene, settings, ranks=ranks)
     return result.summary()["memory_bytes"]["fluid"] / 1e6
 
 
@@ -63,7 +61,7 @@ class Memory(unittest.TestCase):
                 large, small = ({**STEP, **effect, "fluid.box": box} for box in (LARGE, SMALL))
                 populations, most = (a - b for a, b in zip(predicted(large), predicted(small)))
                 taken = measured(large) - measured(small)
-                magfsi.report(f"{name}: {taken:.1f} MB, predicted {most:.1f} MB, "
+                testing.report(f"{name}: {taken:.1f} MB, predicted {most:.1f} MB, "
                               f"populations {populations:.1f} MB")
                 self.assertLess(abs(taken / most - 1), 0.05)
                 if name in ("nothing else", "float", "sums"):
@@ -77,7 +75,7 @@ class Memory(unittest.TestCase):
                 populations, most = (a - b for a, b in zip(*(predicted(grid, scene, on)
                                                              for grid in grids)))
                 taken = measured(grids[0], scene, on) - measured(grids[1], scene, on)
-                magfsi.report(f"{name}: {taken:.1f} MB, predicted {most:.1f} MB, "
+                testing.report(f"{name}: {taken:.1f} MB, predicted {most:.1f} MB, "
                               f"populations {populations:.1f} MB")
                 self.assertLess(abs(taken / most - 1), 0.05)
 

@@ -3,14 +3,11 @@ memory of eight cells."""
 
 import re
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import instructions
-import magfsi_runs as magfsi
+from magfsi import instructions
+from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "still_fluid.yaml"
 
@@ -22,19 +19,19 @@ def settings(depth):
 
 
 def populations(depth):
-    text = subprocess.run([magfsi.BIN / "magfsi", "explain", SCENE,
-                           *magfsi.overrides(settings(depth))],
+    text = subprocess.run([testing.BIN / "magfsi", "explain", SCENE,
+                           *testing.overrides(settings(depth))],
                           check=True, capture_output=True, text=True).stdout
     return float(re.search(r"memory: ([\d.]+) MB of populations", text)[1])
 
 
 class QuasiTwoDimensional(unittest.TestCase):
     def test_pays_for_one_cell(self):
-        counts = [instructions.of_steps(magfsi.BIN / "magfsi-fluid-lbm", SCENE, settings(depth))
+        counts = [instructions.of_steps(testing.BIN / "magfsi-fluid-lbm", SCENE, settings(depth))
                   for depth in (1, 8)]
         work = counts[1] / counts[0]
         memory = populations(8) / populations(1)
-        magfsi.report(f"8 cells of depth over 1: instructions {work:.2f}, memory {memory:.2f}")
+        testing.report(f"8 cells of depth over 1: instructions {work:.2f}, memory {memory:.2f}")
         # All rows of a thin box are at its sides, where pointers are found row by row; and
         # arrays end on pages of 4 KiB.
         self.assertGreater(work, 8 * 0.85)

@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """An absent effect costs nothing: a scene without it executes the same instructions in its
 steps as in a program that was built without the effect's folder and its line in a list.
 
-    MAGFSI_BIN=build/release/bin tests/effects/removed.py            of all effects
-    MAGFSI_BIN=build/release/bin tests/effects/removed.py drag       of this one
+    ./magfsi python tests/effects/removed.py            of all effects
+    ./magfsi python tests/effects/removed.py drag       of this one
 
 CTest runs a slice of it."""
 
@@ -14,10 +13,8 @@ import unittest
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import instructions
-import magfsi_runs as magfsi
+from magfsi import instructions
+from magfsi import testing
 import variant
 from variant import Removal
 
@@ -29,12 +26,12 @@ STRUCTURE_LIST, FLUID_LIST = "structure/lammps/effects.inc", "fluid_lbm/effects.
 OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/effects.inc", FLUID: "adapters/fluids/effects.inc"}
 
 # Scenes with every effect but the one that is looked at, and settings that shorten them.
-TESTS = magfsi.ROOT / "tests"
+TESTS = testing.ROOT / "tests"
 SCENES = {STRUCTURE: (TESTS / "scenes/every_structure_effect.yaml", {"time.end": "50 us"}),
           FLUID: (TESTS / "effects/still_fluid.yaml",
                   {"time.end": "20 ms",
                    "fluid.boundaries": "{x_min: periodic, x_max: periodic}"})}
-COUPLED = (magfsi.SMALL, {"time.end": "0.2 ms"})
+COUPLED = (testing.SMALL, {"time.end": "0.2 ms"})
 
 
 @dataclass(frozen=True)
@@ -131,10 +128,10 @@ class Removed(unittest.TestCase):
                     self.compare(effect, case)
 
     def compare(self, effect, case):
-        here = count(case, magfsi.BIN / case.program)
+        here = count(case, testing.BIN / case.program)
         gone = count(case, variant.without(case.program, case.removal))
         what = f"{effect}, {case.program}{', coupled' if case.coupled else ''}"
-        magfsi.report(f"{what}: {here} instructions absent, {gone} removed: "
+        testing.report(f"{what}: {here} instructions absent, {gone} removed: "
                       f"{100 * (here / gone - 1):+.4f} %")
         self.assertLess(abs(here / gone - 1), BOUND)
 
@@ -142,16 +139,16 @@ class Removed(unittest.TestCase):
     def test_the_count_sees_an_effect_that_does_nothing(self):
         """A drag of rate 0 changes no velocity, and is seen all the same."""
         case = EFFECTS["drag"][0]
-        null = count(case, magfsi.BIN / case.program, {"damping": "{rate: 0 1/s}"})
-        none = count(case, magfsi.BIN / case.program)
-        magfsi.report(f"drag of rate 0: {100 * (null / none - 1):+.3f} % of the instructions")
+        null = count(case, testing.BIN / case.program, {"damping": "{rate: 0 1/s}"})
+        none = count(case, testing.BIN / case.program)
+        testing.report(f"drag of rate 0: {100 * (null / none - 1):+.3f} % of the instructions")
         self.assertGreater(null / none - 1, BOUND)
 
     @unittest.skipUnless("drag" in NAMES, "of drag")
     def test_removed_and_asked_for_is_refused(self):
         case = EFFECTS["drag"][0]
         gone = variant.without(case.program, case.removal)
-        result = magfsi.finish(magfsi.start([gone, case.scene, "--out", magfsi.new_folder(),
+        result = testing.finish(testing.start([gone, case.scene, "--out", testing.new_folder(),
                                              "--set", "time.end=50 us"]), 0, "", 120)
         self.assertNotEqual(result.code, 0)
         self.assertIn("drag is asked for, and this program was built without it",
@@ -159,7 +156,7 @@ class Removed(unittest.TestCase):
 
     def test_every_line_of_the_lists_is_an_effect_here(self):
         for registry in (STRUCTURE_LIST, FLUID_LIST, *OUTPUT_LISTS.values()):
-            names = re.findall(r"^MAGFSI_EFFECT\((\w+)\)", (magfsi.ROOT / registry).read_text(), re.M)
+            names = re.findall(r"^MAGFSI_EFFECT\((\w+)\)", (testing.ROOT / registry).read_text(), re.M)
             self.assertTrue(names, registry)
             for name in names:
                 registries = {case.removal.registry for case in EFFECTS.get(name, ())}

@@ -11,9 +11,9 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-import magfsi_runs as magfsi
+from magfsi import testing
 
-BUILD = magfsi.BIN.parent
+BUILD = testing.BIN.parent
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ def commands(program):
 def in_tree(path):
     """Of a path as the build sees it, that from the tree's root; None of those outside."""
     whole = os.path.normpath(os.path.join(BUILD, path))
-    root = f"{magfsi.ROOT}/"
+    root = f"{testing.ROOT}/"
     return whole.removeprefix(root) if whole.startswith(root) else None
 
 
@@ -69,7 +69,7 @@ def objects(program):
 def overlay(removal, folder):
     """A copy of the list without the effect, below a folder."""
     line = f"MAGFSI_EFFECT({removal.name})\n"
-    text = (magfsi.ROOT / removal.registry).read_text()
+    text = (testing.ROOT / removal.registry).read_text()
     if text.count(line) != 1:
         raise AssertionError(f"{removal.registry} has not one line {line}")
     copy = folder / removal.registry
@@ -113,8 +113,8 @@ def without(program, removal):
     folder = BUILD / "removed" / f"{removal.name}-{program}"
     subprocess.run(["rm", "-rf", folder], check=True)
     overlay(removal, folder)
-    own = {str(path.relative_to(magfsi.ROOT)) for glob in removal.files
-           for path in magfsi.ROOT.glob(glob)}
+    own = {str(path.relative_to(testing.ROOT)) for glob in removal.files
+           for path in testing.ROOT.glob(glob)}
     if not own:
         raise AssertionError(f"{removal.name} has no files {removal.files}")
     reads, made, seen = read_by(), {}, {}

@@ -1,18 +1,14 @@
-#!/usr/bin/python3
 """Whatever goes wrong in a coupled run ends all of it within 10 s, with a named cause and the
 exit code of the command line's contract."""
 
 import os
 import resource
 import signal
-import subprocess
-import sys
 import time
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 LIMIT_S = 10  # the contract's bound
 LONG = {"time.end": "10 s"}  # runs until something ends it
@@ -26,18 +22,18 @@ def mpirun(*programs):
 
 
 def structure(folder, settings):
-    return [magfsi.BIN / "magfsi-structure", magfsi.SMALL, "--out", folder,
-            *magfsi.overrides(settings)]
+    return [testing.BIN / "magfsi-structure", testing.SMALL, "--out", folder,
+            *testing.overrides(settings)]
 
 
 def fluid(folder, settings):
-    return [magfsi.BIN / "magfsi-fluid-lbm", magfsi.SMALL, "--out", folder,
-            *magfsi.overrides(settings)]
+    return [testing.BIN / "magfsi-fluid-lbm", testing.SMALL, "--out", folder,
+            *testing.overrides(settings)]
 
 
 def finish(command, folder):
     began = time.monotonic()
-    return magfsi.finish(magfsi.start(command), began, folder, LIMIT_S)
+    return testing.finish(testing.start(command), began, folder, LIMIT_S)
 
 
 def wait_for_steps(folder):
@@ -64,14 +60,14 @@ class Alone(unittest.TestCase):
 
 class Disagreement(unittest.TestCase):
     def test_two_scenes(self):
-        folder = magfsi.new_folder()
+        folder = testing.new_folder()
         run = finish(mpirun(structure(folder, LONG),
                             fluid(folder, {**LONG, "gravity.acceleration": "1 m/s2"})), folder)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("disagree on the scene (hash)", run.err)
 
     def test_one_scene_has_no_partner(self):
-        folder = magfsi.new_folder()
+        folder = testing.new_folder()
         run = finish(mpirun(structure(folder, {"fluid": "null", "probes": "null"}),
                             fluid(folder, LONG)), folder)
         self.assertEqual(run.code, 4, run.err)
@@ -80,15 +76,15 @@ class Disagreement(unittest.TestCase):
 
 class Lost(unittest.TestCase):
     def kill_one(self, name, role):
-        folder = magfsi.new_folder()
-        command = [magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
-                   *magfsi.overrides(LONG)]
-        process = magfsi.start(command)
+        folder = testing.new_folder()
+        command = [testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder,
+                   *testing.overrides(LONG)]
+        process = testing.start(command)
         wait_for_steps(folder)
         began = time.monotonic()
-        os.kill(magfsi.process_of(folder, name), signal.SIGKILL)
-        run = magfsi.finish(process, began, folder, LIMIT_S)
-        magfsi.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        os.kill(testing.process_of(folder, name), signal.SIGKILL)
+        run = testing.finish(process, began, folder, LIMIT_S)
+        testing.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
         self.assertEqual(run.code, 4, run.err)
         self.assertIn(f"lost a partner: {role} rank 0 was killed by signal 9", run.err)
         self.assertEqual(len(run.err.strip().splitlines()), 1, run.err)
@@ -102,27 +98,27 @@ class Lost(unittest.TestCase):
         self.kill_one("magfsi-structure", "structure")
 
     def test_partner_that_hangs(self):
-        folder = magfsi.new_folder()
-        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
-                                *magfsi.overrides({**LONG, "coupling.timeout": "2 s"})])
+        folder = testing.new_folder()
+        process = testing.start([testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder,
+                                *testing.overrides({**LONG, "coupling.timeout": "2 s"})])
         wait_for_steps(folder)
-        stopped = magfsi.process_of(folder, "magfsi-structure")
+        stopped = testing.process_of(folder, "magfsi-structure")
         began = time.monotonic()
         os.kill(stopped, signal.SIGSTOP)
-        run = magfsi.finish(process, began, folder, LIMIT_S)
-        magfsi.report(f"structure stopped: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        run = testing.finish(process, began, folder, LIMIT_S)
+        testing.report(f"structure stopped: ended after {run.seconds:.2f} s: {run.err.strip()}")
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("within 2 s", run.err)
 
 
 class Stopped(unittest.TestCase):
     def test_asked_to_end(self):
-        folder = magfsi.new_folder()
-        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
-                                *magfsi.overrides(LONG)])
+        folder = testing.new_folder()
+        process = testing.start([testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder,
+                                *testing.overrides(LONG)])
         wait_for_steps(folder)
         process.send_signal(signal.SIGTERM)
-        run = magfsi.finish(process, time.monotonic(), folder, LIMIT_S)
+        run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
         self.assertEqual(run.code, 1, run.err)
         self.assertIn("stopped on request", run.err)
         self.assertEqual(run.summary()["outcome"], "stopped")
@@ -132,14 +128,14 @@ class DiskFull(unittest.TestCase):
     """A file that cannot grow fails as on a full disk: by the error of the write."""
 
     def full(self, program, settings, name, limit_bytes):
-        folder = magfsi.new_folder()
-        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
-                                *magfsi.overrides({**LONG, **settings})])
+        folder = testing.new_folder()
+        process = testing.start([testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder,
+                                *testing.overrides({**LONG, **settings})])
         wait_for_steps(folder)
-        resource.prlimit(magfsi.process_of(folder, program), resource.RLIMIT_FSIZE,
+        resource.prlimit(testing.process_of(folder, program), resource.RLIMIT_FSIZE,
                          (limit_bytes, limit_bytes))
-        run = magfsi.finish(process, time.monotonic(), folder, LIMIT_S)
-        magfsi.report(f"{name}: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
+        testing.report(f"{name}: ended after {run.seconds:.2f} s: {run.err.strip()}")
         self.assertEqual(run.code, 1, run.err)
         self.assertRegex(run.err, rf"cannot write .*{name}.*: File too large")
         self.assertRegex(run.err, r"step \d+")
@@ -162,9 +158,9 @@ class DiskFull(unittest.TestCase):
 
 class Diverged(unittest.TestCase):
     def test_inverted_element_is_named(self):
-        run = magfsi.run(magfsi.SMALL, {"magnetic_field.constant.magnitude": "20 T"},
+        run = testing.run(testing.SMALL, {"magnetic_field.constant.magnitude": "20 T"},
                          limit_s=60)
-        magfsi.report(f"20 T: {run.err.strip()}")
+        testing.report(f"20 T: {run.err.strip()}")
         self.assertEqual(run.code, 3, run.err)
         self.assertRegex(run.err, r"element \d+|node \d+|marker \d+")
         self.assertRegex(run.err, r"step \d+")
@@ -172,24 +168,24 @@ class Diverged(unittest.TestCase):
         self.assertTrue(run.summary()["cause"])
 
     def test_body_that_leaves_the_box(self):
-        run = magfsi.run(magfsi.SMALL, {"bodies.robot.initial.position": "[4 mm, 2 mm, 0.2 mm]",
+        run = testing.run(testing.SMALL, {"bodies.robot.initial.position": "[4 mm, 2 mm, 0.2 mm]",
                                         "gravity.acceleration": "900 m/s2",
                                         "time.end": "100 ms"}, limit_s=120)
-        magfsi.report(f"falls out: {run.err.strip()}")
+        testing.report(f"falls out: {run.err.strip()}")
         self.assertEqual(run.code, 3, run.err)
         self.assertIn("left the fluid", run.err)
 
 
 class BadInput(unittest.TestCase):
     def test_nothing_is_written(self):
-        folder = Path(magfsi.new_folder()) / "run"
-        run = magfsi.run(magfsi.SMALL, {"fluid.spacing": "0.25"}, folder=folder, limit_s=LIMIT_S)
+        folder = Path(testing.new_folder()) / "run"
+        run = testing.run(testing.SMALL, {"fluid.spacing": "0.25"}, folder=folder, limit_s=LIMIT_S)
         self.assertEqual(run.code, 2, run.err)
         self.assertEqual(len(run.err.strip().splitlines()), 1, run.err)
         self.assertFalse(folder.exists())
 
     def test_run_folder_that_cannot_be(self):
-        run = magfsi.run(magfsi.SMALL, folder="/dev/null/run", limit_s=LIMIT_S)
+        run = testing.run(testing.SMALL, folder="/dev/null/run", limit_s=LIMIT_S)
         self.assertEqual(run.code, 1, run.err)
         self.assertIn("/dev/null/run", run.err)
 

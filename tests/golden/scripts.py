@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """Each tutorial starts only the programs that its scene needs, and the LAMMPS script that is
 generated for it has only the commands that the scene needs: those of a stored file. After a
-change that is meant to be:  MAGFSI_BIN=build/release/bin tests/golden/scripts.py --renew"""
+change that is meant to be:  ./magfsi python tests/golden/scripts.py --renew"""
 
 import difflib
 import math
@@ -14,11 +13,10 @@ from pathlib import Path
 os.environ.setdefault("MAGFSI_BIN", str(Path("build/release/bin").resolve()))
 os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
 os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi
+from magfsi import testing
 
 HERE = Path(__file__).resolve().parent
-RENEW = "MAGFSI_BIN=build/release/bin tests/golden/scripts.py --renew"
+RENEW = "./magfsi python tests/golden/scripts.py --renew"
 
 # Runs are short, and told to end where the script is there; outputs are no part of it.
 MOTION = {"time.end": "50 us", "probes": "null", "output": "null"}
@@ -60,19 +58,19 @@ def same(line, golden):
 def run(name):
     """The programs that were started, and the script that they left, None if there is none."""
     scene, settings, _ = SCENES[name]
-    folder = Path(magfsi.new_folder())
+    folder = Path(testing.new_folder())
     path = folder / "lammps.in"  # complete when it is there: written under another name
-    process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.ROOT / scene, "--out", folder,
-                            *magfsi.overrides(settings)])
+    process = testing.start([testing.BIN / "magfsi", "run", testing.ROOT / scene, "--out", folder,
+                            *testing.overrides(settings)])
     while process.poll() is None and not path.exists():
         time.sleep(0.02)
     if path.exists():
         process.terminate()
-    result = magfsi.finish(process, 0, folder, 120)
+    result = testing.finish(process, 0, folder, 120)
     if not path.exists() and result.code != 0:
         raise AssertionError(f"exit code {result.code}\n{result.out}\n{result.err}")
     command = result.out.splitlines()[0].split()  # mpirun's
-    programs = [Path(word).name for word in command if word.startswith(str(magfsi.BIN))]
+    programs = [Path(word).name for word in command if word.startswith(str(testing.BIN))]
     return programs, path.read_text().replace(str(folder), "RUN") if path.exists() else None
 
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Checks who knows whom, on the graph of includes, and that no file grows too long.
 
     include_graph.py REPOSITORY      prints the violations; exit code 1 when there are any

@@ -1,13 +1,10 @@
-#!/usr/bin/python3
 """The lid-driven cavity at Reynolds number 100 by both fluids on the same two grids, from rest:
 both tend to the same energy as the grid is refined, by two methods that share no code."""
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SCENE = """
 name: cavity
@@ -30,23 +27,23 @@ BOUND = 0.015
 
 
 def course(scene, solver, spacing):
-    return magfsi.good_run(scene, {"fluid.solver": solver, "fluid.spacing": spacing},
+    return testing.good_run(scene, {"fluid.solver": solver, "fluid.spacing": spacing},
                            "fluid=1").probes()
 
 
 class Cavity(unittest.TestCase):
     def test_both_fluids_tend_to_the_same_energy(self):
-        scene = Path(magfsi.new_folder()) / "cavity.yaml"
+        scene = Path(testing.new_folder()) / "cavity.yaml"
         scene.write_text(SCENE)
         limit = {}
         for solver in ("lbm", "openfoam"):
             coarse, fine = (course(scene, solver, h)["kinetic_energy[J]"]
                             for h in ("0.625 mm", "0.3125 mm"))
             limit[solver] = [b + (b - a) / 3 for a, b in zip(coarse, fine, strict=True)]
-            magfsi.report(f"{solver}: error on 32 cells {fine[-1] / limit[solver][-1] - 1:+.2%}")
+            testing.report(f"{solver}: error on 32 cells {fine[-1] / limit[solver][-1] - 1:+.2%}")
         for i in range(1, 5):
             ratio = limit["openfoam"][i] / limit["lbm"][i]
-            magfsi.report(f"t = {i / 2} s: openfoam / lbm - 1 = {ratio - 1:+.2%}")
+            testing.report(f"t = {i / 2} s: openfoam / lbm - 1 = {ratio - 1:+.2%}")
             if i > 1:  # before, the layer under the lid is two cells of the coarse grid
                 self.assertAlmostEqual(ratio, 1, delta=BOUND)
 

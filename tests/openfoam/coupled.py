@@ -1,16 +1,13 @@
-#!/usr/bin/python3
 """Real pimpleFoam and real LAMMPS in one job: the same on 1 and 2 OpenFOAM ranks, nothing lost at
 the interface, fields for ParaView, and an end in order when a side is killed."""
 
 import os
 import signal
-import sys
 import time
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SETTINGS = {"fluid.solver": "openfoam", "time.end": "1 ms",
             "fluid.grading.uniform": "[[2 mm, 1 mm, 3 mm], [6.2 mm, 3 mm, 5.2 mm]]"}
@@ -23,7 +20,7 @@ class Coupled(unittest.TestCase):
     def test_same_on_1_and_2_ranks(self):
         settings = {**SETTINGS, "output.fluid.every": "1 ms",
                     "output.fluid.fields": "[velocity, vorticity]"}
-        one, two = (magfsi.good_run(magfsi.SMALL, settings, f"structure=1,fluid={n}")
+        one, two = (testing.good_run(testing.SMALL, settings, f"structure=1,fluid={n}")
                     for n in (1, 2))
         for run in (one, two):
             self.assertTrue((run.folder / "fields" / "fluid_000001.pvti").exists())
@@ -35,28 +32,28 @@ class Coupled(unittest.TestCase):
                      "robot.energy_kinetic[J]", "kinetic_energy[J]", "max_speed[m/s]"):
             scale = max(map(abs, a[name]))
             worst = max(abs(x - y) for x, y in zip(a[name], b[name], strict=True)) / scale
-            magfsi.report(f"1 and 2 ranks: {worst:.1e} in {name}")
+            testing.report(f"1 and 2 ranks: {worst:.1e} in {name}")
             self.assertGreater(scale, 0)
             self.assertLess(worst, BOUND, name)
         for run in (one, two):
-            magfsi.check_interface_balance(self, run, f"{run.summary()['ranks']}")
+            testing.check_interface_balance(self, run, f"{run.summary()['ranks']}")
 
     def test_the_body_moves_the_fluid(self):
-        probes = magfsi.good_run(magfsi.SMALL, SETTINGS).probes()
+        probes = testing.good_run(testing.SMALL, SETTINGS).probes()
         self.assertGreater(probes["kinetic_energy[J]"][-1],
                            0.1 * probes["robot.energy_kinetic[J]"][-1])
 
 
 class Killed(unittest.TestCase):
     def kill(self, name):
-        folder = magfsi.new_folder()
-        process = magfsi.start([magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder,
-                                *magfsi.overrides({**SETTINGS, "time.end": "1 s"})])
+        folder = testing.new_folder()
+        process = testing.start([testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder,
+                                *testing.overrides({**SETTINGS, "time.end": "1 s"})])
         self.wait_for_rows(Path(folder) / "probes.csv")
         began = time.monotonic()
-        os.kill(magfsi.process_of(folder, name), signal.SIGKILL)
-        run = magfsi.finish(process, began, folder, 10)  # s: the contract's bound
-        magfsi.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        os.kill(testing.process_of(folder, name), signal.SIGKILL)
+        run = testing.finish(process, began, folder, 10)  # s: the contract's bound
+        testing.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("was killed by signal 9", run.err)
         self.assertEqual(run.summary()["outcome"], "lost_partner")

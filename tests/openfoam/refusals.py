@@ -1,20 +1,17 @@
-#!/usr/bin/python3
 """What fluid.solver: openfoam cannot do is refused before anything is written, with what to do
 instead; so is a machine without OpenFOAM."""
 
 import os
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 
 class Refusals(unittest.TestCase):
     def refused(self, settings, *words):
-        folder = Path(magfsi.new_folder()) / "run"
-        run = magfsi.run(magfsi.SMALL, {"fluid.solver": "openfoam", **settings}, folder=folder,
+        folder = Path(testing.new_folder()) / "run"
+        run = testing.run(testing.SMALL, {"fluid.solver": "openfoam", **settings}, folder=folder,
                          limit_s=60)
         self.assertEqual(run.code, 2, run.err)
         self.assertEqual(len(run.err.strip().splitlines()), 1, run.err)

@@ -1,16 +1,13 @@
-#!/usr/bin/python3
 """The run folder's openfoam/ is a case that the stock programs run by themselves: blockMesh and
 pimpleFoam give the flow that the run gave."""
 
 import os
 import re
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 FLUID = """
 name: {name}
@@ -82,14 +79,14 @@ def energy(case):
 
 class StockCase(unittest.TestCase):
     def same(self, text, ranks):
-        scene = Path(magfsi.new_folder()) / "scene.yaml"
+        scene = Path(testing.new_folder()) / "scene.yaml"
         scene.write_text(text)
-        run = magfsi.good_run(scene, ranks=ranks)
+        run = testing.good_run(scene, ranks=ranks)
         expected = run.probes()["kinetic_energy[J]"]
         case = run.folder / "openfoam"
         stock(case)
         found = energy(case)
-        magfsi.report(f"{self.id().split('.')[-1]}: energy {expected[-1]:.6e} J, by stock pimpleFoam "
+        testing.report(f"{self.id().split('.')[-1]}: energy {expected[-1]:.6e} J, by stock pimpleFoam "
                       f"{found:.6e} J, {found / expected[-1] - 1:+.1e}")
         self.assertGreater(expected[-1], 2 * expected[0])
         self.assertAlmostEqual(found / expected[-1], 1, delta=BOUND)

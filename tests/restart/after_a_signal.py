@@ -1,16 +1,14 @@
-#!/usr/bin/python3
 """Told to end, a run with checkpoints writes one at the end of a coupled step, on both sides the
 same, ends in order, and goes on from there as if nothing had been."""
 
 import os
 import signal
-import subprocess
 import time
 import unittest
 from pathlib import Path
 
 import scenes
-from scenes import COUPLED, FLUID, STRUCTURE, EVERY, magfsi
+from scenes import COUPLED, FLUID, STRUCTURE, EVERY, testing
 
 # No checkpoint but the one that the signal asks for.
 NEVER = {"checkpoint.every": "1 s"}
@@ -19,23 +17,19 @@ ROWS = 4  # the signal comes after so many probe rows
 
 def wait_for_rows(folder, process):
     probes = Path(folder) / "probes.csv"
-    for _ in range(2000):
-        if probes.exists() and len(probes.read_text().splitlines()) > ROWS:
-            return
-        if process.poll() is not None:
-            break
-        time.sleep(0.005)
-    raise AssertionError("the run did not get going")
+    if not testing.wait_until(
+            lambda: probes.exists() and len(probes.read_text().splitlines()) > ROWS, process):
+        raise AssertionError("the run did not get going")
 
 
 class Told(unittest.TestCase):
-    def told(self, scene, settings, ranks, send):
-        whole = scenes.good(scene, settings, magfsi.new_folder(), ranks)
-        folder = magfsi.new_folder()
-        process = magfsi.start(scenes.command(scene, settings, folder, ranks))
+    def told(self, scene, settings, ranks):
+        whole = scenes.good(scene, settings, testing.new_folder(), ranks)
+        folder = testing.new_folder()
+        process = testing.start(testing.run_command(scene, folder, settings, ranks))
         wait_for_rows(folder, process)
-        send(process, folder)
-        stopped = magfsi.finish(process, time.monotonic(), folder, 20)
+        process.send_signal(signal.SIGTERM)  # to the launcher
+        stopped = testing.finish(process, time.monotonic(), folder, 20)
         self.assertEqual(stopped.code, 1, stopped.err)
         self.assertIn("stopped on request", stopped.err)
         summary = stopped.summary()
@@ -50,26 +44,21 @@ class Told(unittest.TestCase):
         after = scenes.good(scene, settings, folder, ranks, restart="latest")
         self.assertEqual(scenes.restarted_at(after), step)
         self.assertEqual(scenes.results(folder), scenes.results(whole.folder))
-        magfsi.report(f"{ranks}: stopped after step {step} of {after.summary()['steps']}")
-
-    def to_the_launcher(self, process, _):
-        process.send_signal(signal.SIGTERM)
+        testing.report(f"{ranks}: stopped after step {step} of {after.summary()['steps']}")
 
     def test_swimmer(self):
-        self.told(magfsi.SMALL, {**COUPLED, **NEVER, "time.end": "4 ms"},
-                  "structure=1,fluid=1", self.to_the_launcher)
+        self.told(testing.SMALL, {**COUPLED, **NEVER, "time.end": "4 ms"},
+                  "structure=1,fluid=1")
 
     def test_swimmer_on_several_ranks(self):
-        self.told(magfsi.SMALL, {**COUPLED, **NEVER, "time.end": "4 ms"},
-                  "structure=2,fluid=2", self.to_the_launcher)
+        self.told(testing.SMALL, {**COUPLED, **NEVER, "time.end": "4 ms"},
+                  "structure=2,fluid=2")
 
     def test_solid(self):
-        self.told(EVERY, {**STRUCTURE, **NEVER, "time.end": "50 ms"}, "structure=1",
-                  self.to_the_launcher)
+        self.told(EVERY, {**STRUCTURE, **NEVER, "time.end": "50 ms"}, "structure=1")
 
     def test_fluid(self):
-        self.told(magfsi.SMALL, {**FLUID, **NEVER, "time.end": "10 ms"}, "fluid=2",
-                  self.to_the_launcher)
+        self.told(testing.SMALL, {**FLUID, **NEVER, "time.end": "10 ms"}, "fluid=2")
 
 
 class WithoutTheLauncher(unittest.TestCase):
@@ -77,19 +66,19 @@ class WithoutTheLauncher(unittest.TestCase):
 
     def test_swimmer(self):
         settings = {**COUPLED, **NEVER, "time.end": "1 s"}
-        folder = magfsi.new_folder()
-        words = ["mpirun", "-n", "1", magfsi.BIN / "magfsi-structure", magfsi.SMALL, "--out",
-                 folder, *magfsi.overrides(settings), ":", "-n", "1",
-                 magfsi.BIN / "magfsi-fluid-lbm", magfsi.SMALL, "--out", folder,
-                 *magfsi.overrides(settings)]
-        process = magfsi.start(words)
+        folder = testing.new_folder()
+        words = ["mpirun", "-n", "1", testing.BIN / "magfsi-structure", testing.SMALL, "--out",
+                 folder, *testing.overrides(settings), ":", "-n", "1",
+                 testing.BIN / "magfsi-fluid-lbm", testing.SMALL, "--out", folder,
+                 *testing.overrides(settings)]
+        process = testing.start(words)
         wait_for_rows(folder, process)
         process.send_signal(signal.SIGTERM)
-        stopped = magfsi.finish(process, time.monotonic(), folder, 20)
+        stopped = testing.finish(process, time.monotonic(), folder, 20)
         self.assertEqual(stopped.summary()["outcome"], "stopped", stopped.err)
         self.assertEqual(len(scenes.checkpoints(folder)), 2)
         soon = f"{stopped.summary()['steps'] * 25 + 1000} us"  # 40 steps later
-        after = scenes.good(magfsi.SMALL, {**settings, "time.end": soon}, folder,
+        after = scenes.good(testing.SMALL, {**settings, "time.end": soon}, folder,
                             "structure=1,fluid=1", restart="latest")
         self.assertEqual(after.summary()["outcome"], "completed")
 
@@ -98,16 +87,13 @@ class Lost(unittest.TestCase):
     """A partner that is gone still ends the run at once, though mpirun's signal is postponed."""
 
     def test_fluid_killed(self):
-        folder = magfsi.new_folder()
-        process = magfsi.start(scenes.command(
-            magfsi.SMALL, {**COUPLED, **NEVER, "time.end": "10 s"}, folder))
+        folder = testing.new_folder()
+        process = testing.start(testing.run_command(
+            testing.SMALL, folder, {**COUPLED, **NEVER, "time.end": "10 s"}))
         wait_for_rows(folder, process)
-        for line in subprocess.check_output(["ps", "-eo", "pid,args"], text=True).splitlines():
-            pid, _, args = line.strip().partition(" ")
-            if args.strip().startswith(str(magfsi.BIN / "magfsi-fluid-lbm")) and folder in args:
-                os.kill(int(pid), signal.SIGKILL)
+        os.kill(testing.process_of(folder, "magfsi-fluid-lbm"), signal.SIGKILL)
         began = time.monotonic()
-        result = magfsi.finish(process, began, folder, 10)
+        result = testing.finish(process, began, folder, 10)
         self.assertEqual(result.code, 4, result.err)
         self.assertIn("fluid rank 0 was killed by signal 9", result.err)
         self.assertEqual(result.summary()["outcome"], "lost_partner")

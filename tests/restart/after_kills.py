@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """kill -9 at random moments, every second one inside the writing of a checkpoint: each time the run
 goes on from at most one interval before, and in the end its results are those of a run that nobody
 killed."""
@@ -8,31 +7,19 @@ import os
 import random
 import re
 import signal
-import subprocess
 import sys
 import time
 import unittest
 from pathlib import Path
 
 import scenes
-from scenes import COUPLED, magfsi
+from scenes import COUPLED, testing
 
 KILLS = 4
 SEED = 1
 STEP_S = 25e-6
 INTERVAL = 3  # coupled steps between checkpoints
 SETTINGS = {**COUPLED, "checkpoint.every": "75 us", "probes.every": "25 us"}
-
-
-def ranks_of(folder):
-    """Process ids of the participants of this run."""
-    found = []
-    for line in subprocess.check_output(["ps", "-eo", "pid,args"], text=True).splitlines():
-        pid, _, args = line.strip().partition(" ")
-        program = args.strip().split(" ")[0]
-        if Path(program).name in ("magfsi-structure", "magfsi-fluid-lbm") and str(folder) in args:
-            found.append(int(pid))
-    return found
 
 
 def last_row(folder):
@@ -51,25 +38,19 @@ class Victim:
 
     def __init__(self, folder, restart):
         self.folder = Path(folder)
-        self.process = magfsi.start(scenes.command(magfsi.SMALL, SETTINGS, folder,
-                                                   "structure=1,fluid=1", restart))
+        self.process = testing.start(testing.run_command(
+            testing.SMALL, folder, SETTINGS, "structure=1,fluid=1", restart))
 
     def wait_for(self, condition):
         """False if the run ended before."""
-        for _ in range(30000):
-            if condition():
-                return True
-            if self.process.poll() is not None:
-                return False
-            time.sleep(0.0005)
-        raise AssertionError("nothing to kill came")
+        return testing.wait_until(condition, self.process, 0.0005)
 
     def kill(self, inside_a_write, rng):
         """All its participants at once; False if it ended before."""
         beyond = max(last_row(self.folder), INTERVAL)
         if not self.wait_for(lambda: last_row(self.folder) > beyond):
             return False
-        pids = ranks_of(self.folder)
+        pids = testing.processes_of(self.folder, "magfsi-structure", "magfsi-fluid-lbm")
         if inside_a_write:
             # One of the next few, at a random moment of it.
             time.sleep(rng.uniform(0, 0.1))
@@ -86,12 +67,12 @@ class Victim:
         return True
 
     def end(self):
-        return magfsi.finish(self.process, time.monotonic(), self.folder, 60)
+        return testing.finish(self.process, time.monotonic(), self.folder, 60)
 
 
 class Kills(unittest.TestCase):
     def test_each_costs_one_interval_at_most(self):
-        whole = scenes.good(magfsi.SMALL, SETTINGS, magfsi.new_folder())
+        whole = scenes.good(testing.SMALL, SETTINGS, testing.new_folder())
         rng = random.Random(SEED)
         kills = inside = chains = 0
 
@@ -100,7 +81,7 @@ class Kills(unittest.TestCase):
             return kills < KILLS or (inside == 0 and kills < 5 * KILLS)
 
         while more():
-            folder = Path(magfsi.new_folder())
+            folder = Path(testing.new_folder())
             chains += 1
             restart, reached, restarts = None, 0, 0
             while more():
@@ -117,7 +98,7 @@ class Kills(unittest.TestCase):
                 self.assertEqual(ended.code, 4, ended.err)
                 restart, reached = "latest", last_row(folder)
             if restart and ended.code != 0:
-                ended = scenes.good(magfsi.SMALL, SETTINGS, folder, "structure=1,fluid=1",
+                ended = scenes.good(testing.SMALL, SETTINGS, folder, "structure=1,fluid=1",
                                     restart="latest")
                 restarts += 1
                 self.goes_on(folder, ended, reached, restarts)
@@ -125,7 +106,7 @@ class Kills(unittest.TestCase):
             self.assertEqual(scenes.results(folder), scenes.results(whole.folder))
             self.assertEqual(half_written(folder), [])
             self.assertEqual(len(scenes.checkpoints(folder)), 4)
-        magfsi.report(f"{kills} kills, {inside} of them inside a write, {chains} run(s)")
+        testing.report(f"{kills} kills, {inside} of them inside a write, {chains} run(s)")
         self.assertGreater(inside, 0)
 
     def goes_on(self, folder, result, reached, number):

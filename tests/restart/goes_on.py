@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """On the same ranks a run that goes on from a checkpoint leaves the bytes of the one that was not
 interrupted: time series, fields and the next checkpoints."""
 
@@ -6,12 +5,12 @@ import unittest
 from pathlib import Path
 
 import scenes
-from scenes import COUPLED, EVERY, FLUID, STRUCTURE, magfsi
+from scenes import COUPLED, EVERY, FLUID, STRUCTURE, testing
 
 
 class SameBytes(unittest.TestCase):
     def same(self, scene, settings, end, ranks):
-        whole = scenes.good(scene, settings, magfsi.new_folder(), ranks)
+        whole = scenes.good(scene, settings, testing.new_folder(), ranks)
         parts = scenes.interrupted(scene, settings, end, ranks)
         coupled = "structure=" in ranks and "fluid=" in ranks
         scenes.assert_same_bytes(self, whole, parts, 2 if coupled else 1)
@@ -24,31 +23,31 @@ class SameBytes(unittest.TestCase):
 
     # The ends lie between two checkpoints and between two probe rows.
     def test_swimmer(self):
-        self.same(magfsi.SMALL, COUPLED, "1.375 ms", "structure=1,fluid=1")
+        self.same(testing.SMALL, COUPLED, "1.375 ms", "structure=1,fluid=1")
 
     def test_swimmer_on_several_ranks(self):
-        self.same(magfsi.SMALL, COUPLED, "1.375 ms", "structure=2,fluid=3")
+        self.same(testing.SMALL, COUPLED, "1.375 ms", "structure=2,fluid=3")
 
     # What the body owes for the iterations of a step goes on in the next.
     def test_swimmer_with_iterated_forcing(self):
-        self.same(magfsi.SMALL, {**COUPLED, "coupling.immersed_boundary.iterations": 2},
+        self.same(testing.SMALL, {**COUPLED, "coupling.immersed_boundary.iterations": 2},
                   "1.375 ms", "structure=1,fluid=1")
 
     # Impulses of the last step are under way when the checkpoint is written.
     def test_swimmer_in_the_parallel_scheme(self):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            self.same(magfsi.SMALL, {**COUPLED, "coupling.scheme": "parallel"}, "1.375 ms",
+            self.same(testing.SMALL, {**COUPLED, "coupling.scheme": "parallel"}, "1.375 ms",
                       ranks)
 
     def test_swimmer_with_extrapolated_velocity(self):
-        self.same(magfsi.SMALL, {**COUPLED, "coupling.sampled_velocity": "linear"},
+        self.same(testing.SMALL, {**COUPLED, "coupling.sampled_velocity": "linear"},
                   "1.375 ms", "structure=1,fluid=1")
 
     # What the steps before have taught goes on, to the last bit.
     def test_swimmer_in_the_implicit_scheme(self):
         implicit = {**COUPLED, "coupling.scheme": "implicit"}
-        self.same(magfsi.SMALL, implicit, "1.375 ms", "structure=2,fluid=3")
-        self.same(magfsi.SMALL, {**implicit, "coupling.iteration.acceleration": "aitken"},
+        self.same(testing.SMALL, implicit, "1.375 ms", "structure=2,fluid=3")
+        self.same(testing.SMALL, {**implicit, "coupling.iteration.acceleration": "aitken"},
                   "1.375 ms", "structure=1,fluid=1")
 
     # Viscosity, field gradient, drag, a rough platform; contact looks for neighbours anew.
@@ -64,40 +63,40 @@ class SameBytes(unittest.TestCase):
         wave = "{amplitude: [0.1 mm, 0 m, 0.2 mm], frequency: 100 Hz, phase: -90 deg}"
         for scene, settings, body, end, ranks in (
                 (EVERY, STRUCTURE, "strip", "7.2 ms", "structure=1"),
-                (magfsi.SMALL, COUPLED, "robot", "1.375 ms", "structure=2,fluid=2")):
+                (testing.SMALL, COUPLED, "robot", "1.375 ms", "structure=2,fluid=2")):
             self.same(scene, {**settings, f"bodies.{body}.prescribed_motion":
                               f"[{{face: x_min, oscillation: {wave}}}]"}, end, ranks)
 
     def test_fluid(self):
-        self.same(magfsi.SMALL, FLUID, "1.375 ms", "fluid=2")
+        self.same(testing.SMALL, FLUID, "1.375 ms", "fluid=2")
 
     # The step of the checkpoint, 25, is odd: the other arrangement of the populations.
     def test_fluid_in_single_precision(self):
-        self.same(magfsi.SMALL, {**FLUID, "fluid.precision": "float",
+        self.same(testing.SMALL, {**FLUID, "fluid.precision": "float",
                                  "checkpoint.every": "0.625 ms"}, "0.75 ms", "fluid=1")
 
 
 class Series(unittest.TestCase):
     def test_two_restarts_and_rows_that_come_again(self):
         settings = {**COUPLED, "checkpoint.every": "0.5 ms", "probes.every": "25 us"}
-        whole = scenes.good(magfsi.SMALL, settings, magfsi.new_folder())
-        folder = magfsi.new_folder()
-        scenes.good(magfsi.SMALL, {**settings, "time.end": "0.9 ms"}, folder)
-        second = scenes.good(magfsi.SMALL, {**settings, "time.end": "1.9 ms"}, folder,
+        whole = scenes.good(testing.SMALL, settings, testing.new_folder())
+        folder = testing.new_folder()
+        scenes.good(testing.SMALL, {**settings, "time.end": "0.9 ms"}, folder)
+        second = scenes.good(testing.SMALL, {**settings, "time.end": "1.9 ms"}, folder,
                              restart="latest")
         self.assertEqual(scenes.restarted_at(second), 20)
-        third = scenes.good(magfsi.SMALL, settings, folder, restart="latest")
+        third = scenes.good(testing.SMALL, settings, folder, restart="latest")
         self.assertEqual(scenes.restarted_at(third), 60)
         self.assertEqual(scenes.results(folder), scenes.results(whole.folder))
         # One log for all.
         self.assertEqual((Path(folder) / "run.log").read_text().count("restart at step"), 2)
 
     def test_another_folder_takes_what_comes(self):
-        first = magfsi.new_folder()
-        scenes.good(magfsi.SMALL, {**COUPLED, "time.end": "1 ms"}, first)
+        first = testing.new_folder()
+        scenes.good(testing.SMALL, {**COUPLED, "time.end": "1 ms"}, first)
         file = Path(first) / "checkpoint_0000000020_fluid.h5"
-        result = scenes.good(magfsi.SMALL, {**COUPLED, "time.end": "1 ms"},
-                             magfsi.new_folder(), restart=file)
+        result = scenes.good(testing.SMALL, {**COUPLED, "time.end": "1 ms"},
+                             testing.new_folder(), restart=file)
         times = result.probes()["t[s]"]
         self.assertAlmostEqual(times[0], 0.6e-3, delta=1e-9)
         self.assertEqual(scenes.checkpoints(first)[0], file.name)

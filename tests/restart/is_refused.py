@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A restart that cannot be right is refused: one line, exit code 2, nothing touched. A torn newest
 checkpoint only costs the way back to the one before."""
 
@@ -8,7 +7,7 @@ import unittest
 from pathlib import Path
 
 import scenes
-from scenes import COUPLED, magfsi
+from scenes import COUPLED, testing
 
 NEWEST, OLDER = "checkpoint_0000000060", "checkpoint_0000000040"
 SETTINGS = {**COUPLED, "time.end": "1.75 ms"}
@@ -35,25 +34,22 @@ def fill_with_zeros(file):
 class Restart(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.start = magfsi.new_folder()
-        scenes.good(magfsi.SMALL, SETTINGS, cls.start)
-        cls.whole = scenes.good(magfsi.SMALL, COUPLED, magfsi.new_folder())
+        cls.start = testing.new_folder()
+        scenes.good(testing.SMALL, SETTINGS, cls.start)
+        cls.whole = scenes.good(testing.SMALL, COUPLED, testing.new_folder())
 
     def setUp(self):
-        self.folder = Path(magfsi.new_folder()) / "run"
+        self.folder = Path(testing.new_folder()) / "run"
         shutil.copytree(self.start, self.folder)
 
     def refused(self, message, settings=COUPLED, restart="latest"):
         before = contents(self.folder)
-        result = scenes.run(magfsi.SMALL, settings, self.folder, restart=restart)
-        self.assertEqual(result.code, 2, result.err)
-        self.assertEqual(len(result.err.strip().splitlines()), 1, result.err)
-        self.assertIn(message, result.err)
+        result = scenes.run(testing.SMALL, settings, self.folder, restart=restart)
+        testing.check_refused(self, result, message)
         self.assertEqual(contents(self.folder), before)
-        magfsi.report(result.err.strip())
 
     def goes_on_from(self, step):
-        result = scenes.good(magfsi.SMALL, COUPLED, self.folder, restart="latest")
+        result = scenes.good(testing.SMALL, COUPLED, self.folder, restart="latest")
         self.assertEqual(scenes.restarted_at(result), step)
         self.assertEqual(scenes.results(self.folder), scenes.results(self.whole.folder))
         return result
@@ -103,13 +99,13 @@ class Restart(unittest.TestCase):
         self.goes_on_from(60)
 
     def test_a_named_older_one(self):
-        result = scenes.good(magfsi.SMALL, COUPLED, self.folder,
+        result = scenes.good(testing.SMALL, COUPLED, self.folder,
                              restart=self.folder / f"{OLDER}_structure.h5")
         self.assertEqual(scenes.restarted_at(result), 40)
         self.assertEqual(scenes.results(self.folder), scenes.results(self.whole.folder))
 
     def test_a_new_run_takes_the_old_checkpoints_away(self):
-        scenes.good(magfsi.SMALL, {**COUPLED, "time.end": "0.4 ms"}, self.folder)
+        scenes.good(testing.SMALL, {**COUPLED, "time.end": "0.4 ms"}, self.folder)
         self.assertEqual(scenes.checkpoints(self.folder), [])
 
 

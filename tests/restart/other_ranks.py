@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A checkpoint is that of the cells and nodes, not of the ranks: gone on with on others, the run
 ends where it would have, within rounding."""
 
@@ -6,7 +5,7 @@ import re
 import unittest
 
 import scenes
-from scenes import COUPLED, EVERY, FLUID, STRUCTURE, magfsi
+from scenes import COUPLED, EVERY, FLUID, STRUCTURE, testing
 
 # Sums over ranks differ by some 1e-16, and 40 steps of the swimmer, or 1000 of the strip on its
 # platform, where nodes touch and slide, magnify that: 1e-12 was seen.
@@ -33,23 +32,23 @@ def worst(expected, found):
 
 class OtherRanks(unittest.TestCase):
     def close(self, scene, settings, end, ranks, new_ranks, bound):
-        whole = scenes.good(scene, settings, magfsi.new_folder(), ranks)
+        whole = scenes.good(scene, settings, testing.new_folder(), ranks)
         parts = scenes.interrupted(scene, settings, end, ranks, new_ranks)
         found = worst(whole.probes(), parts.probes())
-        magfsi.report(f"{ranks} -> {new_ranks}: {found[0]:.1e} in {found[1]}")
+        testing.report(f"{ranks} -> {new_ranks}: {found[0]:.1e} in {found[1]}")
         self.assertLess(found[0], bound)
 
     def test_swimmer_on_more(self):
-        self.close(magfsi.SMALL, COUPLED, "1.375 ms", "structure=1,fluid=1",
+        self.close(testing.SMALL, COUPLED, "1.375 ms", "structure=1,fluid=1",
                    "structure=2,fluid=3", BOUND)
 
     def test_swimmer_on_fewer(self):
-        self.close(magfsi.SMALL, COUPLED, "1.375 ms", "structure=3,fluid=2",
+        self.close(testing.SMALL, COUPLED, "1.375 ms", "structure=3,fluid=2",
                    "structure=1,fluid=1", BOUND)
 
     def test_swimmer_in_other_schemes(self):
         for scheme in ("parallel", "implicit"):
-            self.close(magfsi.SMALL, {**COUPLED, "coupling.scheme": scheme}, "1.375 ms",
+            self.close(testing.SMALL, {**COUPLED, "coupling.scheme": scheme}, "1.375 ms",
                        "structure=2,fluid=3", "structure=1,fluid=1", BOUND)
 
     def test_solid(self):
@@ -59,7 +58,7 @@ class OtherRanks(unittest.TestCase):
         self.close(EVERY, STRUCTURE, "7.2 ms", "structure=3", "structure=3", BOUND)
 
     def test_fluid(self):
-        self.close(magfsi.SMALL, FLUID, "1.375 ms", "fluid=1", "fluid=4", FLUID_BOUND)
+        self.close(testing.SMALL, FLUID, "1.375 ms", "fluid=1", "fluid=4", FLUID_BOUND)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,10 @@
 """Small scenes with checkpoints, and how to start and go on with them."""
 
-import subprocess
-import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-EVERY = magfsi.ROOT / "tests/scenes/every_structure_effect.yaml"
+EVERY = testing.ROOT / "tests/scenes/every_structure_effect.yaml"
 
 # Overrides without a value take a key away.
 COUPLED = {"time.end": "2 ms", "checkpoint.every": "0.5 ms",
@@ -27,32 +24,17 @@ FLUID = {"bodies": "", "gravity": "", "magnetic_field": "", "probes.bodies": "",
          "fluid.boundaries.z_min": "{no_slip: {velocity: [0.02 m/s, 0 m/s, 0 m/s]}}"}
 
 
-def command(scene, settings, folder, ranks=None, restart=None):
-    words = [magfsi.BIN / "magfsi", "run", scene, "--out", folder,
-             *magfsi.overrides(settings)]
-    if ranks:
-        words += ["--ranks", ranks]
-    if restart:
-        words += ["--restart", restart]
-    return words
-
-
 def run(scene, settings, folder, ranks=None, restart=None):
-    done = subprocess.run([str(w) for w in command(scene, settings, folder, ranks, restart)],
-                          capture_output=True, text=True, timeout=300)
-    return magfsi.Run(done.returncode, done.stdout, done.stderr, 0, folder)
+    return testing.run(scene, settings, ranks, 300, folder, restart)
 
 
-def good(*args, **named):
-    result = run(*args, **named)
-    if result.code != 0:
-        raise AssertionError(f"exit code {result.code}\n{result.out}\n{result.err}")
-    return result
+def good(scene, settings, folder, ranks=None, restart=None):
+    return testing.good_run(scene, settings, ranks, 300, folder, restart)
 
 
 def interrupted(scene, settings, end, ranks=None, new_ranks=None):
     """A run to `end` only, gone on with to the end of the scene."""
-    folder = magfsi.new_folder()
+    folder = testing.new_folder()
     good(scene, {**settings, "time.end": end}, folder, ranks)
     return good(scene, settings, folder, new_ranks or ranks, restart="latest")
 

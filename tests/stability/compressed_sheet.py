@@ -1,14 +1,11 @@
-#!/usr/bin/python3
 """A sheet in a field that points against its magnetisation buckles at M B A L^2 / (E I) = pi^2 / 4,
 the Euler load of a column that is clamped below and free above, in the thin limit."""
 
 import math
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "compressed_sheet.yaml"
 G, LAMBDA, LENGTH, MAGNETIZATION = 33e3, 660e3, 20e-3, 1e5
@@ -25,14 +22,14 @@ def threshold(thickness, elements):
     """Over pi^2 / 4, by Southwell: deflection over load grows with the deflection as
     1 / threshold."""
     euler = math.pi ** 2 / 4 * YOUNG * thickness ** 2 / (12 * LENGTH ** 2 * MAGNETIZATION)
-    probes = magfsi.good_run(SCENE, {
+    probes = testing.good_run(SCENE, {
         "bodies.sheet.mesh.box.size.2": f"{thickness} m",
         "bodies.sheet.mesh.box.elements.0": elements,
         "magnetic_field.table.magnitude.1": f"{1.6 * euler} T"}).probes()
     bent = [(u, u / b) for u, b in zip(probes["tip_uz[m]"], probes["field[T]"])
             if 0.3 * euler < b < 0.9 * euler]
     found = 1 / slope([u for u, _ in bent], [c for _, c in bent]) / euler
-    magfsi.report(f"thickness {1e3 * thickness} mm, {elements} elements: {found:.4f}, then "
+    testing.report(f"thickness {1e3 * thickness} mm, {elements} elements: {found:.4f}, then "
                   f"{1e3 * probes['tip_uz[m]'][-1]:.1f} mm")
     return found, probes["tip_uz[m]"][-1]
 

@@ -1,10 +1,9 @@
-#!/usr/bin/python3
 """Draws the stability map from the results of its studies, and counts.
 
     for study in tests/stability/map/*.yaml; do
         ./magfsi study "$study" --out runs/map/$(basename "$study" .yaml)
     done
-    tests/stability/draw_map.py runs/map --out docs/stability
+    ./magfsi python tests/stability/draw_map.py runs/map --out docs/stability
 
 Writes fluid.png, coupling.png and bodies.png, cells.csv with a row for each run, and by_axis.md
 with the counts.

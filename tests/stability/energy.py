@@ -1,7 +1,7 @@
 """What no scene may break, whatever its numbers: nothing gains energy that the field and the
 weight have not given, and no fluid is lost."""
 
-import magfsi_runs as magfsi
+from magfsi import testing
 
 BOX_M3 = 3.7e-3 * 1.5e-3 * 0.185e-3  # the strip of these scenes
 GRAVITY = 9.81
@@ -31,12 +31,12 @@ def check(test, run, label, density=1860.0, scale_j=None, bound=0.0, **kinds):
     scale = scale_j or max(map(abs, probes[f"{body}.work_magnetic[J]"]))
     test.assertGreater(scale, 0, f"{label}: nothing happened")
     gained = gain(probes, body, density, **kinds) / scale
-    magfsi.report(f"{label}: gains {gained:+.2e} of {scale:.3g} J")
+    testing.report(f"{label}: gains {gained:+.2e} of {scale:.3g} J")
     test.assertLessEqual(gained, bound, label)
     if "mass[kg]" in probes:
         mass = probes["mass[kg]"]
         # Rounding: the sum of some 1e5 cells.
         test.assertLess(max(abs(m / mass[0] - 1) for m in mass), 1e-12, label)
     if "interface.power_mismatch[1]" in probes:
-        magfsi.check_interface_balance(test, run, label)
+        testing.check_interface_balance(test, run, label)
     return probes

@@ -1,15 +1,11 @@
-#!/usr/bin/python3
 """The energy audit closes: what the works give is in the energies and the losses, term by term."""
 
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 AUDIT = {"probes.energy_audit": "true"}
-STRIP = magfsi.ROOT / "tests/stability/audited_strip.yaml"
+STRIP = testing.ROOT / "tests/stability/audited_strip.yaml"
 VOLUME_M3 = 3.7e-3 * 1.5e-3 * 0.185e-3
 WATER, GRAVITY = 1000.0, 9.81
 
@@ -21,7 +17,7 @@ def column(probes, name):
 class EnergyAudit(unittest.TestCase):
     def residual(self, label, result, bound):
         audit = result.summary()["energy_audit"]
-        magfsi.report(f"{label}: {audit}")
+        testing.report(f"{label}: {audit}")
         self.assertGreater(audit["work_j"], 0, label)
         self.assertGreater(audit["residual_j"], 0, f"{label}: not measured")
         self.assertLess(audit["residual"], bound, label)
@@ -32,7 +28,7 @@ class EnergyAudit(unittest.TestCase):
     def test_every_term_of_a_body_alone(self):
         # A magnetic strip with viscosity and drag slides on a platform with friction, pulled
         # by one end. Seen: 1.6e-3, of the onset of the platform's springs within a step.
-        run = magfsi.good_run(STRIP)
+        run = testing.good_run(STRIP)
         self.residual("strip", run, 0.01)
         probes = run.probes()
         for name in ("lost_viscosity", "lost_drag", "lost_friction"):
@@ -47,7 +43,7 @@ class EnergyAudit(unittest.TestCase):
 
     def test_rounding_of_a_body_at_rest_is_no_gain(self):
         # Nothing acts: all energies are rounding, here some 1e-21 J; G V is 3e-5 J.
-        run = magfsi.good_run(STRIP, {
+        run = testing.good_run(STRIP, {
             **AUDIT, "magnetic_field": "null", "gravity": "null", "platform": "null",
             "bodies.strip.prescribed_motion": "null", "time.end": "5 ms"})
         self.assertEqual(run.summary()["outcome"], "completed")
@@ -55,7 +51,7 @@ class EnergyAudit(unittest.TestCase):
 
     def test_in_fluids_of_a_tenth_and_ten_times_the_density(self):
         for density in (100, 10000):
-            run = magfsi.good_run(magfsi.SMALL, {
+            run = testing.good_run(testing.SMALL, {
                 **AUDIT, "bodies.robot.material.density": f"{density} kg/m3"})
             # Seen: 3e-5 and 2.2e-4, of the substeps.
             self.residual(f"{density} kg/m3", run, 1e-3)
@@ -80,25 +76,25 @@ class EnergyAudit(unittest.TestCase):
 
     def test_every_scheme(self):
         for scheme in ("parallel", "implicit"):
-            run = magfsi.good_run(magfsi.SMALL, {
+            run = testing.good_run(testing.SMALL, {
                 **AUDIT, "time.end": "1 ms", "coupling.scheme": scheme})
             # Seen: 9e-4; the field comes at once and little work is done in 1 ms.
             self.residual(scheme, run, 5e-3)
 
     def test_same_on_other_ranks_and_over_a_restart(self):
         short = {**AUDIT, "time.end": "1 ms", "checkpoint.every": "0.5 ms"}
-        whole = magfsi.good_run(magfsi.SMALL, short)
-        folder = magfsi.new_folder()
-        magfsi.good_run(magfsi.SMALL, {**short, "time.end": "0.5 ms"}, folder=folder)
-        again = magfsi.finish(magfsi.start(
-            [magfsi.BIN / "magfsi", "run", magfsi.SMALL, "--out", folder, "--restart", "latest",
-             *magfsi.overrides(short)]), 0, folder, 600)
+        whole = testing.good_run(testing.SMALL, short)
+        folder = testing.new_folder()
+        testing.good_run(testing.SMALL, {**short, "time.end": "0.5 ms"}, folder=folder)
+        again = testing.finish(testing.start(
+            [testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder, "--restart", "latest",
+             *testing.overrides(short)]), 0, folder, 600)
         self.assertEqual(again.code, 0, again.err)
         self.assertEqual(whole.probes(), again.probes())
         for key in ("work_j", "residual_j", "gained_j"):
             self.assertEqual(whole.summary()["energy_audit"][key],
                              again.summary()["energy_audit"][key])
-        divided = magfsi.good_run(magfsi.SMALL, short, "structure=2,fluid=2").probes()
+        divided = testing.good_run(testing.SMALL, short, "structure=2,fluid=2").probes()
         for name, values in whole.probes().items():
             if not name.startswith("audit.") or "residual" in name:
                 continue

@@ -1,16 +1,13 @@
-#!/usr/bin/python3
 """A free strip in vacuum rings at its first bending mode and keeps its energy.
 
 The frequency of a free slender beam is 22.373 / (2 pi L^2) sqrt(E I / (rho A)): 100.6 Hz here.
 The nodes' lumped masses give a layered lattice 1 + 2 / n^2 times the rotary inertia of n layers,
 which slows one layer by 1 % more than two."""
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "free_strip.yaml"
 BEAM_HZ = 100.6
@@ -27,7 +24,7 @@ def crossings(times, values):
 
 class Ringing:
     def __init__(self, elements):
-        run = magfsi.good_run(SCENE, {"bodies.strip.mesh.box.elements": elements})
+        run = testing.good_run(SCENE, {"bodies.strip.mesh.box.elements": elements})
         self.audit = run.summary()["energy_audit"]
         probes = run.probes()
         free = [i for i, t in enumerate(probes["t[s]"]) if t > PULSE_S]
@@ -39,7 +36,7 @@ class Ringing:
         self.residual = max(abs(elastic + kinetic - w) for elastic, kinetic, w in zip(
             probes["strip.energy_elastic[J]"], probes["strip.energy_kinetic[J]"], work))
         self.residual /= work[-1]
-        magfsi.report(f"{elements} elements: {self.frequency_hz:.2f} Hz, energy residual "
+        testing.report(f"{elements} elements: {self.frequency_hz:.2f} Hz, energy residual "
                       f"{self.residual:.1e} of the work over {self.periods} periods")
 
 

@@ -1,14 +1,10 @@
-#!/usr/bin/python3
 """A magnetic sheet in water under loads and with properties far from the usual: each run ends
 right, with no energy that nobody gave and no fluid lost."""
 
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import energy  # noqa: E402
-import magfsi_runs as magfsi  # noqa: E402
+import energy
+from magfsi import testing
 
 MATERIAL = "bodies.robot.material."
 PERIODIC = {"fluid.boundaries": "{" + ", ".join(
@@ -24,7 +20,7 @@ def field(times_ms, millitesla, repeat=False):
 
 
 def swim(settings, ranks=None):
-    return magfsi.good_run(magfsi.SMALL, settings, ranks)
+    return testing.good_run(testing.SMALL, settings, ranks)
 
 
 class InAFluid(unittest.TestCase):
@@ -82,7 +78,7 @@ class InAFluid(unittest.TestCase):
             span = max(still[name]) - min(still[name])
             same = max(abs(a - b) for a, b in zip(carried[name], still[name])) / span
             rounding = max(abs(a - b) for a, b in zip(carried[name], divided[name])) / span
-            magfsi.report(f"{name}: carried {same:.3f}, other ranks {rounding:.1e}")
+            testing.report(f"{name}: carried {same:.3f}, other ranks {rounding:.1e}")
             # Seen: 4.8 %, of a flow of 0.05 cells a step that the body must first follow;
             # it is 0.24 m/s after 20 ms.
             self.assertLess(same, 0.1)

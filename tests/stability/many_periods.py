@@ -1,12 +1,9 @@
-#!/usr/bin/python3
 """A swimmer beats for many periods: no mass of fluid drifts away, no energy grows."""
 
 import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 PERIOD_MS = 40  # the paper's 25 Hz
 # Between walls the swimmer is at the box's top after seven periods.
@@ -17,7 +14,7 @@ ENDLESS = {"fluid.boundaries": "{" + ", ".join(
 def beat(periods, spacing, sides):
     field = ("{plane: xz, table: {time: [0 ms, 19.5 ms, 32 ms, 40 ms], magnitude: "
              "[-10 mT, 10 mT, -10 mT, -10 mT], direction: 75 deg, repeat: true}}")
-    return magfsi.good_run(magfsi.SMALL, {
+    return testing.good_run(testing.SMALL, {
         "magnetic_field": field, "gravity": "", "time.end": f"{periods * PERIOD_MS} ms",
         **sides, "fluid.spacing": spacing, "fluid.lattice_speed": "0.1", "probes.every": "2 ms",
         "probes.energy_audit": "true"}, limit_s=3000)
@@ -28,7 +25,7 @@ class ManyPeriods(unittest.TestCase):
         periods, spacing, sides = (100, "0.25 mm", ENDLESS) if LONG else (6, "0.5 mm", {})
         run = beat(periods, spacing, sides)
         probes, audit = run.probes(), run.summary()["energy_audit"]
-        magfsi.report(f"{periods} periods: {audit}")
+        testing.report(f"{periods} periods: {audit}")
         mass = probes["mass[kg]"]
         drift = abs(mass[-1] / mass[0] - 1)
         # Rounding of some 1e4 to 1e5 cells, a random walk over 1e4 to 1e5 steps.
@@ -41,7 +38,7 @@ class ManyPeriods(unittest.TestCase):
                                              probes["audit.fluid_kinetic[J]"])]
         peaks = [max(whole[p * rows:(p + 1) * rows]) for p in range(1, periods)]
         half = len(peaks) // 2
-        magfsi.report(f"peaks {peaks[0]:.3g} ... {peaks[-1]:.3g} J, mass drifts by {drift:.1e}")
+        testing.report(f"peaks {peaks[0]:.3g} ... {peaks[-1]:.3g} J, mass drifts by {drift:.1e}")
         self.assertLess(max(peaks[half:]), 1.1 * max(peaks[:half]))
 
 

@@ -1,35 +1,29 @@
-#!/usr/bin/python3
 """Cells of the stability map: right where the map says so, stopped by name where a flow goes
 wrong, and counted so."""
 
-import csv
-import os
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import runs, testing
 
-MAP = magfsi.ROOT / "tests/stability/map"
-DRAW = magfsi.ROOT / "tests/stability/draw_map.py"
+MAP = testing.ROOT / "tests/stability/map"
+DRAW = testing.ROOT / "tests/stability/draw_map.py"
 
 
 def study(name, out, **only):
     words = [word for axis, value in only.items() for word in ("--only", f"{axis}={value}")]
-    subprocess.run(["/usr/bin/python3", magfsi.ROOT / "adapters/magfsi/study",
-                    MAP / f"{name}.yaml", "--out", out / name, *words], check=True,
-                   env=os.environ, stdout=subprocess.DEVNULL)
-    with open(out / name / "runs.csv", newline="") as file:
-        row, = csv.DictReader(file)
-    magfsi.report(f"{name} {only}: {row['verdict']} {row['cause']}")
+    subprocess.run([sys.executable, "-m", "magfsi.study", MAP / f"{name}.yaml", "--out", out / name, *words], check=True,
+                   stdout=subprocess.DEVNULL)
+    row, = runs.read_rows(out / name / "runs.csv")
+    testing.report(f"{name} {only}: {row['verdict']} {row['cause']}")
     return row
 
 
 class MapInParts(unittest.TestCase):
     def test_right_stopped_and_refused(self):
-        out = Path(magfsi.new_folder())
+        out = Path(testing.new_folder())
         low = {"relaxation_time": 0.501, "lattice_speed": 0.1}
         row = study("lattice", out, **low, collision="recursive_regularized")
         self.assertEqual(row["verdict"], "right")
@@ -38,7 +32,7 @@ class MapInParts(unittest.TestCase):
         self.assertEqual(weak["verdict"], "right")
         refused = study("schemes", out, strength=4, scheme="implicit, aitken", kernel="3-point")
         self.assertEqual(refused["verdict"], "refused")
-        page = subprocess.run(["/usr/bin/python3", DRAW, out, "--out", out / "drawn"],
+        page = subprocess.run([sys.executable, DRAW, out, "--out", out / "drawn"],
                               check=True, capture_output=True, text=True).stdout
         self.assertIn("| all | 3 | 2 | 0 | 1 | 0 |", page)
         self.assertTrue((out / "drawn/coupling.png").exists())
@@ -46,7 +40,7 @@ class MapInParts(unittest.TestCase):
     def test_energy_from_nowhere_ends_a_run(self):
         # Two relaxation times at this relaxation time do not damp what the stream feeds; the
         # speed is still within the lattice's limit when the audit ends the run.
-        row = study("lattice", Path(magfsi.new_folder()), relaxation_time=0.503,
+        row = study("lattice", Path(testing.new_folder()), relaxation_time=0.503,
                     lattice_speed=0.1, collision="trt")
         self.assertEqual(row["verdict"], "diverged")
         self.assertIn("gained energy that nothing gave", row["cause"])

@@ -2,7 +2,7 @@
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.pyplot as plt
 
 ROW_IN, COLUMN_IN = 0.19, 0.33
 LEFT_IN, HEAD_IN, FOOT_IN, GAP_IN = 2.6, 0.42, 0.62, 0.25

@@ -1,13 +1,10 @@
-#!/usr/bin/python3
 """What diverges and ends with on_divergence: stop runs to its end with retry, right as if it had
 had the smaller step from the start; after the retries that it may have it ends as before."""
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 HERE = Path(__file__).resolve().parent
 RAMP = "bodies.cube.prescribed_motion.0.ramp."
@@ -23,9 +20,9 @@ RETRY = {"checkpoint.on_divergence": "retry"}
 class Retry(unittest.TestCase):
     def retried(self, scene, settings, half, times=1):
         """The run, and the one at the small step from the start."""
-        stopped = magfsi.run(scene, settings)
+        stopped = testing.run(scene, settings)
         self.assertEqual(stopped.code, 3, stopped.err)
-        run = magfsi.run(scene, {**settings, **RETRY})
+        run = testing.run(scene, {**settings, **RETRY})
         self.assertEqual(run.code, 0, run.err)
         summary = run.summary()
         self.assertEqual(summary["outcome"], "completed")
@@ -35,7 +32,7 @@ class Retry(unittest.TestCase):
         self.assertGreater(told[0]["from_s"], 0)
         log = (run.folder / "run.log").read_text()
         self.assertEqual(log.count("retry 1 of at most 3: " + told[0]["cause"]), 1)
-        fine = magfsi.good_run(scene, {**settings, **half})
+        fine = testing.good_run(scene, {**settings, **half})
         self.assertEqual(len(run.probes()["t[s]"]), len(fine.probes()["t[s]"]))
         return run, fine
 
@@ -45,7 +42,7 @@ class Retry(unittest.TestCase):
         for name, bound in bounds.items():
             span = max(theirs[name]) - min(theirs[name])
             error = max(abs(a - b) for a, b in zip(mine[name], theirs[name])) / span
-            magfsi.report(f"{name}: {error:.2e} from the run at the small step")
+            testing.report(f"{name}: {error:.2e} from the run at the small step")
             self.assertLess(error, bound, name)
 
     def test_bodies_alone(self):
@@ -60,7 +57,7 @@ class Retry(unittest.TestCase):
 
     def goes_on(self, folder):
         """A restart goes on with the steps that the retry has left."""
-        step = magfsi.run(HERE / "crushed.yaml", {**CUBE, **RETRY, "time.end": "3 ms"},
+        step = testing.run(HERE / "crushed.yaml", {**CUBE, **RETRY, "time.end": "3 ms"},
                           folder=folder, restart="latest")
         self.assertEqual(step.code, 0, step.err)
         self.assertEqual(step.summary()["steps"], 900)
@@ -75,23 +72,23 @@ class Retry(unittest.TestCase):
         self.assertLess(max(mass) - min(mass), 1e-12 * mass[0])
 
     def test_bodies_in_a_fluid(self):
-        run, fine = self.retried(magfsi.SMALL, SHEET, {"fluid.lattice_speed": 0.1})
+        run, fine = self.retried(testing.SMALL, SHEET, {"fluid.lattice_speed": 0.1})
         # Runs at a half and a quarter of the step differ by 0.06 on this coarse grid.
         self.compare(run, fine, {f"robot.{name}": 0.1 for name in
                                  ("end_to_end[m]", "energy_elastic[J]", "work_magnetic[J]")})
-        magfsi.check_interface_balance(self, run, "retried")
+        testing.check_interface_balance(self, run, "retried")
 
     def test_bounded(self):
         through = {**CUBE, **RETRY, RAMP + "displacement": "[-4 mm, 0 mm, 0 mm]",
                    "checkpoint.retries": 2}
-        run = magfsi.run(HERE / "crushed.yaml", through)
+        run = testing.run(HERE / "crushed.yaml", through)
         self.assertEqual(run.code, 3, run.err)
         self.assertIn("no retry: 2 of at most 2 retries done", run.err)
         summary = run.summary()
         self.assertEqual(summary["outcome"], "diverged")
         self.assertRegex(summary["cause"], "inverted|gained energy")
         first, second = summary["retries"]
-        magfsi.report(f"from {first['from_s']} and {second['from_s']} s")
+        testing.report(f"from {first['from_s']} and {second['from_s']} s")
         self.assertLess(second["coupled_step_s"], 0.6 * first["coupled_step_s"])
         self.assertLessEqual(second["from_s"], first["from_s"])
 

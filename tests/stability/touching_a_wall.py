@@ -1,13 +1,9 @@
-#!/usr/bin/python3
 """A magnetic sheet that touches a wall of the fluid's box, in a flow along it: no energy from
 nowhere, all momentum and power arrive, no fluid is lost."""
 
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 AUDIT = {"probes.energy_audit": "true"}
 PERIODIC = ("x_min", "x_max", "y_min", "y_max")
@@ -28,14 +24,14 @@ TOUCHING = {**AUDIT, "time.end": "4 ms", "platform": "{point: [0 mm, 0 mm, 0.15 
 
 class TouchingAWall(unittest.TestCase):
     def test_under_flow(self):
-        run = magfsi.good_run(magfsi.SMALL, TOUCHING)
+        run = testing.good_run(testing.SMALL, TOUCHING)
         audit, probes = run.summary()["energy_audit"], run.probes()
-        magfsi.report(f"touching a wall: {audit}")
+        testing.report(f"touching a wall: {audit}")
         self.assertGreater(max(probes["audit.platform[J]"]), 0, "it never touched")
         self.assertGreater(probes["robot.com_x[m]"][-1] - probes["robot.com_x[m]"][0], 1e-4)
         self.assertLess(audit["gained"], 0.01)
         self.assertLess(audit["residual"], 0.01)
-        magfsi.check_interface_balance(self, run, "touching a wall")
+        testing.check_interface_balance(self, run, "touching a wall")
         mass = probes["mass[kg]"]
         self.assertLess(max(abs(m / mass[0] - 1) for m in mass), 1e-12)
 

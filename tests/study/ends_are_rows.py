@@ -1,13 +1,12 @@
-#!/usr/bin/python3
 """A run that diverges, is stopped or refused is a row of the study with its cause, and the
 study goes on."""
 
 import unittest
 
-from studies import Study, magfsi
+from studies import Study, testing
 
 TEXT = f"""
-scene: {magfsi.SMALL}
+scene: {testing.SMALL}
 right_within: 5 %
 axes:
   field: {{key: magnetic_field.constant.magnitude, values: [1 mT, 20 T]}}  # 20 T inverts elements
@@ -23,7 +22,7 @@ class EndsAreRows(unittest.TestCase):
         good, diverged = study.rows()
         self.assertEqual((good["outcome"], good["verdict"]), ("completed", "right"))
         self.assertGreater(float(good["mlups"]), 0)
-        magfsi.report(f"20 T: {diverged['cause']}")
+        testing.report(f"20 T: {diverged['cause']}")
         self.assertEqual((diverged["outcome"], diverged["verdict"]), ("diverged", "diverged"))
         self.assertRegex(diverged["cause"], r"element \d+|node \d+|marker \d+")
         self.assertEqual(diverged["error[1]"], "")
@@ -40,7 +39,7 @@ class EndsAreRows(unittest.TestCase):
     def test_refused_by_the_program(self):
         # mean_f elements may not be shorter than thick: 20 along 17.5 mm would be.
         study = Study(f"""
-scene: {magfsi.ROOT}/tutorials/beam/scene.yaml
+scene: {testing.ROOT}/tutorials/beam/scene.yaml
 set: {{output: null, probes.every: 500 ms}}
 axes:
   element: {{key: bodies.beam.element, values: [full, mean_f]}}

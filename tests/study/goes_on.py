@@ -1,15 +1,14 @@
-#!/usr/bin/python3
 """A study that was interrupted goes on with the runs that are missing, and repeats none."""
 
 import signal
 import time
 import unittest
 
-from studies import Study, magfsi
+from studies import Study, testing
 
 # Runs of about a second; the order of the file is that of the runs.
 TEXT = f"""
-scene: {magfsi.SMALL}
+scene: {testing.SMALL}
 axes:
   field: {{key: magnetic_field.constant.magnitude, values: [1 mT, 2 mT, 3 mT]}}
 errors:
@@ -28,10 +27,10 @@ def wait_for_one(study):
 class GoesOn(unittest.TestCase):
     def test_after_an_interruption(self):
         study = Study(TEXT)
-        process = magfsi.start(study.command())
+        process = testing.start(study.command())
         wait_for_one(study)
         process.send_signal(signal.SIGTERM)
-        ended = magfsi.finish(process, time.monotonic(), study.out, 20)
+        ended = testing.finish(process, time.monotonic(), study.out, 20)
         before = study.records()
         self.assertEqual(ended.code, 1, ended.err)
         self.assertIn("the same command goes on", ended.err)

@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """A wrong study ends with exit code 2, one line that names the place, and nothing written."""
 
 import unittest
 
-from studies import Study, magfsi
+from studies import Study, testing
 
-GOOD = f"""scene: {magfsi.SMALL}
+GOOD = f"""scene: {testing.SMALL}
 axes:
   field: {{key: magnetic_field.constant.magnitude, values: [1 mT, 2 mT]}}
 errors:
@@ -32,7 +31,7 @@ WRONG = [
     ("errors:", "skip: [{field: 3 mT}]\nerrors:", "4:", "a value of this axis: 1 mT, 2 mT"),
     ("errors:", "targets: [3]\nerrors:", "4:11", "a percentage above 0"),
     ("errors:", "ranks: solid=1\nerrors:", "1:8", "--ranks: found 'solid=1'"),
-    (str(magfsi.SMALL), "none.yaml", "1:8", "no such file"),
+    (str(testing.SMALL), "none.yaml", "1:8", "no such file"),
     ("axes:", "axes: [", "", "found no valid YAML"),
 ]
 

@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """The observed order of plane channel flow is two, against the closed form and against the
 finest grid alike; the front and the cheapest settings are those of the rows."""
 
 import re
 import unittest
 
-from studies import Study, magfsi
+from studies import Study, testing
 
 SCENE = """
 name: channel
@@ -51,7 +50,7 @@ class ObservedOrder(unittest.TestCase):
         study.good_run()
         rows = study.rows()
         page = (study.out / "results.md").read_text()
-        magfsi.report(page)
+        testing.report(page)
         # trt gives the exact profile at cell centres; its sum over them, the midpoint rule,
         # is of second order with a next term of fourth: 1 / N^2 of it at 8 cells.
         orders = [float(m) for m in re.findall(r"^\| all \| ([0-9.]+) ", page, re.M)]

@@ -5,24 +5,22 @@ import sys
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-DRIVER = magfsi.ROOT / "adapters/magfsi/study"
 
 
 class Study:
     def __init__(self, text):
-        self.folder = Path(magfsi.new_folder())
+        self.folder = Path(testing.new_folder())
         self.file = self.folder / "study.yaml"
         self.file.write_text(text)
         self.out = self.folder / "out"
 
     def command(self, *more):
-        return ["/usr/bin/python3", DRIVER, self.file, "--out", self.out, *more]
+        return [sys.executable, "-m", "magfsi.study", self.file, "--out", self.out, *more]
 
     def run(self, *more, limit_s=120):
-        return magfsi.finish(magfsi.start(self.command(*more)), time.monotonic(), self.out,
+        return testing.finish(testing.start(self.command(*more)), time.monotonic(), self.out,
                              limit_s)
 
     def good_run(self, *more):

@@ -1,14 +1,13 @@
-#!/usr/bin/python3
 """The norm gain: 0 for energies that only lose what is taken off, and what is missing where a
 part of the balance is left out."""
 
 import unittest
 
-from studies import Study, magfsi
+from studies import Study, testing
 
 # The fluid inside the body is counted in the fluid's energy: 1 - 1000 / 1860 is left.
 TEXT = f"""
-scene: {magfsi.SMALL}
+scene: {testing.SMALL}
 set: {{gravity: null}}
 right_within: 0.1 %
 axes:

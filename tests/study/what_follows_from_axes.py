@@ -1,14 +1,13 @@
-#!/usr/bin/python3
 """Values that follow from the axes by a formula, weights of a sum that do, refusals as rows,
 and a bound for each error of its own."""
 
 import csv
 import unittest
 
-from studies import Study, magfsi
+from studies import Study, testing
 
 TEXT = f"""
-scene: {magfsi.SMALL}
+scene: {testing.SMALL}
 set: {{gravity: null, time.end: 2 ms}}
 axes:
   relaxation_time: {{values: {{0.53: {{}}, 0.65: {{}}}}}}

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws the beam's figure from a folder of runs, and makes these runs when asked.
 
     plot.py FOLDER --run [--out figure.png]     makes the runs (a minute or two), then draws
@@ -10,27 +9,21 @@ and against its number of elements, for meshes and element variants. FOLDER/shap
 scene.yaml, FOLDER/sweep.csv has the rest. Seconds are processor time, so that a busy machine
 counts little.
 """
-import csv
-import json
 import pathlib
-import resource
 import sys
 
 import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting
+from magfsi.plotting import GREY, INK, clean
+from magfsi.runs import read_table
 
 HERE = pathlib.Path(__file__).resolve().parent
 LENGTH_M = 17.5e-3
 GAMMA_END = 0.04  # at the end of the path
 SHOWN = (0.0, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.04)
-INK, GREY = "0.1", "0.45"
 STYLES = {"full": ("s", "0.55"), "mean_f": ("^", "0.35"), "assumed_strain": ("o", "0.0")}
 # The paper's element needs its elements about 1.41 times as long as thick: its meshes follow
 # that line and leave it on both sides.
@@ -42,20 +35,6 @@ MESHES = {
     "assumed_strain": ["4,1,1", "6,1,1", "6,2,1", "7,2,1", "8,1,1", "8,2,1", "10,2,1",
                        "12,2,1", "14,3,1", "15,2,1", "18,5,1", "24,3,1", "36,5,1", "18,5,2"],
 }
-
-
-def run(folder, **settings):
-    """A run of the scene; its processor time in seconds."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    results.run(HERE / "scene.yaml", folder, [f"{k}={v}" for k, v in settings.items()])
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-
-
-def read_table(path):
-    """Columns by name; lines of comment begin with #."""
-    with open(path, newline="") as file:
-        names, *rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    return {name: [row[i] for row in rows] for i, name in enumerate(names)}
 
 
 def numbers(table, name):
@@ -80,39 +59,29 @@ class Path:
 
 
 def make_runs(folder, reference):
-    run(folder / "shapes")
+    plotting.run(HERE / "scene.yaml", folder / "shapes")
     with open(folder / "sweep.csv", "w") as file:
         file.write("element,mesh,elements,seconds,error_percent\n")
         for element, meshes in MESHES.items():
             for mesh in meshes:
                 into = folder / f"{element}_{mesh.replace(',', 'x')}"
-                seconds = run(into, **{"bodies.beam.element": element, "output": "null",
-                                       "bodies.beam.mesh.box.elements": f"[{mesh}]"})
+                done = plotting.run(HERE / "scene.yaml", into, [
+                    f"bodies.beam.element={element}", "output=null",
+                    f"bodies.beam.mesh.box.elements=[{mesh}]"])
                 error = Path(into).error_percent(reference)
-                count = json.loads((into / "summary.json").read_text())["structure"]["elements"]
-                file.write(f"{element},{mesh.replace(',', ' x ')},{count},{seconds:.3g},"
+                count = done.summary()["structure"]["elements"]
+                file.write(f"{element},{mesh.replace(',', ' x ')},{count},{done.core_s:.3g},"
                            f"{error:.3g}\n")
-                print(f"{element} {mesh}: {error:.2f} %, {seconds:.2f} s", flush=True)
-
-
-def frame_at(folder, gamma):
-    entries = [(GAMMA_END * time_s, file) for time_s, file in results.frames(folder)]
-    return min(entries, key=lambda entry: abs(entry[0] - gamma))
-
-
-def clean(axes):
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+                print(f"{element} {mesh}: {error:.2f} %, {done.core_s:.2f} s", flush=True)
 
 
 def draw_shapes(axes, folder):
     for gamma in SHOWN:
-        shown, file = frame_at(folder, gamma)
-        if abs(shown - gamma) > 1e-6:
+        time_s, file = plotting.nearest_frames(plotting.frames(folder), [gamma / GAMMA_END])[0]
+        if abs(GAMMA_END * time_s - gamma) > 1e-6:
             sys.exit(f"{folder} has no frame at gamma {gamma:g}; see output in scene.yaml")
-        faces = results.side_view_mm(file)
-        axes.add_collection(PolyCollection(faces, facecolors="0.6", edgecolors=INK,
-                                           linewidths=0.25))
+        faces = plotting.side_view_mm(file)
+        plotting.draw_faces(axes, faces, "0.6", INK, 0.25)
         end = faces.reshape(-1, 2)
         tip = end[np.argmax(end[:, 0] + 2 * end[:, 1])]
         axes.annotate(f"{gamma:g}", tip, xytext=(4, 2), textcoords="offset points",
@@ -120,9 +89,9 @@ def draw_shapes(axes, folder):
     axes.axvspan(-1.6, 0, color="0.85", lw=0)
     axes.text(-0.8, 9, "clamp", rotation=90, ha="center", va="center", fontsize=7,
               color=GREY)
-    axes.annotate("", (14, 17.6), (14, 13.6), arrowprops={"arrowstyle": "-|>", "color": INK})
+    plotting.arrow(axes, (14, 17.6), (14, 13.6), INK)
     axes.text(14.6, 15.6, "field B", fontsize=8, va="center")
-    axes.annotate("", (8.5, -1.3), (4.5, -1.3), arrowprops={"arrowstyle": "-|>", "color": INK})
+    plotting.arrow(axes, (8.5, -1.3), (4.5, -1.3), INK)
     axes.text(8.9, -1.3, "magnetisation M", fontsize=8, va="center")
     axes.set(aspect="equal", xlim=(-1.6, 21.5), ylim=(-2.2, 18.6), xlabel="x [mm]",
              ylabel="z [mm]")
@@ -212,7 +181,7 @@ def draw(folder, reference, out):
 
 
 def main():
-    chosen = results.figure_options(__doc__)
+    chosen = plotting.figure_options(__doc__)
     reference = read_table(HERE / "reference.csv")
     if chosen.run:
         chosen.folder.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws the figure of the strip that stands up against its weight, from a folder of runs.
 
     plot.py --run FOLDER               makes the runs in it
@@ -7,19 +6,13 @@
 (a) side views at 20 mT; (b) heading of the strip against the field for four weights; (c) heading
 of its middle under 1 g with other meshes, friction and field directions.
 """
-import csv
 import pathlib
-import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting, runs
+from magfsi.plotting import GREY, INK, clean, draw_faces, heading_deg
 
 HERE = pathlib.Path(__file__).resolve().parent
 WEIGHTS = {"0g": "0 g", "half": "g/2", "1g": "1 g", "2g": "2 g"}
@@ -36,28 +29,16 @@ RUNS = {
     "at140": ["scene.yaml", "magnetic_field.table.direction=140 deg", *COARSE],
 }
 STANDING_DEG = 30  # the heading jumps from about 13 to 50 degrees or more
-INK, GREY = "0.1", "0.45"
-
-
-def run_all(runs):
-    for name, (scene, *settings) in RUNS.items():
-        print(results.run(HERE / scene, runs / name, settings), flush=True)
 
 
 class Path:
     """Headings along a path of rising field."""
 
     def __init__(self, run):
-        self.probes = results.read_columns(run / "probes.csv")
+        self.probes = plotting.read_columns(run / "probes.csv")
         self.field_mt = 1e3 * self.probes["field[T]"]
-        self.heading = self.angle_deg("left", "right")
-        self.middle = self.angle_deg("before", "after")
-
-    def angle_deg(self, start, end):
-        """Of the line between two probe points in the x-z plane."""
-        rise = self.probes[f"{end}_z[m]"] - self.probes[f"{start}_z[m]"]
-        run = self.probes[f"{end}_x[m]"] - self.probes[f"{start}_x[m]"]
-        return np.degrees(np.arctan2(rise, run))
+        self.heading = heading_deg(self.probes)
+        self.middle = heading_deg(self.probes, "before", "after")
 
     def stands_between_mt(self):
         """Last field at which it lies, and first at which it stands."""
@@ -68,29 +49,22 @@ class Path:
         return (self.field_mt[first - 1] if first else 0.0), self.field_mt[first]
 
 
-def read_reference():
-    with open(HERE / "reference.csv", newline="") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
 def side_view_mm(run):
     """Outer faces of the last state in the x-z plane, its middle at x = 0: (faces, 4, 2)."""
-    return results.centred(results.side_view_mm(results.frames(run)[-1][1]), [0])
+    return plotting.centred(plotting.side_view_mm(plotting.frames(run)[-1][1]), [0])
 
 
-def draw_views(axes, runs):
+def draw_views(axes, folder):
     for k, (name, label) in enumerate(WEIGHTS.items()):
-        faces = side_view_mm(runs / name)
+        faces = side_view_mm(folder / name)
         if name == "0g":
             faces = faces - [0, faces[:, :, 1].min() - 0.4]
         x = 3.6 * k
-        axes.add_collection(PolyCollection(faces + [x, 0], facecolors=INK, edgecolors=INK,
-                                           linewidths=0.3))
+        draw_faces(axes, faces + [x, 0])
         axes.text(x, -0.55, label, ha="center", va="top", fontsize=8)
         if name != "0g":
             axes.plot([x - 1.5, x + 1.5], [-0.03, -0.03], color=GREY, lw=1.5)
-    axes.annotate("", (-2.9, 2.1), (-2.2, 1.4),
-                  arrowprops={"arrowstyle": "-|>", "color": GREY, "lw": 1.3})
+    plotting.arrow(axes, (-2.9, 2.1), (-2.2, 1.4))
     axes.text(-2.55, 2.4, "field", ha="center", fontsize=7, color=GREY)
     axes.plot([-3.0, -2.0], [0, 0], color=INK, lw=2, solid_capstyle="butt")
     axes.text(-2.5, 0.15, "1 mm", ha="center", fontsize=7)
@@ -98,13 +72,8 @@ def draw_views(axes, runs):
     axes.axis("off")
 
 
-def clean(axes):
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
-
-
 def draw_weights(axes, paths):
-    rods = read_reference()
+    rods = runs.read_rows(HERE / "reference.csv")
     for g in ("0.5", "1", "2"):
         for kind in ("rod plane stress", "rod plane strain"):
             rows = [r for r in rods if r["g"] == g and r["source"] == kind]
@@ -156,9 +125,9 @@ def report(paths):
 
 
 def main():
-    chosen = results.figure_options(__doc__)
+    chosen = plotting.figure_options(__doc__)
     if chosen.run:
-        run_all(chosen.folder)
+        plotting.run_all(HERE, RUNS, chosen.folder)
     paths = {name: Path(chosen.folder / name) for name in RUNS}
     report(paths)
     plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
@@ -166,8 +135,7 @@ def main():
     draw_views(figure.add_axes([0.03, 0.6, 0.94, 0.4]), chosen.folder)
     draw_weights(figure.add_axes([0.075, 0.1, 0.375, 0.46]), paths)
     draw_variants(figure.add_axes([0.575, 0.1, 0.375, 0.46]), paths)
-    for letter, x, y in (("(a)", 0.01, 0.97), ("(b)", 0.01, 0.59), ("(c)", 0.51, 0.59)):
-        figure.text(x, y, letter, weight="bold", fontsize=9, va="center")
+    plotting.letters(figure, {"a": (0.01, 0.97), "b": (0.01, 0.59), "c": (0.51, 0.59)})
     figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
 

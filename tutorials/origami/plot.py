@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws the origami's figure from a folder of runs.
 
     plot.py --run FOLDER               makes the runs: one for each mesh of the study
@@ -7,28 +6,22 @@
 (a) the folded plate; (b) magnetic forces on the nodes of the flat plate; (c) the angles between
 neighbouring cells against the mesh.
 """
-import csv
 import pathlib
-import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import vtk
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from vtk.util.numpy_support import vtk_to_numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting
+from magfsi.plotting import GREY, INK
+from magfsi.runs import read_rows
 
 HERE = pathlib.Path(__file__).resolve().parent
 CELLS = 4
 FIELD_T = 0.2
 SHOWN = (8, 1)  # elements along a cell's side, layers
 STUDY = ((2, 1), (4, 1), (6, 1), (8, 1), (12, 1), (4, 2), (6, 2), (8, 2))
-INK, GREY = "0.1", "0.45"
 
 
 def folder_of(runs, mesh):
@@ -38,19 +31,16 @@ def folder_of(runs, mesh):
 def run_all(runs):
     for mesh in STUDY:
         elements = f"[{mesh[0]}, {mesh[0]}, {mesh[1]}]"
-        print(results.run(HERE / "scene.yaml", folder_of(runs, mesh),
-                          [f"bodies.plate.mesh.oblique.elements={elements}",
-                           "probes.every=500 ms", "output.structure.every=500 ms"]), flush=True)
+        plotting.run(HERE / "scene.yaml", folder_of(runs, mesh),
+                     [f"bodies.plate.mesh.oblique.elements={elements}",
+                      "probes.every=500 ms", "output.structure.every=500 ms"])
 
 
 class Plate:
     """Last state of a run: nodes as arrays (layer, row, column, 3)."""
 
     def __init__(self, run, mesh):
-        reader = vtk.vtkXMLUnstructuredGridReader()
-        reader.SetFileName(str(results.frames(run)[-1][1]))
-        reader.Update()
-        grid = reader.GetOutput()
+        grid = plotting.read_grid(plotting.frames(run)[-1][1])
         self.n, self.layers = mesh
         side = CELLS * self.n + 1
         shape = (self.layers + 1, side, side, 3)
@@ -177,14 +167,12 @@ def draw_forces(axes, plate):
             x, y, _ = flat[row * plate.n + half, column * plate.n + half]
             sense = 1 if column % 2 == 0 else -1
             lean = 1 if row % 2 == 0 else -1
-            axes.annotate("", (x + sense * 2.2, y - sense * lean * 1.27),
-                          (x - sense * 2.2, y + sense * lean * 1.27),
-                          arrowprops={"arrowstyle": "-|>", "lw": 1.2, "color": GREY})
+            plotting.arrow(axes, (x + sense * 2.2, y - sense * lean * 1.27),
+                           (x - sense * 2.2, y + sense * lean * 1.27), width=1.2)
     axes.set(aspect="equal", xlabel="x [mm]", ylabel="y [mm]")
     axes.set_title(f"filled: up, open: down; largest {1e-3 * largest:.0f} mN", fontsize=7.5,
                    color=GREY, loc="left", pad=3)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    plotting.clean(axes)
 
 
 def extrapolated(found, k):
@@ -212,8 +200,7 @@ def draw_angles(axes, found):
              ylabel="angle between cells [\N{DEGREE SIGN}]")
     axes.text(0.03, 36, "filled: one layer, open: two\ndotted: extrapolated", fontsize=7,
               color=GREY)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    plotting.clean(axes)
 
 
 def is_miura(oblique, straight):
@@ -236,9 +223,7 @@ def report(plates):
               f"{np.abs(oblique).min():.1f} to {np.abs(oblique).max():.1f}, straight "
               f"{np.abs(straight).min():.1f} to {np.abs(straight).max():.1f}; as Miura-ori: "
               f"{is_miura(oblique, straight)}; largest interior force over largest {inside:.1e}")
-    with open(HERE / "reference.csv", newline="") as file:
-        exact = {row["side"]: float(row["force_N"]) for row in
-                 csv.DictReader(line for line in file if not line.startswith("#"))}
+    exact = {row["side"]: float(row["force_N"]) for row in read_rows(HERE / "reference.csv")}
     for side, force in plates[min(plates)].side_forces_n().items():
         print(f"force on a side, {side}: {force:.5f} N, closed form {exact[side]:g} N")
     for k, name in enumerate(("oblique", "straight")):
@@ -247,7 +232,7 @@ def report(plates):
 
 
 def main():
-    chosen = results.figure_options(__doc__)
+    chosen = plotting.figure_options(__doc__)
     if chosen.run:
         run_all(chosen.folder)
     plates = {mesh: Plate(folder_of(chosen.folder, mesh), mesh) for mesh in STUDY
@@ -259,8 +244,7 @@ def main():
     draw_folded(figure, [0.1, 0.46, 0.8, 0.56], shown)
     draw_forces(figure.add_axes([0.07, 0.07, 0.43, 0.37]), shown)
     draw_angles(figure.add_axes([0.61, 0.1, 0.37, 0.32]), found)
-    for letter, x, y in (("(a)", 0.01, 0.97), ("(b)", 0.01, 0.46), ("(c)", 0.57, 0.46)):
-        figure.text(x, y, letter, weight="bold", fontsize=9, va="center")
+    plotting.letters(figure, {"a": (0.01, 0.97), "b": (0.01, 0.46), "c": (0.57, 0.46)})
     figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws the strip's figure: its shapes on the platform for eight directions of the field.
 
     plot.py FOLDER --run [--out figure.png]     makes the eight runs (a minute or two), then draws
@@ -9,52 +8,43 @@ The run of each direction is in FOLDER/DIRECTION, in degrees. Each panel has the
 """
 import math
 import pathlib
-import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting
+from magfsi.plotting import GREY
 
 HERE = pathlib.Path(__file__).resolve().parent
 LENGTH_MM = 3.7
 DIRECTIONS = range(0, 360, 45)
 SHADES = ((0.005, "0.78"), (0.02, "0.1"))  # fields in T, the last one measured
-GREY = "0.45"
 
 
 def make_runs(folder):
     for direction in DIRECTIONS:
-        last = results.run(HERE / "scene.yaml", folder / str(direction),
-                           [f"magnetic_field.table.direction={direction} deg"])
-        print(direction, last, flush=True)
+        plotting.run(HERE / "scene.yaml", folder / str(direction),
+                     [f"magnetic_field.table.direction={direction} deg"])
 
 
 class Shape:
     """Side views of a run at the fields of SHADES and its measures at the last of them."""
 
     def __init__(self, folder):
-        probes = results.read_columns(folder / "probes.csv")
-        series = results.frames(folder)
+        probes = plotting.read_columns(folder / "probes.csv")
+        series = plotting.frames(folder)
         self.views = []
         for field, shade in SHADES:
             row = int(np.abs(probes["field[T]"] - field).argmin())
             time = probes["t[s]"][row]
             file = min(series, key=lambda entry: abs(entry[0] - time))[1]
-            self.views.append((results.side_view_mm(file), shade))
+            self.views.append((plotting.side_view_mm(file), shade))
         self.end_to_end = 1e3 * probes["strip.end_to_end[m]"][row] / LENGTH_MM
         self.rise = 1e3 * probes["strip.mid_rise[m]"][row] / LENGTH_MM
         self.bend_deg = math.degrees(probes["strip.bend[rad]"][row])
         middle = 0.5 * (probes["right_x[m]"] + probes["left_x[m]"])[row]
         self.shift_mm = 1e3 * middle - LENGTH_MM / 2
-        ends = (probes["right_z[m]"] - probes["left_z[m]"],
-                probes["right_x[m]"] - probes["left_x[m]"])
-        self.turn_deg = math.degrees(math.atan2(ends[0][row], ends[1][row]))
+        self.turn_deg = plotting.heading_deg(probes)[row]
 
     def kind(self):
         return "V" if self.bend_deg > 0 else "C"
@@ -64,12 +54,10 @@ def draw_panel(axes, direction, shape):
     axes.fill_between([-0.6, 4.3], -0.3, 0, color="0.88", lw=0)
     axes.axhline(0, color=GREY, lw=0.8)
     for faces, shade in shape.views:
-        axes.add_collection(PolyCollection(faces, facecolors=shade, edgecolors=shade,
-                                           linewidths=0.3))
+        plotting.draw_faces(axes, faces, shade)
     way = np.array([math.cos(math.radians(direction)), math.sin(math.radians(direction))])
     centre = np.array([0.05, 2.75])
-    axes.annotate("", centre + 0.5 * way, centre - 0.5 * way,
-                  arrowprops={"arrowstyle": "-|>", "color": "0.1", "lw": 1.2})
+    plotting.arrow(axes, centre + 0.5 * way, centre - 0.5 * way, "0.1", 1.2)
     axes.text(0.8, 2.75, f"B at {direction}°", fontsize=8, va="center")
     axes.text(4.3, 2.75, f"{shape.kind()}", fontsize=11, weight="bold", ha="right",
               va="center")
@@ -101,7 +89,7 @@ def draw(folder, out):
 
 
 def main():
-    chosen = results.figure_options(__doc__)
+    chosen = plotting.figure_options(__doc__)
     if chosen.run:
         chosen.folder.mkdir(parents=True, exist_ok=True)
         make_runs(chosen.folder)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The swimmer by both fluids: runs the same scene on the lattice and in OpenFOAM, draws both.
 
     compare.py [--spacing 0.2 0.1333333333] [--end "40 ms"] [--out runs/compare] [--draw-only]
@@ -11,25 +10,15 @@ quarters of them; without it both have the same cells. Writes compare.png and pr
 figures of the table.
 """
 import argparse
-import json
 import pathlib
-import subprocess
-import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import plot
-import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting
 
 HERE = pathlib.Path(__file__).resolve().parent
-TOP = HERE.parents[1]
 LATTICE_SPEED = 0.05  # of the scene
 UNIFORM = "[[4 mm, 2.4 mm, 1.6 mm], [12 mm, 5.6 mm, 8 mm]]"  # robot and near wake
 COLORS = {"lbm": "0.1", "openfoam": "#c2410c"}
@@ -40,12 +29,12 @@ INSTANTS = 9
 class Run:
     def __init__(self, solver, spacing_mm, folder):
         self.solver, self.spacing_mm, self.folder = solver, spacing_mm, folder
-        self.probes = results.read_columns(folder / "probes.csv")
-        self.summary = json.loads((folder / "summary.json").read_text())
+        self.probes = plotting.read_columns(folder / "probes.csv")
+        self.summary = plotting.runs.read_summary(folder)
         self.time_ms = 1e3 * self.probes["t[s]"]
 
     def at(self, name, time_ms):
-        return np.interp(time_ms, self.time_ms, results.column(self.probes, name))
+        return np.interp(time_ms, self.time_ms, plotting.column(self.probes, name))
 
     def rise_mm(self):
         return 1e3 * (self.at("robot.com_z[m]", self.time_ms[-1])
@@ -60,26 +49,21 @@ def start(solver, spacing_mm, chosen):
     if chosen.draw_only:
         return Run(solver, spacing_mm, folder)
     settings = {"fluid.spacing": f"{spacing_mm:.10g} mm", "time.end": chosen.end,
-                "name": folder.name, "output.fluid.fields": "[velocity]",
+                "name": folder.name, "fluid.solver": solver, "output.fluid.fields": "[velocity]",
                 "coupling.immersed_boundary.kernel": "3-point"}
     if solver == "openfoam":
         settings["fluid.courant"] = chosen.courant
         settings["coupling.immersed_boundary.strength"] = chosen.courant / LATTICE_SPEED
         if chosen.grading:
             settings.update({"fluid.grading.uniform": UNIFORM, "fluid.grading.growth": 1.15})
-    command = [TOP / "magfsi", "run", HERE, "--fluid", solver, "--out", folder]
-    for key, value in settings.items():
-        command += ["--set", f"{key}={value}"]
-    if subprocess.run([str(word) for word in command]).returncode != 0:
-        sys.exit(f"{folder.name} failed")
+    plotting.run(HERE, folder, [f"{key}={value}" for key, value in settings.items()])
     return Run(solver, spacing_mm, folder)
 
 
 def outline(axes, run, chosen_ms, pitch_mm):
-    frames = plot.nearest_frames(results.frames(run.folder),
-                                 1e-3 * chosen_ms)
+    frames = plotting.nearest_frames(plotting.frames(run.folder), 1e-3 * chosen_ms)
     for i, (time_s, file) in enumerate(frames):
-        faces = results.side_view_mm(file)
+        faces = plotting.side_view_mm(file)
         centre = 1e3 * run.at("robot.com_x[m]", 1e3 * time_s)
         for face in faces - [centre - i * pitch_mm, 0]:
             axes.plot(*np.append(face, face[:1], axis=0).T, lw=0.5, color=COLORS[run.solver])
@@ -92,27 +76,24 @@ def draw_gait(axes, runs, end_ms):
         outline(axes, run, instants, pitch)
     axes.set(aspect="equal", ylabel="z [mm]", xticks=pitch * np.arange(INSTANTS),
              xticklabels=[f"{t:.0f} ms" for t in instants])
-    plot.clean(axes, "bottom")
+    plotting.clean(axes, "bottom")
 
 
 def draw_course(axes, runs, name, factor, label, finest_mm):
     for run in runs:
-        axes.plot(run.time_ms, factor * results.column(run.probes, name),
+        axes.plot(run.time_ms, factor * plotting.column(run.probes, name),
                   color=COLORS[run.solver], lw=1.2 if run.spacing_mm == finest_mm else 0.7,
                   ls="-" if run.spacing_mm == finest_mm else "--", label=run.label())
     axes.set(xlabel="time [ms]", ylabel=label)
-    plot.clean(axes)
+    plotting.clean(axes)
 
 
 def speed_slice(run, time_ms):
     """Speed [m/s] in the middle plane y = 4 mm, [z][x], at the stored instant nearest to the
     wanted one, and that instant."""
-    series = results.frames(run.folder, "fluid.pvd")
-    time_s, file = plot.nearest_frames(series, [1e-3 * time_ms])[0]
-    reader = vtk.vtkXMLPImageDataReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    image = reader.GetOutput()
+    series = plotting.frames(run.folder, "fluid.pvd")
+    time_s, file = plotting.nearest_frames(series, [1e-3 * time_ms])[0]
+    image = plotting.read_grid(file)
     nx, ny, nz = (n - 1 for n in image.GetDimensions())
     velocity = vtk_to_numpy(image.GetCellData().GetArray("velocity")).reshape(nz, ny, nx, 3)
     return np.linalg.norm(velocity[:, ny // 2], axis=2), 1e3 * time_s

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws the swimmer's figure from a run folder.
 
     plot.py RUN_FOLDER [--out figure.png] [--period "40 ms"] [--body robot] [--reference CSV]
@@ -12,27 +11,15 @@ import pathlib
 import sys
 
 import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting
+from magfsi.plotting import GREY, INK, clean
 
 INSTANTS = 9  # both ends of the period: the same phase twice shows the net rise
-INK, GREY, PALE = "0.1", "0.45", "0.9"
+PALE = "0.9"
 WIDTH_IN, LEFT_IN, RIGHT_IN = 7.2, 0.72, 0.12
-
-
-def seconds(text):
-    """'40 ms' or '0.04 s' as a number."""
-    number, _, unit = text.strip().partition(" ")
-    factors = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-    if unit.strip() not in factors:
-        raise argparse.ArgumentTypeError(f"'{text}': write a time as '40 ms' or '0.04 s'")
-    return float(number) * factors[unit.strip()]
 
 
 def last_period(time_s, period_s):
@@ -44,13 +31,6 @@ def last_period(time_s, period_s):
     return time_s[0] + (count - 1) * period_s
 
 
-def nearest_frames(series, wanted_s):
-    """The stored frame nearest to each instant, each frame once."""
-    times = np.array([time for time, _ in series])
-    nearest = {int(np.abs(times - t).argmin()) for t in wanted_s}
-    return [series[i] for i in sorted(nearest)]
-
-
 class Row:
     """Side views on a common height axis, each at its time: x = (t - start) mm_per_s."""
 
@@ -58,8 +38,8 @@ class Row:
         self.start_s, self.period_s = start_s, period_s
         self.times = np.array([time for time, _ in frames])
         centre = 1e3 * np.interp(self.times, probes["t[s]"],
-                                 results.column(probes, f"{body}.com_x[m]"))
-        self.views = [results.side_view_mm(file) - [x, 0] for (_, file), x in zip(frames, centre)]
+                                 plotting.column(probes, f"{body}.com_x[m]"))
+        self.views = [plotting.side_view_mm(file) - [x, 0] for (_, file), x in zip(frames, centre)]
         reach = max(np.abs(view[:, :, 0]).max() for view in self.views)
         pitch = 2 * reach + 0.45  # mm between neighbours, so that they never touch
         self.mm_per_s = pitch * (INSTANTS - 1) / period_s
@@ -76,14 +56,9 @@ class Row:
         return scale * (self.z_limits[1] - self.z_limits[0])
 
 
-def clean(axes, *hidden):
-    for side in ("top", "right", *hidden):
-        axes.spines[side].set_visible(False)
-
-
 def draw_field(axes, probes, row):
     end_s = row.start_s + row.period_s
-    field = 1e3 * results.column(probes, "field[T]")
+    field = 1e3 * plotting.column(probes, "field[T]")
     time = probes["t[s]"]
     inside = (time >= row.start_s - 1e-9) & (time <= end_s + 1e-9)
     axes.axhline(0, color=GREY, lw=0.5)
@@ -99,13 +74,11 @@ def draw_field(axes, probes, row):
 def draw_views(axes, probes, body, row):
     time = probes["t[s]"]
     inside = (time >= row.start_s - 1e-9) & (time <= row.start_s + row.period_s + 1e-9)
-    height = 1e3 * results.column(probes, f"{body}.com_z[m]")
+    height = 1e3 * plotting.column(probes, f"{body}.com_z[m]")
     axes.plot(row.x(time[inside]), height[inside], color="0.6", lw=0.8, zorder=1)
     for time_s, view in zip(row.times, row.views):
         axes.axvline(row.x(time_s), color=PALE, lw=0.6, zorder=0)
-        faces = view + [row.x(time_s), 0]
-        axes.add_collection(PolyCollection(faces, facecolors=INK, edgecolors=INK,
-                                           linewidths=0.3, zorder=2))
+        plotting.draw_faces(axes, view + [row.x(time_s), 0], zorder=2)
     keys_z = row.z_limits[0] + 0.25
     key_x, bar_x = row.x_limits[0] + 0.4, row.x_limits[1] - 2.8
     for x, text, style in ((key_x, "centre of mass", {"color": "0.6", "lw": 0.8}),
@@ -124,13 +97,13 @@ def draw_views(axes, probes, body, row):
 
 def draw_height(axes, probes, body, row, reference):
     time_ms = 1e3 * probes["t[s]"]
-    height = 1e3 * results.column(probes, f"{body}.com_z[m]")
+    height = 1e3 * plotting.column(probes, f"{body}.com_z[m]")
     period_ms = 1e3 * row.period_s
     marks = np.arange(time_ms[0], time_ms[-1] + 1e-6 * period_ms, period_ms)
     at_marks = np.interp(marks, time_ms, height)
     highest = height.max()
     if reference:
-        highest = max(highest, 1e3 * results.column(reference, f"{body}.com_z[m]").max())
+        highest = max(highest, 1e3 * plotting.column(reference, f"{body}.com_z[m]").max())
     top = highest + 0.22 * np.ptp(height)
     start_ms = 1e3 * row.start_s
     axes.axvspan(start_ms, start_ms + period_ms, color="0.93", lw=0)
@@ -139,7 +112,7 @@ def draw_height(axes, probes, body, row, reference):
     for mark in marks:
         axes.axvline(mark, color="0.75", lw=0.6)
     if reference:
-        fine_ms, fine = 1e3 * reference["t[s]"], 1e3 * results.column(reference, f"{body}.com_z[m]")
+        fine_ms, fine = 1e3 * reference["t[s]"], 1e3 * plotting.column(reference, f"{body}.com_z[m]")
         inside = fine_ms <= time_ms[-1] + 1e-6 * period_ms
         axes.plot(fine_ms[inside], fine[inside], color=GREY, lw=0.9, ls="--")
         axes.text(0.65, 0.04, "dashed: reference, 0.133 mm cells", transform=axes.transAxes,
@@ -174,9 +147,8 @@ def draw(probes, body, row, out, reference):
     draw_field(field_axes, probes, row)
     draw_views(room(views_at, views_in), probes, body, row)
     draw_height(room(gaps["bottom"], height_in), probes, body, row, reference)
-    letters = {"(a)": total - 0.14, "(b)": gaps["bottom"] + height_in + 0.14}
-    for letter, top in letters.items():
-        figure.text(0.01, top / total, letter, weight="bold", fontsize=9, va="center")
+    plotting.letters(figure, {"a": (0.01, 1 - 0.14 / total),
+                              "b": (0.01, (gaps["bottom"] + height_in + 0.14) / total)})
     figure.align_ylabels()
     figure.savefig(out, dpi=200)
 
@@ -185,16 +157,16 @@ def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("run_folder", type=pathlib.Path)
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
-    options.add_argument("--period", type=seconds, default="40 ms")
+    options.add_argument("--period", type=plotting.seconds, default="40 ms")
     options.add_argument("--body", default="robot")
     options.add_argument("--reference", type=pathlib.Path)
     chosen = options.parse_args()
-    probes = results.read_columns(chosen.run_folder / "probes.csv")
-    start_s = last_period(results.column(probes, "t[s]"), chosen.period)
+    probes = plotting.read_columns(chosen.run_folder / "probes.csv")
+    start_s = last_period(plotting.column(probes, "t[s]"), chosen.period)
     instants = start_s + np.linspace(0, chosen.period, INSTANTS)
-    frames = nearest_frames(results.frames(chosen.run_folder), instants)
+    frames = plotting.nearest_frames(plotting.frames(chosen.run_folder), instants)
     row = Row(probes, chosen.body, frames, start_s, chosen.period)
-    reference = results.read_columns(chosen.reference) if chosen.reference else None
+    reference = plotting.read_columns(chosen.reference) if chosen.reference else None
     draw(probes, chosen.body, row, chosen.out, reference)
     print(chosen.out)
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Renders one instant of a run: the robot in its box of fluid, with its vortices.
 
     render.py RUN_FOLDER [--time "160 ms"] [--out render.png] [--levels 60,150]
@@ -14,11 +13,12 @@ import os
 import pathlib
 import shutil
 import sys
-import xml.etree.ElementTree
 
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from magfsi import plotting
 
 SIZE = (1600, 1200)
 SHARES_OF_MAXIMUM = (0.12, 0.3, 0.6)
@@ -26,15 +26,6 @@ OPACITIES = (0.13, 0.22, 0.4)
 WATER = ((0.62, 0.80, 0.93), (0.25, 0.58, 0.82), (0.07, 0.31, 0.60))
 NORTH, MIDDLE, SOUTH = (0.78, 0.16, 0.15), (0.93, 0.90, 0.86), (0.13, 0.25, 0.52)
 PLAIN = (0.86, 0.45, 0.20)
-
-
-def seconds(text):
-    """'160 ms' or '0.16 s' as a number."""
-    number, _, unit = text.strip().partition(" ")
-    factors = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-    if unit.strip() not in factors:
-        raise argparse.ArgumentTypeError(f"'{text}': write a time as '160 ms', '0.16 s'")
-    return float(number) * factors[unit.strip()]
 
 
 def ensure_display():
@@ -48,12 +39,11 @@ def ensure_display():
                        *sys.argv])
 
 
-def files_at(path, time_s):
+def files_at(folder, collection, time_s):
     """(time, files) of the instant of a .pvd nearest to time_s, or of the last."""
-    entries = [(float(e.get("timestep")), str(path.parent / e.get("file")))
-               for e in xml.etree.ElementTree.parse(path).iter("DataSet")]
+    entries = plotting.frames(folder, collection)
     if not entries:
-        sys.exit(f"{path} names no file")
+        sys.exit(f"{folder / collection} names no file")
     times = [time for time, _ in entries]
     chosen = times[-1] if time_s is None else min(times, key=lambda t: abs(t - time_s))
     return chosen, [file for time, file in entries if time == chosen]
@@ -85,18 +75,16 @@ def north_south(largest):
 
 def robot(file, plain):
     """The skin of the body with sharp edges, coloured along its length."""
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(file)
+    grid = plotting.read_grid(file)
     smooth = vtk.vtkCellDataToPointData()  # colours flow over the elements
-    smooth.SetInputConnection(reader.GetOutputPort())
+    smooth.SetInputData(grid)
     skin = vtk.vtkGeometryFilter()
     skin.SetInputConnection(smooth.GetOutputPort())
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputConnection(skin.GetOutputPort())
     normals.SetFeatureAngle(50)
     shape = actor(normals, PLAIN, ambient=0.25, diffuse=0.8, specular=0.25)
-    reader.Update()
-    magnetization = reader.GetOutput().GetCellData().GetArray("magnetization")
+    magnetization = grid.GetCellData().GetArray("magnetization")
     if magnetization is None or plain:
         return shape
     largest = np.abs(vtk_to_numpy(magnetization)[:, 0]).max() or 1.0
@@ -109,14 +97,6 @@ def robot(file, plain):
     mapper.SelectColorArray("magnetization")
     mapper.SetLookupTable(colours)
     return shape
-
-
-def fluid_image(file):
-    reader = (vtk.vtkXMLPImageDataReader() if file.endswith(".pvti")
-              else vtk.vtkXMLImageDataReader())
-    reader.SetFileName(file)
-    reader.Update()
-    return reader.GetOutput()
 
 
 def vortex_strength(image):
@@ -241,7 +221,7 @@ def save(renderer, out):
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("run_folder", type=pathlib.Path)
-    options.add_argument("--time", type=seconds, help="nearest stored instant; the last")
+    options.add_argument("--time", type=plotting.seconds, help="nearest stored instant; the last")
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("render.png"))
     options.add_argument("--levels", help="up to three, in 1/s, rising: 60,150,300",
                          type=lambda text: [float(level) for level in text.split(",")])
@@ -250,9 +230,9 @@ def main():
     chosen = options.parse_args()
     ensure_display()
 
-    time_s, images = files_at(chosen.run_folder / "fluid.pvd", chosen.time)
-    _, bodies = files_at(chosen.run_folder / "structure.pvd", time_s)
-    image = fluid_image(images[0])
+    time_s, images = files_at(chosen.run_folder, "fluid.pvd", chosen.time)
+    _, bodies = files_at(chosen.run_folder, "structure.pvd", time_s)
+    image = plotting.read_grid(images[0])
     renderer = vtk.vtkRenderer()
     renderer.GradientBackgroundOn()
     renderer.SetBackground(0.93, 0.95, 0.97)  # below

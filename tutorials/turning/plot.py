@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws the figure of the turning strip from a folder of runs.
 
     plot.py --run FOLDER               makes the four runs in it
@@ -8,17 +7,12 @@
 flat strip; (b) heading of the strip against the field's direction.
 """
 import pathlib
-import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import results  # noqa: E402
+from magfsi import plotting
+from magfsi.plotting import GREY, INK, draw_faces, heading_deg
 
 HERE = pathlib.Path(__file__).resolve().parent
 RUNS = {
@@ -28,25 +22,12 @@ RUNS = {
     "motion": ["motion.yaml"],
     "platform": ["platform.yaml"],
 }
-INK, GREY = "0.1", "0.45"
 NANO = 1e9
-
-
-def run_all(runs):
-    for name, (scene, *settings) in RUNS.items():
-        print(results.run(HERE / scene, runs / name, settings), flush=True)
-
-
-def heading_deg(probes, start="left", end="right"):
-    """Of the line between two probe points in the x-z plane, without jumps of a turn."""
-    rise = probes[f"{end}_z[m]"] - probes[f"{start}_z[m]"]
-    run = probes[f"{end}_x[m]"] - probes[f"{start}_x[m]"]
-    return np.degrees(np.unwrap(np.arctan2(rise, run)))
 
 
 def side_view_mm(run, frame):
     """Outer faces in the x-z plane about their middle: (faces, 4, 2)."""
-    return results.centred(results.side_view_mm(results.frames(run)[frame][1]), [0, 1])
+    return plotting.centred(plotting.side_view_mm(plotting.frames(run)[frame][1]), [0, 1])
 
 
 def draw_views(axes, runs):
@@ -57,12 +38,10 @@ def draw_views(axes, runs):
     pitch = 3.2
     for k, (faces, angle) in enumerate(views):
         x = k * pitch + (0.5 if k == 4 else 0)
-        axes.add_collection(PolyCollection(faces + [x, 0], facecolors=INK, edgecolors=INK,
-                                           linewidths=0.3))
+        draw_faces(axes, faces + [x, 0])
         step = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
         foot = np.array([x, 2.2])
-        axes.annotate("", foot + 0.45 * step, foot - 0.45 * step,
-                      arrowprops={"arrowstyle": "-|>", "color": GREY, "lw": 1.3})
+        plotting.arrow(axes, foot + 0.45 * step, foot - 0.45 * step)
         axes.text(x, 2.85, f"{angle}\N{DEGREE SIGN}", ha="center", fontsize=8)
         axes.text(x, -1.75, names[k], ha="center", fontsize=7, color=GREY)
     axes.axvline(3.5 * pitch + 0.25, color="0.8", lw=0.8)
@@ -93,8 +72,7 @@ def draw_heading(axes, found):
     axes.set(xlim=(232, 83), xticks=[225, 180, 135, 90], ylim=(-150, 60),
              yticks=[-135, -90, -45, 0, 45], xlabel="direction of the field [\N{DEGREE SIGN}]",
              ylabel="heading of the line\nbetween the ends [\N{DEGREE SIGN}]")
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    plotting.clean(axes)
 
 
 def report(found):
@@ -113,17 +91,16 @@ def report(found):
 
 
 def main():
-    chosen = results.figure_options(__doc__)
+    chosen = plotting.figure_options(__doc__)
     if chosen.run:
-        run_all(chosen.folder)
-    found = {name: results.read_columns(chosen.folder / name / "probes.csv") for name in RUNS}
+        plotting.run_all(HERE, RUNS, chosen.folder)
+    found = {name: plotting.read_columns(chosen.folder / name / "probes.csv") for name in RUNS}
     report(found)
     plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
     figure = plt.figure(figsize=(7.2, 4.7))
     draw_views(figure.add_axes([0.02, 0.53, 0.97, 0.46]), chosen.folder)
     draw_heading(figure.add_axes([0.13, 0.1, 0.8, 0.4]), found)
-    for letter, top in (("(a)", 0.97), ("(b)", 0.52)):
-        figure.text(0.01, top, letter, weight="bold", fontsize=9, va="center")
+    plotting.letters(figure, {"a": (0.01, 0.97), "b": (0.01, 0.52)})
     figure.savefig(chosen.out, dpi=200)
     print(chosen.out)
 

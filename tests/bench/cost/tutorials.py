@@ -1,33 +1,22 @@
-#!/usr/bin/python3
 """Predicted beside actual time and memory of all tutorials, on 1 and 2 ranks of the side that has
 the most work.
 
-    ./magfsi bench --calibrate && tests/bench/cost/tutorials.py      on an idle machine, minutes
+    ./magfsi bench --calibrate && ./magfsi python tests/bench/cost/tutorials.py      on an idle machine, minutes
 
 Of runs below
 SHORT_S, which other work on the machine shifts by as much as they take, the fastest of three counts.
 """
-import json
-import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[3]
+from magfsi import runs, testing
+
 SCENES = ("beam", "swimmer")  # of which a time is predicted
 LARGEST_TIME, LARGEST_MEMORY = 0.25, 0.10  # what the prediction promises
 SHORT_S = 1.0
 
 
-def facts(scene, ranks):
-    words = [TOP / "magfsi", "explain", scene, "--json", *(["--ranks", ranks] if ranks else [])]
-    return json.loads(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
-
-
 def summary(scene, ranks, folder):
-    subprocess.run([TOP / "magfsi", "run", scene, "--out", folder, "--ranks", ranks], check=True,
-                   stdout=subprocess.DEVNULL)
-    return json.loads((Path(folder) / "summary.json").read_text())
+    return testing.good_run(scene, ranks=ranks, folder=folder, limit_s=None).summary()
 
 
 def measured(scene, ranks, folder):
@@ -50,16 +39,16 @@ def line(name, ranks, s):
 
 def main():
     good = True
-    with tempfile.TemporaryDirectory(prefix="magfsi-cost-") as folder:
-        for name in SCENES:
-            scene = TOP / "tutorials" / name
-            known = facts(scene, "")
-            if "predicted" not in known:
-                sys.exit("the machine is not calibrated: ./magfsi bench --calibrate")
-            coupled = "fluid" in known["ranks"]
-            for number in (1, 2) if coupled else (1,):
-                ranks = f"structure=1,fluid={number}" if coupled else "structure=1"
-                good &= line(name, ranks, measured(scene, ranks, folder))
+    folder = testing.new_folder()
+    for name in SCENES:
+        scene = testing.ROOT / "tutorials" / name
+        known = runs.explain(scene, as_json=True)
+        if "predicted" not in known:
+            sys.exit("the machine is not calibrated: ./magfsi bench --calibrate")
+        coupled = "fluid" in known["ranks"]
+        for number in (1, 2) if coupled else (1,):
+            ranks = f"structure=1,fluid={number}" if coupled else "structure=1"
+            good &= line(name, ranks, measured(scene, ranks, folder))
     print("all within" if good else "NOT all within",
           f"{100 * LARGEST_TIME:.0f} % of time and {100 * LARGEST_MEMORY:.0f} % of memory")
     return 0 if good else 1

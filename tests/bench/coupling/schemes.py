@@ -1,18 +1,14 @@
-#!/usr/bin/python3
 """Cost and error of the coupling schemes on the small swimmer at a fixed drag coefficient, as a
 table. The reference is the implicit scheme at an eighth of the scene's step: what it shares with
 the others, the lattice's own error of the step, is in all figures.
 
-    MAGFSI_BIN=build/release/bin tests/bench/coupling/schemes.py
+    ./magfsi python tests/bench/coupling/schemes.py
 """
 
 import math
 import resource
-import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 STEP_US = 25
 END = "2 ms"
@@ -31,7 +27,7 @@ SCHEMES = {
 
 def run(settings, parts):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = magfsi.good_run(magfsi.SMALL, {
+    done = testing.good_run(testing.SMALL, {
         "time.end": END, "time.step": f"{STEP_US / parts} us",
         "coupling.immersed_boundary.strength": 1 / parts, **settings},
         "structure=1,fluid=1")

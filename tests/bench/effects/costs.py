@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """What each effect costs on a small reference scene, on against off: prints docs/effects.md.
 
-    MAGFSI_BIN=build/release/bin tests/bench/effects/costs.py > docs/effects.md
+    ./magfsi python tests/bench/effects/costs.py > docs/effects.md
     ... costs.py structure            one part of it: structure, fluid, coupled
 
 Instructions are those within the steps (valgrind's callgrind), which are exact: of coupled scenes
@@ -17,15 +16,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-os.environ["MAGFSI_BIN"] = str(Path(os.environ.get("MAGFSI_BIN", "build/release/bin")).resolve())
-for name in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"):
-    os.environ.setdefault(name, "1")
-os.environ["OMP_NUM_THREADS"] = "1"
-TESTS = Path(__file__).resolve().parents[2]
-sys.path += [str(TESTS / "support"), str(TESTS / "effects")]
-import instructions
-import magfsi_runs as magfsi
 import reference
+from magfsi import instructions, runs, testing
+
+os.environ["OMP_NUM_THREADS"] = "1"
 
 PAIRS = int(os.environ.get("MAGFSI_PAIRS", "5"))
 STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
@@ -34,14 +28,14 @@ STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 def alone(program):
     """(processor seconds, bytes) of a run of this program alone."""
     def measure(scene, settings):
-        folder = Path(magfsi.new_folder())
-        command = [magfsi.BIN / program, scene, "--out", folder, "--progress", "plain",
-                   *magfsi.overrides(settings)]
+        folder = Path(testing.new_folder())
+        command = [testing.BIN / program, scene, "--out", folder, "--progress", "plain",
+                   *testing.overrides(settings)]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         return (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
-                memory(magfsi.Run(0, "", "", 0, folder)))
+                memory(runs.Run(0, "", "", 0, folder)))
     return measure
 
 
@@ -51,7 +45,7 @@ def memory(run):
 
 def together(scene, settings):
     """(wall seconds of the steps, bytes) of a run of both sides, one rank each."""
-    run = magfsi.good_run(scene, settings, ranks="structure=1,fluid=1")
+    run = testing.good_run(scene, settings, ranks="structure=1,fluid=1")
     return run.summary()["wall_s"], memory(run)
 
 
@@ -59,7 +53,7 @@ def together(scene, settings):
 def count(program, scene, settings):
     if program is None:
         return instructions.of_both_sides(scene, dict(settings))
-    return [instructions.of_steps(magfsi.BIN / program, scene, dict(settings))]
+    return [instructions.of_steps(testing.BIN / program, scene, dict(settings))]
 
 
 def more(on, off):
@@ -94,7 +88,7 @@ off in turn, with the smallest and largest difference of a pair; memory is the l
 
 Made by
 
-    MAGFSI_BIN=build/release/bin tests/bench/effects/costs.py > docs/effects.md
+    ./magfsi python tests/bench/effects/costs.py > docs/effects.md
 
 Every step of every scene looks for what is no number any more: the structure at its nodes, the
 fluid within its sweep. That is no effect that a scene can leave out; it is
@@ -150,7 +144,7 @@ def boundary(scene, bare, short, long):
     def measure(scene, settings):
         if settings is not None:
             return together(scene, settings)
-        runs = [magfsi.good_run(scene, {**s, **long}) for _, s in apart]
+        runs = [testing.good_run(scene, {**s, **long}) for _, s in apart]
         return sum(run.summary()["wall_s"] for run in runs), sum(map(memory, runs))
 
     row("immersed boundary", [more(*pair) for pair in zip(on, off)], measure, scene,
@@ -160,10 +154,10 @@ def boundary(scene, bare, short, long):
 def watch():
     """The share of the looks for what is no number, in instructions of the steps."""
     settings = {**reference.FREE, "time.step": "1 us", "time.end": "50 us"}
-    node = instructions.share_of_steps(magfsi.BIN / STRUCTURE, reference.STRUCTURE_SCENE,
+    node = instructions.share_of_steps(testing.BIN / STRUCTURE, reference.STRUCTURE_SCENE,
                                        settings, "atom_without_place")
     cell = instructions.share_of_steps(
-        magfsi.BIN / FLUID, reference.FLUID_SCENE,
+        testing.BIN / FLUID, reference.FLUID_SCENE,
         {"fluid.box": "[32 mm, 32 mm, 32 mm]", "time.end": "10 ms"}, "check_divergence")
     return (f"{100 * node:.1f} % of the structure's instructions in steps of one LAMMPS step, and, "
             f"beside\nthe sweep's own, {100 * cell:.4f} % of the fluid's")

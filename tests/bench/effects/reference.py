@@ -1,10 +1,8 @@
 """The reference scenes of costs.py and what each effect adds to them."""
 
-from pathlib import Path
+from magfsi import testing
 
-import magfsi_runs as magfsi
-
-TESTS = Path(__file__).resolve().parents[2]
+TESTS = testing.ROOT / "tests"
 
 FREE = {"magnetic_field": "null", "gravity": "null", "damping": "null", "platform": "null",
         "contact": "null", "probes": "null", "bodies.strip.material.viscosity": "null",
@@ -76,7 +74,7 @@ COUPLED = {
 }
 STRUCTURE_SCENE = TESTS / "scenes/every_structure_effect.yaml"
 FLUID_SCENE = TESTS / "effects/still_fluid.yaml"
-COUPLED_SCENE = magfsi.SMALL
+COUPLED_SCENE = testing.SMALL
 
 # Without the other side, and with the LAMMPS step that the coupled scene has.
 BODY_ALONE = {"fluid": "null", "probes": "null", "time.step": "4.1666667 us"}

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Reads with VTK's own readers what write_vtk_samples wrote: read_back.py PROGRAM FOLDER."""
 import os
 import subprocess

@@ -1,12 +1,9 @@
-#!/usr/bin/python3
 """In a fluid each material has its own density, and a heavy half sinks first."""
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "two_cells_in_water.yaml"
 CELL_M3 = 2e-3 * 2e-3 * 0.2e-3
@@ -14,7 +11,7 @@ CELL_M3 = 2e-3 * 2e-3 * 0.2e-3
 
 class InWater(unittest.TestCase):
     def test_each_material_has_its_mass_and_the_heavy_one_sinks_first(self):
-        run = magfsi.good_run(SCENE)
+        run = testing.good_run(SCENE)
         probes = run.probes()
         lines = (run.folder / "bodies.data").read_text().splitlines()
         first = next(i for i, line in enumerate(lines) if line.startswith("Atoms"))
@@ -33,7 +30,7 @@ class InWater(unittest.TestCase):
         self.assertAlmostEqual(probes["sheet.com_x[m]"][0] / expected, 1, places=9)
         sunk = {name: probes[name + "_z[m]"][0] - probes[name + "_z[m]"][-1]
                 for name in ("heavy", "light")}
-        magfsi.report(f"sunk by {sunk}")
+        testing.report(f"sunk by {sunk}")
         self.assertGreater(sunk["heavy"], 1.2 * max(sunk["light"], 0))
 
 

@@ -1,12 +1,9 @@
-#!/usr/bin/python3
 """Integral probes: parts of a body add up to the body, and a plane sees the inlet's flow."""
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SCENE = Path(__file__).resolve().parent / "integrals.yaml"
 MASS_KG = 1200 * 1e-3 * 8e-3 * 4e-3
@@ -15,7 +12,7 @@ MASS_KG = 1200 * 1e-3 * 8e-3 * 4e-3
 class Integrals(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.probes = magfsi.good_run(SCENE, ranks="structure=2,fluid=2").probes()
+        cls.probes = testing.good_run(SCENE, ranks="structure=2,fluid=2").probes()
 
     def column(self, name):
         return self.probes[name][1:]  # the first row has no step behind it

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The drag of a ball of markers, held still in a stream, tends to that of a solid sphere.
 
 The box is narrow to be cheap, 4 x 4 diameters, and the stream fast, so its drag is not that of the
@@ -14,10 +13,9 @@ import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-import ball_mesh  # noqa: E402
+import ball_mesh
 
 SCENE = Path(__file__).resolve().parent / "drag.yaml"
 DIAMETER, SPEED, DENSITY = 1e-3, 0.02, 1000
@@ -26,11 +24,11 @@ SOLID = {"bodies": "", "probes.bodies": "", "probes.fluid": "[obstacle_force]",
 
 
 def coefficient(cells, settings, column):
-    folder = magfsi.new_folder()
+    folder = testing.new_folder()
     scene = Path(folder) / "drag.yaml"
     scene.write_text(SCENE.read_text())
     ball_mesh.write(Path(folder) / "ball.msh", ball_mesh.ball(8, 3, DIAMETER), hold=True)
-    run = magfsi.good_run(scene, {"fluid.spacing": f"{1 / cells} mm", **settings}, limit_s=1500)
+    run = testing.good_run(scene, {"fluid.spacing": f"{1 / cells} mm", **settings}, limit_s=1500)
     force = run.probes()[column]
     tail = len(force) // 20  # some sound is left in the box
     return (sum(force[-tail:]) / tail
@@ -42,7 +40,7 @@ def error(cells, settings):
     boundary = {"coupling.immersed_boundary.iterations": 2}
     ball = coefficient(cells, {**boundary, **settings}, "ball.fluid_force_x[N]")
     solid = coefficient(cells, {**SOLID, **settings}, "ball.force_x[N]")
-    magfsi.report(f"{settings or 'Reynolds number 20'}, {cells} cells a diameter: drag "
+    testing.report(f"{settings or 'Reynolds number 20'}, {cells} cells a diameter: drag "
                   f"coefficient {ball:.4f}, solid {solid:.4f}, {100 * (ball / solid - 1):+.2f} %")
     return ball / solid - 1
 
@@ -64,7 +62,7 @@ class Drag(unittest.TestCase):
         e = {cells: error(cells, settings) for cells in (coarse, fine)}
         order = math.log(abs(e[coarse] / e[fine])) / math.log(fine / coarse)
         limit = e[fine] - (e[coarse] - e[fine]) * coarse / (fine - coarse)
-        magfsi.report(f"  order {order:.2f}, extrapolated {100 * limit:+.2f} %")
+        testing.report(f"  order {order:.2f}, extrapolated {100 * limit:+.2f} %")
         self.assertGreater(order, 1)
         return e, limit
 
@@ -88,7 +86,7 @@ class Long(Drag):
         settings = {"fluid.viscosity": "0.2 mm2/s", "fluid.collision": "trt",
                     "fluid.magic_number": 0.1875}
         order, limit = richardson({cells: error(cells, settings) for cells in (8, 12, 16)})
-        magfsi.report(f"  order {order:.2f}, extrapolated {100 * limit:+.2f} %")
+        testing.report(f"  order {order:.2f}, extrapolated {100 * limit:+.2f} %")
         self.assertGreater(order, 1)
         self.assertLess(abs(limit), 0.03)
 

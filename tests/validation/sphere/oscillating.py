@@ -1,18 +1,15 @@
-#!/usr/bin/python3
 """The force of the fluid on a sphere that swings to and fro, by both fluids on the same grid, against
 Stokes' law for an oscillating sphere, with the small part that the box adds."""
 
 import cmath
 import math
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-import ball_mesh  # noqa: E402
-import oscillating_theory as theory  # noqa: E402
+import ball_mesh
+import oscillating_theory as theory
 
 SCENE = Path(__file__).resolve().parent / "oscillating.yaml"
 RADIUS, AMPLITUDE, FREQUENCY, NU, DENSITY, BOX = 0.5e-3, 25e-6, 1.25, 1e-6, 1000, 5e-3
@@ -34,11 +31,11 @@ def enclosed_lag(step):
 
 def response(cells, settings, step):
     """The theory's R - i X over 6 pi mu a, from the last period. step [s]."""
-    folder = Path(magfsi.new_folder())
+    folder = Path(testing.new_folder())
     scene = folder / "oscillating.yaml"
     scene.write_text(SCENE.read_text())
     ball_mesh.write(folder / "ball.msh", ball_mesh.ball(6, 3, 2 * RADIUS), hold=True)
-    run = magfsi.good_run(scene, {"fluid.spacing": f"{1 / cells} mm", "time.step": f"{step} s",
+    run = testing.good_run(scene, {"fluid.spacing": f"{1 / cells} mm", "time.step": f"{step} s",
                                   **settings}, limit_s=3000)
     probes = run.probes()
     time, force = probes["t[s]"], probes["ball.fluid_force_x[N]"]
@@ -49,7 +46,7 @@ def response(cells, settings, step):
     found -= DENSITY * 4 / 3 * math.pi * RADIUS**3 * enclosed_lag(step)
     # The force is the mean over the step that ends with the row.
     z = -found * cmath.exp(-0.5j * OMEGA * step) / (6 * math.pi * DENSITY * NU * RADIUS)
-    magfsi.report(f"{settings}, {cells} cells a diameter, {1 / FREQUENCY / step:.0f} steps a period:"
+    testing.report(f"{settings}, {cells} cells a diameter, {1 / FREQUENCY / step:.0f} steps a period:"
                   f" force {abs(z) / abs(EXPECTED) - 1:+.2%}, phase {phase(z):+.2f} degrees, "
                   f"no-slip error {run.summary()['immersed_boundary']['no_slip_error']:.3f}, "
                   f"{run.seconds:.1f} s")

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Spheres settle and rise at the speed of the experiment, whatever their density.
 
 ten Cate, Nieuwstad, Derksen, Van den Akker (2002): a sphere of 15 mm and 1120 kg/m3 in a
@@ -10,10 +9,9 @@ import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-import ball_mesh  # noqa: E402
+import ball_mesh
 
 SCENE = Path(__file__).resolve().parent / "settling.yaml"
 SPACING = "2.5 mm"  # 6 cells a diameter
@@ -31,8 +29,8 @@ def ball(folder):
 
 
 def course(settings):
-    folder = magfsi.new_folder()
-    run = magfsi.good_run(ball(folder), {"fluid.spacing": SPACING, **settings},
+    folder = testing.new_folder()
+    run = testing.good_run(ball(folder), {"fluid.spacing": SPACING, **settings},
                           ranks="structure=1,fluid=2", limit_s=1200)
     return run.probes()
 
@@ -45,7 +43,7 @@ def largest_speed(settings):
 class Sphere(unittest.TestCase):
     def compare(self, name, settings, expected):
         speed = largest_speed(settings)
-        magfsi.report(f"{name}, spacing {SPACING}: {1e3 * speed:.2f} mm/s, expected "
+        testing.report(f"{name}, spacing {SPACING}: {1e3 * speed:.2f} mm/s, expected "
                       f"{1e3 * expected:.2f}, {100 * (speed / expected - 1):+.2f} %")
         # 5 %: the experiment's scatter (2 %), and 6 cells a diameter, whose error falls
         # from 3 % to 0.6 % with 12 at E3.
@@ -74,7 +72,7 @@ class Sphere(unittest.TestCase):
                          "time.end": "0.7 s"})
         speed = probes["ball.speed_z[m/s]"][-1]
         moved = probes["ball.com_z[m]"][-1] - probes["ball.com_z[m]"][0]
-        magfsi.report(f"density ratio 1: {speed:.1e} m/s and {moved:.1e} m after "
+        testing.report(f"density ratio 1: {speed:.1e} m/s and {moved:.1e} m after "
                       "1,100 coupled steps")
         # It sags: its weight acts everywhere, buoyancy below the skin without markers;
         # strains are rho g D / (2 G) = 0.4 %, of which the centre feels a fifth.

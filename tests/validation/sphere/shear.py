@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A sphere of the fluid's density follows a shear flow without drift: it moves with the flow
 around its centre, turns at half the shear rate and keeps its height.
 
@@ -6,14 +5,12 @@ Shear rate G = 0.48 1/s, radius a = 0.5 mm, Reynolds number G a^2 / nu = 0.12; 8
 """
 
 import math
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-import ball_mesh  # noqa: E402
+import ball_mesh
 
 SCENE = Path(__file__).resolve().parent / "shear.yaml"
 WALL, HEIGHT, RADIUS = 0.96e-3, 4e-3, 0.5e-3
@@ -26,12 +23,12 @@ class Course:
     """What a sphere does that starts at a height above the middle [m]."""
 
     def __init__(self, above):
-        folder = magfsi.new_folder()
+        folder = testing.new_folder()
         scene = Path(folder) / "shear.yaml"
         scene.write_text(SCENE.read_text())
         ball_mesh.write(Path(folder) / "ball.msh", ball_mesh.ball(4, 2, 2 * RADIUS))
         place = f"[3 mm, 2 mm, {1e3 * (HEIGHT / 2 + above)} mm]"
-        run = magfsi.good_run(scene, {"bodies.ball.initial.position": place},
+        run = testing.good_run(scene, {"bodies.ball.initial.position": place},
                               ranks="structure=1,fluid=1")
         p = run.probes()
         t = p["t[s]"]
@@ -44,7 +41,7 @@ class Course:
         turned = sum((b - a + math.pi) % (2 * math.pi) - math.pi
                      for a, b in zip(turn[i:], turn[i + 1:]))
         self.spin = turned / span
-        magfsi.report(
+        testing.report(
             f"{1e3 * above:.2f} mm above the middle: speed {1e3 * self.speed:.4f} mm/s, the flow's "
             f"{1e3 * SHEAR * above:.4f}; spin {self.spin / (SHEAR / 2):.4f} of G / 2; drift "
             f"{1e3 * self.drift:.5f} mm; no-slip error "

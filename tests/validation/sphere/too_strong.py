@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Explicit direct forcing that is too strong fails, and is stopped with its cause.
 
 A ball full of markers, held still. With strength 1 a pass removes about all of the slip: the forces of
@@ -6,24 +5,22 @@ neighbouring markers add up in the cells between them. With 2 it throws the flui
 other way, further in every step.
 """
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-import ball_mesh  # noqa: E402
-import drag  # noqa: E402
+import ball_mesh
+import drag
 
 
 class Strength(unittest.TestCase):
     def run_with(self, strength):
-        folder = magfsi.new_folder()
+        folder = testing.new_folder()
         scene = Path(folder) / "drag.yaml"
         scene.write_text(drag.SCENE.read_text())
         ball_mesh.write(Path(folder) / "ball.msh", ball_mesh.ball(8, 3, drag.DIAMETER), hold=True)
-        return magfsi.run(scene, {"fluid.spacing": f"{1 / 6} mm", "time.end": "60 ms",
+        return testing.run(scene, {"fluid.spacing": f"{1 / 6} mm", "time.end": "60 ms",
                                   "coupling.immersed_boundary.strength": strength}, limit_s=300)
 
     def test_one_holds(self):

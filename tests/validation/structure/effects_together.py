@@ -1,15 +1,11 @@
-#!/usr/bin/python3
 """Effects of a solid act together as they do alone: stable at the step that is chosen, in the
 script once each, and gone without a trace when the scene does not name them."""
 
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-SCENE = magfsi.ROOT / "tests/scenes/every_structure_effect.yaml"
+SCENE = testing.ROOT / "tests/scenes/every_structure_effect.yaml"
 # Effect, key that removes it, what it puts into the LAMMPS script.
 EFFECTS = [
     ("viscosity", "bodies.strip.material.viscosity", "viscosity"),
@@ -24,7 +20,7 @@ EFFECTS = [
 
 
 def run(settings=None):
-    return magfsi.good_run(SCENE, {"time.end": "10 ms", **(settings or {})})
+    return testing.good_run(SCENE, {"time.end": "10 ms", **(settings or {})})
 
 
 class EffectsTogether(unittest.TestCase):
@@ -41,7 +37,7 @@ class EffectsTogether(unittest.TestCase):
         # The platform keeps the strip up: a hundredth of its thickness is what a penalty
         # may give way.
         self.assertGreater(min(probes["strip.com_z[m]"]), 0.2e-3 - 0.0925e-3 - 0.185e-5)
-        magfsi.report(f"all effects: V of {probes['strip.bend[rad]'][-1]:.3f} rad after 10 ms")
+        testing.report(f"all effects: V of {probes['strip.bend[rad]'][-1]:.3f} rad after 10 ms")
         # In 17 mT along 45 degrees the strip is on its way to the V (bend above 1 rad).
         self.assertGreater(probes["strip.bend[rad]"][-1], 1.0)
 

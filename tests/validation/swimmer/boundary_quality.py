@@ -1,21 +1,17 @@
-#!/usr/bin/python3
 """summary.json tells how well the immersed boundary holds: better with a stronger one, the same
 on any ranks, and nothing of it without one."""
 
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 IB = "coupling.immersed_boundary."
 
 
 def quality(settings=None, ranks="structure=1,fluid=1"):
-    summary = magfsi.good_run(magfsi.SMALL, settings, ranks).summary()
+    summary = testing.good_run(testing.SMALL, settings, ranks).summary()
     boundary = summary["immersed_boundary"]
-    magfsi.report(f"{settings} {ranks}: no-slip error {boundary['no_slip_error']:.4f}, "
+    testing.report(f"{settings} {ranks}: no-slip error {boundary['no_slip_error']:.4f}, "
                   f"leakage {boundary['leakage']:.4f}")
     return boundary
 
@@ -30,19 +26,19 @@ class BoundaryQuality(unittest.TestCase):
         self.assertAlmostEqual(strong["leakage"] / strong["no_slip_error"], 1, delta=0.3)
 
     def test_the_interface_is_audited_without_probes_of_the_fluid(self):
-        run = magfsi.good_run(magfsi.SMALL, {
+        run = testing.good_run(testing.SMALL, {
             "probes": "{every: 0.1 ms, bodies: [com], interface_balance: true}",
             "time.end": "0.4 ms"})
-        magfsi.check_interface_balance(self, run, "no probe of the fluid")
+        testing.check_interface_balance(self, run, "no probe of the fluid")
 
     def test_iterated_forcing_slips_less_and_conserves_as_exactly(self):
         direct = quality()
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            run = magfsi.good_run(magfsi.SMALL, {IB + "iterations": 2}, ranks)
+            run = testing.good_run(testing.SMALL, {IB + "iterations": 2}, ranks)
             slip = run.summary()["immersed_boundary"]["no_slip_error"]
-            magfsi.report(f"2 iterations, {ranks}: no-slip error {slip:.4f}")
+            testing.report(f"2 iterations, {ranks}: no-slip error {slip:.4f}")
             self.assertLess(slip, 0.8 * direct["no_slip_error"])
-            magfsi.check_interface_balance(self, run, ranks)
+            testing.check_interface_balance(self, run, ranks)
 
     def test_the_same_on_any_ranks(self):
         one, four = quality(), quality(ranks="structure=2,fluid=2")
@@ -53,7 +49,7 @@ class BoundaryQuality(unittest.TestCase):
             self.assertAlmostEqual(four[key] / one[key], 1, delta=5e-3)
 
     def test_none_without_a_boundary(self):
-        summary = magfsi.good_run(magfsi.SMALL, {
+        summary = testing.good_run(testing.SMALL, {
             "fluid": "", "bodies.robot.initial.position": "", "probes.fluid": "",
             "probes.bodies": "[com]", "probes.interface_balance": "", "time.end": "1 ms",
         }).summary()

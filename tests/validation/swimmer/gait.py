@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The magnetic swimmer does what the paper's does: C and V shapes in every period, a rise along
 45/225 degrees in every period and along 75/255 from the second on; it sinks without a field, and
 does not rise with the slow and the fast stroke exchanged."""
@@ -7,10 +6,8 @@ import argparse
 import math
 import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 PERIOD_S = 0.040
 PERIODS = 3
@@ -30,7 +27,7 @@ def settings(extra):
 
 class Swim:
     def __init__(self, scene, extra=None):
-        run = magfsi.good_run(scene, settings({"output": "null", **(extra or {})}))
+        run = testing.good_run(scene, settings({"output": "null", **(extra or {})}))
         probes = run.probes()
         self.seconds = run.summary()["wall_s"]
         self.t, self.z = probes["t[s]"], probes["robot.com_z[m]"]
@@ -50,27 +47,27 @@ class Swim:
 
     def describe(self, name):
         rises = ", ".join(f"{r:+.2f}" for r in self.rises())
-        magfsi.report(f"{name}: rise by period {rises} mm, {self.seconds:.0f} s")
+        testing.report(f"{name}: rise by period {rises} mm, {self.seconds:.0f} s")
 
 
 class Gait(unittest.TestCase):
     def assert_shapes(self, swim):
         for period in range(PERIODS):
             bends = swim.bends(period)
-            magfsi.report(f"  period {period + 1}: bend {math.degrees(min(bends)):.0f} to "
+            testing.report(f"  period {period + 1}: bend {math.degrees(min(bends)):.0f} to "
                           f"{math.degrees(max(bends)):.0f} degrees")
             self.assertLess(min(bends), C_BEND)
             self.assertGreater(max(bends), V_BEND)
 
     def test_straight_up(self):
-        swim = Swim(magfsi.SWIMMER)
+        swim = Swim(testing.SWIMMER)
         swim.describe("45/225 degrees, from flat")
         self.assert_shapes(swim)
         for rise in swim.rises():
             self.assertGreater(rise, 0)
 
     def test_the_papers_axis(self):
-        swim = Swim(magfsi.PAPER)
+        swim = Swim(testing.PAPER)
         swim.describe("75/255 degrees, from a relaxed C")
         self.assert_shapes(swim)
         for rise in swim.rises()[1:]:  # the first may sink: it starts with a recovery stroke
@@ -78,7 +75,7 @@ class Gait(unittest.TestCase):
         self.assertGreater(swim.height(PERIODS), swim.height(0))
 
     def test_sinks_without_field(self):
-        swim = Swim(magfsi.SWIMMER, {"magnetic_field": "null"})
+        swim = Swim(testing.SWIMMER, {"magnetic_field": "null"})
         swim.describe("field off")
         for rise in swim.rises():
             self.assertLess(rise, 0)
@@ -87,7 +84,7 @@ class Gait(unittest.TestCase):
         # From the C that the field holds at t = 0: a flat strip's first snap into it would lift
         # the robot once, by 0.1 mm, whatever comes after. From mid-height: it may sink by more
         # than the 4 mm that the swimmer starts at.
-        swim = Swim(magfsi.SWIMMER,
+        swim = Swim(testing.SWIMMER,
                     {"magnetic_field.table.time": "[0 ms, 12.5 ms, 32 ms, 40 ms]",
                      "bodies.robot.initial.position": "[8 mm, 4 mm, 8 mm]",
                      "bodies.robot.initial.relaxed": "{magnitude: 17 mT, direction: 225 deg}"})

@@ -1,16 +1,12 @@
-#!/usr/bin/python3
 """The implicit scheme tends to what the serial one tends to and is nearer to it at every step; it
 gives the fluid all the momentum and power that the body gives, repeats itself byte by byte, and
 depends neither on the ranks nor, within its tolerance, on how it is accelerated. A step that does
 not converge ends the run with a name, or is counted."""
 
 import math
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 STEP_US = 25  # of the scene
 COLUMNS = ("robot.com_z[m]", "robot.speed_z[m/s]", "kinetic_energy[J]")
@@ -39,7 +35,7 @@ def settings(scheme, halving=0, **extra):
 
 
 def run(scheme, halving=0, ranks="structure=1,fluid=1", **extra):
-    return magfsi.good_run(magfsi.SMALL, settings(scheme, halving, **extra), ranks)
+    return testing.good_run(testing.SMALL, settings(scheme, halving, **extra), ranks)
 
 
 def implicit(**iteration):
@@ -64,7 +60,7 @@ class ImplicitScheme(unittest.TestCase):
                      for k in range(3)]
             to_next = {scheme: [difference(runs[k], runs[k + 1], column) for k in range(2)]
                        for scheme, runs in left.items()}
-            magfsi.report(f"{column}: implicit - serial "
+            testing.report(f"{column}: implicit - serial "
                           + ", ".join(f"{d:.2e}" for d in apart) + "; to half the step: "
                           + "; ".join(f"{s} " + ", ".join(f"{d:.2e}" for d in ds)
                                       for s, ds in to_next.items()))
@@ -85,12 +81,12 @@ class ImplicitScheme(unittest.TestCase):
             expected = run("implicit", **wanted).probes()
             found = run("implicit", ranks="structure=2,fluid=3", **wanted).probes()
             worst = max(difference(expected, found, column) for column in COLUMNS)
-            magfsi.report(f"{name} on other ranks: {worst:.1e}")
+            testing.report(f"{name} on other ranks: {worst:.1e}")
             self.assertLess(worst, bound)
 
     def test_interface_balance(self):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            magfsi.check_interface_balance(self, run("implicit", ranks=ranks), ranks)
+            testing.check_interface_balance(self, run("implicit", ranks=ranks), ranks)
 
     def test_every_acceleration_gives_the_same_and_takes_its_iterations(self):
         mean, probes = {}, {}
@@ -101,7 +97,7 @@ class ImplicitScheme(unittest.TestCase):
             self.assertEqual(iterations["unconverged_steps"], 0)
             self.assertLessEqual(iterations["worst_residual"], TOLERANCE)
             mean[name], probes[name] = iterations["mean"], found.probes()
-        magfsi.report("iterations a step: " + ", ".join(f"{n} {m:.2f}" for n, m in mean.items()))
+        testing.report("iterations a step: " + ", ".join(f"{n} {m:.2f}" for n, m in mean.items()))
         self.assertLess(mean["iqn_ils"], mean["aitken"])
         self.assertLess(mean["aitken"], mean["under_relaxation"])
         for name in ("aitken", "under_relaxation"):
@@ -111,7 +107,7 @@ class ImplicitScheme(unittest.TestCase):
 
     def test_a_step_that_does_not_converge_is_named_or_counted(self):
         slow = implicit(acceleration="under_relaxation", relaxation=0.1, most=3)
-        ended = magfsi.run(magfsi.SMALL, settings("implicit", **slow))
+        ended = testing.run(testing.SMALL, settings("implicit", **slow))
         self.assertEqual(ended.code, 3, ended.err)
         self.assertRegex(ended.err, r"coupled step \d+ has not converged: after 3 iterations the "
                          r"fluid velocity at the markers changes by [0-9.e-]+ of itself")

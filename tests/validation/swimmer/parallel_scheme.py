@@ -1,15 +1,11 @@
-#!/usr/bin/python3
 """The parallel scheme gives what the serial one gives, with a difference of first order in the
 coupled step; it repeats itself byte by byte, does not depend on the ranks, and gives the fluid
 all the momentum and power that the body gives, as the serial one does."""
 
 import math
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 STEP_US = 25  # of the scene
 HALVINGS = 3
@@ -25,7 +21,7 @@ RANKS_BOUND = 1e-9
 
 def run(scheme, halving=0, ranks="structure=1,fluid=1"):
     # The drag's coefficient is strength / dt: with strength ~ dt all steps solve one problem.
-    return magfsi.good_run(magfsi.SMALL, {
+    return testing.good_run(testing.SMALL, {
         "coupling.scheme": scheme,
         "time.step": f"{STEP_US / 2**halving} us",
         "coupling.immersed_boundary.strength": str(1 / 2**halving)}, ranks)
@@ -44,7 +40,7 @@ class ParallelScheme(unittest.TestCase):
         for column, (least, most) in RATIOS.items():
             found = [difference(*pair, column) for pair in probes]
             ratios = [a / b for a, b in zip(found, found[1:])]
-            magfsi.report(f"{column}: " + ", ".join(f"{d:.2e}" for d in found) + " ratios "
+            testing.report(f"{column}: " + ", ".join(f"{d:.2e}" for d in found) + " ratios "
                           + ", ".join(f"{r:.2f}" for r in ratios))
             self.assertLess(found[0], LARGEST)
             for ratio in ratios:
@@ -62,7 +58,7 @@ class ParallelScheme(unittest.TestCase):
 
     def test_interface_balance(self):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            magfsi.check_interface_balance(self, run("parallel", ranks=ranks), ranks)
+            testing.check_interface_balance(self, run("parallel", ranks=ranks), ranks)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,10 @@
-#!/usr/bin/python3
 """Structure on 1 and 2 ranks, fluid on 1, 2 and 3: the same probes within rounding; and the same
 bytes on the same ranks. The interface gives and receives the same momentum and power."""
 
 import re
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 SETTINGS = {"time.end": "4 ms", "output": "null", "probes.interface_balance": "true"}
 # Sums over ranks differ by some 1e-16, and the strip, which buckles from flat, magnifies a
@@ -17,7 +13,7 @@ BOUND = 1e-9
 
 
 def run(ranks):
-    return magfsi.good_run(magfsi.SWIMMER, SETTINGS, ranks)
+    return testing.good_run(testing.SWIMMER, SETTINGS, ranks)
 
 
 def scales(probes):
@@ -49,7 +45,7 @@ class Ranks(unittest.TestCase):
                     self.assertEqual(list(found), list(expected))
                     worst = max((abs(a - b) / scale[n], n) for n in expected if scale[n] > 0
                                 for a, b in zip(expected[n], found[n], strict=True))
-                    magfsi.report(f"structure {structure} x fluid {fluid}: {worst[0]:.1e} "
+                    testing.report(f"structure {structure} x fluid {fluid}: {worst[0]:.1e} "
                                   f"in {worst[1]}")
                     self.assertLess(worst[0], BOUND)
 
@@ -60,7 +56,7 @@ class Ranks(unittest.TestCase):
 
     def test_interface_balance(self):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            magfsi.check_interface_balance(self, run(ranks), ranks)
+            testing.check_interface_balance(self, run(ranks), ranks)
 
 
 if __name__ == "__main__":

@@ -1,17 +1,13 @@
-#!/usr/bin/python3
 """summary.json tells waiting from working, for either scheme and on more ranks."""
 
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 
 class WhoWaits(unittest.TestCase):
     def check(self, scheme, ranks):
-        summary = magfsi.good_run(magfsi.SMALL, {"coupling.scheme": scheme}, ranks).summary()
+        summary = testing.good_run(testing.SMALL, {"coupling.scheme": scheme}, ranks).summary()
         for side in ("structure", "fluid"):
             tasks, waiting = summary["tasks"][side], summary["waiting"][side]
             for task, seconds in waiting.items():

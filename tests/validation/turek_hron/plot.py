@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """FSI2: the flag's end against time, with the reference's band.
 
     plot.py FIGURE SPACING_MM=RUN_FOLDER ...
@@ -12,7 +11,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.pyplot as plt
 
 REFERENCE = json.loads((Path(__file__).resolve().parent / "reference.json").read_text())
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """One case of the Turek-Hron benchmark against its reference values.
 
     turek_hron.py CASE [--spacing mm] [--tolerance QUANTITY=fraction ...]
@@ -12,8 +11,7 @@ import json
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
 FOLDER = Path(__file__).resolve().parent
 REFERENCE = json.loads((FOLDER / "reference.json").read_text())
@@ -87,14 +85,14 @@ def main():
     arguments = parser.parse_args()
     settings = settings_of(arguments.case, arguments.spacing)
     settings.update(pair.split("=", 1) for pair in arguments.set)
-    run = magfsi.good_run(FOLDER / f"{arguments.case}.yaml", settings, limit_s=7000)
+    run = testing.good_run(FOLDER / f"{arguments.case}.yaml", settings, limit_s=7000)
     allowed = {key: float(value)
                for key, value in (pair.split("=") for pair in arguments.tolerance)}
     failed = []
-    magfsi.report(f"{arguments.case}, spacing {arguments.spacing} mm, {run.seconds:.0f} s")
+    testing.report(f"{arguments.case}, spacing {arguments.spacing} mm, {run.seconds:.0f} s")
     for name, value, wanted, scale in figures(arguments.case, series(run, arguments.spacing)):
         error = (value - wanted) / scale
-        magfsi.report(f"  {name:13} {value:11.5g}  reference {wanted:11.5g}  "
+        testing.report(f"  {name:13} {value:11.5g}  reference {wanted:11.5g}  "
                       f"{100 * error:+6.2f} %")
         if name in allowed and not abs(error) <= allowed[name]:
             failed.append(f"{name} is off by {100 * error:.2f} %, allowed are "
@@ -103,7 +101,7 @@ def main():
             arguments.case, series(run, arguments.spacing))}:
         failed.append(f"no quantity {name}")
     for line in failed:
-        magfsi.report(line)
+        testing.report(line)
     return 1 if failed else 0
 
 

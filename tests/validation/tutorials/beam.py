@@ -1,16 +1,12 @@
-#!/usr/bin/python3
 """The cantilever bends as 3D finite elements say (tutorials/beam/reference.csv), by Newton's
 method and by damped motion alike; other directions of the field run too."""
 
 import csv
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-FOLDER = magfsi.ROOT / "tutorials/beam"
+FOLDER = testing.ROOT / "tutorials/beam"
 LENGTH_M = 17.5e-3
 GAMMA_END = 0.04
 DIRECTION = "magnetic_field.table.direction"
@@ -23,7 +19,7 @@ def reference():
 
 def bend(settings=None):
     """(gamma, ux/L, uz/L) at each point, and the run."""
-    run = magfsi.good_run(FOLDER, {"output": "null", **(settings or {})})
+    run = testing.good_run(FOLDER, {"output": "null", **(settings or {})})
     probes = run.probes()
     columns = zip(probes["t[s]"], probes["tip_ux[m]"], probes["tip_uz[m]"])
     return [(GAMMA_END * t, ux / LENGTH_M, uz / LENGTH_M) for t, ux, uz in columns], run
@@ -49,7 +45,7 @@ class Beam(unittest.TestCase):
         # ux begins at 2 % of the length, so it is measured by the length.
         back = max(abs(at(path, float(row["gamma"]))[1] - float(row["ux_tip/L"]))
                    for row in reference())
-        magfsi.report(f"scene.yaml: uz within {100 * error:.2f} %, ux within {back:.4f} L, "
+        testing.report(f"scene.yaml: uz within {100 * error:.2f} %, ux within {back:.4f} L, "
                       f"{run.summary()['wall_s']:.2f} s for {len(path) - 1} equilibria")
         self.assertLess(error, 0.01)
         self.assertLess(back, 0.01)
@@ -63,7 +59,7 @@ class Beam(unittest.TestCase):
             path, _ = bend({"bodies.beam.element": element,
                             "bodies.beam.mesh.box.elements": f"[{mesh}]"})
             error = largest_error(path)
-            magfsi.report(f"{element} {mesh}: uz within {100 * error:.2f} %")
+            testing.report(f"{element} {mesh}: uz within {100 * error:.2f} %")
             self.assertLess(error, limit, f"{element} {mesh}")
 
     def test_newton_and_damped_motion_agree(self):
@@ -73,7 +69,7 @@ class Beam(unittest.TestCase):
         newton, _ = bend(few)
         motion, run = bend({**few, "time.equilibrium.method": "dynamics"})
         worst = max(max(abs(a[1] - b[1]), abs(a[2] - b[2])) for a, b in zip(newton, motion))
-        magfsi.report(f"Newton and damped motion differ by {worst:.1e} L; the motion took "
+        testing.report(f"Newton and damped motion differ by {worst:.1e} L; the motion took "
                       f"{run.summary()['wall_s']:.1f} s for {len(motion) - 1} equilibria")
         self.assertEqual(len(newton), len(motion))
         self.assertLess(worst, 1e-4)

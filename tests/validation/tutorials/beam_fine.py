@@ -1,15 +1,11 @@
-#!/usr/bin/python3
 """The paper's mesh of the beam, 70 x 20 x 4 elements: what an equilibrium costs by Newton's
 method, and that it is accurate. Slow, so by name only."""
 
 import resource
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import beam  # noqa: E402
-from beam import magfsi  # noqa: E402
+import beam
+from beam import testing
 
 
 def timed(settings):
@@ -26,7 +22,7 @@ class FineBeam(unittest.TestCase):
         path, seconds = timed({"probes.every": "1 s",
                                "magnetic_field.table.magnitude": f"[0 mT, {end}]"})
         error = path[-1][2] / wanted - 1
-        magfsi.report(f"gamma {gamma:g}: {seconds:.1f} s, error {100 * error:+.2f} %")
+        testing.report(f"gamma {gamma:g}: {seconds:.1f} s, error {100 * error:+.2f} %")
         self.assertLess(seconds, 20)
         self.assertLess(abs(error), 0.01)
 
@@ -38,7 +34,7 @@ class FineBeam(unittest.TestCase):
     def test_the_whole_path(self):
         path, seconds = timed({})
         error = beam.largest_error(path)
-        magfsi.report(f"{len(path) - 1} equilibria: {seconds:.0f} s, "
+        testing.report(f"{len(path) - 1} equilibria: {seconds:.0f} s, "
                       f"uz within {100 * error:.2f} %")
         self.assertLess(error, 0.01)
 

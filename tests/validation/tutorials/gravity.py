@@ -1,17 +1,13 @@
-#!/usr/bin/python3
 """In a field at 135 degrees the strip stands up: at once without weight, between 3.5 and 5 mT
 under g/2, between 5 and 6.5 mT under 1 g; under 2 g only one half of it is lifted."""
 
 import csv
 import math
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-FOLDER = magfsi.ROOT / "tutorials/gravity"
+FOLDER = testing.ROOT / "tutorials/gravity"
 # The heading jumps from below 15 degrees to above 50: half of 60 tells the two apart.
 STANDING_DEG = 30
 # Two rods, narrow and wide, have the strip between them; thickness, friction and the mesh of 20
@@ -27,11 +23,11 @@ def headings_deg(probes, start, end):
 
 class FieldPath:
     def __init__(self, name, scene, settings):
-        probes = magfsi.good_run(FOLDER / scene, {"output": "null", **settings}).probes()
+        probes = testing.good_run(FOLDER / scene, {"output": "null", **settings}).probes()
         self.heading = headings_deg(probes, "left", "right")
         self.middle = headings_deg(probes, "before", "after")
         for field, heading, middle in zip(probes["field[T]"], self.heading, self.middle):
-            magfsi.report(f"{name} {1e3 * field:g} mT: heading {heading:.1f}, middle "
+            testing.report(f"{name} {1e3 * field:g} mT: heading {heading:.1f}, middle "
                           f"{middle:.1f} degrees")
 
 

@@ -1,16 +1,12 @@
-#!/usr/bin/python3
 """A plate of oblique domains folds as Miura-ori: oblique lines are mountains and valleys in turn,
 and so are the pieces of each straight line; finer meshes bring the fold nearer to its limit."""
 
 import math
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-SCENE = magfsi.ROOT / "tutorials/origami/scene.yaml"
+SCENE = testing.ROOT / "tutorials/origami/scene.yaml"
 # Extrapolated from 8 and 12 elements a cell side (tutorials/origami/README.md).
 LIMIT_DEG = 71.2
 # The error falls with the square of the element: four elements leave 12.0 degrees, six 5.2.
@@ -19,7 +15,7 @@ ERROR_DEG = {4: 12.5, 6: 5.7}
 
 class Folded:
     def __init__(self, elements, settings=None):
-        run = magfsi.good_run(SCENE, {
+        run = testing.good_run(SCENE, {
             "output": "null", "bodies.plate.mesh.oblique.elements": f"[{elements}, {elements}, 1]",
             **(settings or {})})
         self.log = (run.folder / "run.log").read_text()
@@ -60,7 +56,7 @@ class Origami(unittest.TestCase):
     def test_folds_as_miura_ori(self):
         oblique = [self.plate.fold_deg((row, 1), (row, 2)) for row in (1, 2)]
         straight = [self.plate.fold_deg((1, column), (2, column)) for column in (1, 2)]
-        magfsi.report(f"oblique {oblique[0]:.2f}, {oblique[1]:.2f}, straight {straight[0]:.2f}, "
+        testing.report(f"oblique {oblique[0]:.2f}, {oblique[1]:.2f}, straight {straight[0]:.2f}, "
                       f"{straight[1]:.2f} degrees")
         # One line is one fold, and each straight line changes where it meets an oblique one.
         self.assertGreater(oblique[0] * oblique[1], 0)
@@ -81,7 +77,7 @@ class Origami(unittest.TestCase):
                  6: LIMIT_DEG - abs(Folded(6, {"probes.every": "500 ms"})
                                     .fold_deg((1, 1), (1, 2)))}
         for elements, degrees in error.items():
-            magfsi.report(f"{elements} elements a side: {degrees:.2f} degrees below the limit")
+            testing.report(f"{elements} elements a side: {degrees:.2f} degrees below the limit")
             self.assertGreater(degrees, 0)
             self.assertLess(degrees, ERROR_DEG[elements])
 

@@ -1,18 +1,14 @@
-#!/usr/bin/python3
 """The magnetic strip: free, it takes the shapes of 3D finite elements
 (tutorials/strip/reference.csv) by Newton's method and by damped motion; on the ground under its
 weight it is a V in the directions near 45 degrees and a C near 225."""
 
 import csv
 import math
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-FOLDER = magfsi.ROOT / "tutorials/strip"
+FOLDER = testing.ROOT / "tutorials/strip"
 LENGTH_M, THICKNESS_M = 3.7e-3, 0.185e-3
 DIRECTION = "magnetic_field.table.direction"
 # Two layers: with one the rise of the V at 20 mT is 3 to 4 % off. Little damping: the free
@@ -26,7 +22,7 @@ FREE = {"gravity": "null", "platform": "null", "output": "null",
 
 def shapes(settings):
     """{field in mT: (end to end / L, rise / L, bend in degrees)}."""
-    probes = magfsi.good_run(FOLDER, settings).probes()
+    probes = testing.good_run(FOLDER, settings).probes()
     columns = zip(probes["field[T]"], probes["strip.end_to_end[m]"],
                   probes["strip.mid_rise[m]"], probes["strip.bend[rad]"])
     return {round(1e3 * field, 6): (ends / LENGTH_M, rise / LENGTH_M, math.degrees(bend))
@@ -53,7 +49,7 @@ class FreeStrip(unittest.TestCase):
             errors = [a / b - 1 for a, b in zip(newton[field], wanted)]
             apart = max(abs(a / b - 1) for a, b in zip(motion[field], newton[field]))
             text = ", ".join(f"{100 * e:+.2f} %" for e in errors)
-            magfsi.report(f"{direction} degrees, {field:g} mT: ends, rise, bend {text}; "
+            testing.report(f"{direction} degrees, {field:g} mT: ends, rise, bend {text}; "
                           f"damped motion differs by {apart:.1e}")
             # The reference's own two meshes differ by 0.1 %; two percent is what the
             # tutorial promises.
@@ -88,7 +84,7 @@ class StripOnTheGround(unittest.TestCase):
                   "magnetic_field.table.magnitude": "[0 mT, 60 mT]"}
         through = shapes(strong)[60.0][0] * LENGTH_M
         held = shapes({**strong, "contact": "{}"})[60.0][0] * LENGTH_M
-        magfsi.report(f"C at 60 mT: ends {1e3 * held:.3f} mm apart with contact, "
+        testing.report(f"C at 60 mT: ends {1e3 * held:.3f} mm apart with contact, "
                       f"{1e3 * through:.3f} mm without")
         # Mid-planes of ends that face each other are a thickness apart or more.
         self.assertLess(through, THICKNESS_M)

@@ -1,17 +1,13 @@
-#!/usr/bin/python3
 """A field that turns takes the C with it, through three turns of -45 degrees; from flat the last
 field makes a V. Newton's method, the motion in time and the strip on a platform agree."""
 
 import csv
 import math
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "support"))
-import magfsi_runs as magfsi  # noqa: E402
+from magfsi import testing
 
-FOLDER = magfsi.ROOT / "tutorials/turning"
+FOLDER = testing.ROOT / "tutorials/turning"
 LENGTH_MM = 3.7
 NJ = 1e9
 # Rounding, and the residual of 1e-6 of the load times the strip's softness of about 1e3.
@@ -25,7 +21,7 @@ PLATFORM_DEG = 2.5
 
 class Shapes:
     def __init__(self, scene, settings=None):
-        run = magfsi.good_run(FOLDER / scene, {"output": "null", **(settings or {})})
+        run = testing.good_run(FOLDER / scene, {"output": "null", **(settings or {})})
         self.log = (run.folder / "run.log").read_text()
         probes = run.probes()
         self.t = probes["t[s]"]
@@ -43,7 +39,7 @@ class Shapes:
 
     def describe(self, name, times):
         for k in map(self.row, times):
-            magfsi.report(f"{name} {self.t[k]:.3g} s: end to end {self.end_to_end_mm[k]:.4f} mm, "
+            testing.report(f"{name} {self.t[k]:.3g} s: end to end {self.end_to_end_mm[k]:.4f} mm, "
                           f"bend {self.bend_deg[k]:.2f}, heading {self.heading_deg[k]:.2f} deg, "
                           f"energy {self.energy_nj[k]:.1f} nJ")
 

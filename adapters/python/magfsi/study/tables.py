@@ -1,7 +1,7 @@
 """A study as runs.csv, one row a run, and as a short page."""
 import csv
 
-import findings
+from magfsi.study import findings
 
 NOTHING = ""
 

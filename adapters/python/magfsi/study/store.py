@@ -3,19 +3,20 @@ import datetime
 import hashlib
 import json
 import os
+import platform
 import re
 import shutil
+import subprocess
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import machine
-import marked
-import norms
-import program
-from product import Cell
+from magfsi import runs as programs
+from magfsi.study import marked, norms
+from magfsi.study.product import Cell
 
 RECORD = "study.json"  # in the run folder; its presence says that the run is done
+PARTICIPANTS = ("magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-")
 
 
 @dataclass
@@ -31,6 +32,37 @@ class Run:
 
     def completed(self):
         return self.record.get("outcome") == "completed"
+
+
+def _describe_machine():
+    """What seconds were measured on, in words."""
+    name, memory = platform.machine(), 0
+    try:
+        with open("/proc/cpuinfo") as file:
+            name = next((line.split(":", 1)[1].strip() for line in file
+                         if line.startswith("model name")), name)
+        memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / 2**30
+    except OSError:
+        pass
+    return f"{name}, {len(os.sched_getaffinity(0))} cores, {memory:.0f} GiB"
+
+
+def _build():
+    """What tells one build from another: the programs' bytes."""
+    digest = hashlib.sha256()
+    for path in sorted(programs.BIN.glob("magfsi-*")):
+        if path.name.startswith(PARTICIPANTS):
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:12]
+
+
+def _explain(scene, cell):
+    """(key figures, None), or (None, what is wrong with the scene)."""
+    try:
+        return programs.explain(scene, cell.sets, cell.ranks, as_json=True), None
+    except subprocess.CalledProcessError as error:
+        lines = error.stderr.strip().splitlines()
+        return None, lines[-1] if lines else f"magfsi explain ended with {error.returncode}"
 
 
 def _files_of(scene, sets):
@@ -92,7 +124,7 @@ def plan(study, cells, out):
     runs = []
     for cell in cells:
         run = Run(cell)
-        facts, fault = program.explain(scene, cell)
+        facts, fault = _explain(scene, cell)
         if facts:
             run.facts, run.key = facts, _key(facts, _files_of(scene, cell.sets))
             run.folder = out / "runs" / run.key
@@ -108,16 +140,20 @@ def is_done(run):
     return bool(run.key) and (run.folder / RECORD).exists()
 
 
+def _summary(run):
+    try:
+        return programs.read_summary(run.folder)
+    except (OSError, ValueError):
+        return {}
+
+
 def _load(run):
     """What the run left; False if it is not done."""
     try:
         run.record = json.loads((run.folder / RECORD).read_text())
     except (OSError, ValueError):
         return False
-    try:
-        run.summary = json.loads((run.folder / "summary.json").read_text())
-    except (OSError, ValueError):
-        run.summary = {}
+    run.summary = _summary(run)
     return True
 
 
@@ -125,21 +161,23 @@ def _execute(study, run, build):
     shutil.rmtree(run.folder, ignore_errors=True)
     run.folder.parent.mkdir(parents=True, exist_ok=True)
     load = os.getloadavg()[0]
-    ended = program.run(_scene_file(study), run.cell, run.folder, study.limit_s)
+    ended = programs.run(_scene_file(study), run.folder, run.cell.sets, run.cell.ranks,
+                         limit_s=study.limit_s)
     run.folder.mkdir(parents=True, exist_ok=True)
-    try:
-        run.summary = json.loads((run.folder / "summary.json").read_text())
-    except (OSError, ValueError):
-        run.summary = {}
+    run.summary = _summary(run)
     outcome, cause = run.summary.get("outcome"), run.summary.get("cause", "")
-    if ended.code == program.EXIT_INPUT:
-        outcome, cause = "refused", ended.error
+    if ended.late:
+        fault = f"still running after {study.limit_s:g} s, the study's limit"
+    else:
+        fault = ended.error()
+    if ended.code == programs.EXIT_INPUT:
+        outcome, cause = "refused", fault
     elif ended.code != 0 and outcome in (None, "completed", "stopped"):
-        outcome, cause = "stopped", ended.error or cause or f"exit code {ended.code}"
+        outcome, cause = "stopped", fault or cause or f"exit code {ended.code}"
     run.record = {"outcome": outcome, "cause": cause, "exit_code": ended.code,
-                  "core_s": ended.core_s, "elapsed_s": ended.elapsed_s, "build": build,
+                  "core_s": ended.core_s, "elapsed_s": ended.seconds, "build": build,
                   "load_before": load, "run": run.cell.text(),
-                  "date": datetime.date.today().isoformat(), "machine": machine.describe()}
+                  "date": datetime.date.today().isoformat(), "machine": _describe_machine()}
     partial = run.folder / (RECORD + ".part")
     partial.write_text(json.dumps(run.record, indent=2) + "\n")
     partial.replace(run.folder / RECORD)
@@ -147,7 +185,7 @@ def _execute(study, run, build):
 
 def do(study, runs, again=False):
     """Those that are missing, one after the other; returns how many were run now."""
-    build, now, others = program.build(), set(), 0
+    build, now, others = _build(), set(), 0
     for number, run in enumerate(runs, 1):
         if not run.key:
             continue

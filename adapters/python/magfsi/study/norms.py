@@ -1,8 +1,9 @@
 """How far a run is from the reference: one number."""
-import csv
 import math
 
 import numpy as np
+
+from magfsi import runs
 
 
 class NoError(Exception):
@@ -13,8 +14,7 @@ def check_probes(study, run):
     """A probe that a completed run does not have is a mistake in the study."""
     if not run.completed():
         return
-    with open(run.folder / "probes.csv", newline="") as file:
-        names = next(csv.reader(file), [])
+    names = list(runs.read_table(run.folder / "probes.csv"))
     for norm in study.norms:
         for _, column in norm.terms:
             if column not in names:
@@ -25,23 +25,21 @@ def check_probes(study, run):
 def _columns(run, norm):
     """Times, and a row of values for each of the norm's terms."""
     try:
-        with open(run.folder / "probes.csv", newline="") as file:
-            names, *rows = list(csv.reader(file))
+        probes = runs.read_columns(run.folder / "probes.csv")
     except (OSError, ValueError) as error:
         raise NoError("the run left no probes.csv") from error
     for _, name in norm.terms:
-        if name not in names:
-            raise NoError(f'no probe "{name}"; there are {", ".join(names)}')
-    wanted = [0] + [names.index(name) for _, name in norm.terms]
-    table = np.array([[float(row[c]) for c in wanted] for row in rows if len(row) == len(names)])
-    times, values = np.split(table.reshape(-1, len(wanted)).T, [1])
-    kept = times[0] >= norm.start_s
+        if name not in probes:
+            raise NoError(f'no probe "{name}"; there are {", ".join(probes)}')
+    times = np.array(probes["t[s]"])
+    values = np.array([probes[name] for _, name in norm.terms])
+    kept = times >= norm.start_s
     if kept.sum() < 2:
         raise NoError("fewer than two rows of probes")
     axes = {axis: s.value for axis, s in run.cell.settings.items()}
     weights = np.array([[weight(**axes) if callable(weight) else weight]
                         for weight, _ in norm.terms])
-    return times[0][kept], norm.factor * weights * values[:, kept]
+    return times[kept], norm.factor * weights * values[:, kept]
 
 
 def course(run, norm):

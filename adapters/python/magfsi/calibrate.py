@@ -3,16 +3,85 @@ the seconds and bytes in the user's cache folder; explain predicts from them."""
 import datetime
 import json
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-import scenes
+from magfsi import runs
 
-BIN = Path(os.environ.get("MAGFSI_BIN", scenes.TOP / "build/release/bin"))
-MOST_LOAD = 0.5  # that leaves the cores to these runs
+BEAM = runs.ROOT / "tutorials/beam/scene.yaml"
+LARGEST_LOAD = 0.5  # that leaves the cores to these runs
 SMALL, LARGE = 24, 72  # cells along a cube: in the caches, and beyond them
+
+# A stream through a periodic cube: nothing but the lattice.
+FLUID = """
+name: calibration
+time: {{end: {end} s, step: 1 s}}
+fluid:
+  box: [{n} m, {n} m, {n} m]
+  spacing: 1 m
+  density: 1 kg/m3
+  viscosity: 0.05 m2/s
+  precision: {precision}
+  collision: {collision}
+  initial_velocity: [0.01 m/s, 0 m/s, 0 m/s]
+  boundaries: {{x_min: {kind}, x_max: {kind}, y_min: {kind}, y_max: {kind},
+               z_min: {kind}, z_max: {kind}}}
+"""
+PROBES = "probes: {{every: {every} s, fluid: [{quantities}]}}\n"
+FILES = "output: {{fluid: {{every: {every} s, fields: [velocity]}}}}\n"
+
+
+def fluid_scene(n, steps, precision="double", probes=0, files=0, quantities="kinetic_energy",
+          collision="trt", kind="periodic"):
+    text = FLUID.format(n=n, end=steps, precision=precision, collision=collision, kind=kind)
+    if probes:
+        text += PROBES.format(every=probes, quantities=quantities)
+    if files:
+        text += FILES.format(every=files)
+    return text
+
+
+def strip_scene(elements, probes):
+    """A strip that bends in LAMMPS, without fluid."""
+    return f"""
+name: calibration
+time: {{end: 20 ms, step: 100 us}}
+bodies:
+  strip:
+    mesh: {{box: {{size: [3.7 mm, 1.5 mm, 0.185 mm], elements: {elements}}}}}
+    element: assumed_strain
+    material: {{shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}}
+    magnetization: {{harmonic: {{amplitude: 62 kA/m, phase: 45 deg}}}}
+magnetic_field: {{plane: xz, constant: {{magnitude: 5 mT, direction: 45 deg}}}}
+probes: {{every: {probes}, bodies: [com, shape, energy]}}
+output: {{structure: {{every: 1 ms}}}}
+"""
+
+
+def coupled_scene(n, steps):
+    """The same in the middle of a closed cube of n cells a side, 24 and more."""
+    side = 0.2 * n
+    return f"""
+name: calibration
+time: {{end: {20 * steps} us, step: 20 us}}
+bodies:
+  strip:
+    mesh: {{box: {{size: [3.7 mm, 1.5 mm, 0.185 mm], elements: [10, 4, 1]}}}}
+    element: assumed_strain
+    material: {{shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}}
+    magnetization: {{harmonic: {{amplitude: 62 kA/m, phase: 45 deg}}}}
+    initial: {{position: [{side / 2} mm, {side / 2} mm, {side / 2} mm]}}
+magnetic_field: {{plane: xz, constant: {{magnitude: 5 mT, direction: 45 deg}}}}
+fluid:
+  box: [{side} mm, {side} mm, {side} mm]
+  spacing: 0.2 mm
+  density: 1000 kg/m3
+  viscosity: 1 mm2/s
+  expected_speed: 0.5 m/s
+  collision: recursive_regularized
+coupling: {{}}
+"""
 
 
 class Bench:
@@ -21,19 +90,15 @@ class Bench:
     def __init__(self, folder):
         self.folder = Path(folder)
 
-    def run(self, scene, ranks, sets=()):
+    def run(self, scene, ranks, sets=None):
         if not isinstance(scene, Path):
             file = self.folder / "scene.yaml"
             file.write_text(scene)
             scene = file
-        words = [str(BIN / "magfsi"), "run", str(scene), "--out", str(self.folder / "run"),
-                 "--ranks", ranks]
-        for setting in sets:
-            words += ["--set", setting]
-        done = subprocess.run(words, capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"magfsi bench --calibrate: {done.stderr.strip().splitlines()[-1]}")
-        return json.loads((self.folder / "run/summary.json").read_text())
+        done = runs.run(scene, self.folder / "run", sets, ranks)
+        if done.code != 0:
+            sys.exit(f"magfsi bench --calibrate: {done.error()}")
+        return done.summary()
 
 
 def memory(summary, role):
@@ -51,7 +116,7 @@ def fluid(bench, cores):
     for n, steps in ((SMALL, 3000), (LARGE, 100)):
         for ranks in sorted({1, cores}):
             for precision in ("double", "float"):
-                s = bench.run(scenes.fluid(n, steps, precision), f"fluid={ranks}")
+                s = bench.run(fluid_scene(n, steps, precision), f"fluid={ranks}")
                 speeds.append({"cells": n**3, "ranks": ranks,
                                "single_precision": precision == "float",
                                "s_per_cell_step": s["tasks"]["fluid"]["advance fluid"]
@@ -60,12 +125,12 @@ def fluid(bench, cores):
                     found[n] = s
     cells = LARGE**3 - SMALL**3
     per_cell = (memory(found[LARGE], "fluid") - memory(found[SMALL], "fluid")) / cells
-    regularized = bench.run(scenes.fluid(LARGE, 100, collision="recursive_regularized"),
+    regularized = bench.run(fluid_scene(LARGE, 100, collision="recursive_regularized"),
                             "fluid=1")
-    walled = bench.run(scenes.fluid(LARGE, 100, kind="no_slip"), "fluid=1")
-    probed = bench.run(scenes.fluid(LARGE, 40, probes=2), "fluid=1")
-    curled = bench.run(scenes.fluid(LARGE, 40, probes=2, quantities="enstrophy"), "fluid=1")
-    written = bench.run(scenes.fluid(LARGE, 40, files=10), "fluid=1")
+    walled = bench.run(fluid_scene(LARGE, 100, kind="no_slip"), "fluid=1")
+    probed = bench.run(fluid_scene(LARGE, 40, probes=2), "fluid=1")
+    curled = bench.run(fluid_scene(LARGE, 40, probes=2, quantities="enstrophy"), "fluid=1")
+    written = bench.run(fluid_scene(LARGE, 40, files=10), "fluid=1")
 
     def besides_s(s):
         return max(0, s["tasks"]["fluid"]["advance fluid"]
@@ -89,8 +154,8 @@ def fluid(bench, cores):
 
 def structure(bench, file_bytes, cores):
     """Of a strip in LAMMPS: a line through two meshes, and what more ranks exchange."""
-    coarse = bench.run(scenes.strip("[10, 4, 1]", "0.2 ms"), "structure=1")
-    fine = bench.run(scenes.strip("[40, 16, 1]", "1 ms"), "structure=1")
+    coarse = bench.run(strip_scene("[10, 4, 1]", "0.2 ms"), "structure=1")
+    fine = bench.run(strip_scene("[40, 16, 1]", "1 ms"), "structure=1")
     seconds, elements = [], []
     for s in (coarse, fine):
         seconds.append(s["tasks"]["structure"]["advance structure"] / s["substeps"])
@@ -99,7 +164,7 @@ def structure(bench, file_bytes, cores):
     level = max(0, seconds[0] - slope * elements[0])
     shared = level
     if cores > 1:
-        s = bench.run(scenes.strip("[10, 4, 1]", "0.2 ms"), f"structure={cores}")
+        s = bench.run(strip_scene("[10, 4, 1]", "0.2 ms"), f"structure={cores}")
         shared = (s["tasks"]["structure"]["advance structure"] / s["substeps"]
                   - slope * elements[0] / cores)
     grown = memory(fine, "structure") - memory(coarse, "structure")
@@ -117,16 +182,16 @@ def structure(bench, file_bytes, cores):
 
 def newton(bench):
     """Of a beam that bends without instability, 20 loads; files of fields cost memory."""
-    speeds, sets = [], ("probes.every=50 ms", "output=null")
+    speeds, sets = [], {"probes.every": "50 ms", "output": "null"}
     for elements, nodes in (("[12, 4, 1]", 13 * 5 * 2), ("[36, 10, 1]", 37 * 11 * 2)):
-        s = bench.run(scenes.BEAM, "structure=1",
-                      (f"bodies.beam.mesh.box.elements={elements}", *sets))
+        s = bench.run(BEAM, "structure=1",
+                      {"bodies.beam.mesh.box.elements": elements, **sets})
         speeds.append({"nodes": nodes, "s_per_point": s["tasks"]["structure"]
                        ["find equilibrium"] / s["steps"]})
         if len(speeds) == 1:
             lean = s
-    rich = bench.run(scenes.BEAM, "structure=1",
-                     ("bodies.beam.mesh.box.elements=[12, 4, 1]", sets[0]))
+    rich = bench.run(BEAM, "structure=1", {"bodies.beam.mesh.box.elements": "[12, 4, 1]",
+                                           "probes.every": "50 ms"})
     return {"newton": speeds, "newton_bytes": memory(lean, "structure"),
             "newton_bytes_per_element": max(0, memory(s, "structure")
                                             - memory(lean, "structure")) / (360 - 48),
@@ -136,7 +201,7 @@ def newton(bench):
 
 def coupled(bench, known, cores):
     """What two sides add: markers, messages, and what waiting for each other costs."""
-    runs = {(n, ranks): bench.run(scenes.strip_in_fluid(n, steps), f"structure=1,fluid={ranks}")
+    runs = {(n, ranks): bench.run(coupled_scene(n, steps), f"structure=1,fluid={ranks}")
             for n, steps in ((SMALL, 600), (LARGE, 200)) for ranks in sorted({1, cores})}
     s, shared = runs[SMALL, 1], runs[SMALL, cores]
     markers, elements = s["immersed_boundary"]["markers"], s["structure"]["elements"]
@@ -170,11 +235,9 @@ def rest_s(s, n, ranks, known, substep):
 
 
 def main():
-    facts = json.loads(subprocess.run(
-        [BIN / "magfsi", "explain", scenes.BEAM, "--json"], capture_output=True, text=True,
-        check=True).stdout)
+    facts = runs.explain(BEAM, as_json=True)
     cores, load = len(os.sched_getaffinity(0)), os.getloadavg()[0]
-    if load > MOST_LOAD:
+    if load > LARGEST_LOAD:
         print(f"the machine has other work (load {load:.1f}): prices will be too high; repeat this "
               "when it is idle", file=sys.stderr)
     found = {"machine": facts["machine"], "version": facts["version"],

@@ -5,12 +5,8 @@ import signal
 import sys
 from pathlib import Path
 
-import findings
-import marked
-import product
-import runs as store
-import tables
-from study_file import read_study
+from magfsi.study import findings, marked, product, store, tables
+from magfsi.study.study_file import read_study
 
 EXIT_DONE, EXIT_ERROR, EXIT_INPUT = 0, 1, 2
 
@@ -58,7 +54,8 @@ def _list(planned):
 
 
 def _conclude(study, planned, results):
-    import figure  # matplotlib is slow to start, and mistakes are to be told at once
+    # matplotlib is slow to start, and mistakes are to be reported at once
+    from magfsi.study import figure
     findings.add_errors(study, planned)
     results.mkdir(parents=True, exist_ok=True)
     tables.write_csv(study, planned, results / "runs.csv")

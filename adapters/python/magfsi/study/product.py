@@ -1,6 +1,46 @@
 """The runs that a study asks for: the product of its axes, less pairs and skips."""
 import itertools
+import math
 from dataclasses import dataclass
+
+from magfsi.study import marked
+from magfsi.study.expression import Formula, formula
+
+
+def _number(formula, settings, mark, what):
+    """Of the axes' values, in SI where they carry units."""
+    try:
+        number = float(formula(**{axis: s.value for axis, s in settings.items()}))
+    except (TypeError, ValueError, IndexError, ZeroDivisionError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number):
+        mark.refuse(f'{what}"{formula.text}", which is no number for '
+                    + ", ".join(s.label for s in settings.values()),
+                    "a formula that is one for each run")
+    return number
+
+
+@dataclass
+class Derived:
+    """A value of the scene that follows from the axes: viscosity from relaxation time and lattice
+    speed."""
+    formula: Formula
+    unit: str
+    mark: marked.Value
+
+    def text(self, settings):
+        """What --set takes, for one cell."""
+        return f"{_number(self.formula, settings, self.mark, ''):.9g} {self.unit}".strip()
+
+
+def read_derived(value, axes):
+    """{key of the scene: Derived} of a map of key: {formula, unit}."""
+    out = {}
+    for key, entry in value.entries().items():
+        keys = entry.keys(("formula", "unit"), ("formula",))
+        out[key] = Derived(formula(keys["formula"], list(axes)),
+                           keys["unit"].scalar() if keys["unit"] else "", keys["formula"])
+    return out
 
 
 @dataclass
@@ -40,14 +80,7 @@ def _cell(study, settings):
             else:
                 sets[key] = text
     sets |= {key: value.text(settings) for key, value in study.derived.items()}
-    size = None
-    if study.size:
-        try:
-            size = float(study.size(**{a: s.value for a, s in settings.items()}))
-        except (TypeError, ValueError, IndexError, ZeroDivisionError, OverflowError):
-            study.top.refuse(f'the size "{study.size.text}", which is no number for '
-                             + ", ".join(s.label for s in settings.values()),
-                             "a formula that is one for each run")
+    size = _number(study.size, settings, study.top, "the size ") if study.size else None
     return Cell(settings, sets, ranks, size)
 
 

@@ -1,12 +1,12 @@
 """What a study file says."""
-import csv
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import derived
-import marked
-from expression import Formula, formula
-from quantity import parse
+from magfsi import runs
+from magfsi.study import marked
+from magfsi.study.expression import Formula, formula
+from magfsi.study.product import read_derived
+from magfsi.units import parse
 
 NORMS = ("final", "max", "max_relative", "l2", "peak", "mean", "amplitude", "gain", "rise",
          "largest")
@@ -142,21 +142,19 @@ def _table(value, axes, folder):
 
 def _one_table(keys, path):
     try:
-        with open(path, newline="") as file:
-            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        table = runs.read_table(path)
     except OSError as error:
         keys["file"].refuse(f"{path}: {error.strerror.lower()}", "a CSV file")
     columns = []
     for which in ("time", "value"):
         name = keys[which].scalar()
-        if not rows or name not in rows[0]:
-            keys[which].refuse(f'"{name}"', f"a column of {path}: "
-                               + ", ".join(rows[0] if rows else ()))
+        if not table.get(name):
+            keys[which].refuse(f'"{name}"', f"a column of {path}: {', '.join(table)}")
         factor = keys[f"{which}_factor"]
         scale = factor.number() if factor else 1.0
         try:
-            columns.append([scale * float(row[name]) for row in rows])
-        except (TypeError, ValueError):
+            columns.append([scale * float(text) for text in table[name]])
+        except ValueError:
             keys[which].refuse(f'words in the column "{name}" of {path}', "numbers")
     return Reference(times=columns[0], values=columns[1])
 
@@ -262,8 +260,7 @@ def _order(value, axes):
 
 
 def _names(value, axes):
-    names = [item.choice(tuple(axes)) for item in value.items()]
-    return names
+    return [item.choice(tuple(axes)) for item in value.items()]
 
 
 def _pairs(value, axes):
@@ -323,7 +320,7 @@ def read_study(path):
         order_axis, size, expected,
         _names(keys["series"], axes) if keys["series"] else [n for n in axes if n != order_axis],
         norms, targets, _right_within(keys["right_within"], norms),
-        derived.read(keys["derived"], axes) if keys["derived"] else {},
+        read_derived(keys["derived"], axes) if keys["derived"] else {},
         bool(keys["refusals"]) and keys["refusals"].choice(("rows",)) == "rows",
         keys["cost"].choice(("wall", "core")) if keys["cost"] else "wall",
         keys["remark"].scalar().strip() if keys["remark"] else "", top,

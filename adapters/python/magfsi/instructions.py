@@ -10,7 +10,7 @@ import re
 import subprocess
 from pathlib import Path
 
-import magfsi_runs as magfsi
+from magfsi import testing
 
 # With all that they call.
 CLOCK = re.compile(r"magfsi::output::Progress::update\(|LAMMPS_NS::(Finish::end|Output::setup)\(")
@@ -57,9 +57,9 @@ def finished(command):
 
 def run_alone(program, scene, settings):
     """Returns callgrind's file."""
-    folder = magfsi.new_folder()
+    folder = testing.new_folder()
     finished([*counted(f"{folder}/count"), program, scene, "--out", folder,
-              "--progress", "plain", *magfsi.overrides(settings)])
+              "--progress", "plain", *testing.overrides(settings)])
     return f"{folder}/count"
 
 
@@ -81,7 +81,7 @@ def share_of_steps(program, scene, settings, name):
 def run_both(scene, settings, folder, prefix):
     """The two sides of a coupled scene, one rank each; prefix: {program's name: the words
     that start it}."""
-    words = [scene, "--out", folder, "--progress", "plain", *magfsi.overrides(settings)]
+    words = [scene, "--out", folder, "--progress", "plain", *testing.overrides(settings)]
     finished(["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1",
               "-n", "1", *prefix["magfsi-structure"], *words, ":",
               "-n", "1", *prefix["magfsi-fluid-lbm"], *words])
@@ -93,8 +93,8 @@ def beside_partner(name):
 
 def of_coupled_steps(program, scene, settings):
     """program: the path of one side's, which is counted; the other side runs beside it."""
-    folder = magfsi.new_folder()
-    prefix = {name: [magfsi.BIN / name] for name in ("magfsi-structure", "magfsi-fluid-lbm")}
+    folder = testing.new_folder()
+    prefix = {name: [testing.BIN / name] for name in ("magfsi-structure", "magfsi-fluid-lbm")}
     prefix[Path(program).name] = [*counted(f"{folder}/count"), program]
     run_both(scene, settings, folder, prefix)
     return total(f"{folder}/count", beside_partner)
@@ -102,8 +102,8 @@ def of_coupled_steps(program, scene, settings):
 
 def of_both_sides(scene, settings):
     """Of the structure and of the fluid, counted in one run."""
-    folder = magfsi.new_folder()
+    folder = testing.new_folder()
     names = ("magfsi-structure", "magfsi-fluid-lbm")
     run_both(scene, settings, folder,
-             {name: [*counted(f"{folder}/{name}"), magfsi.BIN / name] for name in names})
+             {name: [*counted(f"{folder}/{name}"), testing.BIN / name] for name in names})
     return [total(f"{folder}/{name}", beside_partner) for name in names]

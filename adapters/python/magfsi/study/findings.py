@@ -1,8 +1,8 @@
 """What the runs of a study tell: errors, order, price, the cheapest setting."""
 import math
 
-import norms
-from norms import NoError
+from magfsi.study import norms
+from magfsi.study.norms import NoError
 
 
 def _reference_run(norm, run, runs):

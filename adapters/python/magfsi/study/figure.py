@@ -8,8 +8,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
-import findings  # noqa: E402
-from tables import percent  # noqa: E402
+from magfsi.study import findings  # noqa: E402
+from magfsi.study.tables import percent  # noqa: E402
 
 INK, GREY = "0.1", "0.45"
 MARKERS = "os^Dv<>phX*P"

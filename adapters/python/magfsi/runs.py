@@ -1,0 +1,124 @@
+"""The built programs: started, waited for, and what they leave in a run folder."""
+import csv
+import json
+import os
+import resource
+import signal
+import subprocess
+import time
+import xml.etree.ElementTree
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+# Where the programs are; the launcher and CTest set it.
+BIN = Path(os.environ.get("MAGFSI_BIN", ROOT / "build/release/bin")).resolve()
+EXIT_INPUT = 2
+
+
+def read_table(path):
+    """Columns of a CSV file by name, as lists of words; lines of comment begin with #. A row that
+    a run was stopped in is left out."""
+    with open(path, newline="") as file:
+        names, *rows = [*csv.reader(line for line in file if not line.startswith("#"))] or [[]]
+    rows = [row for row in rows if len(row) == len(names)]
+    return {name: [row[i] for row in rows] for i, name in enumerate(names)}
+
+
+def read_rows(path):
+    """Rows of a CSV file, each {column: word}."""
+    table = read_table(path)
+    return [dict(zip(table, row)) for row in zip(*table.values())]
+
+
+def read_columns(path):
+    """Columns such as "com_x[m]" as lists of numbers."""
+    return {name: [float(word) for word in words] for name, words in read_table(path).items()}
+
+
+def read_summary(folder):
+    return json.loads((Path(folder) / "summary.json").read_text())
+
+
+def frames(folder, collection="structure.pvd"):
+    """[(time in s, file)] of a run's collection for ParaView."""
+    path = Path(folder) / collection
+    entries = xml.etree.ElementTree.parse(path).iter("DataSet")
+    return [(float(e.get("timestep")), path.parent / e.get("file")) for e in entries]
+
+
+class Run:
+    """A finished run: exit code, output, seconds, run folder."""
+
+    def __init__(self, code, out, err, seconds, folder, late=False):
+        self.code, self.out, self.err, self.seconds = code, out, err, seconds
+        self.folder, self.late = Path(folder), late
+        self.core_s = 0.0  # processor time of all processes, start-up included
+
+    def error(self):
+        """The last line on stderr."""
+        return (self.err.strip().splitlines() or [""])[-1]
+
+    def summary(self):
+        return read_summary(self.folder)
+
+    def probes(self):
+        return read_columns(self.folder / "probes.csv")
+
+
+def overrides(settings):
+    """settings: {"path.to.key": value}."""
+    return [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+
+
+def command(verb, scene, settings=None, ranks=None):
+    words = [BIN / "magfsi", verb, scene, *overrides(settings or {})]
+    return words + (["--ranks", ranks] if ranks else [])
+
+
+def start(words):
+    return subprocess.Popen([str(word) for word in words], stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+
+def finish(process, began, folder, limit_s, end=signal.SIGKILL):
+    """end: what a process gets that runs for longer, and the run is `late`."""
+    late = False
+    try:
+        out, err = process.communicate(timeout=limit_s)
+    except subprocess.TimeoutExpired:
+        late = True
+        os.killpg(process.pid, end) if end == signal.SIGKILL else process.send_signal(end)
+        out, err = process.communicate()
+    except BaseException:  # an interruption ends the run as well
+        process.send_signal(signal.SIGTERM)
+        process.wait()
+        raise
+    return Run(process.returncode, out, err, time.monotonic() - began, folder, late)
+
+
+def _processor_s():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run_command(scene, folder, settings=None, ranks=None, restart=None, more=()):
+    restarted = ["--restart", restart] if restart else []
+    return [*command("run", scene, settings, ranks), "--out", folder, *restarted, *more]
+
+
+def run(scene, folder, settings=None, ranks=None, restart=None, more=(), limit_s=None,
+        end=signal.SIGTERM):
+    """magfsi run, to its end or to the limit."""
+    words = run_command(scene, folder, settings, ranks, restart, more)
+    before, began = _processor_s(), time.monotonic()
+    ended = finish(start(words), began, folder, limit_s, end)
+    ended.core_s = _processor_s() - before
+    return ended
+
+
+def explain(scene, settings=None, ranks=None, as_json=False):
+    """What magfsi explain prints, or its key figures. Raises CalledProcessError."""
+    words = [*command("explain", scene, settings, ranks), *(["--json"] if as_json else [])]
+    text = subprocess.run([str(word) for word in words], capture_output=True, text=True,
+                          check=True).stdout
+    return json.loads(text) if as_json else text

@@ -1,0 +1,104 @@
+"""Runs of the built magfsi for tests: start, read what it left, compare."""
+import atexit
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from magfsi import runs
+from magfsi.runs import EXIT_INPUT, BIN, ROOT, overrides, run_command, start  # noqa: F401
+
+SMALL = ROOT / "tests/scenes/small_swimmer.yaml"
+SWIMMER = ROOT / "tutorials/swimmer/scene.yaml"
+PAPER = ROOT / "tutorials/swimmer/paper.yaml"
+for name in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"):
+    os.environ.setdefault(name, "1")
+
+
+def new_folder():
+    """Removed when the test ends, unless MAGFSI_KEEP is set."""
+    folder = tempfile.mkdtemp(prefix="magfsi-test-")
+    if "MAGFSI_KEEP" not in os.environ:
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+def finish(process, began, folder, limit_s):
+    """Fails if it takes longer than limit_s."""
+    ended = runs.finish(process, began, folder, limit_s)
+    if ended.late:
+        raise AssertionError(f"still running after {limit_s} s\n{ended.out}\n{ended.err}")
+    return ended
+
+
+def run(scene, settings=None, ranks=None, limit_s=600, folder=None, restart=None, more=()):
+    """magfsi run; fails if it takes longer than limit_s."""
+    ended = runs.run(scene, folder or new_folder(), settings, ranks, restart, more, limit_s,
+                     end=signal.SIGKILL)
+    if ended.late:
+        raise AssertionError(f"still running after {limit_s} s\n{ended.out}\n{ended.err}")
+    return ended
+
+
+def good_run(*args, **named):
+    result = run(*args, **named)
+    if result.code != 0:
+        raise AssertionError(f"exit code {result.code}\n{result.out}\n{result.err}")
+    return result
+
+
+def check_refused(test, result, message=""):
+    """Bad input ends with exit code 2 and one line."""
+    test.assertEqual(result.code, EXIT_INPUT, result.err)
+    test.assertEqual(len(result.err.strip().splitlines()), 1, result.err)
+    test.assertIn(message, result.err)
+    report(result.err.strip())
+
+
+def processes_of(folder, *names):
+    """Process ids of these participants of this run folder."""
+    found = []
+    for line in subprocess.check_output(["ps", "-eo", "pid,args"], text=True).splitlines():
+        pid, _, args = line.strip().partition(" ")
+        if args.strip().split(" ")[0] in [str(BIN / n) for n in names] and str(folder) in args:
+            found.append(int(pid))
+    return found
+
+
+def process_of(folder, name):
+    found = processes_of(folder, name)
+    if not found:
+        raise AssertionError(f"no {name} runs")
+    return found[0]
+
+
+def wait_until(condition, process, step_s=0.005, limit_s=15):
+    """False if the process ended before."""
+    for _ in range(round(limit_s / step_s)):
+        if condition():
+            return True
+        if process.poll() is not None:
+            return False
+        time.sleep(step_s)
+    raise AssertionError(f"what was waited for did not come within {limit_s} s")
+
+
+def report(text):
+    """Figures go to CTest's log."""
+    print(text, file=sys.stderr, flush=True)
+
+
+# Of the worst step: two orders above the 1e-16 of a sum of some 1e4 terms of either sign.
+BALANCE_BOUND = 1e-12
+
+
+def check_interface_balance(test, result, label):
+    """The fluid gets all the momentum and power that the bodies give, in every step."""
+    probes = result.probes()
+    worst = [max(probes[f"interface.{what}_mismatch[1]"]) for what in ("momentum", "power")]
+    report(f"{label}: worst step: mismatch of momentum {worst[0]:.1e}, power {worst[1]:.1e}")
+    test.assertLess(max(worst), BALANCE_BOUND, label)
+    test.assertGreater(sum(worst), 0, "exactly zero would mean: not measured")
