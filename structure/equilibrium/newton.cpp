@@ -6,16 +6,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "structure/equilibrium/energy_descent.h"
-#include "structure/equilibrium/mixed_iteration.h"
-#include "structure/equilibrium/stability.h"
+#include "structure/equilibrium/iteration.h"
 
 namespace magfsi::structure {
 namespace {
 
 // Within a load step the mixed iteration needs 4 to 8 steps or it does not converge.
-constexpr int most_mixed = 12;
-constexpr int most_descent = 400;
+constexpr int max_mixed = 12;
+constexpr int max_descent = 400;
 // Residual of the equilibria that a load step only passes through.
 constexpr double passing_tolerance = 1e-4;
 
@@ -23,6 +21,40 @@ double now_s() {
     return std::chrono::duration<double>(
                std::chrono::steady_clock::now().time_since_epoch())
         .count();
+}
+
+// Of the tangent at x, on the foundation that stands in for the rigid motions.
+int negative_eigenvalues(StaticProblem& problem, const Eigen::VectorXd& x) {
+    problem.assemble(x);
+    problem.matrix().raise_foundation(problem.rigid_foundation());
+    return problem.matrix().negative_eigenvalues();
+}
+
+// The mode K m = w V m of lowest w, V the volumes of the nodes; largest component 1.
+// Found by inverse iteration with the tangent made positive definite by a shift.
+Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x) {
+    // In factors of two: the shift exceeds -w by at most as much, and the iteration gains
+    // a factor of at least two to the next mode that is not negative.
+    double shift = problem.rigid_foundation();
+    problem.assemble(x);
+    problem.matrix().raise_foundation(shift);
+    while (!problem.matrix().factorize()) {
+        shift = std::max(2 * shift, 1e-3 * problem.bending_stiffness_scale());
+        problem.matrix().raise_foundation(shift);
+    }
+    // Any start without symmetry; fixed, so that results repeat.
+    Eigen::VectorXd mode(x.size());
+    for (Eigen::Index q = 0; q < x.size(); ++q) {
+        mode[q] = std::sin(1.0 + 0.7 * static_cast<double>(q % 97));
+    }
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        for (Eigen::Index q = 0; q < x.size(); ++q) {
+            mode[q] *= problem.node_volumes_m3()[q / 3];
+        }
+        mode = problem.matrix().solve(mode);
+        mode /= mode.cwiseAbs().maxCoeff();
+    }
+    return mode;
 }
 
 }  // namespace
@@ -33,8 +65,8 @@ struct NewtonSolver::Progress {
     double start_s = now_s();
     double load_factor = 0;  // of the way to the point ahead
 
-    void take(const Correction& correction) {
-        x = correction.x;
+    void take(const Iterate& found) {
+        x = found.x;
         ++load_steps;
     }
 };
@@ -87,15 +119,15 @@ void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
         const double ahead = std::min(reached + step, 1.0);
         const Eigen::VectorXd load = (1 - ahead) * from + ahead * to;
         state.load_factor = ahead;
-        const Correction correction =
+        const Iterate found =
             mixed_iteration(problem_, state.x, load,
                             ahead < 1 ? passing_tolerance : options_.force_tolerance,
-                            most_mixed, largest_move);
-        state.iterations += correction.iterations;
+                            max_mixed, largest_move);
+        state.iterations += found.iterations;
         // The first step is linear in the load step: it tells how far to go.
-        const double room = 0.7 * largest_move / correction.first_step_m;
-        if (correction.converged) {
-            state.take(correction);
+        const double room = 0.7 * largest_move / found.first_step_m;
+        if (found.converged) {
+            state.take(found);
         } else if (step > options_.smallest_step) {
             step = std::max((ahead - reached) * std::clamp(room, 0.02, 0.5),
                             options_.smallest_step);
@@ -103,8 +135,8 @@ void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
         } else {
             release_at(state, load);
         }
-        if (state.load_steps > options_.most_load_steps) {
-            fail(state, load, correction.response.element);
+        if (state.load_steps > options_.max_load_steps) {
+            fail(state, load, found.response.element);
         }
         step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
         reached = ahead;
@@ -112,12 +144,12 @@ void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
 }
 
 void NewtonSolver::release_at(Progress& state, const Eigen::VectorXd& load) {
-    const Correction correction =
-        energy_descent(problem_, state.x, load, options_.force_tolerance, most_descent);
-    state.iterations += correction.iterations;
-    state.take(correction);
+    const Iterate found =
+        energy_descent(problem_, state.x, load, options_.force_tolerance, max_descent);
+    state.iterations += found.iterations;
+    state.take(found);
     ++state.releases;
-    if (!correction.converged) fail(state, load, correction.response.element);
+    if (!found.converged) fail(state, load, found.response.element);
 }
 
 void NewtonSolver::leave_unstable(Progress& state, const Eigen::VectorXd& load) {
@@ -126,9 +158,9 @@ void NewtonSolver::leave_unstable(Progress& state, const Eigen::VectorXd& load) 
     const Eigen::VectorXd balanced = state.x;
     double lowest = INFINITY;
     for (double sign : {1.0, -1.0}) {
-        const Correction fallen =
+        const Iterate fallen =
             energy_descent(problem_, balanced + sign * push_m * mode, load,
-                           options_.force_tolerance, most_descent);
+                           options_.force_tolerance, max_descent);
         state.iterations += fallen.iterations;
         const double energy = fallen.response.elastic_j - load.dot(fallen.x);
         if (!fallen.converged || !(energy < lowest)) continue;
@@ -191,15 +223,14 @@ void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
         worst_element));
 }
 
-std::vector<StaticLoads> turning_field(double magnitude_t, double from_rad, double to_rad,
-                                       int steps, const std::array<int, 2>& plane) {
-    std::vector<StaticLoads> out(static_cast<std::size_t>(steps));
-    for (int i = 0; i < steps; ++i) {
-        const double angle = from_rad + (to_rad - from_rad) * (i + 1) / steps;
-        out[i].field_t[plane[0]] = magnitude_t * std::cos(angle);
-        out[i].field_t[plane[1]] = magnitude_t * std::sin(angle);
+std::vector<Vec3> relaxed_shape(const Body& body, const Vec3& field_t) {
+    try {
+        return NewtonSolver(body).release(body.mesh.nodes, {field_t, {}}).nodes_m;
+    } catch (const std::runtime_error& fault) {
+        throw std::runtime_error(
+            fmt::format("{} (shape relaxed in the field ({:g}, {:g}, {:g}) T)",
+                        fault.what(), field_t[0], field_t[1], field_t[2]));
     }
-    return out;
 }
 
 }  // namespace magfsi::structure

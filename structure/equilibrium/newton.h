@@ -17,7 +17,7 @@ struct EquilibriumOptions {
     // Steps, as shares of the way between two points of the path, are halved down to
     // this; then the body is released (see below).
     double smallest_step = 1.0 / 64;
-    int most_load_steps = 500;  // between two points
+    int max_load_steps = 500;  // between two points
     // Pushes the body off an equilibrium that turns out unstable and releases it.
     bool leave_unstable = false;
 };
@@ -39,12 +39,12 @@ struct Equilibrium {
     double energy_weight_j = 0;    // zero in the undeformed mesh
 };
 
-// Load stepping with a mixed Newton iteration (mixed_iteration.h): steps are halved where
+// Load stepping with a mixed Newton iteration (iteration.h): steps are halved where
 // it fails and doubled where it succeeds. Where the smallest step fails too (a limit
 // point, or a free body that must turn far at the first touch of the field) the body is
-// released at that load: a damped Newton descent of the energy (energy_descent.h).
+// released at that load: a damped Newton descent of the energy (iteration.h).
 // Without clamps the loads must balance each other; the centre of volume stays, and the
-// turn about the field's axis is that of the start (foundation.h). Every linear system is
+// turn about the field's axis is that of the start (StaticProblem::rigid_foundation). Every linear system is
 // made positive definite, so an unstable equilibrium is found only where symmetry keeps
 // the body on it; it is then reported as such.
 //
@@ -68,7 +68,8 @@ class NewtonSolver {
                                     std::span<const StaticLoads> path);
 
     // From these positions downhill in energy under the full loads, as a slow, strongly
-    // damped body would go.
+    // damped body would go: the start chooses among several equilibria, and an exactly
+    // balanced unstable one is kept.
     Equilibrium release(const std::vector<Vec3>& start, const StaticLoads& loads);
 
   private:
@@ -85,9 +86,8 @@ class NewtonSolver {
     StaticProblem problem_;
 };
 
-// Loads of `steps` equal turns of a field from one direction to the other, the first
-// left out; angles [rad] from the first axis of the plane to the second.
-std::vector<StaticLoads> turning_field(double magnitude_t, double from_rad, double to_rad,
-                                       int steps, const std::array<int, 2>& plane);
+// The shape at rest in a constant uniform field without other loads, released from the
+// body's own shape.
+std::vector<Vec3> relaxed_shape(const Body& body, const Vec3& field_t);
 
 }  // namespace magfsi::structure

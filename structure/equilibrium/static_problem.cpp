@@ -7,35 +7,15 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "structure/equilibrium/tangent.h"
-#include "structure/lattice/lattice.h"
 #include "structure/magnetics/nodal_charge.h"
 
 namespace magfsi::structure {
 namespace {
 
-std::vector<int> three_times(std::vector<int> sizes) {
-    for (int& size : sizes) size *= 3;
-    return sizes;
-}
-
-std::string known_faces(const Mesh& mesh) {
-    std::string out;
-    for (const auto& [name, nodes] : mesh.faces) out += (out.empty() ? "" : ", ") + name;
-    return out.empty() ? "none" : out;
-}
-
-// Without the rows and columns of held axes.
-void add_free(Eigen::Ref<Eigen::Matrix3d, 0, Eigen::OuterStride<>> block,
-              const Eigen::Matrix3d& tangent, const HeldAxes& row,
-              const HeldAxes& column) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            if (row[i] || column[j]) continue;
-            const auto p = static_cast<Eigen::Index>(i), q = static_cast<Eigen::Index>(j);
-            block(p, q) += tangent(p, q);
-        }
-    }
+const Body& with_elements(const Body& body) {
+    if (!body.mesh.elements.empty()) return body;
+    throw std::invalid_argument(
+        fmt::format("body {} has no elements, at least one is needed", body.name));
 }
 
 }  // namespace
@@ -61,48 +41,31 @@ std::vector<Vec3> nodes_from(const Eigen::VectorXd& x) {
 }
 
 StaticProblem::StaticProblem(const Body& body)
+    : StaticProblem(body, build_lattice(with_elements(body))) {}
+
+StaticProblem::StaticProblem(const Body& body, const Lattice& lattice)
     : body_(body),
-      levels_(node_levels(body.mesh)),
-      matrix_(three_times(levels_.size)),
+      node_volume_m3_(lattice.node_volume_m3),
+      node_mass_kg_(lattice.node_mass_kg),
       charge_(
-          nodal_charges(body.mesh.nodes, body.mesh.elements, body.magnetization_a_m)) {
-    if (body.mesh.elements.empty()) {
-        throw std::invalid_argument(
-            fmt::format("body {} has no elements, at least one is needed", body.name));
-    }
-    const Lattice lattice = build_lattice(body);
+          nodal_charges(body.mesh.nodes, body.mesh.elements, body.magnetization_a_m)),
+      held_(held_axes(body)),
+      matrix_(body_.mesh, held_, node_volume_m3_),
+      volume_m3_(
+          std::accumulate(node_volume_m3_.begin(), node_volume_m3_.end(), 0.0)) {
     kernel_.assign(lattice);
-    node_volume_m3_ = lattice.node_volume_m3;
-    node_mass_kg_ = lattice.node_mass_kg;
-    volume_m3_ = std::accumulate(node_volume_m3_.begin(), node_volume_m3_.end(), 0.0);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         references_.push_back(
             element_reference(gather(body.mesh.nodes, body.mesh.elements[e]),
                               body.element, static_cast<int>(e)));
     }
-    hold_nodes();
+    for (const HeldAxes& node : held_) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            held_along_[d] = held_along_[d] || node[d];
+        }
+    }
     measure_sides();
     measure_stiffness();
-}
-
-void StaticProblem::hold_nodes() {
-    for (const std::string& face : body_.clamps) {
-        if (body_.mesh.faces.contains(face)) continue;
-        throw std::invalid_argument(
-            fmt::format("body {} is clamped at \"{}\", but its faces are {}", body_.name,
-                        face, known_faces(body_.mesh)));
-    }
-    held_ = held_axes(body_);
-    HeldAxes any{};
-    for (const HeldAxes& node : held_) {
-        for (std::size_t d = 0; d < 3; ++d) any[d] = any[d] || node[d];
-    }
-    free_ = any == HeldAxes{};
-    if (free_ || any == HeldAxes{true, true, true}) return;
-    throw std::invalid_argument(fmt::format(
-        "body {} is held, but not along every axis: a static solution needs a "
-        "clamp, or rollers along x, y and z, or a free body",
-        body_.name));
 }
 
 void StaticProblem::measure_sides() {
@@ -137,14 +100,14 @@ Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
                 charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
         }
     }
-    const bool weight =
-        std::ranges::any_of(node_mass_kg_, [](double mass) { return mass != 0; }) &&
-        std::ranges::any_of(loads.gravity_m_s2, [](double g) { return g != 0; });
-    if (free_ && weight) {
+    const bool massive =
+        std::ranges::any_of(node_mass_kg_, [](double mass) { return mass != 0; });
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (!massive || held_along_[d] || loads.gravity_m_s2[d] == 0) continue;
         throw std::invalid_argument(fmt::format(
-            "body {} has weight but no clamp: only the field may load a free body in a "
-            "static solution",
-            body_.name));
+            "body {} has weight but no clamp or roller that holds it along {}: only the "
+            "field may load a body along an axis on which it is free",
+            body_.name, "xyz"[d]));
     }
     return out;
 }
@@ -176,60 +139,16 @@ double StaticProblem::relative_residual(const Response& response,
     return response.residual_n.cwiseAbs().maxCoeff() / scale;
 }
 
-void StaticProblem::add_element(std::size_t element, const Matrix24& tangent) {
-    const Hexahedron& nodes = body_.mesh.elements[element];
-    for (int a = 0; a < 8; ++a) {
-        const int level = levels_.level[nodes[a]];
-        for (int b = 0; b < 8; ++b) {
-            const int step = level - levels_.level[nodes[b]];
-            if (step < 0 || step > 1) continue;
-            Eigen::MatrixXd& block =
-                step == 0 ? matrix_.diagonal(level) : matrix_.below(level);
-            add_free(block.block<3, 3>(row(nodes[a]), row(nodes[b])),
-                     tangent.block<3, 3>(3 * a, 3 * b), held_[nodes[a]], held_[nodes[b]]);
-        }
-    }
+double StaticProblem::rigid_foundation() const {
+    return held_along_ == HeldAxes{true, true, true} ? 0 : 1e-3 * bending_scale_;
 }
 
-void StaticProblem::finish_matrix(double foundation) {
-    for (int node = 0; node < static_cast<int>(held_.size()); ++node) {
-        if (levels_.level[node] < 0) continue;
-        auto block =
-            matrix_.diagonal(levels_.level[node]).block<3, 3>(row(node), row(node));
-        for (int d = 0; d < 3; ++d)
-            block(d, d) += held_[node][d] ? 1 : foundation * node_volume_m3_[node];
-    }
-}
-
-void StaticProblem::assemble(const Eigen::VectorXd& x, double foundation) {
+void StaticProblem::assemble(const Eigen::VectorXd& x) {
     matrix_.set_zero();
     for (std::size_t e = 0; e < references_.size(); ++e) {
-        add_element(
+        matrix_.add_element(
             e, element_tangent(references_[e], material(e), element_positions(e, x)));
     }
-    finish_matrix(foundation);
-}
-
-Eigen::VectorXd StaticProblem::solve(const Eigen::VectorXd& right_side) const {
-    Eigen::VectorXd ordered = Eigen::VectorXd::Zero(matrix_.size());
-    const auto place = [this](int node) {
-        return matrix_.offset(levels_.level[node]) + row(node);
-    };
-    const int nodes = static_cast<int>(held_.size());
-    for (int node = 0; node < nodes; ++node) {
-        if (levels_.level[node] < 0) continue;
-        for (int d = 0; d < 3; ++d)
-            ordered[place(node) + d] = held_[node][d] ? 0 : right_side[3 * node + d];
-    }
-    matrix_.solve_in_place(ordered);
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(right_side.size());
-    for (int node = 0; node < nodes; ++node) {
-        if (levels_.level[node] < 0) continue;
-        for (int d = 0; d < 3; ++d) {
-            if (!held_[node][d]) out[3 * node + d] = ordered[place(node) + d];
-        }
-    }
-    return out;
 }
 
 Positions8 StaticProblem::element_positions(std::size_t element,

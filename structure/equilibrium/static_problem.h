@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "structure/body.h"
-#include "structure/equilibrium/block_tridiagonal.h"
-#include "structure/equilibrium/node_levels.h"
-#include "structure/held_nodes.h"
-#include "structure/lattice/element_energy.h"
+#include "structure/equilibrium/stiffness_matrix.h"
 #include "structure/lattice/element_kernel.h"
 #include "structure/materials.h"
 
@@ -24,25 +21,24 @@ struct StaticLoads {
 // Three values a node throughout.
 class StaticProblem {
   public:
-    // Throws std::invalid_argument on a body without elements, an unknown face, rollers
-    // that leave a body without clamps free along an axis, or what
+    // Throws std::invalid_argument on a body without elements, an unknown face or what
     // build_lattice refuses.
     explicit StaticProblem(const Body& body);
 
     const Body& body() const { return body_; }
-    // Nothing is held: translations, and turns about the field, cost no energy.
-    bool free() const { return free_; }
+    // Axes along which a clamp or a roller holds a node. Translations along the others, and
+    // turns about the field of a body that may turn so, cost no energy.
+    const HeldAxes& held_along() const { return held_along_; }
     const Material& material(std::size_t element) const {
         return material_of(body_, element);
     }
     double largest_shear_modulus_pa() const { return largest_shear_modulus_pa_; }
-    const HeldAxes& held(std::size_t node) const { return held_[node]; }
     const std::vector<ElementReference>& references() const { return references_; }
     const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
     double volume_m3() const { return volume_m3_; }
 
-    // Nodal loads [N]. Throws std::invalid_argument where a free body has a net load: it
-    // would fall without end.
+    // Nodal loads [N]. Throws std::invalid_argument where a body has weight along an axis
+    // on which nothing holds it: it would fall without end.
     Eigen::VectorXd load(const StaticLoads& loads) const;
 
     struct Response {
@@ -57,38 +53,36 @@ class StaticProblem {
     // internal forces count as that much: a residual of 1e-9 can always be reached.
     double relative_residual(const Response& response, const Eigen::VectorXd& load) const;
 
-    // The matrix, cleared; then add_element for each, then finish. `foundation` [Pa/m2]
-    // times the volume of each node is added to its diagonal.
-    void clear_matrix() { matrix_.set_zero(); }
-    void add_element(std::size_t element, const Matrix24& tangent);
-    void finish_matrix(double foundation);
-    BlockTridiagonal& matrix() { return matrix_; }
-    // Second derivative of the energy at x.
-    void assemble(const Eigen::VectorXd& x, double foundation);
-    Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+    StiffnessMatrix& matrix() { return matrix_; }
+    // Puts the second derivative of the energy at x into the matrix.
+    void assemble(const Eigen::VectorXd& x);
 
     // G h^2 / L^4 of the shortest and longest side, G of the softest material: about a
     // hundredth of the stiffness [Pa/m2] of the lowest bending mode.
     double bending_stiffness_scale() const { return bending_scale_; }
+    // Weak foundation [Pa/m2] that removes the rigid motions of a body that is not held
+    // along all axes from the tangent; zero for others. It is about 1e-5 of the stiffness of
+    // the lowest bending mode and 1e4 or more times the rounding of the tangent. Forces have
+    // no such term: an equilibrium does not feel it. Rigid translations and the turn about
+    // the field's axis get this stiffness; an instability that grows more slowly is not seen.
+    double rigid_foundation() const;
     double shortest_side_m() const { return shortest_side_m_; }
     double longest_side_m() const { return longest_side_m_; }
 
     Positions8 element_positions(std::size_t element, const Eigen::VectorXd& x) const;
 
   private:
-    void hold_nodes();
+    StaticProblem(const Body& body, const Lattice& lattice);
     void measure_sides();
     void measure_stiffness();
-    int row(int node) const { return 3 * levels_.slot[node]; }
 
     Body body_;
-    NodeLevels levels_;
-    BlockTridiagonal matrix_;
-    std::vector<ElementReference> references_;
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;
+    std::vector<ElementReference> references_;
     std::vector<HeldAxes> held_;
+    HeldAxes held_along_{};
     ElementKernel kernel_;
-    bool free_ = true;
+    StiffnessMatrix matrix_;
     double volume_m3_ = 0;
     double largest_shear_modulus_pa_ = 0, largest_modulus_pa_ = 0;
     double bending_scale_ = 0, shortest_side_m_ = 0, longest_side_m_ = 0;

@@ -1,9 +1,22 @@
 // Tangent stiffness of one element: the second derivative of eq. (1).
 #pragma once
 
-#include "structure/equilibrium/volume_derivatives.h"
+#include <Eigen/Dense>
+
+#include "structure/lattice/element_energy.h"
 
 namespace magfsi::structure {
+
+// V = V0 J, cubic in the positions for every variant, so these are exact. V and dV/dx
+// alone (element_volume) cost a fifth of all three.
+struct VolumeDerivatives {
+    double volume_m3 = 0;
+    Positions8 gradient_m2;  // dV / dx
+    Matrix24 hessian_m;      // d2V / dx dx; row 3 a + d: node a, direction d
+};
+
+VolumeDerivatives volume_derivatives(const ElementReference& reference,
+                                     const Positions8& x_m);
 
 // U(J) = K/2 ln^2 J - G ln J: its first and second derivative [Pa].
 struct VolumetricStress {

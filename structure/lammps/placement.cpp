@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "structure/equilibrium/relax.h"
+#include "structure/equilibrium/newton.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::structure {
@@ -41,7 +41,7 @@ std::vector<Vec3> placed_nodes(const Body& body, const Placement& placement,
                                const std::array<int, 2>& field_plane) {
     std::vector<Vec3> nodes = body.mesh.nodes;
     if (placement.relaxed) {
-        nodes = relax(body, field_vector(*placement.relaxed, field_plane)).nodes_m;
+        nodes = relaxed_shape(body, field_vector(*placement.relaxed, field_plane));
     }
     if (placement.rotation_rad == 0 && !placement.position_m) return nodes;
     const Vec3 centre = centre_of_volume(nodes, node_volumes(body));

@@ -18,7 +18,8 @@ struct Placement {
 };
 
 // Node positions after relaxing, rotating and moving, in this order. The centre of volume
-// is taken with the nodes' volumes at rest, as masses are. Throws as relax does.
+// is taken with the nodes' volumes at rest, as masses are. Throws as NewtonSolver
+// does.
 std::vector<Vec3> placed_nodes(const Body& body, const Placement& placement,
                                const std::array<int, 2>& field_plane);
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "structure/equilibrium/relax.h"
+#include "structure/equilibrium/newton.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/box_mesh.h"
 
@@ -50,7 +50,7 @@ double cantilever_error(ElementVariant variant, const std::array<int, 3>& elemen
     if (distorted) distort(body.mesh, size, elements);
     // gamma = M B / G = 0.001
     body.magnetization_a_m = uniform_magnetization(body.mesh, {33e3, 0, 0});
-    const auto nodes = relax(body, {0, 0, 0.01}).nodes_m;
+    const auto nodes = relaxed_shape(body, {0, 0, 0.01});
     const double rise = at(body.mesh.centre_line.back(), nodes)[2] - 0.5 * size[2];
     return rise / size[0] / 0.342595 - 1;
 }
@@ -105,8 +105,7 @@ TEST(FewElements, OneLayerOfAssumedStrainGivesVAndC) {
     for (const auto& c : cases) {
         const double angle = c.degrees * std::numbers::pi / 180;
         const auto nodes =
-            relax(body, {c.field_t * std::cos(angle), 0, c.field_t * std::sin(angle)})
-                .nodes_m;
+            relaxed_shape(body, {c.field_t * std::cos(angle), 0, c.field_t * std::sin(angle)});
         const auto& line = body.mesh.centre_line;
         const double found =
             (at(line.back(), nodes) - at(line.front(), nodes)).norm() / length;

@@ -32,8 +32,9 @@ TEST(Bistability, AFieldAt90KeepsTheCThatItTurnedAndMakesAVFromFlat) {
     const StaticLoads start = test::field_xz(field_t, 225);
     const Equilibrium c = solver.solve(start);
     print("C at 225", body, c);
-    const auto path = turning_field(field_t, 225 * test::degree, 90 * test::degree, 3,
-                                    {0, 2});  // three turns of -45 degrees
+    const std::vector<StaticLoads> path{test::field_xz(field_t, 180),
+                                        test::field_xz(field_t, 135),
+                                        test::field_xz(field_t, 90)};
     const auto turned = solver.follow(c.nodes_m, start, path);
     for (const Equilibrium& found : turned) {
         print("turned by -45", body, found);

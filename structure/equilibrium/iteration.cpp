@@ -1,0 +1,268 @@
+#include "structure/equilibrium/iteration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace magfsi::structure {
+namespace {
+
+// Moves a body by a Newton step, the rigid rotation in it as a finite one. A linearised step
+// stretches a body that it turns, by half the angle squared; a free body that follows the
+// field's torque would thus be held back by its own stiffness. So the step is split into its
+// rotation (the least-squares fit, weighted by volume), carried out as such, and the rest.
+// The centre of volume stays along the axes where nothing holds the body.
+class Motion {
+  public:
+    Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
+           const Eigen::VectorXd& step);
+
+    // x moved by this fraction of the step; its derivative at 0 is the step (less the
+    // translation of a free body).
+    Eigen::VectorXd at(double fraction) const;
+    // Fraction of the step that turns the body by no more than half a radian.
+    double largest_fraction() const;
+
+  private:
+    Eigen::VectorXd x_, step_;
+    Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rotation_ = Eigen::Vector3d::Zero();  // angle times axis
+};
+
+Motion::Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
+               const Eigen::VectorXd& step)
+    : x_(x), step_(step) {
+    const HeldAxes& held = problem.held_along();
+    if (held == HeldAxes{true, true, true}) return;
+    const auto& volume = problem.node_volumes_m3();
+    const Eigen::Index nodes = x.size() / 3;
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+    for (Eigen::Index n = 0; n < nodes; ++n) {
+        const double share = volume[n] / problem.volume_m3();
+        centre_ += share * x.segment<3>(3 * n);
+        shift += share * step.segment<3>(3 * n);
+    }
+    for (int d = 0; d < 3; ++d) {
+        if (held[d]) shift[d] = 0;
+    }
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+    for (Eigen::Index n = 0; n < nodes; ++n) {
+        const Eigen::Vector3d r = x.segment<3>(3 * n) - centre_;
+        step_.segment<3>(3 * n) -= shift;
+        momentum += volume[n] * r.cross(step_.segment<3>(3 * n));
+        inertia += volume[n] *
+                   (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+    }
+    for (int d = 0; d < 3; ++d) {  // no turn about an axis where another one is held
+        if (!held[(d + 1) % 3] && !held[(d + 2) % 3]) continue;
+        inertia.row(d).setZero();
+        inertia.col(d).setZero();
+        inertia(d, d) = 1;
+        momentum[d] = 0;
+    }
+    rotation_ = inertia.ldlt().solve(momentum);
+    for (Eigen::Index n = 0; n < nodes; ++n) {
+        step_.segment<3>(3 * n) -= rotation_.cross(x.segment<3>(3 * n) - centre_);
+    }
+}
+
+Eigen::VectorXd Motion::at(double fraction) const {
+    Eigen::VectorXd out = x_ + fraction * step_;
+    const double angle = fraction * rotation_.norm();
+    if (angle == 0) return out;
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(angle, rotation_.normalized()).toRotationMatrix();
+    for (Eigen::Index n = 0; n < out.size() / 3; ++n) {
+        out.segment<3>(3 * n) = centre_ + turn * (out.segment<3>(3 * n) - centre_);
+    }
+    return out;
+}
+
+double Motion::largest_fraction() const {
+    constexpr double largest_angle = 0.5;
+    const double angle = rotation_.norm();
+    return angle > largest_angle ? largest_angle / angle : 1.0;
+}
+
+// An iteration with elements beyond this does not converge any more; U is not convex above
+// J = e^(1 + G/K).
+constexpr double smallest_ratio = 0.1;
+constexpr double largest_ratio = 2.5;
+
+class MixedVolumes {
+  public:
+    MixedVolumes(StaticProblem& problem, const Eigen::VectorXd& x) : problem_(problem) {
+        const auto& references = problem.references();
+        for (std::size_t e = 0; e < references.size(); ++e) {
+            const Positions8 xe = problem.element_positions(e, x);
+            const double ratio =
+                element_volume(references[e], xe).volume_m3 / references[e].volume;
+            ratio_.push_back(ratio);
+            pressure_.push_back(
+                volumetric_stress(problem.material(e), ratio).pressure_pa);
+        }
+    }
+
+    // Fills the matrix and returns the right side.
+    Eigen::VectorXd assemble(const Eigen::VectorXd& x, const Eigen::VectorXd& load) {
+        Eigen::VectorXd right = load;
+        problem_.matrix().set_zero();
+        for (std::size_t e = 0; e < ratio_.size(); ++e) add_element(e, x, right);
+        return right;
+    }
+
+    // theta and p to their linearised values. False if one is out of range.
+    bool advance(const Eigen::VectorXd& x, const Eigen::VectorXd& step, double fraction) {
+        const auto& references = problem_.references();
+        bool sound = true;
+        for (std::size_t e = 0; e < ratio_.size(); ++e) {
+            const VolumeAndGradient v =
+                element_volume(references[e], problem_.element_positions(e, x));
+            double change = v.volume_m3 / references[e].volume - ratio_[e];
+            const Hexahedron& nodes = problem_.body().mesh.elements[e];
+            for (int a = 0; a < 8; ++a) {
+                change += v.gradient_m2.row(a).dot(step.segment<3>(3 * nodes[a])) /
+                          references[e].volume;
+            }
+            const VolumetricStress stress =
+                volumetric_stress(problem_.material(e), ratio_[e]);
+            const double goal = stress.pressure_pa + stress.modulus_pa * change;
+            pressure_[e] += fraction * (goal - pressure_[e]);
+            ratio_[e] += fraction * change;
+            sound = sound && ratio_[e] > smallest_ratio && ratio_[e] < largest_ratio;
+        }
+        return sound;
+    }
+
+  private:
+    void add_element(std::size_t e, const Eigen::VectorXd& x, Eigen::VectorXd& right) {
+        const ElementReference& reference = problem_.references()[e];
+        const Material& material = problem_.material(e);
+        const Positions8 xe = problem_.element_positions(e, x);
+        const VolumeDerivatives v = volume_derivatives(reference, xe);
+        const VolumetricStress stress = volumetric_stress(material, ratio_[e]);
+        Matrix24 tangent =
+            element_tangent(reference, material, v, {pressure_[e], stress.modulus_pa});
+        const double pressure =
+            stress.pressure_pa +
+            stress.modulus_pa * (v.volume_m3 / reference.volume - ratio_[e]);
+        Positions8 inner = material.shear_modulus_pa * reference.spring_matrix * xe;
+        if (reference.variant == ElementVariant::assumed_strain) {
+            inner += hourglass_energy(reference.hourglass, material, xe).gradient_n;
+            tangent += hourglass_tangent(reference.hourglass, material, xe);
+        }
+        problem_.matrix().add_element(e, tangent);
+        const Hexahedron& nodes = problem_.body().mesh.elements[e];
+        for (int a = 0; a < 8; ++a) {
+            right.segment<3>(3 * nodes[a]) -=
+                (inner.row(a) + pressure * v.gradient_m2.row(a)).transpose();
+        }
+    }
+
+    StaticProblem& problem_;
+    std::vector<double> ratio_, pressure_;
+};
+
+// A stretched state on the way (a body half turned by a linearised step) can make the
+// tangent indefinite although the equilibrium is stable. A foundation in rough steps then
+// holds the unknowns back that have lost their stiffness; the volumes still move on.
+bool factorize_mixed(StaticProblem& problem) {
+    const double scale = problem.bending_stiffness_scale();
+    for (double foundation : {problem.rigid_foundation(), 1e4 * scale, 1e6 * scale}) {
+        problem.matrix().raise_foundation(foundation);
+        if (problem.matrix().factorize()) return true;
+    }
+    return false;
+}
+
+double energy(const StaticProblem::Response& response, const Eigen::VectorXd& x,
+              const Eigen::VectorXd& load) {
+    return response.elastic_j - load.dot(x);
+}
+
+// Factorises the tangent on the weakest foundation, in factors of ten, that makes it
+// positive definite, from a tenth of the last one on. Returns the foundation.
+double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x, double last) {
+    const double first = 1e-2 * problem.bending_stiffness_scale();
+    double foundation = 0.1 * last > first ? 0.1 * last : problem.rigid_foundation();
+    problem.assemble(x);
+    for (int attempt = 0; attempt < 30; ++attempt) {
+        problem.matrix().raise_foundation(foundation);
+        if (problem.matrix().factorize()) return foundation;
+        foundation = std::max(10 * foundation, first);
+    }
+    return INFINITY;
+}
+
+// Halves the step until the energy falls enough; zero if it never does.
+double line_search(const StaticProblem& problem, const Motion& motion,
+                   const Iterate& now, const Eigen::VectorXd& load, double slope) {
+    const double before = energy(now.response, now.x, load);
+    // Rounding of the energy: springs and volume terms of about G V cancel at rest.
+    const double rounding =
+        1e-14 * problem.largest_shear_modulus_pa() * problem.volume_m3();
+    double fraction = motion.largest_fraction();
+    for (int halving = 0; halving < 40; ++halving, fraction *= 0.5) {
+        const Eigen::VectorXd x = motion.at(fraction);
+        const auto response = problem.response(x, load);
+        if (!(response.smallest_j > 0)) continue;
+        if (energy(response, x, load) <= before - 1e-4 * fraction * slope + rounding) {
+            return fraction;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
+                           const Eigen::VectorXd& load, double tolerance,
+                           int max_iterations, double largest_move_m) {
+    Iterate out;
+    out.x = start;
+    MixedVolumes volumes(problem, start);
+    for (;; ++out.iterations) {
+        out.response = problem.response(out.x, load);
+        const bool upright = out.response.smallest_j > 0;
+        out.residual = upright ? problem.relative_residual(out.response, load) : INFINITY;
+        out.converged = out.residual < tolerance;
+        if (out.converged || out.iterations == max_iterations) return out;
+        const Eigen::VectorXd right = volumes.assemble(out.x, load);
+        if (!factorize_mixed(problem)) return out;
+        const Eigen::VectorXd step = problem.matrix().solve(right);
+        if (out.iterations == 0) out.first_step_m = step.cwiseAbs().maxCoeff();
+        const Motion motion(problem, out.x, step);
+        const double fraction = motion.largest_fraction();
+        const bool sound = volumes.advance(out.x, step, fraction);
+        out.x = motion.at(fraction);
+        if (!sound || !((out.x - start).cwiseAbs().maxCoeff() <= largest_move_m)) {
+            ++out.iterations;
+            return out;
+        }
+    }
+}
+
+Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
+                          const Eigen::VectorXd& load, double tolerance,
+                          int max_iterations) {
+    Iterate out;
+    out.x = start;
+    double foundation = 0;
+    for (;; ++out.iterations) {
+        out.response = problem.response(out.x, load);
+        if (!(out.response.smallest_j > 0)) return out;
+        out.residual = problem.relative_residual(out.response, load);
+        out.converged = out.residual < tolerance;
+        if (out.converged || out.iterations == max_iterations) return out;
+        foundation = factorize_shifted(problem, out.x, foundation);
+        if (!std::isfinite(foundation)) return out;
+        const Eigen::VectorXd step = problem.matrix().solve(out.response.residual_n);
+        const Motion motion(problem, out.x, step);
+        const double fraction =
+            line_search(problem, motion, out, load, out.response.residual_n.dot(step));
+        if (!(fraction > 0)) return out;
+        out.x = motion.at(fraction);
+    }
+}
+
+}  // namespace magfsi::structure
