@@ -15,7 +15,10 @@ double given_speed(const scene::Fluid& fluid) {
     const auto compare = [&](const scene::Vec3& v) {
         largest = std::max(largest, std::hypot(v[0], v[1], v[2]));
     };
-    for (const scene::Boundary& side : fluid.boundaries) compare(side.velocity_m_s);
+    for (const fluid::Boundary& side : fluid.boundaries) {
+        compare(side.wall_velocity_m_s);
+        compare(side.inlet.velocity_m_s);
+    }
     if (fluid.initial_velocity_m_s) compare(*fluid.initial_velocity_m_s);
     return largest;
 }

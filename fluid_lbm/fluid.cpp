@@ -74,18 +74,6 @@ class OwnedComm {
 
 }  // namespace
 
-std::string to_string(Precision precision) {
-    switch (precision) {
-        case Precision::double_:
-            return "double";
-        case Precision::float_:
-            return "float";
-        case Precision::float_double:
-            return "float_double";
-    }
-    return "";
-}
-
 struct Fluid::State {
     State(MPI_Comm parent, const FluidConfig& fluid_config)
         : config(checked(fluid_config)),

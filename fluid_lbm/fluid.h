@@ -13,36 +13,15 @@
 #include <string>
 #include <vector>
 
-#include "fluid_lbm/boundary/boundary.h"
-#include "fluid_lbm/collision/collision.h"
-#include "fluid_lbm/obstacle/obstacle.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 
-using Vec3 = std::array<double, 3>;
-
-std::string to_string(Collision collision);
-
-// What populations are stored as, and computed with. float halves memory and time;
-// float_double costs little more than float and leaves only the rounding of storage.
-enum class Precision { double_, float_, float_double };
-std::string to_string(Precision precision);
-
-struct FluidConfig {
+struct FluidConfig : Options {
     std::array<int, 3> cells{};
     double spacing_m = 0;
     double time_step_s = 0;
-    double density_kg_m3 = 0;
-    double viscosity_m2_s = 0;  // kinematic
-    Collision collision = Collision::automatic;
-    Precision precision = Precision::double_;
-    // Lambda of two-relaxation-time collision; absent: by relaxation time.
-    std::optional<double> magic_number;
-    double smagorinsky_constant = 0;       // of the eddy viscosity; 0: none
-    std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
-    std::vector<Obstacle> obstacles;
     ObstacleWall obstacle_wall = ObstacleWall::interpolated;
-    std::optional<Vec3> body_force_n_m3;
     // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
     std::function<Vec3(const Vec3&)> initial_velocity;
     std::function<double(const Vec3&)> initial_pressure;

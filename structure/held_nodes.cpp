@@ -29,9 +29,11 @@ std::vector<HeldAxes> held_axes(const Body& body) {
             held[static_cast<std::size_t>(node)] = {true, true, true};
     }
     for (const Roller& roller : body.rollers) {
-        for (const int node : face_nodes(body, roller.face, "on rollers"))
-            held[static_cast<std::size_t>(node)][static_cast<std::size_t>(roller.axis)] =
-                true;
+        const auto axis = static_cast<std::size_t>(roller.axis);
+        for (const std::string& face : roller.faces) {
+            for (const int node : face_nodes(body, face, "on rollers"))
+                held[static_cast<std::size_t>(node)][axis] = true;
+        }
     }
     return held;
 }

@@ -14,24 +14,15 @@ namespace magfsi::bodies {
 
 namespace {
 
-structure::Mesh build(const scene::BoxMesh& mesh) {
-    return structure::box_mesh({mesh.size_m, mesh.elements});
+structure::Mesh build(const structure::Box& mesh) {
+    return structure::box_mesh(mesh);
 }
 
-structure::Mesh build(const scene::ObliqueMesh& mesh) {
-    structure::ObliquePlate plate;
-    plate.columns = mesh.cells[0];
-    plate.rows = mesh.cells[1];
-    plate.length_a_m = mesh.length_a_m;
-    plate.length_b_m = mesh.length_b_m;
-    plate.angle_rad = mesh.angle_rad;
-    plate.thickness_m = mesh.thickness_m;
-    plate.elements_per_cell = mesh.elements;
-    plate.zigzag = mesh.zigzag;
-    return structure::oblique_mesh(plate);
+structure::Mesh build(const structure::ObliquePlate& mesh) {
+    return structure::oblique_mesh(mesh);
 }
 
-structure::Mesh build(const scene::FileMesh& mesh) {
+structure::Mesh build(const structure::MeshFile& mesh) {
     return converted_gmsh_mesh(mesh.file, mesh.unit_m);
 }
 
@@ -54,8 +45,8 @@ double extent(const structure::Mesh& mesh, int axis) {
 
 structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& mesh,
                                 const structure::Vec3& at_m) {
-    if (const auto* box = std::get_if<scene::BoxMesh>(&body.mesh))
-        return structure::locate(structure::Box{box->size_m, box->elements}, at_m);
+    if (const auto* box = std::get_if<structure::Box>(&body.mesh))
+        return structure::locate(*box, at_m);
     // A point typed to a few digits may lie just outside of a slanted face.
     constexpr double tolerance = 1e-3;  // of an element
     const auto found = structure::PointLocator(mesh).find(at_m, tolerance);

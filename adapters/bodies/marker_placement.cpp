@@ -86,7 +86,7 @@ class DryFaces {
 std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
                                    const structure::Sheet& sheet, bool both_faces,
                                    const DryFaces& dry,
-                                   const scene::ImmersedBoundary& boundary,
+                                   const coupler::ImmersedBoundary& boundary,
                                    const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
     // faces: -1 the bottom, 1 the top, 2 both, of whose normals |U . n| sees no sign.
@@ -115,7 +115,7 @@ std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
 }
 
 std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh, const DryFaces& dry,
-                                         const scene::ImmersedBoundary& boundary,
+                                         const coupler::ImmersedBoundary& boundary,
                                          const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
     for (const auto& p : structure::volume_points(mesh, spacing.marker_m))
@@ -140,13 +140,14 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
 }  // namespace
 
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
-                                        const scene::ImmersedBoundary& boundary,
+                                        const coupler::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int number,
                                         const structure::Continues& continues) {
     const structure::Mesh mesh = to_mesh(body);
     const Spacings spacing{grid_spacing_m, boundary.marker_spacing * grid_spacing_m};
     const auto sheet = structure::find_sheet(mesh, continues);
-    const bool surface = boundary.markers && *boundary.markers != scene::Markers::volume;
+    const bool surface =
+        boundary.markers && *boundary.markers != coupler::Markers::volume;
     if (surface && !sheet) {
         throw std::invalid_argument(
             "body '" + body.name +
@@ -154,7 +155,7 @@ std::vector<PlacedMarker> place_markers(const scene::Body& body,
             "its markers can only be coupling.immersed_boundary.markers: volume");
     }
     const DryFaces dry(body, mesh, continues);
-    const bool both_faces = boundary.markers != scene::Markers::mid_surface;
+    const bool both_faces = boundary.markers != coupler::Markers::mid_surface;
     auto markers = surface || (sheet && !boundary.markers)
                        ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
                        : through_volume(mesh, dry, boundary, spacing);
@@ -170,7 +171,7 @@ structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& b
         const bool turned = turn && (turn->plane[0] == static_cast<int>(d) ||
                                      turn->plane[1] == static_cast<int>(d));
         spans[d] = !turned &&
-                   fluid.boundaries[2 * d].kind == scene::BoundaryKind::periodic &&
+                   fluid.boundaries[2 * d].kind == fluid::BoundaryKind::periodic &&
                    extent(mesh, static_cast<int>(d)) >= fluid.box_m[d] * (1 - 1e-6);
     }
     return spans;

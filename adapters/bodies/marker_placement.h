@@ -40,7 +40,7 @@ struct PlacedMarker {
 // volume. number: of the body. Throws std::invalid_argument on faces asked for of a body
 // that is no sheet.
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
-                                        const scene::ImmersedBoundary& boundary,
+                                        const coupler::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int number,
                                         const structure::Continues& continues = {});
 

@@ -41,7 +41,7 @@ void add_quantity(std::vector<double>& row, scene::BodyQuantity quantity,
 ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
                    const NodalState& start)
     : scene_(scene) {
-    if (scene.magnetic_field) field_ = to_field(*scene.magnetic_field);
+    field_ = scene.magnetic_field;
     std::size_t first = 0;
     for (const structure::Body& solid : bodies) {
         BodyNodes body;

@@ -5,16 +5,12 @@
 
 #include "adapters/scene/scene.h"
 #include "structure/body.h"
-#include "structure/lammps/field_program.h"
-#include "structure/lammps/placement.h"
 
 namespace magfsi::bodies {
 
 // Throws std::invalid_argument on what only the mesh can tell, naming the body;
 // scene::SceneError on a region of material_regions that it does not have.
 structure::Body to_body(const scene::Body& body);
-structure::Placement to_placement(const scene::InitialState& initial);
-structure::FieldProgram to_field(const scene::MagneticField& field);
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene);
 
 }  // namespace magfsi::bodies

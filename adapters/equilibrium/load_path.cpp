@@ -1,6 +1,7 @@
 #include "adapters/equilibrium/load_path.h"
 
 #include "adapters/bodies/scene_to_body.h"
+#include "structure/lammps/placement.h"
 #include "structure/lattice/lattice.h"
 #include "structure/magnetics/nodal_charge.h"
 
@@ -25,9 +26,9 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
     : body_(bodies::to_body(body)),
       gravity_m_s2_(bodies::to_gravity(scene)),
       solver_(body_, to_options(*scene.time.equilibrium)) {
-    if (scene.magnetic_field) field_ = bodies::to_field(*scene.magnetic_field);
+    field_ = scene.magnetic_field;
     const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
-    placed_m_ = structure::placed_nodes(body_, bodies::to_placement(body.initial), plane);
+    placed_m_ = structure::placed_nodes(body_, body.initial, plane);
     mass_kg_ = structure::node_masses(structure::build_lattice(body_));
     charge_a_m_ = structure::nodal_charges(body_.mesh.nodes, body_.mesh.elements,
                                            body_.magnetization_a_m);

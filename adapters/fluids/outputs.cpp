@@ -8,9 +8,7 @@ namespace magfsi::fluids {
 
 const FluidOutput* fluid_outputs() {
 #define MAGFSI_EFFECT(name) name##_output,
-    static const FluidOutput registered[] = {
-#include "adapters/fluids/effects.inc"
-        {}};
+    static const FluidOutput registered[] = {{}};
 #undef MAGFSI_EFFECT
     return registered;
 }

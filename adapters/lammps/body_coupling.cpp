@@ -12,7 +12,6 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/body_iterations.h"
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "coupler/participants/wait.h"
 
@@ -45,7 +44,7 @@ coupler::PenaltyScale penalty_scale(const scene::Scene& scene,
                                     const coupler::Session& session) {
     coupler::PenaltyScale scale{scene.coupling->immersed_boundary.strength,
                                 scene.fluid->density_kg_m3, session.clock().step_s()};
-    if (scene.coupling->scheme == scene::Scheme::implicit) scale.enclosed_follow = 1;
+    if (scene.coupling->scheme == coupler::Scheme::implicit) scale.enclosed_follow = 1;
     return scale;
 }
 
@@ -77,25 +76,25 @@ BodyCoupling::BodyCoupling(const scene::Scene& scene, const coupler::Session& se
     slip_ = std::make_unique<coupler::SlipRecord>(own_areas(placed));
     fluid_velocity_.resize(force_->markers().size());
     exchange_ = std::make_unique<coupler::StructureExchange>(
-        session.world(), grid_, coupler::to_kernel(boundary.kernel), session.timeout_s());
+        session.world(), grid_, boundary.kernel, session.timeout_s());
     attach_force();
     const std::size_t count = force_->markers().size();
     const auto& coupling = *scene.coupling;
-    const bool two_samples = coupling.scheme != scene::Scheme::serial ||
-                             coupling.sampled_velocity == scene::SampledVelocity::linear;
+    const bool two_samples =
+        coupling.scheme != coupler::Scheme::serial ||
+        coupling.sampled_velocity == coupler::SampledVelocity::linear;
     if (two_samples) last_velocity_.resize(count);
-    if (coupling.scheme == scene::Scheme::parallel) {
+    if (coupling.scheme == coupler::Scheme::parallel) {
         before_m_.resize(count);
         under_way_.resize(count);
     }
-    if (coupling.scheme == scene::Scheme::implicit) start_iterations();
+    if (coupling.scheme == coupler::Scheme::implicit) start_iterations();
 }
 
 std::vector<coupler::Marker> BodyCoupling::own_markers(
     const std::vector<bodies::PlacedMarker>& placed, const std::vector<int>& first_node) {
     const coupler::SolidCells solid(grid_);
-    const auto kernel =
-        coupler::to_kernel(scene_.coupling->immersed_boundary.kernel);
+    const auto kernel = scene_.coupling->immersed_boundary.kernel;
     std::vector<coupler::Marker> mine;
     placed_ = placed.size();
     for (const bodies::PlacedMarker& p : placed) {

@@ -57,14 +57,14 @@ std::vector<Vec3> mean(std::span<const Vec3> a, std::span<const Vec3> b) {
 BodyCoupling::~BodyCoupling() = default;
 
 void BodyCoupling::start_iterations() {
-    const scene::Coupling& coupling = *scene_.coupling;
+    const coupler::Coupling& coupling = *scene_.coupling;
     const double rest_m_s =
         rest_lattice_speed * grid_.spacing_m / session_.clock().step_s();
     iterations_.reset(new Iterations{
         coupler::FixedPoint(session_.world(),
                             {*coupling.iteration, rest_m_s, session_.timeout_s()},
                             force_->markers().size()),
-        coupling.sampled_velocity == scene::SampledVelocity::linear,
+        coupling.sampled_velocity == coupler::SampledVelocity::linear,
         {},
         force_->enclosed(),
         {},

@@ -92,7 +92,7 @@ double RestFinder::unrest() {
 }
 
 void RestFinder::hold_field(double time_s) {
-    const auto program = bodies::to_field(*scene_.magnetic_field);
+    const structure::FieldProgram& program = *scene_.magnetic_field;
     structure::FieldProgram still;
     still.plane = program.plane;
     still.course = structure::polar_field_at(program, time_s);

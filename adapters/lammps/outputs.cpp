@@ -8,9 +8,7 @@ namespace magfsi::lammps {
 
 const StructureOutput* structure_outputs() {
 #define MAGFSI_EFFECT(name) name##_output,
-    static const StructureOutput registered[] = {
-#include "adapters/lammps/effects.inc"
-        {}};
+    static const StructureOutput registered[] = {{}};
 #undef MAGFSI_EFFECT
     return registered;
 }

@@ -67,7 +67,8 @@ void Participant::build() {
         rest_ = std::make_unique<RestFinder>(*engine_, scene(), substeps_.lammps_step_s);
     }
     if (session_.world().coupled()) {
-        coupling_ = std::make_unique<BodyCoupling>(scene_, session_, *engine_, script.first_node);
+        coupling_ =
+            std::make_unique<BodyCoupling>(scene_, session_, *engine_, script.first_node);
         if (scene().probes && scene().probes->interface_balance) {
             balance_ = std::make_unique<coupler::BalanceRecord>();
         }
@@ -81,7 +82,7 @@ void Participant::build() {
 
 void Participant::assemble() {
     if (guard_) add_step_guard();
-    if (coupling_ && scene().coupling->scheme == scene::Scheme::implicit) {
+    if (coupling_ && scene().coupling->scheme == coupler::Scheme::implicit) {
         assemble_iterations();
         tasks_.add("count step", [this] { session_.complete_step(); });
         return;
@@ -107,10 +108,10 @@ void Participant::add_advance() {
 
 void Participant::assemble_start() {
     const auto& coupling = *scene().coupling;
-    if (coupling.scheme == scene::Scheme::parallel) {
+    if (coupling.scheme == coupler::Scheme::parallel) {
         tasks_.add_coupling("take mean fluid velocity",
                             [this] { coupling_->begin_step_with_mean(); });
-    } else if (coupling.sampled_velocity == scene::SampledVelocity::linear) {
+    } else if (coupling.sampled_velocity == coupler::SampledVelocity::linear) {
         tasks_.add_coupling("extrapolate fluid velocity",
                             [this] { coupling_->begin_step_extrapolated(); });
     } else {
@@ -179,8 +180,8 @@ void Participant::assemble_output(output::ProgressMode progress) {
 }
 
 StructureParts Participant::parts() {
-    return {scene_, session_,       *engine_,     atoms_,         coupling_.get(),
-            balance_.get(), audit_.get(), substeps_.count};
+    return {scene_,          session_,       *engine_,     atoms_,
+            coupling_.get(), balance_.get(), audit_.get(), substeps_.count};
 }
 
 // A NaN in one node reaches its neighbours in the next substep: one look a coupled step
@@ -236,8 +237,8 @@ coupler::ParticipantReport Participant::make_report() const {
     }
     report.structure = structure;
     if (coupling_) {
-        report.immersed_boundary = coupler::boundary_summary(
-            coupling_->slip(), session_.plan().given_speed_m_s);
+        report.immersed_boundary =
+            coupler::boundary_summary(coupling_->slip(), session_.plan().given_speed_m_s);
         session_.log(coupler::to_text(*report.immersed_boundary));
     }
     if (audit_) report.energy_audit = audit_->summary();

@@ -8,50 +8,22 @@
 
 namespace magfsi::lammps {
 
-namespace {
-
-structure::Platform to_platform(const scene::Platform& platform) {
-    structure::Platform out;
-    out.point_m = platform.point_m;
-    out.normal = platform.normal;
-    out.stiffness_pa_m = platform.stiffness_pa_m.value_or(0);
-    out.friction = platform.friction.value_or(0);
-    return out;
-}
-
-structure::ContactLaw to_contact(const scene::Contact& contact) {
-    structure::ContactLaw law;
-    law.distance_m = contact.distance_m.value_or(0);
-    law.stiffness_pa_m = contact.stiffness_pa_m.value_or(0);
-    return law;
-}
-
-structure::MotionCourse to_course(const scene::PrescribedMotion& motion) {
-    if (const auto* o = std::get_if<scene::Oscillation>(&motion.course))
-        return structure::Oscillation{o->amplitude_m, o->frequency_hz, o->phase_rad};
-    const auto& ramp = std::get<scene::DisplacementRamp>(motion.course);
-    return structure::DisplacementRamp{ramp.displacement_m, ramp.duration_s};
-}
-
-}  // namespace
-
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
     structure::LammpsInput input;
     input.bodies = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        input.placements.push_back(bodies::to_placement(scene.bodies[b].initial));
-        for (const scene::PrescribedMotion& motion : scene.bodies[b].prescribed_motion)
-            input.motions.push_back({b, motion.faces, to_course(motion)});
+        input.placements.push_back(scene.bodies[b].initial);
+        for (structure::PrescribedMotion motion : scene.bodies[b].prescribed_motion) {
+            motion.body = b;
+            input.motions.push_back(motion);
+        }
     }
-    if (scene.magnetic_field) input.field = bodies::to_field(*scene.magnetic_field);
-    if (scene.magnetic_field && scene.magnetic_field->gradient) {
-        const auto& gradient = *scene.magnetic_field->gradient;
-        input.gradient = structure::GradientInput{gradient.matrix_t_m, gradient.origin_m};
-    }
+    input.field = scene.magnetic_field;
+    if (scene.magnetic_field) input.gradient = scene.magnetic_field->gradient;
     input.gravity_m_s2 = bodies::to_gravity(scene);
     if (scene.damping) input.drag_rate_1_s = scene.damping->rate_1_s;
-    if (scene.platform) input.platform = to_platform(*scene.platform);
-    if (scene.contact) input.contact = to_contact(*scene.contact);
+    input.platform = scene.platform;
+    input.contact = scene.contact;
     input.time_step_s = time_step_s;
     structure::check_effects(input);
     return input;

@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "adapters/lbm/scene_to_fluid.h"
-#include "coupler/exchange/exchange.h"
-#include "coupler/immersed_boundary/kernel_choice.h"
-#include "coupler/immersed_boundary/marker_stencil.h"
 #include "adapters/scene/effective.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/parallel/decomposition.h"
 #include "fluid_lbm/solver.h"
@@ -55,7 +54,7 @@ bool has_enstrophy(const scene::Scene& scene) {
 // The whole fluid is copied where more than the sweep changes it.
 bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
     const bool implicit =
-        scene.coupling && scene.coupling->scheme == scene::Scheme::implicit;
+        scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit;
     const bool plain = std::ranges::all_of(config.boundaries, [](const auto& side) {
         return side.kind == fluid::BoundaryKind::periodic ||
                (side.kind == fluid::BoundaryKind::no_slip &&
@@ -83,7 +82,7 @@ double forced_rows_bytes(double markers, int nx, bool single_precision) {
 double known_markers(const scene::Scene& scene, const fluid::Decomposition& parts,
                      std::span<const fluid::Vec3> markers_m) {
     const coupler::Grid grid{scene.fluid->spacing_m, parts.cells, parts.periodic, {}};
-    const auto kernel = coupler::to_kernel(scene.coupling->immersed_boundary.kernel);
+    const auto kernel = scene.coupling->immersed_boundary.kernel;
     std::int64_t known = 0;
     for (const fluid::CellBox& box : parts.boxes) {
         known += std::ranges::count_if(markers_m, [&](const fluid::Vec3& at) {

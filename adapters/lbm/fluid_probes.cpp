@@ -16,9 +16,9 @@ std::size_t largest_axis(const scene::Vec3& v) {
 }
 
 std::size_t flow_axis(const scene::Fluid& fluid) {
-    for (const scene::Boundary& side : fluid.boundaries) {
-        if (side.kind == scene::BoundaryKind::velocity_inlet)
-            return largest_axis(side.velocity_m_s);
+    for (const fluid::Boundary& side : fluid.boundaries) {
+        if (side.kind == fluid::BoundaryKind::velocity_inlet)
+            return largest_axis(side.inlet.velocity_m_s);
     }
     if (fluid.body_force_n_m3) return largest_axis(*fluid.body_force_n_m3);
     if (fluid.initial_velocity_m_s) return largest_axis(*fluid.initial_velocity_m_s);
@@ -50,7 +50,7 @@ ForceAxes force_axes(const scene::Fluid& fluid) {
     const std::size_t first = axes.drag == 2 ? 1 : 2;
     const std::size_t second = 3 - axes.drag - first;
     const auto periodic = [&](std::size_t axis) {
-        return fluid.boundaries[2 * axis].kind == scene::BoundaryKind::periodic;
+        return fluid.boundaries[2 * axis].kind == fluid::BoundaryKind::periodic;
     };
     axes.lift = periodic(first) && !periodic(second) ? second : first;
     return axes;

@@ -58,7 +58,7 @@ std::string LbmFluid::headline() const {
         "{} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time {:.5g}, {} "
         "collision, {} kernels",
         c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
-        fluid_.relaxation_time(), fluid::to_string(fluid_.collision()), fluid_.kernel());
+        fluid_.relaxation_time(), name_of(fluid_.collision()), fluid_.kernel());
 }
 
 std::vector<double> LbmFluid::probe_values(const scene::Scene& scene) {
@@ -93,7 +93,7 @@ output::FluidSummary LbmFluid::summary() const {
     summary.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
     summary.relaxation_time = fluid_.relaxation_time();
     summary.spacing_m = fluid_.config().spacing_m;
-    summary.collision = fluid::to_string(fluid_.collision());
+    summary.collision = name_of(fluid_.collision());
     summary.kernel = fluid_.kernel();
     return summary;
 }

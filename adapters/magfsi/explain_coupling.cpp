@@ -35,33 +35,33 @@ Densities density_ratios(const scene::Scene& scene) {
     return ratios;
 }
 
-std::string in_words(const scene::Coupling& coupling) {
+std::string in_words(const coupler::Coupling& coupling) {
     const auto velocity = scene::name_of(*coupling.sampled_velocity);
     switch (coupling.scheme) {
-        case scene::Scheme::serial:
+        case coupler::Scheme::serial:
             return fmt::format(
                 "structure and fluid take turns; the fluid's velocity is {} over the "
                 "substeps",
                 velocity);
-        case scene::Scheme::parallel:
+        case coupler::Scheme::parallel:
             return "structure and fluid work at once; impulses act one step late";
-        case scene::Scheme::implicit:
+        case coupler::Scheme::implicit:
             break;
     }
-    const scene::Iteration& i = *coupling.iteration;
+    const coupler::Iteration& i = *coupling.iteration;
     return fmt::format(
         "each step is repeated, by {}, until the fluid velocity at the markers stays "
         "within {:.2g} of itself, at most {} times; it is {} over the substeps",
-        scene::name_of(i.acceleration), i.velocity_tolerance, i.most, velocity);
+        scene::name_of(i.acceleration), i.velocity_tolerance, i.max_iterations, velocity);
 }
 
-std::string cost(const scene::Coupling& coupling) {
+std::string cost(const coupler::Coupling& coupling) {
     switch (coupling.scheme) {
-        case scene::Scheme::serial:
+        case coupler::Scheme::serial:
             return "one step of each side after the other";
-        case scene::Scheme::parallel:
+        case coupler::Scheme::parallel:
             return "one step of the slower side, on cores of its own";
-        case scene::Scheme::implicit:
+        case coupler::Scheme::implicit:
             break;
     }
     return "the structure's step once an iteration (2 to 4 with iqn_ils); the fluid's "
@@ -85,7 +85,7 @@ std::string recommended(const scene::Scene& scene, const Densities& ratios) {
 }  // namespace
 
 std::string explain_coupling(const scene::Scene& scene) {
-    const scene::Coupling& coupling = *scene.coupling;
+    const coupler::Coupling& coupling = *scene.coupling;
     const Densities ratios = density_ratios(scene);
     const lammps::Substeps s = lammps::choose_substeps(scene);
     std::string text =

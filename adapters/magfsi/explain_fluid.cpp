@@ -72,7 +72,7 @@ std::vector<fluid::Vec3> markers_m(const scene::Scene& scene) {
     for (std::size_t b = 0; scene.coupling && b < scene.bodies.size(); ++b) {
         const scene::Body& body = scene.bodies[b];
         structure::Body placed = bodies::to_body(body);
-        auto placement = bodies::to_placement(body.initial);
+        structure::Placement placement = body.initial;
         placement.relaxed.reset();
         placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
         for (const bodies::PlacedMarker& marker : bodies::place_markers(
@@ -128,7 +128,7 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
             "take a spacing of {:.3g} mm or less",
             v.tau, v.spacing_m * (v.tau - 0.5) / (least_tau - 0.5) * 1e3));
     }
-    if (v.grid_reynolds > most_grid_reynolds && !scene.fluid->smagorinsky) {
+    if (v.grid_reynolds > most_grid_reynolds && scene.fluid->smagorinsky_constant == 0) {
         warn(fmt::format(
             "at a cell's Reynolds number of {:.3g} shear layers are not "
             "resolved: take a spacing of {:.3g} mm, or smagorinsky: "

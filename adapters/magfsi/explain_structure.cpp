@@ -18,7 +18,7 @@ namespace magfsi::launch {
 namespace {
 
 // Of the block's bricks; thickness: the body's shortest side.
-std::string explain_elements(const structure::Body& solid, const scene::BoxMesh& box) {
+std::string explain_elements(const structure::Body& solid, const structure::Box& box) {
     structure::Vec3 edges{};
     for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
     const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
@@ -54,7 +54,7 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
 std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
     std::string text = fmt::format("  body '{}': ", body.name);
-    const auto* box = std::get_if<scene::BoxMesh>(&body.mesh);
+    const auto* box = std::get_if<structure::Box>(&body.mesh);
     if (box) {
         const auto& n = box->elements;
         text += fmt::format("{} x {} x {} = ", n[0], n[1], n[2]);

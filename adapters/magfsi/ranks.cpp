@@ -18,7 +18,7 @@ int default_ranks(const scene::Scene& scene, const std::string& role) {
     // at once all but the structure's, as long as each rank has enough cells to be worth
     // its messages.
     const bool at_once =
-        scene.coupling && scene.coupling->scheme == scene::Scheme::parallel;
+        scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
     const int cores = std::max(1, available_cores() - (at_once ? 1 : 0));
     constexpr double fewest_cells_a_rank = 20000;
     double cells = 1;

@@ -6,9 +6,9 @@
 
 #include "adapters/lammps/substeps.h"
 #include "adapters/run_scene.h"
+#include "adapters/scene/effective.h"
 #include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/checkpoint/restart.h"
-#include "adapters/scene/effective.h"
 
 namespace magfsi::launch {
 
@@ -62,7 +62,7 @@ void Retries::drop_newest() const {
 bool Retries::again(const std::string& cause) {
     if (!retry(scene_)) return false;
     const auto done = static_cast<int>(record_.size());
-    const int most = scene_.checkpoint->retries;
+    const int most = scene_.checkpoint->max_retries;
     const std::string fault =
         done == most ? fmt::format("{} of at most {} retries done", done, most)
                      : scene::fault_of_half_step(scene_);

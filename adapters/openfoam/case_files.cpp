@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "adapters/openfoam/stock_case.h"
-#include "coupler/output/atomic_file.h"
 #include "adapters/scene/names.h"
+#include "coupler/output/atomic_file.h"
 
 namespace magfsi::openfoam {
 
@@ -82,33 +82,34 @@ std::string vector(const scene::Vec3& v) {
     return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
 }
 
-std::string velocity_at(const scene::Boundary& side) {
+std::string velocity_at(const fluid::Boundary& side) {
     switch (side.kind) {
-        case scene::BoundaryKind::periodic:
+        case fluid::BoundaryKind::periodic:
             return "type cyclic;";
-        case scene::BoundaryKind::free_slip:
+        case fluid::BoundaryKind::free_slip:
             return "type symmetryPlane;";
-        case scene::BoundaryKind::pressure_outlet:
+        case fluid::BoundaryKind::pressure_outlet:
             return "type pressureInletOutletVelocity; value uniform (0 0 0);";
-        case scene::BoundaryKind::velocity_inlet:  // it opens with the first step
+        case fluid::BoundaryKind::velocity_inlet:  // it opens with the first step
             return "type fixedValue; value uniform (0 0 0);";
-        case scene::BoundaryKind::no_slip:
+        case fluid::BoundaryKind::no_slip:
             break;
     }
-    return fmt::format("type fixedValue; value uniform {};", vector(side.velocity_m_s));
+    return fmt::format("type fixedValue; value uniform {};",
+                       vector(side.wall_velocity_m_s));
 }
 
-std::string pressure_at(const scene::Boundary& side, double density_kg_m3) {
+std::string pressure_at(const fluid::Boundary& side, double density_kg_m3) {
     switch (side.kind) {
-        case scene::BoundaryKind::periodic:
+        case fluid::BoundaryKind::periodic:
             return "type cyclic;";
-        case scene::BoundaryKind::free_slip:
+        case fluid::BoundaryKind::free_slip:
             return "type symmetryPlane;";
-        case scene::BoundaryKind::pressure_outlet:
+        case fluid::BoundaryKind::pressure_outlet:
             return fmt::format("type fixedValue; value uniform {:.17g};",
-                               side.pressure_pa / density_kg_m3);
-        case scene::BoundaryKind::no_slip:
-        case scene::BoundaryKind::velocity_inlet:
+                               side.outlet_pressure_pa / density_kg_m3);
+        case fluid::BoundaryKind::no_slip:
+        case fluid::BoundaryKind::velocity_inlet:
             break;
     }
     return "type zeroGradient;";
@@ -150,8 +151,8 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
                     field("[0 1 -1 0 0 0 0]",
                           vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
                           [&](std::size_t side) {
-                              const scene::Boundary& boundary = fluid.boundaries[side];
-                              return boundary.kind == scene::BoundaryKind::velocity_inlet
+                              const fluid::Boundary& boundary = fluid.boundaries[side];
+                              return boundary.kind == fluid::BoundaryKind::velocity_inlet
                                          ? at_inlet(side)
                                          : velocity_at(boundary);
                           }));

@@ -62,7 +62,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
     if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
         if (fluid.boundaries[static_cast<std::size_t>(side)].kind !=
-            scene::BoundaryKind::velocity_inlet)
+            fluid::BoundaryKind::velocity_inlet)
             continue;
         if (double* faces = engine_->side_velocity(side))
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
@@ -135,7 +135,8 @@ void FoamFluid::set_inlets(double time_s) {
         const auto& side = fluid_.boundaries[static_cast<std::size_t>(inlet.side)];
         const double ramp = inlet_ramp(side, time_s);
         for (std::size_t i = 0; i < 3 * inlet.shape.size(); ++i)
-            inlet.velocity[i] = ramp * inlet.shape[i / 3] * side.velocity_m_s[i % 3];
+            inlet.velocity[i] =
+                ramp * inlet.shape[i / 3] * side.inlet.velocity_m_s[i % 3];
     }
 }
 

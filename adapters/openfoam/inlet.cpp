@@ -9,18 +9,18 @@ namespace magfsi::openfoam {
 
 namespace {
 
-double falloff(scene::InletProfile profile, double s) {
-    if (profile == scene::InletProfile::uniform) return 1;
+double falloff(fluid::InletProfile profile, double s) {
+    if (profile == fluid::InletProfile::uniform) return 1;
     return std::max(0.0,
-                    1 - std::pow(s, profile == scene::InletProfile::parabolic ? 2 : 8));
+                    1 - std::pow(s, profile == fluid::InletProfile::parabolic ? 2 : 8));
 }
 
 // Over a whole side, along one axis of it; a plane of symmetry at one end doubles the
 // width.
-double between_sides(const scene::Fluid& fluid, scene::InletProfile profile,
+double between_sides(const scene::Fluid& fluid, fluid::InletProfile profile,
                      std::size_t axis, double at_m) {
     const auto is_wall = [&](std::size_t side) {
-        return fluid.boundaries[side].kind == scene::BoundaryKind::no_slip;
+        return fluid.boundaries[side].kind == fluid::BoundaryKind::no_slip;
     };
     const bool low = is_wall(2 * axis), high = is_wall(2 * axis + 1);
     const double s = at_m / fluid.box_m[axis];
@@ -29,33 +29,33 @@ double between_sides(const scene::Fluid& fluid, scene::InletProfile profile,
     return falloff(profile, low ? 1 - s : s);
 }
 
-double shape_at(const scene::Fluid& fluid, const scene::Boundary& inlet,
+double shape_at(const scene::Fluid& fluid, const fluid::Boundary& side,
                 const std::array<std::size_t, 2>& axes,
                 const std::array<double, 2>& at_m) {
     double shape = 1;
-    if (const auto* disc = std::get_if<scene::Disc>(&inlet.patch)) {
+    if (const auto* disc = fluid::opening<fluid::Disc>(side)) {
         const double s =
             2 * std::hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) /
             disc->diameter_m;
-        return s > 1 ? 0 : falloff(inlet.profile, s);
+        return s > 1 ? 0 : falloff(side.inlet.profile, s);
     }
     for (std::size_t i = 0; i < 2; ++i) {
-        if (const auto* part = std::get_if<scene::Rectangle>(&inlet.patch)) {
+        if (const auto* part = fluid::opening<fluid::Rectangle>(side)) {
             const double s = 2 * std::abs(at_m[i] - part->centre_m[i]) / part->size_m[i];
-            shape *= s > 1 ? 0 : falloff(inlet.profile, s);
+            shape *= s > 1 ? 0 : falloff(side.inlet.profile, s);
         } else {
-            shape *= between_sides(fluid, inlet.profile, axes[i], at_m[i]);
+            shape *= between_sides(fluid, side.inlet.profile, axes[i], at_m[i]);
         }
     }
     return shape;
 }
 
-bool is_open(const scene::Boundary& inlet, const std::array<double, 2>& at_m) {
-    if (const auto* disc = std::get_if<scene::Disc>(&inlet.patch)) {
+bool is_open(const fluid::Boundary& side, const std::array<double, 2>& at_m) {
+    if (const auto* disc = fluid::opening<fluid::Disc>(side)) {
         return 2 * std::hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) <=
                disc->diameter_m;
     }
-    const auto* part = std::get_if<scene::Rectangle>(&inlet.patch);
+    const auto* part = fluid::opening<fluid::Rectangle>(side);
     for (std::size_t i = 0; part && i < 2; ++i) {
         if (2 * std::abs(at_m[i] - part->centre_m[i]) > part->size_m[i]) return false;
     }
@@ -77,7 +77,7 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
         const auto rank = static_cast<std::size_t>(mesh.rank);
         return i >= mesh.first_cell[rank] && i < mesh.first_cell[rank + 1];
     };
-    const scene::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
+    const fluid::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
     const auto& a = mesh.planes_m[axes[0]];
     const auto& b = mesh.planes_m[axes[1]];
     Shape shape;
@@ -108,9 +108,9 @@ std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, i
     return std::move(shape.here);
 }
 
-double inlet_ramp(const scene::Boundary& inlet, double time_s) {
-    if (time_s >= inlet.ramp_s) return 1;
-    return (1 - std::cos(std::numbers::pi * time_s / inlet.ramp_s)) / 2;
+double inlet_ramp(const fluid::Boundary& side, double time_s) {
+    if (time_s >= side.inlet.ramp_s) return 1;
+    return (1 - std::cos(std::numbers::pi * time_s / side.inlet.ramp_s)) / 2;
 }
 
 }  // namespace magfsi::openfoam

@@ -21,6 +21,6 @@ double inlet_factor(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
 // 0 to 1, as (1 - cos(pi t / ramp)) / 2.
-double inlet_ramp(const scene::Boundary& inlet, double time_s);
+double inlet_ramp(const fluid::Boundary& inlet, double time_s);
 
 }  // namespace magfsi::openfoam

@@ -12,16 +12,16 @@ namespace magfsi::openfoam {
 
 namespace {
 
-SideType to_side(scene::BoundaryKind kind) {
+SideType to_side(fluid::BoundaryKind kind) {
     switch (kind) {
-        case scene::BoundaryKind::periodic:
+        case fluid::BoundaryKind::periodic:
             return SideType::periodic;
-        case scene::BoundaryKind::no_slip:
+        case fluid::BoundaryKind::no_slip:
             return SideType::wall;
-        case scene::BoundaryKind::free_slip:
+        case fluid::BoundaryKind::free_slip:
             return SideType::symmetry;
-        case scene::BoundaryKind::velocity_inlet:
-        case scene::BoundaryKind::pressure_outlet:
+        case fluid::BoundaryKind::velocity_inlet:
+        case fluid::BoundaryKind::pressure_outlet:
             break;
     }
     return SideType::open;

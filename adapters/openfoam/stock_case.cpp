@@ -35,17 +35,17 @@ std::string side_entry(const scene::Fluid& fluid, std::size_t side) {
     const auto& names = scene::names<scene::Face>;
     std::string type = "type patch;";
     switch (fluid.boundaries[side].kind) {
-        case scene::BoundaryKind::periodic:
+        case fluid::BoundaryKind::periodic:
             type = fmt::format("type cyclic; neighbourPatch {};", names[side ^ 1]);
             break;
-        case scene::BoundaryKind::no_slip:
+        case fluid::BoundaryKind::no_slip:
             type = "type wall;";
             break;
-        case scene::BoundaryKind::free_slip:
+        case fluid::BoundaryKind::free_slip:
             type = "type symmetryPlane;";
             break;
-        case scene::BoundaryKind::velocity_inlet:
-        case scene::BoundaryKind::pressure_outlet:
+        case fluid::BoundaryKind::velocity_inlet:
+        case fluid::BoundaryKind::pressure_outlet:
             break;
     }
     return fmt::format("    {} {{ {} faces ({}); }}\n", names[side], type, sides[side]);

@@ -13,7 +13,7 @@ namespace {
 using coupler::RecordHeader;
 
 void check_scene(const scene::Scene& scene) {
-    if (scene.coupling && scene.coupling->scheme == scene::Scheme::implicit) {
+    if (scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit) {
         throw std::invalid_argument(
             "--replay: a record has one exchange a step, the implicit scheme many; add "
             "--set coupling.scheme=serial --set coupling.iteration=");

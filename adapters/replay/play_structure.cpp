@@ -3,15 +3,14 @@
 //   mpirun -n 1 magfsi-replay-structure SCENE --out DIR --replay RUN/exchange.record
 //        : -n 2 magfsi-fluid-lbm SCENE --out DIR
 #include "adapters/replay/difference_file.h"
-#include "adapters/run_scene.h"
 #include "adapters/replay/opened_record.h"
+#include "adapters/run_scene.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/probe_columns.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
-#include "adapters/scene/effective.h"
 #include "coupler/step/log_head.h"
-#include "adapters/scene/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
@@ -24,18 +23,16 @@ using coupler::Vec3;
 
 class Player {
   public:
-    Player(const scene::Scene& scene, coupler::Session& session, coupler::RecordReader record,
-           output::ProgressMode mode)
+    Player(const scene::Scene& scene, coupler::Session& session,
+           coupler::RecordReader record, output::ProgressMode mode)
         : scene_(scene),
           session_(session),
           record_(std::move(record)),
           grid_(coupler::grid_from_text(coupler::swap_text(session.world(), "",
                                                            coupler::startup_timeout_s,
                                                            "description of the grid"))),
-          exchange_(
-              session.world(), grid_,
-              coupler::to_kernel(scene.coupling->immersed_boundary.kernel),
-              session.timeout_s()),
+          exchange_(session.world(), grid_, scene.coupling->immersed_boundary.kernel,
+                    session.timeout_s()),
           velocity_(record_.header().markers),
           difference_(session, "m/s"),
           progress_(coupler::progress_on_stdout(session, mode)) {
@@ -71,8 +68,7 @@ class Player {
         tasks_.add_output("compare",
                           [this] { difference_.add(velocity_, entry_.velocity); });
         if (record_.header().numbers > 0) {
-            probes_ =
-                coupler::open_probes(session_, scene::fluid_columns(scene_));
+            probes_ = coupler::open_probes(session_, scene::fluid_columns(scene_));
             const auto every = session_.clock().every(scene_.probes->every_s);
             tasks_.add_output("probes", [this, every] {
                 if (session_.clock().step() % every == 0) write_probes();

@@ -4,7 +4,7 @@
 
 #include "adapters/scene/bind_coupling.h"
 #include "adapters/scene/bind_motion.h"
-#include "adapters/scene/scene.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::scene {
 
@@ -30,30 +30,30 @@ void bind_keys(Io& io, Time& time) {
 }
 
 template <class Io>
-void bind_keys(Io& io, BoxMesh& box) {
+void bind_keys(Io& io, Box& box) {
     io("size", box.size_m);
     io("elements", box.elements);
 }
 
 template <class Io>
-void bind_keys(Io& io, ObliqueMesh& plate) {
+void bind_keys(Io& io, ObliquePlate& plate) {
     io("cells", plate.cells);
     io("length_a", plate.length_a_m);
     io("length_b", plate.length_b_m);
     io("angle", plate.angle_rad);
     io("thickness", plate.thickness_m);
-    io("elements", plate.elements);
+    io("elements", plate.elements_per_cell);
     io("zigzag", plate.zigzag);
 }
 
 template <class Io>
-void bind_keys(Io& io, FileMesh& mesh) {
+void bind_keys(Io& io, MeshFile& mesh) {
     io("file", mesh.file);
     io("unit", mesh.unit_m);
 }
 
 template <class Io>
-void bind_keys(Io& io, BodyMesh& mesh) {
+void bind_keys(Io& io, MeshOptions& mesh) {
     io.alternatives(mesh, {"box", "oblique", "gmsh"});
 }
 
@@ -126,13 +126,13 @@ void bind_keys(Io& io, PlaneRotation& rotation) {
 }
 
 template <class Io>
-void bind_keys(Io& io, RelaxedShape& relaxed) {
-    io("magnitude", relaxed.magnitude_t);
-    io("direction", relaxed.direction_rad);
+void bind_keys(Io& io, ConstantField& constant) {
+    io("magnitude", constant.magnitude_t);
+    io("direction", constant.direction_rad);
 }
 
 template <class Io>
-void bind_keys(Io& io, InitialState& initial) {
+void bind_keys(Io& io, Placement& initial) {
     io("position", initial.position_m);
     io("rotation", initial.rotation);
     io("relaxed", initial.relaxed);
@@ -158,12 +158,6 @@ void bind_keys(Io& io, Body& body) {
 }
 
 template <class Io>
-void bind_keys(Io& io, ConstantField& constant) {
-    io("magnitude", constant.magnitude_t);
-    io("direction", constant.direction_rad);
-}
-
-template <class Io>
 void bind_keys(Io& io, FieldTable& table) {
     io("time", table.time_s);
     io("magnitude", table.magnitude_t);
@@ -179,7 +173,7 @@ void bind_keys(Io& io, RotatingField& rotating) {
 }
 
 template <class Io>
-void bind_keys(Io& io, FieldGradient& gradient) {
+void bind_keys(Io& io, GradientInput& gradient) {
     io("matrix", gradient.matrix_t_m);
     io("origin", gradient.origin_m);
 }
@@ -211,7 +205,7 @@ void bind_keys(Io& io, Platform& platform) {
 }
 
 template <class Io>
-void bind_keys(Io& io, Contact& contact) {
+void bind_keys(Io& io, ContactLaw& contact) {
     io("distance", contact.distance_m);
     io("stiffness", contact.stiffness_pa_m);
 }
@@ -231,14 +225,15 @@ void bind_keys(Io& io, Disc& disc) {
 // The map that a boundary of this kind carries.
 template <class Io>
 void bind_details(Io& io, Boundary& boundary) {
-    if (boundary.kind == BoundaryKind::no_slip) io("velocity", boundary.velocity_m_s);
+    if (boundary.kind == BoundaryKind::no_slip)
+        io("velocity", boundary.wall_velocity_m_s);
     if (boundary.kind == BoundaryKind::velocity_inlet) {
-        io("velocity", boundary.velocity_m_s);
-        io("profile", boundary.profile);
-        io("ramp", boundary.ramp_s);
+        io("velocity", boundary.inlet.velocity_m_s);
+        io("profile", boundary.inlet.profile);
+        io("ramp", boundary.inlet.ramp_s);
     }
     if (boundary.kind == BoundaryKind::pressure_outlet)
-        io("pressure", boundary.pressure_pa);
+        io("pressure", boundary.outlet_pressure_pa);
     if (boundary.kind == BoundaryKind::velocity_inlet ||
         boundary.kind == BoundaryKind::pressure_outlet)
         io.optional_alternatives(boundary.patch, {"rectangle", "disc"});
@@ -260,7 +255,9 @@ void bind_keys(Io& io, Cylinder& cylinder) {
 
 template <class Io>
 void bind_keys(Io& io, Block& block) {
-    io.whole(block.corners_m);
+    std::array<Vec3, 2> corners{block.low_m, block.high_m};
+    io.whole(corners);
+    block = {corners[0], corners[1]};
 }
 
 template <class Io>
@@ -273,11 +270,6 @@ void bind_keys(Io& io, StlSurface& surface) {
 template <class Io>
 void bind_keys(Io& io, Obstacle& obstacle) {
     io.alternatives(obstacle.shape, {"sphere", "cylinder", "box", "stl"});
-}
-
-template <class Io>
-void bind_keys(Io& io, Smagorinsky& smagorinsky) {
-    io("constant", smagorinsky.constant);
 }
 
 template <class Io>
@@ -305,7 +297,8 @@ void bind_keys(Io& io, Fluid& fluid) {
     io("collision", fluid.collision);
     io("magic_number", fluid.magic_number);
     io("precision", fluid.precision);
-    io("smagorinsky", fluid.smagorinsky);
+    io.effect("smagorinsky", fluid.smagorinsky_constant > 0,
+              [&](auto& inner) { inner("constant", fluid.smagorinsky_constant); });
     io("boundaries", fluid.boundaries);
     io("obstacles", fluid.obstacles);
     io("initial_velocity", fluid.initial_velocity_m_s);
@@ -368,7 +361,7 @@ template <class Io>
 void bind_keys(Io& io, Checkpoint& checkpoint) {
     io("every", checkpoint.every_s);
     io("on_divergence", checkpoint.on_divergence);
-    io("retries", checkpoint.retries);
+    io("max_retries", checkpoint.max_retries);
 }
 
 template <class Io>

@@ -1,7 +1,7 @@
 // The keys of coupling.h, for bind.h.
 #pragma once
 
-#include "adapters/scene/coupling.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::scene {
 
@@ -20,11 +20,11 @@ template <class Io>
 void bind_keys(Io& io, Iteration& iteration) {
     io("acceleration", iteration.acceleration);
     io("velocity_tolerance", iteration.velocity_tolerance);
-    io("most", iteration.most);
-    io("unconverged", iteration.unconverged);
-    io("first_guess", iteration.first_guess);
+    io("max_iterations", iteration.max_iterations);
+    io("on_no_convergence", iteration.on_no_convergence);
+    io("initial_guess", iteration.initial_guess);
     io("relaxation", iteration.relaxation);
-    io("columns", iteration.columns);
+    io("max_used_iterations", iteration.max_used_iterations);
     io("reused_steps", iteration.reused_steps);
     io("filter", iteration.filter);
     io("filter_limit", iteration.filter_limit);

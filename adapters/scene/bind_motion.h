@@ -1,7 +1,7 @@
 // The keys of prescribed motions, for bind.h.
 #pragma once
 
-#include "adapters/scene/scene.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::scene {
 

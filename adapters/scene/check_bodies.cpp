@@ -22,7 +22,7 @@ constexpr std::string_view axes = "xyz";
 // mean_f takes 3 min(l_i, l_j)^2 for the hourglass stiffness; with an in-plane edge below
 // the edge through the thickness that is the wrong one, and bending several times too
 // soft.
-void check_mean_f(const Body& body, const BoxMesh& box, const Marks& marks) {
+void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     if (body.element != ElementVariant::mean_f) return;
     Vec3 edge{};
     for (int i = 0; i < 3; ++i) edge[i] = box.size_m[i] / box.elements[i];
@@ -44,7 +44,7 @@ void check_mean_f(const Body& body, const BoxMesh& box, const Marks& marks) {
     }
 }
 
-void check_node_count(const Body& body, const BoxMesh& box, const Marks& marks) {
+void check_node_count(const Body& body, const Box& box, const Marks& marks) {
     std::int64_t nodes = 1;
     for (const int n : box.elements) {
         nodes *= n + 1;
@@ -92,7 +92,7 @@ template <class Item>
 void check_regions(const Body& body, const std::vector<Item>& list, Path here,
                    std::string_view name, const Marks& marks) {
     if (list.empty()) return;
-    if (std::holds_alternative<BoxMesh>(body.mesh))
+    if (std::holds_alternative<Box>(body.mesh))
         refuse(marks.key(here),
                fmt::format("{} of a block, whose mesh has no regions", name),
                "them for the meshes oblique and gmsh");
@@ -150,7 +150,7 @@ void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
 }
 
 // Half the extent along each axis of the turned block.
-Vec3 half_extent(const Body& body, const BoxMesh& box) {
+Vec3 half_extent(const Body& body, const Box& box) {
     Vec3 half{};
     for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
     if (!body.initial.rotation) return half;
@@ -165,7 +165,7 @@ Vec3 half_extent(const Body& body, const BoxMesh& box) {
 
 // Of a body that starts relaxed, the flat block counts: its curled shape is not known
 // yet.
-void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
+void check_inside(const Scene& scene, const Body& body, const Box& box,
                   const Marks& marks) {
     if (!scene.fluid || !body.initial.position_m) return;
     const Vec3 half = half_extent(body, box);
@@ -192,7 +192,7 @@ void check_inside(const Scene& scene, const Body& body, const BoxMesh& box,
 void check_face(const Body& body, const std::string& face, std::string_view list,
                 const Origin& here) {
     const std::vector<std::string> faces = words(names<Face>);
-    if (std::holds_alternative<FileMesh>(body.mesh)) return;
+    if (std::holds_alternative<MeshFile>(body.mesh)) return;
     if (std::ranges::find(faces, face) == faces.end())
         refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
                joined(faces), did_you_mean(face, faces));
@@ -200,7 +200,7 @@ void check_face(const Body& body, const std::string& face, std::string_view list
 
 void check_bodies(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
-        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        const auto* box = std::get_if<Box>(&body.mesh);
         if (box) check_node_count(body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);

@@ -105,7 +105,7 @@ void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
 void check_walls(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
         if (fluid.boundaries[face].kind != BoundaryKind::no_slip) continue;
-        const double normal = fluid.boundaries[face].velocity_m_s[face / 2];
+        const double normal = fluid.boundaries[face].wall_velocity_m_s[face / 2];
         if (normal == 0) continue;
         const std::string name(names<Face>[face]);
         refuse(marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
@@ -119,7 +119,8 @@ void check_walls(const Fluid& fluid, const Marks& marks) {
 void check_inlets(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
-        if (side.kind != BoundaryKind::velocity_inlet || side.velocity_m_s != Vec3{})
+        if (side.kind != BoundaryKind::velocity_inlet ||
+            side.inlet.velocity_m_s != Vec3{})
             continue;
         const std::string name(names<Face>[face]);
         refuse(marks.value({"fluid", "boundaries", name}),

@@ -42,7 +42,7 @@ void check_table(const FieldTable& table, const Marks& marks) {
 }
 
 // curl B = 0 and div B = 0 where no current flows.
-void check_gradient(const FieldGradient& gradient, const Marks& marks) {
+void check_gradient(const GradientInput& gradient, const Marks& marks) {
     const auto& g = gradient.matrix_t_m;
     double largest = 0, fault = std::abs(g[0][0] + g[1][1] + g[2][2]);
     for (int i = 0; i < 3; ++i) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "adapters/scene/checks.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::scene {
 

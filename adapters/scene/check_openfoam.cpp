@@ -35,12 +35,13 @@ void check_openfoam(const Scene& scene, const Marks& marks) {
     };
     if (!fluid.obstacles.empty())
         not_there(marks.key({"fluid", "obstacles"}), "obstacles");
-    if (fluid.smagorinsky) not_there(marks.key({"fluid", "smagorinsky"}), "smagorinsky");
+    if (fluid.smagorinsky_constant > 0)
+        not_there(marks.key({"fluid", "smagorinsky"}), "smagorinsky");
     if (fluid.taylor_green)
         not_there(marks.key({"fluid", "taylor_green"}), "the Taylor-Green vortex");
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
-        if (side.kind == BoundaryKind::pressure_outlet && side.patch.index() != 0)
+        if (side.kind == BoundaryKind::pressure_outlet && side.patch)
             not_there(
                 marks.value({"fluid", "boundaries", std::string(names<Face>[face])}),
                 "an outlet over a part of its side");

@@ -33,7 +33,7 @@ const Body& body_named(const Scene& scene, const std::string& name, const Origin
 void check_point(const Scene& scene, const PointProbe& point, const Marks& marks) {
     const Body& body = body_named(scene, point.body,
                                   marks.value({"probes", "points", point.name, "body"}));
-    const auto* box = std::get_if<BoxMesh>(&body.mesh);
+    const auto* box = std::get_if<Box>(&body.mesh);
     for (int i = 0; box && i < 3; ++i) {
         const double size = box->size_m[i];
         // A point on the surface may round to just outside.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adapters/scene/checks.h"
+#include "adapters/scene/names.h"
 #include "adapters/scene/unit.h"
 
 namespace magfsi::scene {
@@ -20,11 +21,11 @@ double height_m(const Platform& platform, const Vec3& at_m) {
     return dot(from, platform.normal);
 }
 
-double half_diagonal_m(const BoxMesh& box) {
+double half_diagonal_m(const Box& box) {
     return 0.5 * std::hypot(box.size_m[0], box.size_m[1], box.size_m[2]);
 }
 
-Vec3 centre_m(const Body& body, const BoxMesh& box) {
+Vec3 centre_m(const Body& body, const Box& box) {
     Vec3 half{};
     for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
     return body.initial.position_m.value_or(half);
@@ -40,13 +41,13 @@ bool can_travel_towards(const Scene& scene, const Platform& platform) {
 
 // How far from its centre a body may ever come to be, if it cannot travel. Of a stretch
 // to twice its length; a held one may swing to the other side of where it is held.
-double reach_m(const Body& body, const BoxMesh& box) {
+double reach_m(const Body& body, const Box& box) {
     const bool held = !body.clamps.empty() || !body.rollers.empty();
     return (held ? 4 : 2) * half_diagonal_m(box);
 }
 
 bool out_of_reach(const Scene& scene, const Body& body) {
-    const auto* box = std::get_if<BoxMesh>(&body.mesh);
+    const auto* box = std::get_if<Box>(&body.mesh);
     if (!box) return false;  // what its extent is, only the mesh tells
     if (body.clamps.empty() && can_travel_towards(scene, *scene.platform)) return false;
     return height_m(*scene.platform, centre_m(body, *box)) > reach_m(body, *box);
@@ -54,7 +55,7 @@ bool out_of_reach(const Scene& scene, const Body& body) {
 
 void check_not_behind(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
-        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        const auto* box = std::get_if<Box>(&body.mesh);
         if (!box) continue;
         const double height = height_m(*scene.platform, centre_m(body, *box));
         if (height > -half_diagonal_m(*box)) continue;

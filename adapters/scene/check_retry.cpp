@@ -3,6 +3,7 @@
 
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
 #include "adapters/scene/unit.h"
 
 namespace magfsi::scene {

@@ -52,9 +52,11 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
                     marks.value({"fluid", "taylor_green", "speed"}), fluid, dt_s);
     for (std::size_t face = 0; face < 6; ++face) {
         const std::string name(names<Face>[face]);
-        const std::string kind(name_of(fluid.boundaries[face].kind));
-        check_speed(length(fluid.boundaries[face].velocity_m_s),
-                    kind == "no_slip" ? "the wall velocity" : "the inlet's velocity",
+        const Boundary& side = fluid.boundaries[face];
+        const std::string kind(name_of(side.kind));
+        const bool inlet = side.kind == BoundaryKind::velocity_inlet;
+        check_speed(length(inlet ? side.inlet.velocity_m_s : side.wall_velocity_m_s),
+                    !inlet ? "the wall velocity" : "the inlet's velocity",
                     marks.value({"fluid", "boundaries", name, kind, "velocity"}), fluid,
                     dt_s);
     }

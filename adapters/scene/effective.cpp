@@ -1,4 +1,5 @@
 #include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
 
 #include <cmath>
 

@@ -4,6 +4,7 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/scene/field.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::scene {
 
@@ -24,7 +25,7 @@ bool any_body(const Scene& scene, bool (*test)(const Body&)) {
 
 bool has_moving_wall(const Scene& scene) {
     return scene.fluid && std::ranges::any_of(scene.fluid->boundaries, [](const auto& b) {
-               return b.kind == BoundaryKind::no_slip && b.velocity_m_s != Vec3{};
+               return b.kind == BoundaryKind::no_slip && b.wall_velocity_m_s != Vec3{};
            });
 }
 
@@ -47,9 +48,9 @@ constexpr Effect effects[] = {
     {structure, "viscosity",
      [](const Scene& s) {
          return any_body(s, [](const Body& b) {
-             return b.material.viscosity_pa_s ||
+             return b.material.viscosity_pa_s > 0 ||
                     std::ranges::any_of(b.material_regions, [](const RegionMaterial& r) {
-                        return r.material.viscosity_pa_s.has_value();
+                        return r.material.viscosity_pa_s > 0;
                     });
          });
      }},
@@ -61,7 +62,7 @@ constexpr Effect effects[] = {
     {structure, "damping", [](const Scene& s) { return s.damping.has_value(); }},
     {structure, "platform", [](const Scene& s) { return s.platform.has_value(); }},
     {structure, "friction",
-     [](const Scene& s) { return s.platform && s.platform->friction; }},
+     [](const Scene& s) { return s.platform && s.platform->friction > 0; }},
     {structure, "contact", [](const Scene& s) { return s.contact.has_value(); }},
     {structure, "clamps",
      [](const Scene& s) {
@@ -89,7 +90,7 @@ constexpr Effect effects[] = {
     {fluid, "body force",
      [](const Scene& s) { return s.fluid && s.fluid->body_force_n_m3.has_value(); }},
     {fluid, "eddy viscosity",
-     [](const Scene& s) { return s.fluid && s.fluid->smagorinsky.has_value(); }},
+     [](const Scene& s) { return s.fluid && s.fluid->smagorinsky_constant > 0; }},
     {fluid, "moving walls", has_moving_wall},
     {fluid, "free slip",
      [](const Scene& s) { return has_side(s, BoundaryKind::free_slip); }},

@@ -67,7 +67,7 @@ const Field& scene_fields() {
                                  "end, or go back to the last state kept and on from there "
                                  "with half of every step (the lattice-Boltzmann fluid, and "
                                  "bodies alone or in the serial scheme).").or_default("stop"),
-            integer("retries", "At most, in a run.").at_least(1).at_most(8).or_default("3"),
+            integer("max_retries", "At most, in a run.").at_least(1).at_most(8).or_default("3"),
         }).optional(),
     });
     return scene;
@@ -107,20 +107,20 @@ Field magnetic_field_fields() {
 
 Field iteration_fields() {
     return group("iteration", "Of the implicit scheme: how a step is repeated.", {
-        choice<Acceleration>("acceleration", "How the next guess is made.")
+        choice<AccelerationMethod>("acceleration", "How the next guess is made.")
             .or_default("iqn_ils"),
         number("velocity_tolerance", "The step has converged when the fluid answers to the "
                "guess of its velocities at the markers with the same velocities, up to this "
                "part of their root mean square.").above(0).at_most(0.1).or_default("1e-4"),
-        integer("most", "Iterations in a step.").at_least(2).at_most(1000).or_default("20"),
-        choice<Unconverged>("unconverged", "What a step does that has not converged then: "
+        integer("max_iterations", "Iterations in a step.").at_least(2).at_most(1000).or_default("20"),
+        choice<OnNoConvergence>("on_no_convergence", "What a step does that has not converged then: "
                             "end the run, or go on and be counted.").or_default("stop"),
-        choice<FirstGuess>("first_guess", "constant: the velocities of the step's start; "
+        choice<InitialGuess>("initial_guess", "constant: the velocities of the step's start; "
                            "linear: they go on to change as in the step before.")
             .or_default("linear"),
         number("relaxation", "Part of the residual that is added to the guess; aitken and "
                "iqn_ils begin with it.").above(0).at_most(1).or_default("0.5"),
-        integer("columns", "Of iqn_ils: pairs of answers that it may build on.")
+        integer("max_used_iterations", "Of iqn_ils: pairs of answers that it may build on.")
             .at_least(1).at_most(200).or_default("40"),
         integer("reused_steps", "Of iqn_ils: coupled steps before this one whose pairs are "
                 "kept.").at_least(0).at_most(100).or_default("8"),

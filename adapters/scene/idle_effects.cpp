@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::scene {
 

@@ -34,15 +34,14 @@ class JsonWriter {
     }
 
     template <class... T>
-    void optional_alternatives(std::variant<std::monostate, T...>& value,
+    void optional_alternatives(std::optional<std::variant<T...>>& value,
                                std::initializer_list<const char*> keys) {
-        std::visit(
-            [&](auto& chosen) {
-                if constexpr (!std::is_same_v<std::decay_t<decltype(chosen)>,
-                                              std::monostate>)
-                    (*this)(keys.begin()[value.index() - 1], chosen);
-            },
-            value);
+        if (value) alternatives(*value, keys);
+    }
+
+    template <class Body>
+    void effect(std::string_view key, bool there, const Body& body) {
+        if (there) group(key, body);
     }
 
     template <class T>
@@ -90,7 +89,7 @@ class JsonWriter {
     void write(Boundary& value) {
         write(value.kind);
         const bool at_rest =
-            value.kind == BoundaryKind::no_slip && value.velocity_m_s == Vec3{};
+            value.kind == BoundaryKind::no_slip && value.wall_velocity_m_s == Vec3{};
         JsonWriter details;
         if (!at_rest) bind_details(details, value);
         if (details.json_.is_null()) return;

@@ -99,7 +99,7 @@ std::vector<std::string> fluid_columns(const Scene& scene) {
             columns.emplace_back(column(quantity));
             continue;
         }
-        for (const Obstacle& obstacle : scene.fluid->obstacles) {
+        for (const fluid::Obstacle& obstacle : scene.fluid->obstacles) {
             columns.push_back(obstacle.name + ".drag[N]");
             columns.push_back(obstacle.name + ".lift[N]");
             add_vector(columns, obstacle.name + ".force", "N");

@@ -10,6 +10,7 @@
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/fields.h"
+#include "adapters/scene/names.h"
 #include "adapters/scene/overrides.h"
 #include "adapters/scene/tree_reader.h"
 #include "adapters/scene/validate.h"
@@ -44,13 +45,13 @@ void complete(Coupling& coupling) {
 // Defaults that depend on other keys; files of the scene count from its folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
-        if (auto* mesh = std::get_if<FileMesh>(&body.mesh))
+        if (auto* mesh = std::get_if<MeshFile>(&body.mesh))
             mesh->file = (folder / mesh->file).string();
         if (!body.magnetization) continue;
         if (auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
             table->file = (folder / table->file).string();
         auto* harmonic = std::get_if<HarmonicMagnetization>(&*body.magnetization);
-        const auto* box = std::get_if<BoxMesh>(&body.mesh);
+        const auto* box = std::get_if<Box>(&body.mesh);
         if (harmonic && box && harmonic->wavelength_m == 0)
             harmonic->wavelength_m = box->size_m[harmonic->along];
     }

@@ -44,12 +44,16 @@ class TreeReader {
         (read_alternative<T>(value, *key++), ...);
     }
 
-    // Of a variant whose first alternative stands for none of the keys.
     template <class... T>
-    void optional_alternatives(std::variant<std::monostate, T...>& value,
+    void optional_alternatives(std::optional<std::variant<T...>>& value,
                                std::initializer_list<const char*> keys) {
         const char* const* key = keys.begin();
         (read_alternative<T>(value, *key++), ...);
+    }
+
+    template <class Body>
+    void effect(std::string_view key, bool, const Body& body) {
+        if (node_ && node_->find(key)) group(key, body);
     }
 
     // Reads this place itself into value.

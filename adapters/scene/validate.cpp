@@ -52,8 +52,24 @@ void check_required(const Node& node, const Field& field, const std::string& whe
     }
 }
 
+// Keys that had another name once.
+struct Renamed {
+    std::string_view group, old_name, new_name;
+};
+constexpr Renamed renamed[] = {
+    {"iteration", "most", "max_iterations"},
+    {"iteration", "unconverged", "on_no_convergence"},
+    {"iteration", "first_guess", "initial_guess"},
+    {"iteration", "columns", "max_used_iterations"},
+    {"checkpoint", "retries", "max_retries"},
+};
+
 // What to do about a key that the group has not, or "".
 std::string advice(const std::string& key, const Field& group) {
+    for (const Renamed& entry : renamed) {
+        if (entry.group == group.name && entry.old_name == key)
+            return fmt::format("it is now called {}", in_quotes(entry.new_name));
+    }
     std::vector<std::string> keys, owners;
     for (const Field& known : group.children) {
         keys.push_back(known.name);

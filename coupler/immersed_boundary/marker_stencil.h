@@ -15,15 +15,14 @@
 #include <vector>
 
 #include "coupler/immersed_boundary/grid.h"
+#include "coupler/options.h"
 
 namespace magfsi::coupler {
-
-enum class Kernel { two_point = 2, three_point = 3, four_point = 4 };
 
 constexpr int max_support = 4;
 
 inline int support(Kernel kernel) {
-    return static_cast<int>(kernel);
+    return 2 + static_cast<int>(kernel);
 }
 
 // The cells that a point touches along one axis: first, first + 1, ... with their

@@ -6,23 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "adapters/scene/coupling.h"
+#include "coupler/options.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
 
 struct CheckpointPlan {
     double every_s = 0;
-    bool retry = false;  // after a divergence, from the last checkpoint with half the steps
+    bool retry =
+        false;  // after a divergence, from the last checkpoint with half the steps
 };
 
 struct RunPlan {
     std::string name;
     std::uint64_t scene_hash = 0;
-    std::uint64_t state_hash = 0;  // the same whatever end_s: a run may go on to a later end
+    std::uint64_t state_hash =
+        0;  // the same whatever end_s: a run may go on to a later end
     double end_s = 0;
-    std::vector<Role> roles;  // the participants of the run
-    std::optional<scene::Coupling> coupling;  // present where there are both
+    std::vector<Role> roles;           // the participants of the run
+    std::optional<Coupling> coupling;  // present where there are both
     std::optional<CheckpointPlan> checkpoint;
     bool interface_balance = false;  // is audited
 

@@ -37,14 +37,13 @@ double norm(MPI_Comm comm, std::span<const double> a) {
     return std::sqrt(inner_product(comm, a, a));
 }
 
-std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm,
-                                                const scene::Iteration& wanted) {
+std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm, const Iteration& wanted) {
     switch (wanted.acceleration) {
-        case scene::Acceleration::under_relaxation:
+        case AccelerationMethod::under_relaxation:
             return std::make_unique<UnderRelaxation>(wanted.relaxation);
-        case scene::Acceleration::aitken:
+        case AccelerationMethod::aitken:
             return std::make_unique<Aitken>(comm, wanted.relaxation);
-        case scene::Acceleration::iqn_ils:
+        case AccelerationMethod::iqn_ils:
             break;
     }
     return std::make_unique<IqnIls>(comm, wanted);
@@ -85,15 +84,14 @@ void Aitken::make_room(std::span<const double> numbers, std::size_t) {
     omega_ = numbers[0];
 }
 
-IqnIls::IqnIls(MPI_Comm comm, const scene::Iteration& wanted)
-    : comm_(comm), wanted_(wanted) {}
+IqnIls::IqnIls(MPI_Comm comm, const Iteration& wanted) : comm_(comm), wanted_(wanted) {}
 
 bool IqnIls::learn(std::span<const double> guess, std::span<const double> answer) {
     std::vector<double> residual = difference(answer, guess);
     if (!first_) {
         columns_.push_front(
             {difference(residual, residual_), difference(answer, answer_), 0});
-        if (columns_.size() > static_cast<std::size_t>(wanted_.columns))
+        if (columns_.size() > static_cast<std::size_t>(wanted_.max_used_iterations))
             columns_.pop_back();
     }
     first_ = false;

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "adapters/scene/scene.h"
+#include "coupler/options.h"
 
 namespace magfsi::coupler {
 
@@ -45,8 +45,7 @@ class Acceleration {
 };
 
 // The one that the options ask for.
-std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm,
-                                                const scene::Iteration& wanted);
+std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm, const Iteration& wanted);
 
 // x' = x + omega (H(x) - x), omega constant.
 class UnderRelaxation final : public Acceleration {
@@ -97,7 +96,7 @@ class Aitken final : public Acceleration {
 // first; those that say nothing new are dropped for good.
 class IqnIls final : public Acceleration {
   public:
-    IqnIls(MPI_Comm comm, const scene::Iteration& wanted);
+    IqnIls(MPI_Comm comm, const Iteration& wanted);
 
     void improve(std::span<double> guess, std::span<const double> answer) override;
     void end_step(std::span<const double> guess, std::span<const double> answer) override;
@@ -119,7 +118,7 @@ class IqnIls final : public Acceleration {
     void build_on_columns(std::span<double> guess, std::span<const double> answer);
 
     MPI_Comm comm_;
-    scene::Iteration wanted_;
+    Iteration wanted_;
     std::deque<Column> columns_;
     bool first_ = true;  // of this step
     std::vector<double> residual_, answer_;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <exception>
 
-#include "adapters/scene/names.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/wait.h"
 
@@ -78,14 +77,14 @@ FixedPoint::FixedPoint(const World& world, const Setting& setting, std::size_t m
       convergence_(world, setting.timeout_s),
       guess_(markers) {
     record_.measure = "fluid velocity at the markers";
-    record_.acceleration = scene::name_of(setting.iteration.acceleration);
+    record_.acceleration = name_of(setting.iteration.acceleration);
     record_.tolerance = setting.iteration.velocity_tolerance;
 }
 
 void FixedPoint::begin_step(std::span<const Vec3> now, std::span<const Vec3> before) {
     iteration_ = 0;
     std::ranges::copy(now, guess_.begin());
-    if (setting_.iteration.first_guess == scene::FirstGuess::constant) return;
+    if (setting_.iteration.initial_guess == InitialGuess::constant) return;
     for (std::size_t m = 0; m < guess_.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d) guess_[m][d] += now[m][d] - before[m][d];
     }
@@ -109,7 +108,7 @@ void FixedPoint::count(double residual, bool converged) {
 }
 
 bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
-    const scene::Iteration& wanted = setting_.iteration;
+    const Iteration& wanted = setting_.iteration;
     const auto answered = flat(answer);
     const double residual = measure(answered);
     if (!std::isfinite(residual)) {
@@ -119,14 +118,14 @@ bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
             iteration_ + 1, step));
     }
     const bool converged = residual <= wanted.velocity_tolerance;
-    const bool again = !converged && iteration_ + 1 < wanted.most;
-    if (!converged && !again && wanted.unconverged == scene::Unconverged::stop) {
+    const bool again = !converged && iteration_ + 1 < wanted.max_iterations;
+    if (!converged && !again && wanted.on_no_convergence == OnNoConvergence::stop) {
         throw Diverged(fmt::format(
             "coupled step {} has not converged: after {} iterations the {} changes by "
             "{:.3g} of itself, allowed is {:.3g} "
             "(coupling.iteration.velocity_tolerance); "
             "take a smaller time step, acceleration: iqn_ils, a larger "
-            "coupling.iteration.most, or unconverged: go_on",
+            "coupling.iteration.max_iterations, or on_no_convergence: continue",
             step, iteration_ + 1, record_.measure, residual, wanted.velocity_tolerance));
     }
     convergence_.send({step, iteration_}, again);

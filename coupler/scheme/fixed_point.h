@@ -42,7 +42,7 @@ bool step_is_repeated(const World& world, const Occasion& when, double timeout_s
 class FixedPoint {
   public:
     struct Setting {
-        scene::Iteration iteration;
+        Iteration iteration;
         // Velocities below are at rest: residuals are measured by it there [m/s].
         double rest_m_s = 0;
         double timeout_s = 0;

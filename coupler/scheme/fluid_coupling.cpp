@@ -1,7 +1,6 @@
 #include "coupler/scheme/fluid_coupling.h"
 
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
 #include "coupler/scheme/fixed_point.h"
 
@@ -9,12 +8,12 @@ namespace magfsi::coupler {
 
 namespace {
 
-const scene::Coupling& coupling_of(const Session& session) {
+const Coupling& coupling_of(const Session& session) {
     return *session.plan().coupling;
 }
 
 bool at_once(const Session& session) {
-    return coupling_of(session).scheme == scene::Scheme::parallel;
+    return coupling_of(session).scheme == Scheme::parallel;
 }
 
 }  // namespace
@@ -26,21 +25,19 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
       immersed_boundary_(
           fluid,
           fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
-          to_kernel(coupling_of(session).immersed_boundary.kernel),
-          session.clock().step_s()) {
-    if (session.plan().interface_balance)
-        balance_ = std::make_unique<BalanceRecord>();
+          coupling_of(session).immersed_boundary.kernel, session.clock().step_s()) {
+    if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     swap_text(session.world(), to_text(fluid.grid()), startup_timeout_s,
               "description of the grid");
 }
 
 void FluidCoupling::add_tasks(TaskList& tasks) {
     switch (coupling_of(session_).scheme) {
-        case scene::Scheme::serial:
+        case Scheme::serial:
             return add_turn(tasks);
-        case scene::Scheme::parallel:
+        case Scheme::parallel:
             return add_meeting(tasks);
-        case scene::Scheme::implicit:
+        case Scheme::implicit:
             return add_repeated_turn(tasks);
     }
 }

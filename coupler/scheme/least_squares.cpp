@@ -42,19 +42,19 @@ Matrix take(const Matrix& r, const std::vector<Eigen::Index>& columns) {
 
 // Lengths survive the rotation: the triangle stands for the columns themselves. The first
 // column that says too little of its own, or -1.
-Eigen::Index first_to_drop(const Matrix& r, scene::ColumnFilter filter, double limit) {
+Eigen::Index first_to_drop(const Matrix& r, ColumnFilter filter, double limit) {
     const Eigen::Index n = r.cols();
     const double whole = r.norm();
     for (Eigen::Index i = 0; i < n; ++i) {
         const double scale =
-            filter == scene::ColumnFilter::qr1 ? whole : r.col(i).head(i + 1).norm();
+            filter == ColumnFilter::qr1 ? whole : r.col(i).head(i + 1).norm();
         // Not "less than": a column of zeros goes, too.
         if (!(std::abs(r(i, i)) > limit * scale)) return i;
     }
     return -1;
 }
 
-void solve_on_root(const Matrix& r, scene::ColumnFilter filter, double limit,
+void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
                    std::vector<double>& coefficient, std::vector<int>& kept) {
     const Eigen::Index n = r.cols() - 1;  // the last is the residual
     std::vector<Eigen::Index> columns;
@@ -85,8 +85,8 @@ void solve_on_root(const Matrix& r, scene::ColumnFilter filter, double limit,
 
 LeastSquares solve_least_squares(MPI_Comm comm,
                                  std::span<const std::span<const double>> columns,
-                                 std::span<const double> residual,
-                                 scene::ColumnFilter filter, double limit) {
+                                 std::span<const double> residual, ColumnFilter filter,
+                                 double limit) {
     const std::size_t n = columns.size();
     Matrix mine(residual.size(), n + 1);
     for (std::size_t row = 0; row < residual.size(); ++row) {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "adapters/scene/scene.h"
+#include "coupler/options.h"
 
 namespace magfsi::coupler {
 
@@ -26,7 +26,7 @@ struct LeastSquares {
 // Collective; the same bits on every rank.
 LeastSquares solve_least_squares(MPI_Comm comm,
                                  std::span<const std::span<const double>> columns,
-                                 std::span<const double> residual,
-                                 scene::ColumnFilter filter, double limit);
+                                 std::span<const double> residual, ColumnFilter filter,
+                                 double limit);
 
 }  // namespace magfsi::coupler

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 
-#include "adapters/scene/names.h"
 
 namespace magfsi::coupler {
 
 namespace {
-
-using scene::Scheme;
 
 // A gain below this is lost in what the model leaves out: memory bandwidth and messages.
 constexpr double least_gain = 1.15;
@@ -78,7 +75,7 @@ std::string in_words(const Choice& now, const Choice& best, const Run& run) {
                                    100 * idle.waiting_s / run.wall_s,
                                    structure_waits ? "fluid" : "structure");
     if (best.scheme != now.scheme)
-        text += fmt::format(" --set coupling.scheme={}", scene::name_of(best.scheme));
+        text += fmt::format(" --set coupling.scheme={}", name_of(best.scheme));
     return text +
            fmt::format(" --ranks structure={},fluid={} may be {:.1f} times as fast",
                        best.structure, best.fluid, best.gain);

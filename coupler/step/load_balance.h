@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "adapters/scene/coupling.h"
+#include "coupler/options.h"
 
 namespace magfsi::coupler {
 
@@ -27,8 +27,7 @@ struct SideLoad {
 // need: in turns (serial), or the slower side (parallel). It is packing, messages and
 // waiting for them. The side that started its first step later, after its start-up,
 // counts. Clamped at zero.
-double coupling_overhead(scene::Scheme scheme, const SideLoad& structure,
-                         const SideLoad& fluid);
+double coupling_overhead(Scheme scheme, const SideLoad& structure, const SideLoad& fluid);
 
 // Share of the steps' time in which markers take from and give to cells, on the ranks
 // that have most of it.
@@ -37,7 +36,7 @@ double immersed_boundary_share(const SideLoad& structure, const SideLoad& fluid)
 // Ranks and scheme that should be faster by enough to be worth a try, in words with the
 // options to give; nothing when there are none. The work of a side is taken to be divided
 // by its ranks without loss. cores: of the machine.
-std::optional<std::string> advice(scene::Scheme scheme, const SideLoad& structure,
+std::optional<std::string> advice(Scheme scheme, const SideLoad& structure,
                                   const SideLoad& fluid, double wall_s, int cores);
 
 }  // namespace magfsi::coupler

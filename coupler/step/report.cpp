@@ -84,7 +84,7 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
 // What takes two sides: the summary of a run without a partner has none of it.
 void add_balance(const Session& session, output::Summary& summary,
                  const ParticipantReport& structure, const ParticipantReport& fluid) {
-    const scene::Scheme scheme = session.plan().coupling->scheme;
+    const Scheme scheme = session.plan().coupling->scheme;
     summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
     summary.immersed_boundary_share = immersed_boundary_share(structure.load, fluid.load);
     const auto cores = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));

@@ -46,8 +46,8 @@ void check_wall_velocity(const FluidConfig& config, int side) {
         refuse("fluid wall velocity at ", side_name[side], " is not finite");
     }
     if (speed > 0 && boundary.kind != BoundaryKind::no_slip) {
-        refuse("fluid side ", side_name[side], " is ", to_string(boundary.kind),
-               " and has a wall velocity; only no-slip sides may have one");
+        refuse("fluid side ", side_name[side], " is ", name_of(boundary.kind),
+               " and has a wall velocity; only no_slip sides may have one");
     }
     if (u[side / 2] != 0) {
         refuse("fluid wall velocity at ", side_name[side], " has the component ",
@@ -62,7 +62,7 @@ void check_patch(const FluidConfig& config, int side) {
     if (!boundary.patch) return;
     if (boundary.kind != BoundaryKind::velocity_inlet &&
         boundary.kind != BoundaryKind::pressure_outlet) {
-        refuse("fluid side ", side_name[side], " is ", to_string(boundary.kind),
+        refuse("fluid side ", side_name[side], " is ", name_of(boundary.kind),
                " and has a patch; only inlets and outlets may have one");
     }
     const auto* disc = std::get_if<Disc>(&*boundary.patch);
@@ -158,22 +158,6 @@ void check_outlets(const FluidConfig& config) {
 }
 
 }  // namespace
-
-std::string to_string(BoundaryKind kind) {
-    switch (kind) {
-        case BoundaryKind::periodic:
-            return "periodic";
-        case BoundaryKind::no_slip:
-            return "no-slip";
-        case BoundaryKind::free_slip:
-            return "free-slip";
-        case BoundaryKind::velocity_inlet:
-            return "a velocity inlet";
-        case BoundaryKind::pressure_outlet:
-            return "a pressure outlet";
-    }
-    return "";
-}
 
 void check_boundaries(const FluidConfig& config) {
     check_periodic_pairs(config);

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "fluid_lbm/boundary/boundary.h"
 #include "fluid_lbm/fluid.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 

@@ -3,14 +3,13 @@
 // written as f + omega (f_eq - f), which keeps conserved moments to rounding.
 #pragma once
 
-#include "fluid_lbm/collision/collision.h"
 #include "fluid_lbm/collision/pairs.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 
 struct Bgk {
     static constexpr Collision kind = Collision::bgk;
-    static constexpr const char* name = "bgk";
 
     // force: read only if Forced.
     template <bool Forced, class V, class Real>

@@ -21,18 +21,7 @@ bool has_moving_wall(const FluidConfig& config) {
     });
 }
 
-template <class... Kinds>
-const char* name_of(Collision collision, CollisionList<Kinds...>) {
-    const char* name = "automatic";
-    ((Kinds::kind == collision ? void(name = Kinds::name) : void()), ...);
-    return name;
-}
-
 }  // namespace
-
-std::string to_string(Collision collision) {
-    return name_of(collision, RegisteredCollisions{});
-}
 
 double choose_magic_number(const FluidConfig& config) {
     if (config.magic_number) return *config.magic_number;
@@ -61,7 +50,7 @@ std::string collision_reason(const FluidConfig& config) {
     const Collision chosen = choose_collision(config);
     std::ostringstream text;
     text.precision(4);
-    text << to_string(chosen);
+    text << name_of(chosen);
     if (chosen == Collision::trt) {
         text << " (magic number " << choose_magic_number(config) << ", odd rate "
              << odd_rate(config) << ")";

@@ -9,18 +9,17 @@
 //   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz.
 #pragma once
 
-#include "fluid_lbm/collision/collision.h"
 #include "fluid_lbm/collision/lane_cells.h"
 #include "fluid_lbm/collision/rates.h"
 #include "fluid_lbm/collision/stress.h"
 #include "fluid_lbm/collision/watch.h"
 #include "fluid_lbm/forcing/guo.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 
 struct RecursiveRegularized {
     static constexpr Collision kind = Collision::recursive_regularized;
-    static constexpr const char* name = "recursive_regularized";
 
     // force: read only if Forced.
     template <bool Forced, class V, class Real>

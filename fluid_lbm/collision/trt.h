@@ -4,14 +4,13 @@
 // exactly half way; the force's even part carries 1 - even / 2, the odd one 1 - odd / 2.
 #pragma once
 
-#include "fluid_lbm/collision/collision.h"
 #include "fluid_lbm/collision/pairs.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 
 struct TwoRelaxationTimes {
     static constexpr Collision kind = Collision::trt;
-    static constexpr const char* name = "trt";
 
     // force: read only if Forced.
     template <bool Forced, class V, class Real>

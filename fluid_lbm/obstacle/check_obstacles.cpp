@@ -36,8 +36,8 @@ void check_shape(const std::string& name, const Block& block) {
 }
 
 void check_shape(const std::string& name, const StlSurface& surface) {
-    if (!(surface.scale_m > 0) || !std::isfinite(surface.scale_m)) {
-        refuse("fluid obstacle \"", name, "\" has the scale ", surface.scale_m,
+    if (!(surface.unit_m > 0) || !std::isfinite(surface.unit_m)) {
+        refuse("fluid obstacle \"", name, "\" has the scale ", surface.unit_m,
                " m; it must be above 0");
     }
 }

@@ -108,7 +108,7 @@ std::shared_ptr<const Solid> make(const Block& block, double dx,
 
 std::shared_ptr<const Solid> make(const StlSurface& surface, double dx,
                                   const std::array<int, 3>&) {
-    return std::make_shared<TriangulatedSolid>(surface.file, surface.scale_m / dx,
+    return std::make_shared<TriangulatedSolid>(surface.file, surface.unit_m / dx,
                                                in_cells(surface.shift_m, dx));
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "fluid_lbm/obstacle/obstacle.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 

@@ -28,7 +28,7 @@ ChosenKernels<Real> choose(const KernelTable<Real>& table, Collision collision,
                 table.moments};
     }
     throw std::invalid_argument("no kernel is registered for collision " +
-                                to_string(collision));
+                                std::string(name_of(collision)));
 }
 
 }  // namespace

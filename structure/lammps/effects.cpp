@@ -16,9 +16,7 @@ namespace magfsi::structure {
 namespace {
 
 #define MAGFSI_EFFECT(name) &name##_effect,
-constexpr const ScriptEffect* registered[] = {
-#include "structure/lammps/effects.inc"
-    nullptr};
+constexpr const ScriptEffect* registered[] = {nullptr};
 #undef MAGFSI_EFFECT
 
 void refuse_absent(const LammpsInput& input) {

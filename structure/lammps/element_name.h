@@ -7,9 +7,7 @@
 
 namespace magfsi::structure {
 
-const char* element_name(ElementVariant variant);
-
-// Throws std::invalid_argument on another word than those of element_name.
+// Throws std::invalid_argument on another word than those of ElementVariant.
 ElementVariant parse_element_name(const std::string& word);
 
 }  // namespace magfsi::structure

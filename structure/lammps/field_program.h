@@ -3,32 +3,11 @@
 
 #include <array>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "structure/mesh/mesh.h"
+#include "structure/options.h"
 
 namespace magfsi::structure {
-
-struct ConstantField {
-    double magnitude_t = 0;
-    double direction_rad = 0;
-};
-// Linear between rows; repeated with the period time.back() - time.front(). Outside the
-// rows the end values hold. Two rows of one time are a jump: from that time on the later
-// one.
-struct FieldTable {
-    std::vector<double> time_s, magnitude_t;
-    std::vector<double> direction_rad;  // one, or one a row
-    bool repeat = false;
-};
-struct RotatingField {
-    double magnitude_t = 0, start_rad = 0, frequency_hz = 0;
-};
-struct FieldProgram {
-    std::array<int, 2> plane{0, 2};  // angles run from the first axis to the second
-    std::variant<ConstantField, FieldTable, RotatingField> course;
-};
 
 // Throws std::invalid_argument on a table that is empty, whose times fall, or whose
 // columns differ in length, and on a plane that is not two different axes.

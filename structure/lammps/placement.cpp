@@ -43,11 +43,10 @@ std::vector<Vec3> placed_nodes(const Body& body, const Placement& placement,
     if (placement.relaxed) {
         nodes = relaxed_shape(body, field_vector(*placement.relaxed, field_plane));
     }
-    if (placement.rotation_rad == 0 && !placement.position_m) return nodes;
+    const PlaneRotation turn = placement.rotation.value_or(PlaneRotation{});
+    if (turn.angle_rad == 0 && !placement.position_m) return nodes;
     const Vec3 centre = centre_of_volume(nodes, node_volumes(body));
-    if (placement.rotation_rad != 0) {
-        rotate(nodes, centre, placement.rotation_plane, placement.rotation_rad);
-    }
+    if (turn.angle_rad != 0) rotate(nodes, centre, turn.plane, turn.angle_rad);
     if (placement.position_m) {
         for (Vec3& x : nodes) {
             for (int d = 0; d < 3; ++d) x[d] += (*placement.position_m)[d] - centre[d];

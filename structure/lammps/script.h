@@ -10,17 +10,9 @@
 
 #include "structure/body.h"
 #include "structure/lammps/field_program.h"
-#include "structure/lammps/loads.h"
-#include "structure/lammps/motions.h"
 #include "structure/lammps/placement.h"
 
 namespace magfsi::structure {
-
-// Added to the field, constant in time (magnetics/field_gradient.h).
-struct GradientInput {
-    std::array<Vec3, 3> matrix_t_m{};  // row i, column j: dB_i / dx_j
-    Vec3 origin_m{};
-};
 
 struct LammpsInput {
     std::vector<Body> bodies;

@@ -80,7 +80,7 @@ void add_lattices(Lines& lines, LammpsScript& script, const LammpsInput& input,
         std::string line = fmt::format(
             "fix {} {} magttice {} {} {:.17g} {:.17g} element {}", script.fix_id.back(),
             all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
-            body.material.lame_lambda_pa, element_name(body.element));
+            body.material.lame_lambda_pa, name_of(body.element));
         for (const ScriptEffect* effect : effects) {
             if (effect->body_words) line += effect->body_words(input, body);
         }

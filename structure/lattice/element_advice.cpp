@@ -84,18 +84,6 @@ double ElementAdvice::worst() const {
     return larger({bending_error, twist_error, dome_error, saddle_error});
 }
 
-std::string element_name(ElementVariant variant) {
-    switch (variant) {
-        case ElementVariant::full:
-            return "full";
-        case ElementVariant::mean_f:
-            return "mean_f";
-        case ElementVariant::assumed_strain:
-            break;
-    }
-    return "assumed_strain";
-}
-
 ElementAdvice element_advice(ElementVariant variant, const Vec3& edges_m,
                              int thickness_axis, int layers, const Material& material) {
     for (double edge : edges_m) {
@@ -110,8 +98,8 @@ ElementAdvice element_advice(ElementVariant variant, const Vec3& edges_m,
     if (wrong.empty()) return out;
     const int more = layers_that_help(variant, edges_m, thickness_axis, layers, material);
     out.text = fmt::format(
-        "element {} in {} layer{} is {}: take element assumed_strain{}",
-        element_name(variant), layers, layers == 1 ? "" : "s", wrong,
+        "element {} in {} layer{} is {}: take element assumed_strain{}", name_of(variant),
+        layers, layers == 1 ? "" : "s", wrong,
         more > 0 ? fmt::format(" or {} layers of the same edges in the plane", more)
                  : "");
     return out;

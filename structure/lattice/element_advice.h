@@ -23,7 +23,4 @@ struct ElementAdvice {
 ElementAdvice element_advice(ElementVariant variant, const Vec3& edges_m,
                              int thickness_axis, int layers, const Material& material);
 
-// full, mean_f or assumed_strain.
-std::string element_name(ElementVariant variant);
-
 }  // namespace magfsi::structure

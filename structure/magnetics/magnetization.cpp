@@ -22,7 +22,7 @@ bool inside_polygon(std::span<const std::array<double, 2>> outline, const Vec3& 
     return inside;
 }
 
-bool holds(const Domain& domain, const Vec3& point) {
+bool holds(const MagneticDomain& domain, const Vec3& point) {
     if (domain.box_m) {
         for (int d = 0; d < 3; ++d) {
             if (point[d] < (*domain.box_m)[0][d] || point[d] > (*domain.box_m)[1][d]) {
@@ -33,7 +33,7 @@ bool holds(const Domain& domain, const Vec3& point) {
     return domain.polygon_xy_m.empty() || inside_polygon(domain.polygon_xy_m, point);
 }
 
-void check(const Harmonic& profile) {
+void check(const HarmonicMagnetization& profile) {
     const bool axes = profile.along >= 0 && profile.along <= 2 && profile.into >= 0 &&
                       profile.into <= 2 && profile.along != profile.into;
     if (!(profile.wavelength_m > 0) || !axes) {
@@ -58,7 +58,8 @@ std::vector<Vec3> uniform_magnetization(const Mesh& mesh, const Vec3& vector_a_m
     return std::vector<Vec3>(mesh.elements.size(), vector_a_m);
 }
 
-std::vector<Vec3> harmonic_magnetization(const Mesh& mesh, const Harmonic& profile) {
+std::vector<Vec3> harmonic_magnetization(const Mesh& mesh,
+                                         const HarmonicMagnetization& profile) {
     check(profile);
     double left_end = INFINITY;
     for (const Vec3& node : mesh.nodes)
@@ -75,12 +76,12 @@ std::vector<Vec3> harmonic_magnetization(const Mesh& mesh, const Harmonic& profi
 }
 
 std::vector<Vec3> domain_magnetization(const Mesh& mesh,
-                                       std::span<const Domain> domains) {
+                                       std::span<const MagneticDomain> domains) {
     std::vector<Vec3> out(mesh.elements.size());
     for (std::size_t e = 0; e < out.size(); ++e) {
         const Vec3 centre = element_centre(mesh, e);
         const auto owner = std::ranges::find_if(
-            domains, [&](const Domain& domain) { return holds(domain, centre); });
+            domains, [&](const MagneticDomain& domain) { return holds(domain, centre); });
         if (owner == domains.end()) {
             throw std::invalid_argument(
                 fmt::format("element {} with its centre at ({:.6g}, {:.6g}, {:.6g}) m "

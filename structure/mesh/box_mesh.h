@@ -2,13 +2,9 @@
 #pragma once
 
 #include "structure/mesh/mesh.h"
+#include "structure/options.h"
 
 namespace magfsi::structure {
-
-struct Box {
-    Vec3 size_m{};
-    std::array<int, 3> elements{};
-};
 
 // Node (i, j, k) has the number i + (nx+1) (j + (ny+1) k); element likewise. Fills the
 // six faces and the centre line (one point a node column along x, at half width and

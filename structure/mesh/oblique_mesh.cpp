@@ -13,11 +13,12 @@ namespace {
 
 void check(const ObliquePlate& plate) {
     const auto [along_a, along_b, layers] = plate.elements_per_cell;
-    if (plate.columns < 1 || plate.rows < 1 || along_a < 1 || along_b < 1 || layers < 1) {
+    if (plate.cells[0] < 1 || plate.cells[1] < 1 || along_a < 1 || along_b < 1 ||
+        layers < 1) {
         throw std::invalid_argument(fmt::format(
             "oblique plate of {} columns and {} rows in {} x {} x {} elements a cell "
             "found; each must be at least 1",
-            plate.columns, plate.rows, along_a, along_b, layers));
+            plate.cells[0], plate.cells[1], along_a, along_b, layers));
     }
     if (!(plate.length_a_m > 0 && plate.length_b_m > 0 && plate.thickness_m > 0)) {
         throw std::invalid_argument(
@@ -43,16 +44,16 @@ double lean(const ObliquePlate& plate, double s) {
 
 void name_cells(Mesh& mesh, const ObliquePlate& plate) {
     const auto [along_a, along_b, layers] = plate.elements_per_cell;
-    for (int row = 0; row < plate.rows; ++row) {
-        for (int column = 0; column < plate.columns; ++column) {
+    for (int row = 0; row < plate.cells[1]; ++row) {
+        for (int column = 0; column < plate.cells[0]; ++column) {
             mesh.region_names.push_back(fmt::format("row {} column {}", row, column));
         }
     }
-    const int nx = plate.columns * along_a;
-    const int ny = plate.rows * along_b;
+    const int nx = plate.cells[0] * along_a;
+    const int ny = plate.cells[1] * along_b;
     for (int e = 0; e < nx * ny * layers; ++e) {
         const int row = e / nx % ny / along_b;
-        mesh.region.push_back(row * plate.columns + e % nx / along_a);
+        mesh.region.push_back(row * plate.cells[0] + e % nx / along_a);
     }
 }
 
@@ -63,7 +64,7 @@ Mesh oblique_mesh(const ObliquePlate& plate) {
     const auto [along_a, along_b, layers] = plate.elements_per_cell;
     const double step_x = plate.length_b_m * std::cos(plate.angle_rad);
     const double step_y = plate.length_b_m * std::sin(plate.angle_rad);
-    const GridCounts elements{plate.columns * along_a, plate.rows * along_b, layers};
+    const GridCounts elements{plate.cells[0] * along_a, plate.cells[1] * along_b, layers};
     const auto position = [&](int i, int j, int k) {
         const double row = static_cast<double>(j) / along_b;
         return Vec3{plate.length_a_m * i / along_a + step_x * lean(plate, row),

@@ -21,7 +21,7 @@ scene::Fluid closed_box() {
     fluid.box_m = {cells * spacing_m, cells * spacing_m, cells * spacing_m};
     fluid.density_kg_m3 = density_kg_m3;
     fluid.viscosity_m2_s = 1e-6;
-    for (auto& side : fluid.boundaries) side.kind = scene::BoundaryKind::no_slip;
+    for (auto& side : fluid.boundaries) side.kind = fluid::BoundaryKind::no_slip;
     return fluid;
 }
 

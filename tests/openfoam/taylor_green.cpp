@@ -34,7 +34,7 @@ scene::Fluid box(int cells) {
     fluid.box_m = {length_m, 4 * fluid.spacing_m, length_m};
     fluid.density_kg_m3 = 1;
     fluid.viscosity_m2_s = viscosity;
-    for (auto& side : fluid.boundaries) side.kind = scene::BoundaryKind::periodic;
+    for (auto& side : fluid.boundaries) side.kind = fluid::BoundaryKind::periodic;
     return fluid;
 }
 

@@ -80,7 +80,7 @@ class Retry(unittest.TestCase):
 
     def test_bounded(self):
         through = {**CUBE, **RETRY, RAMP + "displacement": "[-4 mm, 0 mm, 0 mm]",
-                   "checkpoint.retries": 2}
+                   "checkpoint.max_retries": 2}
         run = testing.run(HERE / "crushed.yaml", through)
         self.assertEqual(run.code, 3, run.err)
         self.assertIn("no retry: 2 of at most 2 retries done", run.err)

@@ -16,11 +16,11 @@ namespace magfsi::lammps {
 namespace {
 
 bool is_driven(const scene::Fluid& fluid) {
-    using enum scene::BoundaryKind;
+    using enum fluid::BoundaryKind;
     return fluid.body_force_n_m3.has_value() ||
-           std::ranges::any_of(fluid.boundaries, [](const scene::Boundary& side) {
+           std::ranges::any_of(fluid.boundaries, [](const fluid::Boundary& side) {
                return side.kind == velocity_inlet || side.kind == pressure_outlet ||
-                      side.velocity_m_s != scene::Vec3{};
+                      side.wall_velocity_m_s != scene::Vec3{};
            });
 }
 
@@ -29,9 +29,9 @@ bool any_body(const scene::Scene& scene, bool (*test)(const scene::Body&)) {
 }
 
 bool is_viscous(const scene::Body& body) {
-    return body.material.viscosity_pa_s ||
+    return body.material.viscosity_pa_s > 0 ||
            std::ranges::any_of(body.material_regions, [](const auto& region) {
-               return region.material.viscosity_pa_s.has_value();
+               return region.material.viscosity_pa_s > 0;
            });
 }
 
@@ -52,7 +52,7 @@ constexpr double least_strain = 1e-6;
 double least_energy(const scene::Scene& scene, const std::vector<double>& masses_kg) {
     double softest = std::numeric_limits<double>::infinity();  // G / density [m2/s2]
     for (const scene::Body& body : scene.bodies) {
-        const scene::Material& m = body.material;
+        const structure::Material& m = body.material;
         softest = std::min(softest, m.shear_modulus_pa / m.density_kg_m3);
     }
     return least_strain * least_strain * softest *

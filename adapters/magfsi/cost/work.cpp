@@ -59,7 +59,7 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
     work.wall_cells = wall_cells(config);
     work.recursive_regularized =
         fluid::choose_collision(config) == fluid::Collision::recursive_regularized;
-    work.single_precision = scene.fluid->precision != scene::Precision::double_;
+    work.single_precision = scene.fluid->precision != fluid::Precision::double_;
 }
 
 FluidWork fluid_work(const scene::Scene& scene, int ranks) {
@@ -127,8 +127,8 @@ Work work_of(const scene::Scene& scene, const Ranks& ranks) {
     }
     work.steps = std::round(scene.time.end_s / step_s);
     if (scene.coupling) {
-        work.at_once = scene.coupling->scheme == scene::Scheme::parallel;
-        if (scene.coupling->scheme == scene::Scheme::implicit)
+        work.at_once = scene.coupling->scheme == coupler::Scheme::parallel;
+        if (scene.coupling->scheme == coupler::Scheme::implicit)
             work.iterations = usual_iterations;
     }
     return work;

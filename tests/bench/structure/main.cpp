@@ -98,7 +98,7 @@ Figures measure(ElementVariant variant, const std::filesystem::path& folder) {
     for (std::string& line : lines) {
         if (!line.starts_with("fix magttice_")) continue;
         line = "fix plain all bench/plain \"" + (folder / "sheet.lattice").string() +
-               "\" 33e3 660e3 " + element_name(variant);
+               "\" 33e3 660e3 " + std::string(name_of(variant));
     }
     const auto plain = started(lines);
     std::vector<double> a;
@@ -114,7 +114,7 @@ Figures measure(ElementVariant variant, const std::filesystem::path& folder) {
 }
 
 void print(ElementVariant variant, const Figures& f, bool json, bool last) {
-    const char* name = element_name(variant);
+    const char* name = name_of(variant).data();
     if (json) {
         std::printf(
             "  \"%s\": {\"ns_per_element_step\": [%.2f, %.2f, %.2f], "

@@ -19,7 +19,7 @@ constexpr std::size_t markers = 4;  // of each structure rank
 
 FixedPoint::Setting setting() {
     FixedPoint::Setting s;
-    s.iteration.acceleration = scene::Acceleration::under_relaxation;
+    s.iteration.acceleration = coupler::AccelerationMethod::under_relaxation;
     s.iteration.relaxation = 1;
     s.iteration.velocity_tolerance = 1e-3;
     s.timeout_s = timeout_s;
@@ -80,8 +80,8 @@ TEST(FixedPointOfAStep, at_rest_one_iteration_is_enough) {
 TEST(FixedPointOfAStep, goes_on_and_is_counted_if_the_scene_says_so) {
     const World world(role_in(1), true);
     auto wanted = setting();
-    wanted.iteration.most = 4;
-    wanted.iteration.unconverged = scene::Unconverged::go_on;
+    wanted.iteration.max_iterations = 4;
+    wanted.iteration.on_no_convergence = coupler::OnNoConvergence::continue_;
     EXPECT_EQ(counted(world, wanted, 1), std::vector<int>(steps, 4));
 }
 
@@ -92,7 +92,7 @@ TEST(FixedPointOfAStep, ends_with_what_was_reached) {
         return;
     }
     auto wanted = setting();
-    wanted.iteration.most = 2;
+    wanted.iteration.max_iterations = 2;
     FixedPoint point(world, wanted, markers);
     const std::vector<Vec3> zero(markers);
     point.begin_step(zero, zero);
@@ -118,7 +118,7 @@ TEST(FixedPointOfAStep, first_guess_goes_on_as_the_step_before) {
     FixedPoint linear(world, wanted, markers);
     linear.begin_step(now, before);
     EXPECT_EQ(linear.guess()[0], (Vec3{3, 2, -1}));
-    wanted.iteration.first_guess = scene::FirstGuess::constant;
+    wanted.iteration.initial_guess = coupler::InitialGuess::constant;
     FixedPoint constant(world, wanted, markers);
     constant.begin_step(now, before);
     EXPECT_EQ(constant.guess()[0], (Vec3{2, 2, 1}));

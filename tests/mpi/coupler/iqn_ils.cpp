@@ -12,8 +12,8 @@ using namespace testing;
 // Least squares of some 1e-16, magnified by the map's condition of up to 1e3.
 constexpr double exact = 1e-10;
 
-scene::Iteration settings(int reused_steps = 0) {
-    scene::Iteration wanted;
+coupler::Iteration settings(int reused_steps = 0) {
+    coupler::Iteration wanted;
     wanted.reused_steps = reused_steps;
     wanted.filter_limit = 1e-12;
     return wanted;
@@ -54,8 +54,8 @@ TEST(IqnIls, what_a_step_taught_serves_the_next) {
 }
 
 TEST(IqnIls, keeps_as_many_columns_and_steps_as_it_may) {
-    scene::Iteration wanted = settings(2);
-    wanted.columns = 7;
+    coupler::Iteration wanted = settings(2);
+    wanted.max_used_iterations = 7;
     IqnIls iqn(MPI_COMM_WORLD, wanted);
     const LinearMap map = linear_map(40, -0.9, 0.9);
     errors(iqn, map, 3);
@@ -68,7 +68,7 @@ TEST(IqnIls, keeps_as_many_columns_and_steps_as_it_may) {
 
 TEST(IqnIls, drops_what_says_nothing_new) {
     // Three dimensions cannot give more than three columns that differ.
-    scene::Iteration wanted = settings(5);
+    coupler::Iteration wanted = settings(5);
     wanted.filter_limit = 1e-3;
     IqnIls iqn(MPI_COMM_WORLD, wanted);
     LinearMap map = linear_map(3, -3, 0.7);

@@ -7,7 +7,7 @@ namespace magfsi::coupler {
 namespace {
 
 using namespace testing;
-using scene::ColumnFilter;
+using coupler::ColumnFilter;
 
 LeastSquares solve(const Eigen::MatrixXd& v, const Eigen::VectorXd& r,
                    ColumnFilter filter, double limit) {

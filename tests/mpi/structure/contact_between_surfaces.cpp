@@ -18,8 +18,7 @@ LammpsInput crossed_sheets() {
     input.placements.resize(2);
     input.placements[0].position_m = Vec3{0, 0, 0};
     input.placements[1].position_m = Vec3{0.2e-3, 0.1e-3, 0.585e-3};
-    input.placements[1].rotation_plane = {0, 1};
-    input.placements[1].rotation_rad = 1.2;
+    input.placements[1].rotation = PlaneRotation{{0, 1}, 1.2};
     input.contact = ContactLaw{};
     input.time_step_s = 0.9 * contact_step_limit_s(input.bodies[0], contact_law(input));
     return input;

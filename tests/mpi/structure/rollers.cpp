@@ -10,7 +10,7 @@ namespace {
 
 TEST(Rollers, HoldOneCoordinateAndLeaveTheOthersFree) {
     LammpsInput input = test::bare_strip();
-    input.bodies[0].rollers = {{"y_min", 1}, {"y_max", 1}, {"x_min", 0}};
+    input.bodies[0].rollers = {{{"y_min"}, 1}, {{"y_max"}, 1}, {{"x_min"}, 0}};
     input.gravity_m_s2 = Vec3{1, 2, -3};
     const test::SharedFolder folder;
     test::LammpsRun run(MPI_COMM_WORLD, folder.write(input).setup);

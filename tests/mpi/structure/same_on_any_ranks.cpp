@@ -22,7 +22,7 @@ TEST_P(AnyRanks, GiveTheSameMotionEnergiesAndWork) {
     LammpsInput input = test::strip_in_field(GetParam());
     Placement placement;
     placement.relaxed = ConstantField{17e-3, 4.4};
-    placement.rotation_rad = 0.3;
+    placement.rotation = PlaneRotation{{0, 2}, 0.3};
     placement.position_m = Vec3{8e-3, 4e-3, 4e-3};
     input.placements = {placement};
     input.gravity_m_s2 = Vec3{0, 0, -9.81};

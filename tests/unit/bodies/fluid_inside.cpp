@@ -19,7 +19,7 @@ scene::Scene scene_with(std::initializer_list<double> densities) {
     for (const double density : densities) {
         scene::Body& body = scene.bodies.emplace_back();
         body.name = "body";
-        body.mesh = scene::BoxMesh{{4e-3, 2e-3, 1e-3}, {4, 2, 1}};
+        body.mesh = structure::Box{{4e-3, 2e-3, 1e-3}, {4, 2, 1}};
         body.material.shear_modulus_pa = 1e5;
         body.material.lame_lambda_pa = 1e6;
         body.material.density_kg_m3 = density;

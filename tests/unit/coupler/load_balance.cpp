@@ -7,7 +7,7 @@
 namespace magfsi::coupler {
 namespace {
 
-using scene::Scheme;
+using coupler::Scheme;
 
 SideLoad side(int ranks, double working_s, double waiting_s, int most_ranks) {
     SideLoad load;

@@ -110,8 +110,8 @@ TEST_P(Kernels, ConserveMassAndGiveMomentum) {
 
 std::string name(const testing::TestParamInfo<Case>& info) {
     const auto& [collision, precision, forced, eddies] = info.param;
-    return to_string(collision) + "_" + to_string(precision) + (forced ? "_forced" : "") +
-           (eddies ? "_eddies" : "");
+    return std::string(name_of(collision)) + "_" + std::string(name_of(precision)) +
+           (forced ? "_forced" : "") + (eddies ? "_eddies" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -29,8 +29,7 @@ TEST_P(MassIsConserved, BetweenWalls) {
     for (int i = 0; i < steps; ++i) fluid.step();
     const double change = fluid.totals().mass_kg / before - 1;
     std::printf("%s, %s: relative change of mass over %d steps %.1e\n",
-                to_string(collision).c_str(), to_string(precision).c_str(), steps,
-                change);
+                name_of(collision).data(), name_of(precision).data(), steps, change);
     // Populations of about 1e-3 are rounded by 1e-19 or 6e-11 a step; 19000 roundings of
     // random sign make 1e-17 or 8e-9 of a cell's mass, and cells may agree.
     EXPECT_NEAR(change, 0, precision == Precision::double_ ? 1e-15 : 5e-8);

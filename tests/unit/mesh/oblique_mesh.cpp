@@ -89,7 +89,7 @@ TEST(ObliqueMesh, RefusesWhatIsNotAPlate) {
         EXPECT_THROW(oblique_mesh(plate), std::invalid_argument) << angle;
     }
     ObliquePlate none = miura();
-    none.rows = 0;
+    none.cells[1] = 0;
     EXPECT_THROW(oblique_mesh(none), std::invalid_argument);
     none = miura();
     none.thickness_m = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
 #include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
@@ -32,7 +33,7 @@ TEST(Defaults, of_the_table_are_those_of_the_structs) {
     EXPECT_EQ(s.fluid->collision, Fluid{}.collision);
     for (std::size_t face = 0; face < 6; ++face) {
         EXPECT_EQ(s.fluid->boundaries[face].kind, Boundary{}.kind);
-        EXPECT_EQ(s.fluid->boundaries[face].velocity_m_s, Vec3{});
+        EXPECT_EQ(s.fluid->boundaries[face].wall_velocity_m_s, Vec3{});
     }
     EXPECT_FALSE(s.fluid->initial_velocity_m_s);
     EXPECT_FALSE(s.fluid->body_force_n_m3);
@@ -75,8 +76,8 @@ TEST(Defaults, of_the_coupling_follow_its_scheme) {
     EXPECT_EQ(minimal({"coupling.scheme=implicit", "coupling.iteration={}"}).hash,
               s.hash);
     const Iteration& i = *s.coupling->iteration;
-    EXPECT_EQ(i.acceleration, Acceleration::iqn_ils);
-    EXPECT_EQ(i.most, Iteration{}.most);
+    EXPECT_EQ(i.acceleration, AccelerationMethod::iqn_ils);
+    EXPECT_EQ(i.max_iterations, Iteration{}.max_iterations);
     EXPECT_EQ(i.velocity_tolerance, Iteration{}.velocity_tolerance);
     EXPECT_EQ(i.filter_limit, Iteration{}.filter_limit);
 }

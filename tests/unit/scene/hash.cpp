@@ -52,7 +52,7 @@ TEST(Hash, of_the_states_ignores_what_changes_none) {
     EXPECT_EQ(state("time.end=240 ms"), as_it_is);
     EXPECT_NE(state("time.step=19 us"), as_it_is);
     EXPECT_NE(state("checkpoint.every=4 ms"), as_it_is);
-    EXPECT_EQ(state("checkpoint.retries=3"), as_it_is);
+    EXPECT_EQ(state("checkpoint.max_retries=3"), as_it_is);
 }
 
 TEST(Hash, is_that_of_the_values) {
@@ -129,7 +129,7 @@ std::vector<std::string> changes() {
             "output.fluid.every=1 ms",
             "output.fluid.fields=[velocity]",
             "checkpoint.every=4 ms",
-            "checkpoint.retries=4",
+            "checkpoint.max_retries=4",
             "checkpoint="};
 }
 

@@ -1,6 +1,7 @@
 // --set changes exactly what it names, and its faults are reported under its own name.
 #include <gtest/gtest.h>
 
+#include "adapters/scene/names.h"
 #include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 
@@ -56,7 +57,7 @@ TEST(Override, creates_what_is_missing) {
                     "fluid.boundaries.z_max.no_slip.velocity=[1 mm/s, 0 m/s, 0 m/s]"});
     EXPECT_EQ(s.damping->rate_1_s, 5);
     EXPECT_EQ(s.coupling->immersed_boundary.strength, 0.5);
-    EXPECT_EQ(s.fluid->boundaries[5].velocity_m_s[0], 1e-3);
+    EXPECT_EQ(s.fluid->boundaries[5].wall_velocity_m_s[0], 1e-3);
 }
 
 TEST(Override, of_nothing_removes_a_key) {

@@ -29,15 +29,15 @@ TEST(Magnetization, HarmonicTurnsOnceAWavelengthFromTheLeftEnd) {
 }
 
 TEST(Magnetization, FirstDomainThatHoldsACentreWins) {
-    Domain left;
+    MagneticDomain left;
     left.box_m = {Vec3{0, 0, 0}, Vec3{1.9e-3, 1e-3, 1e-3}};
     left.vector_a_m = {1, 0, 0};
-    Domain triangle;  // holds the centres at x = 1.5 and 2.5 mm, y = 0.5 mm
+    MagneticDomain triangle;  // holds the centres at x = 1.5 and 2.5 mm, y = 0.5 mm
     triangle.polygon_xy_m = {{1e-3, 0}, {3e-3, 0}, {2e-3, 1.5e-3}};
     triangle.vector_a_m = {0, 2, 0};
-    Domain rest;
+    MagneticDomain rest;
     rest.vector_a_m = {0, 0, 3};
-    const std::vector<Domain> domains{left, triangle, rest};
+    const std::vector<MagneticDomain> domains{left, triangle, rest};
     const auto m = domain_magnetization(strip, domains);
     EXPECT_EQ(m[0], (Vec3{1, 0, 0}));
     EXPECT_EQ(m[1], (Vec3{1, 0, 0}));
@@ -46,10 +46,10 @@ TEST(Magnetization, FirstDomainThatHoldsACentreWins) {
 }
 
 TEST(Magnetization, AnElementInNoDomainIsNamedWithItsCentre) {
-    Domain left;
+    MagneticDomain left;
     left.box_m = {Vec3{0, 0, 0}, Vec3{2.6e-3, 1e-3, 1e-3}};
     try {
-        domain_magnetization(strip, std::vector<Domain>{left});
+        domain_magnetization(strip, std::vector<MagneticDomain>{left});
         FAIL() << "nothing thrown";
     } catch (const std::invalid_argument& error) {
         const std::string text = error.what();

@@ -21,7 +21,7 @@ constexpr double angle_rad = std::numbers::pi / 3;
 
 ObliquePlate plate(const std::array<int, 3>& elements_per_cell) {
     ObliquePlate out;
-    out.columns = out.rows = cells;
+    out.cells = {cells, cells};
     out.length_a_m = out.length_b_m = 10e-3;
     out.angle_rad = angle_rad;
     out.thickness_m = 1e-3;

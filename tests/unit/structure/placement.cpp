@@ -29,7 +29,7 @@ Body strip() {
 TEST(Placement, TurnsAndMovesTheCentreOfVolume) {
     const Body body = strip();
     Placement placement;
-    placement.rotation_rad = pi / 2;
+    placement.rotation = PlaneRotation{{0, 2}, pi / 2};
     placement.position_m = Vec3{8e-3, 4e-3, 5e-3};
     const auto nodes = placed_nodes(body, placement, {0, 2});
     // The length now points along z: the first node, at (-L/2, -w/2, -h/2) of the centre,
@@ -63,7 +63,7 @@ TEST(Placement, RelaxesOnRollers) {
     body.material.lame_lambda_pa = 1e-3 * body.material.shear_modulus_pa;  // no Poisson
     const Vec3 field = field_vector({5e-3, 270 * pi / 180}, {0, 2});
     const auto free = relaxed_shape(body, field);
-    body.rollers = {{"y_min", 1}, {"y_max", 1}};
+    body.rollers = {{{"y_min"}, 1}, {{"y_max"}, 1}};
     const auto held = relaxed_shape(body, field);
     for (std::size_t n = 0; n < free.size(); ++n) {
         EXPECT_NEAR(held[n][0], free[n][0], 0.02 * 3.7e-3);

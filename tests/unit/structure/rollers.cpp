@@ -17,8 +17,8 @@ Body bar(bool plane) {
     body.mesh = box_mesh({{length, 0.02, 0.03}, {8, 2, 2}});
     body.material = {g, lambda, density};
     body.element = ElementVariant::assumed_strain;
-    body.rollers = {{"x_min", 0}, {"y_min", 1}, {"z_min", 2}};
-    if (plane) body.rollers.push_back({"z_max", 2});
+    body.rollers = {{{"x_min"}, 0}, {{"y_min"}, 1}, {{"z_min"}, 2}};
+    if (plane) body.rollers.push_back({{"z_max"}, 2});
     return body;
 }
 
@@ -57,7 +57,7 @@ TEST(Rollers, CarryWeightOnlyAlongTheAxesThatTheyHold) {
 
 TEST(Rollers, NameTheFaceThatIsNotThere) {
     Body body = bar(true);
-    body.rollers = {{"lid", 2}};
+    body.rollers = {{{"lid"}, 2}};
     try {
         held_axes(body);
         FAIL();

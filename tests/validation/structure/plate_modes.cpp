@@ -43,7 +43,7 @@ TEST(PlateModes, TableOfStiffnessErrors) {
                     const auto advice =
                         element_advice(variant, {r * 1e-4, r * 1e-4, 1e-4}, 2, layers,
                                        material(k_over_g));
-                    print_row(element_name(variant).c_str(), r, layers, advice);
+                    print_row(name_of(variant).data(), r, layers, advice);
                     if (variant == ElementVariant::assumed_strain) {
                         EXPECT_LT(std::abs(advice.worst()), rounding);
                     }

@@ -91,8 +91,10 @@ std::set<int> held_otherwise(const Body& body, const std::set<std::string>& move
     }
     for (const Roller& roller : body.rollers) {
         if (way[static_cast<std::size_t>(roller.axis)] == 0) continue;
-        const auto& nodes = nodes_of(body, roller.face);
-        held.insert(nodes.begin(), nodes.end());
+        for (const std::string& face : roller.faces) {
+            const auto& nodes = nodes_of(body, face);
+            held.insert(nodes.begin(), nodes.end());
+        }
     }
     return held;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "structure/lammps/motions.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 

@@ -1,0 +1,158 @@
+// What users choose of the fluid: collision, precision, the sides of the box, obstacles.
+// SI, coordinates from the box's lowest corner. The scene file describes these types
+// themselves (adapters/scene/keys_fluid.cpp). The words of an enumeration stand beside
+// it, in its order.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace magfsi::fluid {
+
+using Vec3 = std::array<double, 3>;
+
+// collision/registered.h says which kernel each one is.
+enum class Collision { automatic, bgk, trt, recursive_regularized };
+constexpr auto words_of(Collision) {
+    return std::to_array<std::string_view>(
+        {"automatic", "bgk", "trt", "recursive_regularized"});
+}
+
+// What populations are stored as, and computed with. float halves memory and time;
+// float_double costs little more than float and leaves only the rounding of storage.
+enum class Precision { double_, float_, float_double };
+constexpr auto words_of(Precision) {
+    return std::to_array<std::string_view>({"double", "float", "float_double"});
+}
+
+// --- sides of the box ---------------------------------------------------------------
+
+enum class BoundaryKind {
+    periodic,         // with the opposite side
+    no_slip,          // at rest, or moving along itself with wall_velocity_m_s
+    free_slip,        // no flow through, no shear: a plane of symmetry
+    velocity_inlet,   // prescribed velocity, in or out
+    pressure_outlet,  // lets flow and sound out
+};
+constexpr auto words_of(BoundaryKind) {
+    return std::to_array<std::string_view>(
+        {"periodic", "no_slip", "free_slip", "velocity_inlet", "pressure_outlet"});
+}
+
+// How an inlet's velocity varies over its opening. Along an axis that is periodic or has
+// free slip at an end it does not fall there. With s the distance from the middle over
+// half the width (radius of a disc), rectangles take the product over both axes:
+enum class InletProfile {
+    uniform,
+    parabolic,  // 1 - s^2
+    plug,       // 1 - s^8: flat, falling to zero over the outer fifth
+};
+constexpr auto words_of(InletProfile) {
+    return std::to_array<std::string_view>({"uniform", "parabolic", "plug"});
+}
+
+struct Inlet {
+    Vec3 velocity_m_s{};  // mean over the cells of the opening, whatever the profile
+    InletProfile profile = InletProfile::uniform;
+    double ramp_s = 0;  // grows from rest as (1 - cos(pi t / ramp)) / 2
+    // Replaces all of the above: velocity [m/s] at the centre of a cell's face on the
+    // side [m], at a time [s] after the start. Called in every step for every such face.
+    std::function<Vec3(const Vec3& position_m, double time_s)> course;
+};
+
+// Openings of a side, in its plane: coordinates along the two other axes in the order x,
+// y, z, from the box's lowest corner. A cell belongs if the centre of its face does.
+struct Rectangle {
+    std::array<double, 2> centre_m{}, size_m{};
+};
+struct Disc {
+    std::array<double, 2> centre_m{};
+    double diameter_m = 0;
+};
+using Patch = std::variant<Rectangle, Disc>;
+
+struct Boundary {
+    BoundaryKind kind = BoundaryKind::periodic;
+    Vec3 wall_velocity_m_s{};       // no_slip only; tangential
+    Inlet inlet{};                  // velocity_inlet only
+    double outlet_pressure_pa = 0;  // pressure_outlet only; gauge
+    // Inlets and outlets: the part of the side that is open; the rest is a wall at rest.
+    std::optional<Patch> patch{};
+};
+
+// The side's opening if it is of that shape, else null.
+template <class Shape>
+const Shape* opening(const Boundary& side) {
+    return side.patch ? std::get_if<Shape>(&*side.patch) : nullptr;
+}
+
+// --- obstacles: bodies at rest in the fluid -----------------------------------------
+
+struct Sphere {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+};
+
+// Along the axis 0 x, 1 y or 2 z; the centre is the middle of its length.
+struct Cylinder {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+    int axis = 2;
+    std::optional<double> length_m;  // absent: through the box
+};
+
+struct Block {
+    Vec3 low_m{}, high_m{};  // opposite corners
+};
+
+// A closed triangulated surface from an STL file, ASCII or binary. A point x of the file
+// comes to shift_m + unit_m * x.
+struct StlSurface {
+    std::string file;
+    double unit_m = 1;  // length of the file's unit
+    Vec3 shift_m{};
+};
+
+using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
+
+struct Obstacle {
+    std::string name;  // for errors and probes
+    ObstacleShape shape;
+};
+
+// Where bounce-back puts the surface.
+enum class ObstacleWall {
+    half_way,      // half a cell from the fluid's cells: a staircase
+    interpolated,  // at its true distance (Bouzidi, Firdaouss, Lallemand 2001, linear)
+};
+
+// --- the fluid ----------------------------------------------------------------------
+
+struct Options {
+    double density_kg_m3 = 0;
+    double viscosity_m2_s = 0;  // kinematic
+    Collision collision = Collision::automatic;
+    // Lambda of two-relaxation-time collision; absent: by relaxation time.
+    std::optional<double> magic_number;
+    Precision precision = Precision::double_;
+    double smagorinsky_constant = 0;       // of the eddy viscosity; 0: none
+    std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
+    std::vector<Obstacle> obstacles;
+    std::optional<Vec3> body_force_n_m3;
+};
+
+// The word of a value.
+template <class E>
+requires requires(E value) {
+    words_of(value);
+}
+constexpr std::string_view name_of(E value) {
+    return words_of(value)[static_cast<std::size_t>(value)];
+}
+
+}  // namespace magfsi::fluid

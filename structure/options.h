@@ -1,0 +1,225 @@
+// What users choose of bodies and loads. SI. The scene file describes these types
+// themselves (adapters/scene/keys_bodies.cpp, keys_loads.cpp). The words of an
+// enumeration stand beside it, in its order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace magfsi::structure {
+
+using Vec3 = std::array<double, 3>;
+
+// --- meshes -------------------------------------------------------------------------
+
+// Block of hexahedra; the body's frame has its origin in its lowest corner.
+struct Box {
+    Vec3 size_m{};
+    std::array<int, 3> elements{};
+};
+
+// Plate of parallelogram cells: the flat crease pattern of Miura-ori (zigzag), or a
+// sheared block (mesh/oblique_mesh.h).
+struct ObliquePlate {
+    std::array<int, 2> cells{};  // along x (columns) and y (rows)
+    double length_a_m = 0;       // a cell's side along x
+    double length_b_m = 0;       // and the one at the angle
+    double angle_rad = 0;        // between the two, above 0 and below 180 degrees
+    double thickness_m = 0;
+    std::array<int, 3> elements_per_cell{1, 1, 1};  // along a, along b, layers
+    bool zigzag = true;
+};
+
+// Hexahedra of a Gmsh file; its physical groups are regions and faces.
+struct MeshFile {
+    std::string file;
+    double unit_m = 1;  // length of the file's unit
+};
+
+using MeshOptions = std::variant<Box, ObliquePlate, MeshFile>;
+
+// --- material and element -----------------------------------------------------------
+
+// Neo-Hookean solid of eq. (1).
+struct Material {
+    double shear_modulus_pa = 0;
+    double lame_lambda_pa = 0;  // K of eq. (1)
+    // Inertia; in a fluid this is rho_solid - rho_fluid (enclosed fluid counted once).
+    double density_kg_m3 = 0;
+    double viscosity_pa_s = 0;  // Kelvin-Voigt (lattice/viscous_element.h); 0: none
+};
+
+// Of the elements of these regions of the mesh, in place of the body's material.
+struct RegionMaterial {
+    std::vector<std::string> regions;
+    Material material;
+};
+
+// full: the paper's element (exact volume, full spring matrix).
+// mean_f: J from the mean deformation gradient and hourglass coefficients 3
+// min(l_i,l_j)^2: accurate in bending with few layers.
+// assumed_strain: all of the energy from the mean deformation gradient, and a hourglass
+// energy that is exact for linear bending and twist (lattice/hourglass.h): accurate in
+// every mode with one layer, for edges of any ratio.
+enum class ElementVariant { full, mean_f, assumed_strain };
+constexpr auto words_of(ElementVariant) {
+    return std::to_array<std::string_view>({"full", "mean_f", "assumed_strain"});
+}
+
+// --- magnetisation, evaluated at the centres of the undeformed elements ---------------
+
+struct UniformMagnetization {
+    Vec3 vector_a_m{};
+};
+
+// M(s) = amplitude [cos(2 pi s / wavelength + phase) along + sin(...) into] with s from
+// the body's lowest coordinate on the axis `along`: the strip's profile, eq. (10).
+struct HarmonicMagnetization {
+    double amplitude_a_m = 0;
+    double wavelength_m = 0;
+    double phase_rad = 0;
+    int along = 0;  // axes: 0 x, 1 y, 2 z
+    int into = 2;
+};
+
+// Holds the centres inside the box (bounds included) and the polygon of the x-y plane; an
+// absent box or an empty polygon does not restrict.
+struct MagneticDomain {
+    std::optional<std::array<Vec3, 2>> box_m;
+    std::vector<std::array<double, 2>> polygon_xy_m;
+    Vec3 vector_a_m{};
+};
+struct DomainMagnetization {
+    std::vector<MagneticDomain> domains;  // the first that holds a centre wins
+};
+
+// Regions of the mesh; one that is not named carries none.
+struct RegionVector {
+    std::vector<std::string> regions;
+    Vec3 vector_a_m{};
+};
+struct RegionMagnetization {
+    std::vector<RegionVector> regions;
+};
+
+// A CSV file of points and vectors (magnetics/magnetization_table.h).
+struct TableMagnetization {
+    std::string file;
+};
+
+using Magnetization =
+    std::variant<UniformMagnetization, HarmonicMagnetization, DomainMagnetization,
+                 RegionMagnetization, TableMagnetization>;
+
+// --- magnetic field -----------------------------------------------------------------
+
+struct ConstantField {
+    double magnitude_t = 0;
+    double direction_rad = 0;
+};
+// Linear between rows (eqs. 7-9); repeated with the period time.back() - time.front().
+// Outside the rows the end values hold. Two rows of one time are a jump: from that time
+// on the later one. Signed magnitudes flip the field.
+struct FieldTable {
+    std::vector<double> time_s, magnitude_t;
+    std::vector<double> direction_rad;  // one, or one per row
+    bool repeat = false;
+};
+struct RotatingField {
+    double magnitude_t = 0, start_rad = 0;
+    double frequency_hz =
+        0;  // turns per second, from the plane's first axis to its second
+};
+struct FieldProgram {
+    std::array<int, 2> plane{0, 2};  // angles run from the first axis to the second
+    std::variant<ConstantField, FieldTable, RotatingField> course;
+};
+
+// Of the flux density; symmetric and traceless, as Maxwell's equations ask without
+// currents (magnetics/field_gradient.h). Constant in time, it adds to the course.
+struct GradientInput {
+    std::array<Vec3, 3> matrix_t_m{};  // row i, column j: dB_i / dx_j
+    Vec3 origin_m{};                   // where the course's field is the whole field
+};
+
+// --- how a body starts and is held ----------------------------------------------------
+
+// Rotation by an angle from the first axis of the plane towards the second.
+struct PlaneRotation {
+    std::array<int, 2> plane{0, 2};
+    double angle_rad = 0;
+};
+
+// A body's relaxed shape, turned and moved, in this order.
+struct Placement {
+    std::optional<Vec3> position_m;         // of the centre of volume
+    std::optional<PlaneRotation> rotation;  // about the centre of volume
+    // The static shape in this constant field of the magnetic field's plane (xz without
+    // one), without any other load.
+    std::optional<ConstantField> relaxed;
+};
+
+// Faces whose nodes keep their coordinate along one axis of space (0 x, 1 y, 2 z) and are
+// free along the others: a plane of symmetry, or plane strain with both faces held.
+struct Roller {
+    std::vector<std::string> faces;
+    int axis = 2;
+};
+
+// amplitude (sin(2 pi f t + phase) - sin(phase)). Phase 0: at full speed at once, to
+// both sides of the start; -pi / 2: from rest, to one side.
+struct Oscillation {
+    Vec3 amplitude_m{};
+    double frequency_hz = 0;
+    double phase_rad = 0;
+};
+// To the displacement within the duration, by (1 - cos(pi t / duration)) / 2; stays
+// there.
+struct DisplacementRamp {
+    Vec3 displacement_m{};
+    double duration_s = 0;
+};
+using MotionCourse = std::variant<Oscillation, DisplacementRamp>;
+
+// Faces that something outside holds and moves: displacement from where they start, zero
+// at time 0.
+struct PrescribedMotion {
+    std::size_t body = 0;  // number of the body, for those who hold several
+    std::vector<std::string> faces;
+    MotionCourse course;
+};
+
+// --- what bodies touch ----------------------------------------------------------------
+
+// A plane that bodies cannot pass; they may leave it freely.
+struct Platform {
+    Vec3 point_m{};
+    Vec3 normal{0, 0, 1};       // unit vector, towards the bodies
+    double stiffness_pa_m = 0;  // pressure over penetration; 0: from the bodies
+    double friction = 0;        // Coulomb's coefficient mu; 0: smooth
+    double damping_pa_s_m = 0;  // pressure over the speed of approach, while touching
+};
+
+// Between the surfaces of bodies, and of a body with itself.
+struct ContactLaw {
+    double distance_m = 0;      // nodes closer than this repel; 0: the smallest thickness
+    double stiffness_pa_m = 0;  // pressure over approach; 0: from the bodies
+    // Nodes of one body whose distance at rest is below this many distances do not repel.
+    double excluded = 2;
+};
+
+// The word of a value.
+template <class E>
+requires requires(E value) {
+    words_of(value);
+}
+constexpr std::string_view name_of(E value) {
+    return words_of(value)[static_cast<std::size_t>(value)];
+}
+
+}  // namespace magfsi::structure
