@@ -8,7 +8,9 @@ namespace magfsi::fluids {
 
 const FluidOutput* fluid_outputs() {
 #define MAGFSI_EFFECT(name) name##_output,
-    static const FluidOutput registered[] = {{}};
+    static const FluidOutput registered[] = {
+#include "adapters/fluids/effects.inc"
+        {}};
 #undef MAGFSI_EFFECT
     return registered;
 }

@@ -8,7 +8,9 @@ namespace magfsi::lammps {
 
 const StructureOutput* structure_outputs() {
 #define MAGFSI_EFFECT(name) name##_output,
-    static const StructureOutput registered[] = {{}};
+    static const StructureOutput registered[] = {
+#include "adapters/lammps/effects.inc"
+        {}};
 #undef MAGFSI_EFFECT
     return registered;
 }

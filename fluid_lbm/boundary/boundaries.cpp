@@ -20,7 +20,9 @@ struct Registered {
 };
 
 #define MAGFSI_EFFECT(name) {#name, make_##name##_effect},
-constexpr Registered registered[] = {{"", nullptr}};
+constexpr Registered registered[] = {
+#include "fluid_lbm/effects.inc"
+    {"", nullptr}};
 #undef MAGFSI_EFFECT
 
 void check(int side, bool asked, std::string_view name) {

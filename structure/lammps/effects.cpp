@@ -16,7 +16,9 @@ namespace magfsi::structure {
 namespace {
 
 #define MAGFSI_EFFECT(name) &name##_effect,
-constexpr const ScriptEffect* registered[] = {nullptr};
+constexpr const ScriptEffect* registered[] = {
+#include "structure/lammps/effects.inc"
+    nullptr};
 #undef MAGFSI_EFFECT
 
 void refuse_absent(const LammpsInput& input) {

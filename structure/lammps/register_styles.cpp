@@ -32,6 +32,7 @@ void register_styles(LAMMPS_NS::LAMMPS& lammps) {
     fixes["magttice"] = &create<FixMagttice, Fix>;
     fixes["magttice/quiet"] = &create<FixMagtticeQuiet, Fix>;
 #define MAGFSI_EFFECT(name) register_##name(lammps);
+#include "structure/lammps/effects.inc"
 #undef MAGFSI_EFFECT
 }
 
