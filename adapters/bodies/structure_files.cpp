@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "coupler/output/vtu.h"
+#include "coupler/output/vtk.h"
 
 namespace magfsi::bodies {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "adapters/bodies/nodal_state.h"
-#include "coupler/output/pvd.h"
+#include "coupler/output/vtk.h"
 #include "coupler/step/clock.h"
 #include "structure/body.h"
 

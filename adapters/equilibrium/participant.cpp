@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include "coupler/participants/errors.h"
-#include "coupler/step/log_head.h"
-#include "adapters/scene/probe_columns.h"
-#include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
+#include "adapters/scene/probe_columns.h"
 
 namespace magfsi::equilibrium {
 
@@ -130,7 +128,8 @@ void Participant::finish(double wall_s) {
     for (const auto& path : paths_)
         structure.elements +=
             static_cast<std::int64_t>(path->body().mesh.elements.size());
-    report.structure = structure;
+    structure.substeps = session_.clock().step();
+    report.add(structure);
     progress_->finish(session_.clock().step());
     coupler::write_summary(session_, {&report, 1}, wall_s, probes_.get());
     session_.log(fmt::format(

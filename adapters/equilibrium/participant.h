@@ -6,7 +6,7 @@
 #include "adapters/bodies/structure_files.h"
 #include "adapters/equilibrium/load_path.h"
 #include "coupler/output/probe_file.h"
-#include "coupler/output/progress.h"
+#include "coupler/output/log.h"
 #include "coupler/participants/session.h"
 #include "coupler/step/task_list.h"
 

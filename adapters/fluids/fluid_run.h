@@ -4,7 +4,7 @@
 #include "adapters/fluids/fluid_solver.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/participants/session.h"
-#include "coupler/step/outputs.h"
+#include "coupler/step/task_list.h"
 
 namespace magfsi::fluids {
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/checkpoint/state_reader.h"
-#include "coupler/checkpoint/state_writer.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/output/summary.h"

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "coupler/checkpoint/open_restart.h"
-#include "coupler/step/log_head.h"
-#include "coupler/step/progress_line.h"
+#include "coupler/checkpoint/checkpoints.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::fluids {
@@ -61,34 +59,27 @@ void Participant::run() {
     finish(output::steady_seconds() - start);
 }
 
-coupler::ParticipantReport Participant::make_report(double wall_s) const {
+coupler::ParticipantReport Participant::make_report() const {
     auto report =
         coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbors_s());
     output::FluidSummary fluid = fluid_.summary();
-    report.load.most_ranks = static_cast<int>(
+    report.load.max_ranks = static_cast<int>(
         std::max<std::int64_t>(1, fluid.cells / fluid_.fewest_cells_a_rank()));
     for (const auto& version : fluid_.versions()) report.versions.push_back(version);
-    double advance_s = wall_s;
-    for (const auto& [task, seconds] : tasks_.timer().seconds()) {
-        if (task == coupler::advance_fluid) advance_s = seconds;
-    }
     const std::int64_t advances =
         coupling_ ? coupling_->advances() : session_.clock().steps_here();
+    const double advance_s = tasks_.seconds(coupler::advance_fluid);
     if (advances > 0) {
         fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
                       static_cast<double>(advances) / advance_s;
     }
-    report.fluid = fluid;
+    report.add(fluid);
     return report;
 }
 
 void Participant::finish(double wall_s) {
-    const auto report = make_report(wall_s);
-    if (session_.world().coupled()) {
-        coupler::swap_text(session_.world(), coupler::to_text(report),
-                           session_.timeout_s(), "final report");
-        return;
-    }
+    const auto report = make_report();
+    if (session_.world().coupled()) return coupler::send_report(session_, report);
     if (!session_.world().leads()) return;
     outputs_.finish();
     progress_->finish(session_.clock().step());

@@ -5,12 +5,11 @@
 #include <memory>
 
 #include "adapters/fluids/fluid_run.h"
-#include "coupler/output/progress.h"
+#include "coupler/output/log.h"
 #include "coupler/participants/session.h"
 #include "coupler/scheme/fluid_coupling.h"
-#include "coupler/step/outputs.h"
-#include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
+#include "coupler/step/report.h"
 
 namespace magfsi::fluids {
 
@@ -24,7 +23,7 @@ class Participant {
   private:
     void assemble();
     void assemble_output();
-    coupler::ParticipantReport make_report(double wall_s) const;
+    coupler::ParticipantReport make_report() const;
     void finish(double wall_s);
 
     const scene::Scene& scene_;

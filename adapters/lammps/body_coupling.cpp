@@ -13,7 +13,7 @@
 #include "adapters/lammps/body_iterations.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
-#include "coupler/participants/wait.h"
+#include "coupler/participants/world.h"
 
 namespace magfsi::lammps {
 

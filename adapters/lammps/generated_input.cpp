@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "coupler/output/atomic_file.h"
+#include "coupler/output/file.h"
 
 namespace magfsi::lammps {
 

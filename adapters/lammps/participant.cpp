@@ -8,11 +8,9 @@
 #include "adapters/lammps/audit/collect_terms.h"
 #include "adapters/lammps/generated_input.h"
 #include "adapters/lammps/scene_to_input.h"
-#include "coupler/checkpoint/open_restart.h"
+#include "coupler/checkpoint/checkpoints.h"
 #include "coupler/participants/errors.h"
-#include "coupler/step/boundary_quality.h"
-#include "coupler/step/log_head.h"
-#include "coupler/step/progress_line.h"
+#include "coupler/step/report.h"
 #include "structure/lammps/register_styles.h"
 
 namespace magfsi::lammps {
@@ -223,11 +221,10 @@ coupler::ParticipantReport Participant::make_report() const {
     }
     // With fewer elements a LAMMPS step is mostly communication.
     constexpr std::int64_t fewest_elements_a_rank = 500;
-    report.load.most_ranks = static_cast<int>(
+    report.load.max_ranks = static_cast<int>(
         std::max<std::int64_t>(1, structure.elements / fewest_elements_a_rank));
     add_steps(structure);
-    for (const auto& [task, seconds] : tasks_.timer().seconds()) {
-        if (task != advance_task) continue;
+    if (const double seconds = tasks_.seconds(advance_task); seconds > 0) {
         const auto* repeated = coupling_ ? coupling_->repetitions() : nullptr;
         const std::int64_t advances =
             repeated ? repeated->iterations : session_.clock().steps_here();
@@ -235,23 +232,23 @@ coupler::ParticipantReport Participant::make_report() const {
                                         (static_cast<double>(advances) * mean_substeps() *
                                          static_cast<double>(structure.elements));
     }
-    report.structure = structure;
+    report.add(structure);
     if (coupling_) {
-        report.immersed_boundary =
-            coupler::boundary_summary(coupling_->slip(), session_.plan().given_speed_m_s);
-        session_.log(coupler::to_text(*report.immersed_boundary));
+        const auto boundary = coupler::boundary_summary(
+            coupling_->slip(), session_.plan().given_speed_m_s);
+        report.add(boundary);
+        session_.log(coupler::to_text(boundary));
     }
-    if (audit_) report.energy_audit = audit_->summary();
+    if (audit_) report.add(audit_->summary());
     if (coupling_ && coupling_->repetitions())
-        report.iterations = *coupling_->repetitions();
+        report.add(*coupling_->repetitions());
     return report;
 }
 
 void Participant::finish(double wall_s) {
     std::vector<coupler::ParticipantReport> reports{make_report()};
     if (session_.world().coupled()) {
-        reports.push_back(coupler::report_from_text(coupler::swap_text(
-            session_.world(), "", session_.timeout_s(), "final report")));
+        reports.push_back(coupler::receive_report(session_));
     }
     if (!session_.world().leads()) return;
     outputs_.finish();

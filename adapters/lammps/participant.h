@@ -10,11 +10,10 @@
 #include "adapters/lammps/step_guard.h"
 #include "adapters/lammps/structure_run.h"
 #include "adapters/lammps/substeps.h"
-#include "coupler/output/progress.h"
+#include "coupler/output/log.h"
 #include "coupler/participants/session.h"
-#include "coupler/step/outputs.h"
-#include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
+#include "coupler/step/report.h"
 
 namespace magfsi::lammps {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "adapters/lammps/participant.h"
-#include "coupler/checkpoint/open_restart.h"
+#include "coupler/checkpoint/checkpoints.h"
 
 namespace magfsi::lammps {
 
@@ -29,6 +29,7 @@ double Participant::mean_substeps() const {
 // What the run's LAMMPS steps came to.
 void Participant::add_steps(output::StructureSummary& structure) const {
     structure.substeps_per_step = substeps_.count;
+    structure.substeps = session_.clock().step() * substeps_.count;
     if (rest_) return;
     structure.substeps = counted_.until(session_.clock().step(), substeps_.count);
     if (counted_.fewest != substeps_.count)

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapters/lammps/structure_state.h"
-#include "coupler/step/outputs.h"
+#include "coupler/step/task_list.h"
 #include "structure/lammps/script.h"
 
 namespace magfsi::lammps {

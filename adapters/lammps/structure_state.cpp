@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "coupler/checkpoint/gather.h"
+#include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::lammps {
 

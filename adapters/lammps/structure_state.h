@@ -5,8 +5,7 @@
 #include "adapters/lammps/body_coupling.h"
 #include "adapters/lammps/engine.h"
 #include "adapters/lammps/substeps.h"
-#include "coupler/checkpoint/state_reader.h"
-#include "coupler/checkpoint/state_writer.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/immersed_boundary/balance.h"
 
 namespace magfsi::lammps {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "coupler/checkpoint/gather.h"
+#include "coupler/checkpoint/state_file.h"
 #include "fluid_lbm/sampling/step_change.h"
 
 namespace magfsi::lbm {

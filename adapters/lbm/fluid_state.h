@@ -4,8 +4,7 @@
 
 #include <mpi.h>
 
-#include "coupler/checkpoint/state_reader.h"
-#include "coupler/checkpoint/state_writer.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "fluid_lbm/fluid.h"
 

@@ -7,7 +7,6 @@
 #include "adapters/lammps/substeps.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-#include "coupler/checkpoint/checkpoint_files.h"
 #include "coupler/checkpoint/restart.h"
 
 namespace magfsi::launch {

@@ -4,7 +4,7 @@
 
 #include "adapters/openfoam/stock_case.h"
 #include "adapters/scene/names.h"
-#include "coupler/output/atomic_file.h"
+#include "coupler/output/file.h"
 
 namespace magfsi::openfoam {
 

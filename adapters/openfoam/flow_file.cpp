@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "adapters/openfoam/scene_to_mesh.h"
-#include "coupler/checkpoint/gather.h"
+#include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::openfoam {
 

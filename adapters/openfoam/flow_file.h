@@ -4,8 +4,7 @@
 #include <mpi.h>
 
 #include "adapters/openfoam/engine/engine.h"
-#include "coupler/checkpoint/state_reader.h"
-#include "coupler/checkpoint/state_writer.h"
+#include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::openfoam {
 

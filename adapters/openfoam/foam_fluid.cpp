@@ -13,7 +13,7 @@
 #include "adapters/openfoam/scene_to_mesh.h"
 #include "adapters/openfoam/stock_case.h"
 #include "adapters/openfoam/world_of_openfoam.h"
-#include "coupler/checkpoint/gather.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/participants/errors.h"
 
 namespace magfsi::openfoam {

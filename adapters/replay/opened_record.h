@@ -3,7 +3,7 @@
 
 #include "adapters/scene/scene.h"
 #include "coupler/exchange/exchange_record.h"
-#include "coupler/participants/arguments.h"
+#include "coupler/participants/guard.h"
 #include "coupler/participants/session.h"
 
 namespace magfsi::replay {

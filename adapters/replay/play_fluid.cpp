@@ -13,9 +13,8 @@
 #include "adapters/replay/opened_record.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/participants/wait.h"
+#include "coupler/participants/world.h"
 #include "adapters/scene/effective.h"
-#include "coupler/step/log_head.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -87,8 +86,7 @@ class Player {
         difference_.report("the structure's markers");
         auto report = coupler::basic_report(session_.world(), tasks_);
         report.name = "fluid (replay)";
-        coupler::swap_text(session_.world(), coupler::to_text(report),
-                           session_.timeout_s(), "final report");
+        coupler::send_report(session_, report);
     }
 
   private:

@@ -9,9 +9,7 @@
 #include "adapters/scene/probe_columns.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/participants/wait.h"
-#include "coupler/step/log_head.h"
-#include "coupler/step/progress_line.h"
+#include "coupler/participants/world.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -89,8 +87,7 @@ class Player {
         std::vector<coupler::ParticipantReport> reports{
             coupler::basic_report(session_.world(), tasks_)};
         reports.front().name = "structure (replay)";
-        reports.push_back(coupler::report_from_text(coupler::swap_text(
-            session_.world(), "", session_.timeout_s(), "final report")));
+        reports.push_back(coupler::receive_report(session_));
         progress_->finish(session_.clock().step());
         coupler::write_summary(session_, reports, wall_s, probes_.get());
         difference_.report("the fluid's velocities at the markers");

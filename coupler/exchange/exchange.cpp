@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "coupler/participants/errors.h"
-#include "coupler/participants/wait.h"
+#include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
 

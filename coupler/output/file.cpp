@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -54,14 +58,72 @@ void File::write_record(std::string_view record) {
     }
 }
 
-void File::sync() {
-    if (::fsync(descriptor_) != 0) throw FileError(path_, errno);
-}
-
 void File::close() {
     const int descriptor = std::exchange(descriptor_, -1);
     // Network file systems report a full quota only here.
     if (descriptor >= 0 && ::close(descriptor) != 0) throw FileError(path_, errno);
+}
+
+namespace {
+
+void sync(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw FileError(path, errno);
+    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (error != 0) throw FileError(path, error);
+}
+
+// A rename is durable only when the folder's own entry is on the disk.
+void sync_folder(const std::filesystem::path& file) {
+    sync(file.has_parent_path() ? file.parent_path() : ".");
+}
+
+}  // namespace
+
+std::filesystem::path temporary_of(std::filesystem::path path) {
+    return path += ".tmp";
+}
+
+void publish(const std::filesystem::path& path, Survives survives) {
+    const auto temporary = temporary_of(path);
+    if (survives == Survives::power_cut) sync(temporary);
+    if (std::rename(temporary.c_str(), path.c_str()) != 0) throw FileError(path, errno);
+    if (survives == Survives::power_cut) sync_folder(path);
+}
+
+AtomicFile::AtomicFile(std::filesystem::path path, Survives survives)
+    : path_(std::move(path)), survives_(survives), temporary_(temporary_of(path_)) {}
+
+AtomicFile::~AtomicFile() {
+    if (!committed_) ::unlink(temporary_.path().c_str());
+}
+
+void AtomicFile::commit() {
+    temporary_.close();
+    publish(path_, survives_);
+    committed_ = true;
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view text,
+                      Survives survives) {
+    AtomicFile file(path, survives);
+    file.write(text);
+    file.commit();
+}
+
+std::string relative_to(const std::filesystem::path& file,
+                        const std::filesystem::path& index) {
+    const auto full = std::filesystem::absolute(file).lexically_normal();
+    const auto folder = std::filesystem::absolute(index).lexically_normal().parent_path();
+    return full.lexically_relative(folder).generic_string();
+}
+
+std::string to_text(double value) {
+    if (std::isnan(value)) return "nan";
+    std::array<char, 32> text{};  // the longest shortest double has 24 characters
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
 }
 
 }  // namespace magfsi::output

@@ -8,8 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "coupler/output/atomic_file.h"
-#include "coupler/output/number.h"
+#include "coupler/output/file.h"
 
 namespace magfsi::output {
 namespace {

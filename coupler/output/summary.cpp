@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "coupler/output/atomic_file.h"
+#include <tuple>
+
+#include "coupler/output/file.h"
 
 namespace magfsi::output {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class T>
 Json object(const Named<T>& entries) {
@@ -16,24 +16,29 @@ Json object(const Named<T>& entries) {
     return out;
 }
 
-Json object(const Named<Named<double>>& participants) {
-    Json out = Json::object();
-    for (const auto& [name, tasks] : participants) out[name] = object(tasks);
-    return out;
+// Every field once, to send and to receive.
+template <class Load>
+auto fields(Load& load) {
+    return std::tie(load.ranks, load.working_s, load.waiting_s, load.solver_s,
+                    load.immersed_boundary_s, load.output_s, load.imbalance, load.steps_s,
+                    load.max_ranks);
 }
 
-Json object(const Named<LoadSummary>& participants) {
-    Json out = Json::object();
-    for (const auto& [name, load] : participants) {
-        out[name] = {{"working_s", load.working_s},
-                     {"waiting_s", load.waiting_s},
-                     {"imbalance", load.imbalance}};
-    }
-    return out;
+template <class Report>
+auto fields_of_report(Report& report) {
+    return std::tie(report.name, report.tasks, report.waiting, report.memory_bytes,
+                    report.versions, report.substeps, report.sections);
 }
 
-Json object(const FluidSummary& fluid) {
-    return {{"cells", fluid.cells},
+template <class... T>
+void read(const Json& json, std::tuple<T&...> into) {
+    into = json.get<std::tuple<T...>>();
+}
+
+}  // namespace
+
+void ParticipantReport::add(const FluidSummary& fluid) {
+    sections["fluid"] = {{"cells", fluid.cells},
             {"mlups", fluid.mlups},
             {"relaxation_time", fluid.relaxation_time},
             {"spacing_m", fluid.spacing_m},
@@ -41,17 +46,17 @@ Json object(const FluidSummary& fluid) {
             {"kernel", fluid.kernel}};
 }
 
-Json object(const StructureSummary& structure) {
-    Json out{{"elements", structure.elements},
+void ParticipantReport::add(const StructureSummary& structure) {
+    Json& out = sections["structure"] = {{"elements", structure.elements},
              {"ns_per_element_step", structure.ns_per_element_step},
              {"substeps_per_step", structure.substeps_per_step}};
+    substeps = structure.substeps;
     if (structure.fewest_substeps_per_step)
         out["fewest_substeps_per_step"] = *structure.fewest_substeps_per_step;
-    return out;
 }
 
-Json object(const BoundarySummary& b) {
-    return {{"markers", b.markers},
+void ParticipantReport::add(const BoundarySummary& b) {
+    sections["immersed_boundary"] = {{"markers", b.markers},
             {"samples", b.samples},
             {"no_slip_error", b.error},
             {"no_slip_error_m_s", b.error_m_s},
@@ -62,21 +67,20 @@ Json object(const BoundarySummary& b) {
             {"reference_speed_m_s", b.reference_speed_m_s}};
 }
 
-Json object(const EnergySummary& e) {
+void ParticipantReport::add(const EnergySummary& e) {
     const auto share = [&](double energy_j) { return energy_j / e.work_j; };
-    Json out{{"work_j", e.work_j},
+    Json& out = sections["energy_audit"] = {{"work_j", e.work_j},
              {"residual_j", e.residual_j},
              {"residual", share(e.residual_j)}};
     if (e.gained_j) {
         out["gained_j"] = *e.gained_j;
         out["gained"] = share(*e.gained_j);
     }
-    return out;
 }
 
-Json object(const IterationSummary& i) {
+void ParticipantReport::add(const IterationSummary& i) {
     const double steps = i.steps > 0 ? static_cast<double>(i.steps) : 1;
-    return {{"acceleration", i.acceleration},
+    sections["iterations"] = {{"acceleration", i.acceleration},
             {"measure", i.measure},
             {"tolerance", i.tolerance},
             {"mean", static_cast<double>(i.iterations) / steps},
@@ -86,7 +90,17 @@ Json object(const IterationSummary& i) {
             {"worst_residual", i.worst_residual}};
 }
 
-}  // namespace
+std::string ParticipantReport::to_text() const {
+    return Json{fields_of_report(*this), fields(load)}.dump();
+}
+
+ParticipantReport ParticipantReport::from_text(const std::string& text) {
+    const Json json = Json::parse(text);
+    ParticipantReport report;
+    read(json.at(0), fields_of_report(report));
+    read(json.at(1), fields(report.load));
+    return report;
+}
 
 std::string_view to_text(Outcome outcome) {
     switch (outcome) {
@@ -110,26 +124,29 @@ Json to_json(const Summary& summary) {
     out["cause"] = summary.cause;
     out["effects"] = summary.effects;
     out["absent_effects"] = summary.absent_effects;
-    out["versions"] = object(summary.versions);
-    out["ranks"] = object(summary.ranks);
+    for (const char* key : {"versions", "ranks"}) out[key] = Json::object();
     out["steps"] = summary.steps;
-    out["substeps"] = summary.substeps;
+    out["substeps"] = 0;
     out["simulated_s"] = summary.simulated_s;
     out["wall_s"] = summary.wall_s;
-    out["tasks"] = object(summary.tasks);
-    out["waiting"] = object(summary.waiting);
-    out["load"] = object(summary.load);
+    for (const char* key : {"tasks", "waiting", "load"}) out[key] = Json::object();
     if (summary.coupling_overhead) out["coupling_overhead"] = *summary.coupling_overhead;
     if (summary.immersed_boundary_share)
         out["immersed_boundary_share"] = *summary.immersed_boundary_share;
     out["advice"] = summary.advice;
-    if (summary.iterations) out["iterations"] = object(*summary.iterations);
-    if (summary.fluid) out["fluid"] = object(*summary.fluid);
-    if (summary.structure) out["structure"] = object(*summary.structure);
-    if (summary.immersed_boundary)
-        out["immersed_boundary"] = object(*summary.immersed_boundary);
-    if (summary.energy_audit) out["energy_audit"] = object(*summary.energy_audit);
-    out["memory_bytes"] = object(summary.memory_bytes);
+    out["memory_bytes"] = Json::object();
+    for (const ParticipantReport& side : summary.participants) {
+        out["versions"].update(object(side.versions));
+        out["ranks"][side.name] = side.load.ranks;
+        if (side.substeps > 0) out["substeps"] = side.substeps;
+        out["tasks"][side.name] = object(side.tasks);
+        out["waiting"][side.name] = object(side.waiting);
+        out["load"][side.name] = {{"working_s", side.load.working_s},
+                                  {"waiting_s", side.load.waiting_s},
+                                  {"imbalance", side.load.imbalance}};
+        out["memory_bytes"][side.name] = side.memory_bytes;
+        out.update(side.sections);
+    }
     out["probes"] = object(summary.probes);
     out["extra"] = summary.extra;
     return out;

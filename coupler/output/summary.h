@@ -12,6 +12,8 @@
 
 namespace magfsi::output {
 
+using Json = nlohmann::ordered_json;
+
 enum class Outcome { completed, diverged, lost_partner, stopped };
 
 std::string_view to_text(Outcome outcome);  // "completed" ...
@@ -32,9 +34,9 @@ struct StructureSummary {
     std::int64_t elements = 0;
     double ns_per_element_step = 0;
     int substeps_per_step = 1;  // at the end of the run
-    // Where the deformation, or a retry, has changed that number during the run:
+    std::int64_t substeps = 0;  // in the whole run
+    // Where the deformation, or a retry, has changed their number per step:
     std::optional<int> fewest_substeps_per_step = {};
-    std::optional<std::int64_t> substeps = {};  // in the whole run
 };
 
 // How well the immersed boundary held, measured at the markers (every probe row, or a
@@ -64,16 +66,43 @@ struct IterationSummary {
 struct EnergySummary {
     double work_j = 0;      // the largest work, or the energy of the start
     double residual_j = 0;  // largest magnitude
-    // Largest rise of the energy of bodies and fluid that no work has paid for; not told
+    // Largest rise of the energy of bodies and fluid that no work has paid for; absent
     // where the fluid is driven by its sides or a force.
     std::optional<double> gained_j;
 };
 
-// Of one participant; seconds are means over its ranks.
-struct LoadSummary {
-    double working_s = 0;
+// One participant's time over the whole run. Seconds are means over its ranks, but for two.
+struct SideLoad {
+    int ranks = 1;
+    double working_s = 0;  // all tasks, less waiting
     double waiting_s = 0;  // for the partner
-    double imbalance = 1;  // largest work of a rank over the mean
+    double solver_s = 0;   // of the work: what the solver would need alone; least rank
+    double immersed_boundary_s = 0;  // of the work: markers from and to cells; most rank
+    double output_s = 0;             // of the work: probes and files
+    double imbalance = 1;            // largest work of a rank over the mean
+    double steps_s = 0;  // all tasks: what the steps took as this side saw them
+    int max_ranks = 1;  // beyond which a rank has too little to do
+};
+
+// What a participant reports at the end.
+struct ParticipantReport {
+    std::string name;
+    Named<double> tasks;    // seconds on the root rank
+    Named<double> waiting;  // of them, for the partner
+    SideLoad load;
+    std::int64_t memory_bytes = 0;  // all ranks
+    Named<std::string> versions;
+    std::int64_t substeps = 0;       // of a structure, in the whole run
+    Json sections = Json::object();  // by their keys in summary.json: "fluid", ...
+
+    void add(const FluidSummary& fluid);
+    void add(const StructureSummary& structure);
+    void add(const BoundarySummary& boundary);
+    void add(const IterationSummary& iterations);
+    void add(const EnergySummary& energy);
+
+    std::string to_text() const;  // for the partner
+    static ParticipantReport from_text(const std::string& text);
 };
 
 struct Summary {
@@ -82,31 +111,19 @@ struct Summary {
     Outcome outcome = Outcome::stopped;
     std::string cause;  // one sentence; empty when completed
     std::vector<std::string> effects, absent_effects;
-    Named<std::string> versions;
-    Named<int> ranks;  // by participant
     std::int64_t steps = 0;
-    std::int64_t substeps = 0;  // of the structure, in the whole run
     double simulated_s = 0, wall_s = 0;
-    Named<Named<double>> tasks;    // seconds by participant and task
-    Named<Named<double>> waiting;  // of them, for the partner
-    Named<LoadSummary> load;
+    std::vector<ParticipantReport> participants;
     std::optional<double> coupling_overhead;        // share of the steps' time
     std::optional<double> immersed_boundary_share;  // the same
     std::string advice;                             // empty where there is none
-    std::optional<IterationSummary> iterations;
-    std::optional<FluidSummary> fluid;
-    std::optional<StructureSummary> structure;
-    std::optional<BoundarySummary> immersed_boundary;
-    std::optional<EnergySummary> energy_audit;
-    Named<std::int64_t> memory_bytes;  // by participant, all its ranks
-    Named<double> probes;              // last values by column
-    nlohmann::ordered_json extra = nlohmann::ordered_json::object();
+    Named<double> probes;                           // last values by column
+    Json extra = Json::object();
 };
 
-// Keys as in the struct, save: scene_hash is 16 hexadecimal digits in a string; what is
-// not finite becomes null, for JSON knows no NaN; an absent fluid, structure or
-// immersed boundary has no key.
-nlohmann::ordered_json to_json(const Summary& summary);
+// scene_hash is 16 hexadecimal digits in a string; what is not finite becomes null, for
+// JSON knows no NaN; a section that no participant has is no key.
+Json to_json(const Summary& summary);
 
 // Indented, atomic. Throws FileError.
 void write_summary(const std::filesystem::path& path, const Summary& summary);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "coupler/checkpoint/checkpoint_files.h"
+#include "coupler/checkpoint/restart.h"
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
-#include "coupler/participants/wait.h"
+#include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
 

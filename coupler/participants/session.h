@@ -9,7 +9,7 @@
 
 #include "coupler/checkpoint/restart.h"
 #include "coupler/participants/guard.h"
-#include "coupler/participants/handshake.h"
+#include "coupler/participants/world.h"
 #include "coupler/step/clock.h"
 
 namespace magfsi::coupler {

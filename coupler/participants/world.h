@@ -1,9 +1,10 @@
-// The first act of every participant: all world ranks join one split by role, then the
-// two sides are joined by an intercommunicator. After that nobody uses MPI_COMM_WORLD.
+// The two sides of a run: how they find each other, agree, exchange and wait.
 #pragma once
 
 #include <mpi.h>
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace magfsi::coupler {
@@ -12,6 +13,8 @@ enum class Role { structure = 1, fluid = 2 };
 
 std::string to_string(Role role);
 
+// The first act of every participant: all world ranks join one split by role, then the
+// two sides are joined by an intercommunicator. After that nobody uses MPI_COMM_WORLD.
 class World {
   public:
     // partner_expected: whether the scene has another side. Throws PartnerLost when it
@@ -43,5 +46,63 @@ class World {
     int size_ = 1;
     int partner_size_ = 0;
 };
+
+// Start-up (reading, relaxing the shape) may take far longer than a step.
+constexpr double startup_timeout_s = 900;
+
+// Completes all requests without taking the core that the partner may need: polls for a
+// moment, then sleeps in between, the longer the more it has waited. Throws PartnerLost after timeout_s (its text names `what`), and Stopped when the process was
+// told to end.
+void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
+
+// Waits until a message from each of the ranks can be received. A long message takes some
+// turns of both sides; a receive that is posted after this waits for those without the
+// long naps of a wait for the partner's whole step.
+void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
+                       double timeout_s, const std::string& what);
+
+// Seconds that this process has spent in these waits so far.
+double waited_s();
+
+// From now on SIGTERM, SIGINT and SIGUSR1 set a flag that stop_requested reports; waits
+// and the step loop look at it.
+void catch_stop_signals();
+int stop_requested();  // the signal's number, 0 if none
+
+// From now on the step loop answers a signal, at the end of a coupled step, and waits go
+// on: after SIGUSR1, which the launcher sends for this, up to their timeout; after
+// SIGTERM for a moment only, since mpirun sends it too when a partner is gone.
+void postpone_stop();
+bool stop_postponed();
+
+// What both sides must agree on before any data flows. Same layout on both: all integers,
+// so that there is nothing to round.
+struct Agreement {
+    std::int64_t protocol = 2;
+    std::uint64_t scene_hash = 0;
+    std::int64_t steps = 0;       // coupled steps of the run
+    std::int64_t step_ps = 0;     // the coupled step in picoseconds, rounded
+    std::int64_t first_step = 0;  // that of the checkpoint after a restart
+};
+
+// Exchanges the agreements of the two roots and compares. Throws PartnerLost naming the
+// first item that differs and both values. Collective over both sides.
+void shake_hands(const World& world, const Agreement& mine, double timeout_s);
+
+// Exchanges a block of numbers between the roots and broadcasts it to every local rank; the
+// sizes are known to both sides. For geometry and reports at start-up and at the end.
+void swap_with_partner(const World& world, const void* send, int send_bytes,
+                       void* receive, int receive_bytes, double timeout_s,
+                       const char* what);
+
+// The same for a text of any length.
+std::string swap_text(const World& world, const std::string& mine, double timeout_s,
+                      const char* what);
+
+// Numbers from the fluid's root to the structure's root at coupled step `step`.
+void send_numbers(const World& world, std::int64_t step, std::span<const double> numbers,
+                  double timeout_s);
+void receive_numbers(const World& world, std::int64_t step, std::span<double> numbers,
+                     double timeout_s);
 
 }  // namespace magfsi::coupler

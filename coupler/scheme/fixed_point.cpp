@@ -7,7 +7,7 @@
 #include <exception>
 
 #include "coupler/participants/errors.h"
-#include "coupler/participants/wait.h"
+#include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
 

@@ -57,8 +57,8 @@ Choice best_ranks(Scheme scheme, const Run& run, const Choice& now) {
     const double rest_s =
         std::max(0.0, run.wall_s - predicted_s(now, run.structure, run.fluid));
     Choice best = now;
-    for (int a = 1; a <= std::min(run.cores, run.structure.most_ranks); ++a) {
-        for (int b = 1; b <= std::min(run.cores, run.fluid.most_ranks); ++b) {
+    for (int a = 1; a <= std::min(run.cores, run.structure.max_ranks); ++a) {
+        for (int b = 1; b <= std::min(run.cores, run.fluid.max_ranks); ++b) {
             Choice c{scheme, a, b};
             c.gain = run.wall_s / (rest_s + predicted_s(c, run.structure, run.fluid));
             if (fits(c, run.cores) && c.gain > worth_a_rank * best.gain) best = c;

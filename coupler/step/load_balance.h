@@ -2,26 +2,15 @@
 // what the coupling costs, and whether another share would pay.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "coupler/options.h"
+#include "coupler/output/summary.h"
 
 namespace magfsi::coupler {
 
-// One participant over the whole run. Seconds are means over its ranks, but for two.
-struct SideLoad {
-    int ranks = 1;
-    double working_s = 0;  // all tasks, less waiting
-    double waiting_s = 0;  // for the partner
-    double solver_s = 0;   // of the work: what the solver would need alone; least rank
-    double immersed_boundary_s = 0;  // of the work: markers from and to cells; most rank
-    double output_s = 0;             // of the work: probes and files
-    double imbalance = 1;            // largest work of a rank over the mean
-    double steps_s = 0;  // all tasks: what the steps took as this side saw them
-    int most_ranks = 1;  // beyond which a rank has too little to do
-};
+using output::SideLoad;
 
 // Share of the steps' time that goes beyond what solvers, immersed boundary and outputs
 // need: in turns (serial), or the slower side (parallel). It is packing, messages and

@@ -3,52 +3,27 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
 
-#include "coupler/output/memory.h"
+#include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json to_json(const output::FluidSummary& f) {
-    return {{"cells", f.cells},         {"mlups", f.mlups},
-            {"tau", f.relaxation_time}, {"spacing_m", f.spacing_m},
-            {"collision", f.collision}, {"kernel", f.kernel}};
-}
-
-output::FluidSummary fluid_from(const Json& json) {
-    return {json.at("cells"),     json.at("mlups"),     json.at("tau"),
-            json.at("spacing_m"), json.at("collision"), json.at("kernel")};
-}
-
-Json to_json(const output::StructureSummary& s) {
-    return {{"elements", s.elements},
-            {"ns", s.ns_per_element_step},
-            {"substeps", s.substeps_per_step}};
-}
-
-output::StructureSummary structure_from(const Json& json) {
-    return {json.at("elements"), json.at("ns"), json.at("substeps")};
-}
-
-Json to_json(const SideLoad& load) {
-    return {load.ranks,
-            load.working_s,
-            load.waiting_s,
-            load.solver_s,
-            load.immersed_boundary_s,
-            load.output_s,
-            load.imbalance,
-            load.steps_s,
-            load.most_ranks};
-}
-
-SideLoad load_from(const Json& json) {
-    return {json.at(0), json.at(1), json.at(2), json.at(3), json.at(4),
-            json.at(5), json.at(6), json.at(7), json.at(8)};
+// The largest physical memory that this process ever held (VmHWM); 0 where the kernel
+// does not say.
+std::int64_t peak_resident_bytes() {
+    std::ifstream status("/proc/self/status");
+    for (std::string key; status >> key; std::getline(status, key)) {
+        std::int64_t kibibytes = 0;
+        if (key == "VmHWM:" && status >> kibibytes) return 1024 * kibibytes;
+    }
+    return 0;
 }
 
 SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double idle_s) {
@@ -99,42 +74,24 @@ void add_balance(const Session& session, output::Summary& summary,
 ParticipantReport basic_report(const World& world, const TaskList& tasks, double idle_s) {
     ParticipantReport report;
     report.name = to_string(world.self());
-    report.ranks = world.size();
     const std::vector<TaskTime> times = tasks.times();
     for (const TaskTime& task : times) {
         report.tasks.emplace_back(task.name, task.seconds);
         if (task.waiting_s > 0) report.waiting.emplace_back(task.name, task.waiting_s);
     }
     report.load = load_of(world, times, idle_s);
-    const std::int64_t mine = output::peak_resident_bytes();
+    const std::int64_t mine = peak_resident_bytes();
     MPI_Reduce(&mine, &report.memory_bytes, 1, MPI_INT64_T, MPI_SUM, 0, world.local());
     return report;
 }
 
-std::string to_text(const ParticipantReport& report) {
-    Json json{{"name", report.name},          {"ranks", report.ranks},
-              {"tasks", report.tasks},        {"waiting", report.waiting},
-              {"load", to_json(report.load)}, {"memory_bytes", report.memory_bytes},
-              {"versions", report.versions}};
-    if (report.fluid) json["fluid"] = to_json(*report.fluid);
-    if (report.structure) json["structure"] = to_json(*report.structure);
-    return json.dump();
+void send_report(const Session& session, const ParticipantReport& report) {
+    swap_text(session.world(), report.to_text(), session.timeout_s(), "final report");
 }
 
-ParticipantReport report_from_text(const std::string& text) {
-    const Json json = Json::parse(text);
-    ParticipantReport report;
-    report.name = json.at("name");
-    report.ranks = json.at("ranks");
-    report.tasks = json.at("tasks").get<output::Named<double>>();
-    report.waiting = json.at("waiting").get<output::Named<double>>();
-    report.load = load_from(json.at("load"));
-    report.memory_bytes = json.at("memory_bytes");
-    report.versions = json.at("versions").get<output::Named<std::string>>();
-    if (json.contains("fluid")) report.fluid = fluid_from(json.at("fluid"));
-    if (json.contains("structure"))
-        report.structure = structure_from(json.at("structure"));
-    return report;
+ParticipantReport receive_report(const Session& session) {
+    return ParticipantReport::from_text(
+        swap_text(session.world(), "", session.timeout_s(), "final report"));
 }
 
 std::unique_ptr<output::ProbeFile> open_probes(const Session& session,
@@ -174,29 +131,66 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         for (std::size_t i = 0; i < last.size(); ++i)
             summary.probes.emplace_back(probes->columns()[i], last[i]);
     }
-    for (const ParticipantReport& report : reports) {
-        summary.ranks.emplace_back(report.name, report.ranks);
-        summary.tasks.emplace_back(report.name, report.tasks);
-        summary.waiting.emplace_back(report.name, report.waiting);
-        summary.load.emplace_back(
-            report.name, output::LoadSummary{report.load.working_s, report.load.waiting_s,
-                                             report.load.imbalance});
-        summary.memory_bytes.emplace_back(report.name, report.memory_bytes);
-        summary.versions.insert(summary.versions.end(), report.versions.begin(),
-                                report.versions.end());
-        if (report.fluid) summary.fluid = report.fluid;
-        if (report.immersed_boundary)
-            summary.immersed_boundary = report.immersed_boundary;
-        if (report.energy_audit) summary.energy_audit = report.energy_audit;
-        if (report.iterations) summary.iterations = report.iterations;
-        if (report.structure) {
-            summary.structure = report.structure;
-            summary.substeps = report.structure->substeps.value_or(
-                summary.steps * report.structure->substeps_per_step);
-        }
-    }
+    summary.participants.assign(reports.begin(), reports.end());
     if (reports.size() == 2) add_balance(session, summary, reports[0], reports[1]);
     output::write_summary(session.out() / "summary.json", summary);
+}
+
+output::BoundarySummary boundary_summary(const SlipReport& slip,
+                                         double given_speed_m_s) {
+    output::BoundarySummary b;
+    b.markers = slip.markers;
+    b.samples = slip.samples;
+    b.error_m_s = slip.error_m_s;
+    b.largest_error_m_s = slip.largest_error_m_s;
+    b.marker_speed_m_s = slip.marker_speed_m_s;
+    b.leakage_m3_s = slip.leakage_m3_s;
+    b.reference_speed_m_s = std::max(slip.marker_speed_m_s, given_speed_m_s);
+    if (b.reference_speed_m_s > 0) {
+        b.error = b.error_m_s / b.reference_speed_m_s;
+        if (slip.surface_m2 > 0)
+            b.leakage = b.leakage_m3_s / (b.reference_speed_m_s * 0.25 * slip.surface_m2);
+    }
+    return b;
+}
+
+std::string to_text(const output::BoundarySummary& b) {
+    return fmt::format(
+        "immersed boundary: no-slip error {:.2g} %, leakage {:.2g} % of {:.3g} m/s "
+        "({} markers, {} samples)",
+        100 * b.error, 100 * b.leakage, b.reference_speed_m_s, b.markers, b.samples);
+}
+
+void log_effects(const Session& session) {
+    for (const std::string& line : session.plan().effects_by_step)
+        session.log("effects of the " + line);
+    for (const std::string& line : session.plan().warnings)
+        session.log("warning: " + line);
+}
+
+void log_steps(const Session& session, const TaskList& tasks, const std::string& about) {
+    std::string text = to_string(session.world().self()) + " step: " + tasks.names();
+    if (!about.empty()) text.insert(0, about + "\n");
+    if (session.world().coupled()) {
+        const std::string other =
+            swap_text(session.world(), text, session.timeout_s(), "list of its tasks");
+        text += "\n" + other;
+    }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) session.log(line);
+}
+
+std::unique_ptr<output::Progress> progress_on_stdout(const Session& session,
+                                                     output::ProgressMode mode) {
+    const char* const end = mode == output::ProgressMode::plain ? "\n" : "";
+    return std::make_unique<output::Progress>(
+        mode,
+        output::ProgressGoal{session.clock().steps(), session.plan().end_s,
+                             session.clock().first_step()},
+        [end](std::string_view text) {
+            fmt::print("{}{}", text, end);
+            std::fflush(stdout);
+        });
 }
 
 }  // namespace magfsi::coupler

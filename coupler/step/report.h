@@ -1,10 +1,11 @@
-// What each participant reports at the end, and the summary made of it.
+// What the log, the progress and summary.json say of a run.
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
+#include "coupler/immersed_boundary/slip.h"
+#include "coupler/output/log.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/output/summary.h"
 #include "coupler/participants/session.h"
@@ -13,32 +14,18 @@
 
 namespace magfsi::coupler {
 
-struct ParticipantReport {
-    std::string name;
-    int ranks = 1;
-    output::Named<double> tasks;    // seconds on the root rank
-    output::Named<double> waiting;  // of them, for the partner
-    SideLoad load;
-    std::int64_t memory_bytes = 0;  // all ranks
-    output::Named<std::string> versions;
-    std::optional<output::FluidSummary> fluid;
-    std::optional<output::StructureSummary> structure;
-    // Known to the structure, which leads: not in the text for the partner.
-    std::optional<output::BoundarySummary> immersed_boundary;
-    std::optional<output::EnergySummary> energy_audit;
-    // Of the side that leads, and so not among what is sent.
-    std::optional<output::IterationSummary> iterations;
-};
+using output::ParticipantReport;
 
 // Name, ranks, tasks, load and memory. idle_s: what this rank's solver has waited for its
 // own neighbours, which is no work. Collective over the participant.
 ParticipantReport basic_report(const World& world, const TaskList& tasks,
                                double idle_s = 0);
 
-std::string to_text(const ParticipantReport& report);
-ParticipantReport report_from_text(const std::string& text);
+// At the end of a coupled run: the fluid sends its report, the structure receives it.
+void send_report(const Session& session, const ParticipantReport& report);
+ParticipantReport receive_report(const Session& session);
 
-// probes.csv of this run, or after a restart its goings-on.
+// probes.csv of this run, continued after a restart.
 std::unique_ptr<output::ProbeFile> open_probes(const Session& session,
                                                const std::vector<std::string>& columns);
 
@@ -49,5 +36,26 @@ std::string end_line(const Session& session, double wall_s);
 // and the last row of probes.csv, nullptr without one.
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
                    double wall_s, const output::ProbeFile* probes);
+
+// How well the immersed boundary held, relative to the larger of the markers' speed (rms)
+// and the given flow's; the leakage to that speed times a quarter of the surface, the mean
+// cross-section of a convex body.
+output::BoundarySummary boundary_summary(const SlipReport& slip,
+                                         double given_speed_m_s);
+
+std::string to_text(const output::BoundarySummary& boundary);
+
+// For the head of the log: the effects of each step, those that are absent, warnings of
+// those that can do nothing.
+void log_effects(const Session& session);
+
+// "structure step: ..." and, in a coupled run, what the other side says of itself, which
+// calls this, too, before the first exchange. First a line on this side, if not empty.
+void log_steps(const Session& session, const TaskList& tasks,
+               const std::string& about = "");
+
+// The progress of a participant that leads, on its standard output. After session.begin.
+std::unique_ptr<output::Progress> progress_on_stdout(const Session& session,
+                                                     output::ProgressMode mode);
 
 }  // namespace magfsi::coupler

@@ -1,23 +1,32 @@
 #include "coupler/step/task_list.h"
 
-#include "coupler/participants/wait.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "coupler/output/log.h"
+#include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
 
+void TaskList::add(TaskKind kind, std::string name, std::function<void()> work) {
+    tasks_.push_back({{std::move(name), kind}, std::move(work)});
+}
+
 void TaskList::add(std::string name, std::function<void()> work) {
-    tasks_.push_back({std::move(name), std::move(work), TaskKind::solver});
+    add(TaskKind::solver, std::move(name), std::move(work));
 }
 
 void TaskList::add_immersed_boundary(std::string name, std::function<void()> work) {
-    tasks_.push_back({std::move(name), std::move(work), TaskKind::immersed_boundary});
+    add(TaskKind::immersed_boundary, std::move(name), std::move(work));
 }
 
 void TaskList::add_coupling(std::string name, std::function<void()> work) {
-    tasks_.push_back({std::move(name), std::move(work), TaskKind::coupling});
+    add(TaskKind::coupling, std::move(name), std::move(work));
 }
 
 void TaskList::add_output(std::string name, std::function<void()> work) {
-    tasks_.push_back({std::move(name), std::move(work), TaskKind::output});
+    add(TaskKind::output, std::move(name), std::move(work));
 }
 
 void TaskList::repeat_from(std::size_t first, std::function<bool()> again) {
@@ -25,10 +34,12 @@ void TaskList::repeat_from(std::size_t first, std::function<bool()> again) {
 }
 
 void TaskList::run(Task& task) {
-    const auto guard = timer_.measure(task.name);
+    const double start_s = output::steady_seconds();
     const double waited_before_s = waited_s();
     task.work();
-    task.waiting_s += waited_s() - waited_before_s;
+    task.time.seconds += output::steady_seconds() - start_s;
+    task.time.waiting_s += waited_s() - waited_before_s;
+    task.ran = true;
 }
 
 void TaskList::run() {
@@ -45,13 +56,15 @@ void TaskList::run() {
 
 std::vector<TaskTime> TaskList::times() const {
     std::vector<TaskTime> all;
-    for (const auto& [name, seconds] : timer_.seconds()) {
-        for (const Task& task : tasks_) {
-            if (task.name == name)
-                all.push_back({name, task.kind, seconds, task.waiting_s});
-        }
-    }
+    for (const Task& task : tasks_)
+        if (task.ran) all.push_back(task.time);
     return all;
+}
+
+double TaskList::seconds(std::string_view name) const {
+    for (const Task& task : tasks_)
+        if (task.time.name == name) return task.time.seconds;
+    return 0;
 }
 
 std::string TaskList::names() const {
@@ -60,12 +73,33 @@ std::string TaskList::names() const {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         if (i > 0) all += ", ";
         if (loop != loops_.end() && i == loop->first) all += "repeat (";
-        all += tasks_[i].name;
+        all += tasks_[i].time.name;
         if (loop == loops_.end() || i != loop->last) continue;
         all += ")";
         ++loop;
     }
     return all;
+}
+
+void Outputs::need(bool asked, std::string_view name) const {
+    if (!asked || std::ranges::find(names_, name) != names_.end()) return;
+    throw std::invalid_argument(
+        fmt::format("{} is asked for, and this program was built without it", name));
+}
+
+void Outputs::begin() {
+    for (const auto& output : all_) output->begin();
+}
+
+void Outputs::finish() {
+    for (const auto& output : all_) output->finish();
+}
+
+const output::ProbeFile* Outputs::probes() const {
+    for (const auto& output : all_) {
+        if (const output::ProbeFile* file = output->probes()) return file;
+    }
+    return nullptr;
 }
 
 }  // namespace magfsi::coupler

@@ -1,12 +1,15 @@
-// A coupled step, readable as a list: the tasks that the scene calls for, in order. An
-// effect that is absent has no task.
+// A coupled step, readable as a list: the tasks that the scene calls for, in order, and
+// what a participant writes beside its solution. An effect that is absent has no task.
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "coupler/output/task_timer.h"
+#include "coupler/output/probe_file.h"
 
 namespace magfsi::coupler {
 
@@ -16,7 +19,7 @@ enum class TaskKind { solver, immersed_boundary, coupling, output };
 struct TaskTime {
     std::string name;
     TaskKind kind = TaskKind::solver;
-    double seconds = 0;
+    double seconds = 0;    // so far
     double waiting_s = 0;  // of them, for the partner
 };
 
@@ -37,25 +40,72 @@ class TaskList {
 
     // "advance structure, send impulses, ..."; what is repeated stands in brackets.
     std::string names() const;
-    const output::TaskTimer& timer() const { return timer_; }
     std::vector<TaskTime> times() const;  // of the tasks that ran, in their order
+    double seconds(std::string_view name) const;  // 0 for one that is not in the list
 
   private:
     struct Task {
-        std::string name;
+        TaskTime time;
         std::function<void()> work;
-        TaskKind kind;
-        double waiting_s = 0;
+        bool ran = false;
     };
     struct Loop {
         std::size_t first = 0, last = 0;
         std::function<bool()> again;
     };
     void run(Task& task);
+    void add(TaskKind kind, std::string name, std::function<void()> work);
 
     std::vector<Task> tasks_;
     std::vector<Loop> loops_;  // in order, none inside another
-    output::TaskTimer timer_;
+};
+
+// What a participant writes beside its solution: an object for each output that the scene
+// names, and a task of the step.
+class Output {
+  public:
+    virtual ~Output() = default;
+    // Before the first step: what is written of step 0, where the run does not go on from
+    // a checkpoint.
+    virtual void begin() {}
+    virtual void end_step() = 0;
+    virtual void finish() {}  // when all sides have ended; on the leading rank
+    // What the summary is made from; null on most.
+    virtual const output::ProbeFile* probes() const { return nullptr; }
+};
+
+// Run: what a participant hands to its outputs, which lives as long as they do. make
+// returns null where the scene does not name the output, on all ranks or on none.
+template <class Run>
+struct OutputKind {
+    std::string_view name;  // of the effect
+    const char* task = "";
+    std::unique_ptr<Output> (*make)(Run&) = nullptr;
+};
+
+class Outputs {
+  public:
+    // kinds: those of this build, up to one without a name.
+    template <class Run>
+    void add(const OutputKind<Run>* kinds, Run& run, TaskList& tasks) {
+        for (; !kinds->name.empty(); ++kinds) {
+            names_.push_back(kinds->name);
+            std::unique_ptr<Output> output = kinds->make(run);
+            if (!output) continue;
+            tasks.add_output(kinds->task, [made = output.get()] { made->end_step(); });
+            all_.push_back(std::move(output));
+        }
+    }
+    // After add. Throws std::invalid_argument where the build lacks what is asked for.
+    void need(bool asked, std::string_view name) const;
+
+    void begin();
+    void finish();
+    const output::ProbeFile* probes() const;
+
+  private:
+    std::vector<std::string_view> names_;
+    std::vector<std::unique_ptr<Output>> all_;  // in the order of their tasks
 };
 
 }  // namespace magfsi::coupler

@@ -1,5 +1,5 @@
 // Both sides agree on what they run, or both say what differs; texts of any length pass.
-#include "coupler/participants/handshake.h"
+#include "coupler/participants/world.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "coupler/exchange/exchange.h"
-#include "coupler/participants/handshake.h"
+#include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/mpi/coupler/travelling_markers.h"
 

@@ -3,7 +3,7 @@
 
 #include "coupler/exchange/exchange.h"
 #include "coupler/participants/errors.h"
-#include "coupler/participants/handshake.h"
+#include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/unit/coupler/grids.h"
 

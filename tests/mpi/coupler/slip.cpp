@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "coupler/step/boundary_quality.h"
+#include "coupler/step/report.h"
 
 namespace magfsi::coupler {
 namespace {

@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "coupler/participants/errors.h"
-#include "coupler/participants/wait.h"
+#include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 
 namespace magfsi::coupler {

@@ -5,8 +5,8 @@
 
 #include <csignal>
 
-#include "coupler/checkpoint/stop_agreement.h"
-#include "coupler/participants/wait.h"
+#include "coupler/checkpoint/checkpoints.h"
+#include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 
 namespace magfsi::coupler {

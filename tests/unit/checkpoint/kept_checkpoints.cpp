@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "coupler/checkpoint/checkpoint_files.h"
+#include "coupler/checkpoint/restart.h"
 #include "tests/unit/output/temporary_folder.h"
 
 namespace magfsi::coupler {

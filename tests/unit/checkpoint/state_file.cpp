@@ -5,8 +5,7 @@
 
 #include <numeric>
 
-#include "coupler/checkpoint/state_reader.h"
-#include "coupler/checkpoint/state_writer.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/output/file.h"
 #include "tests/unit/output/temporary_folder.h"
 

@@ -9,12 +9,12 @@ namespace {
 
 using coupler::Scheme;
 
-SideLoad side(int ranks, double working_s, double waiting_s, int most_ranks) {
+SideLoad side(int ranks, double working_s, double waiting_s, int max_ranks) {
     SideLoad load;
     load.ranks = ranks;
     load.working_s = load.solver_s = working_s;
     load.waiting_s = waiting_s;
-    load.most_ranks = most_ranks;
+    load.max_ranks = max_ranks;
     return load;
 }
 

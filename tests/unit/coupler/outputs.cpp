@@ -1,4 +1,4 @@
-#include "coupler/step/outputs.h"
+#include "coupler/step/task_list.h"
 
 #include <gtest/gtest.h>
 

@@ -55,7 +55,7 @@ TEST(TaskList, no_task_no_name) {
     TaskList tasks;
     tasks.run();
     EXPECT_EQ(tasks.names(), "");
-    EXPECT_TRUE(tasks.timer().seconds().empty());
+    EXPECT_TRUE(tasks.times().empty());
 }
 
 TEST(TaskList, times_each_task_under_its_name) {
@@ -67,13 +67,15 @@ TEST(TaskList, times_each_task_under_its_name) {
     tasks.run();
     tasks.run();
     const double wall_s = duration<double>(steady_clock::now() - start).count();
-    const auto& seconds = tasks.timer().seconds();
-    ASSERT_EQ(seconds.size(), 2u);
-    EXPECT_EQ(seconds[0].first, "sleep");
-    EXPECT_EQ(seconds[1].first, "nothing");
-    EXPECT_GE(seconds[0].second, 0.02);  // sleep_for never returns early
-    EXPECT_GT(seconds[0].second, seconds[1].second);
-    EXPECT_LE(seconds[0].second + seconds[1].second, wall_s);
+    const auto times = tasks.times();
+    ASSERT_EQ(times.size(), 2u);
+    EXPECT_EQ(times[0].name, "sleep");
+    EXPECT_EQ(times[1].name, "nothing");
+    EXPECT_GE(times[0].seconds, 0.02);  // sleep_for never returns early
+    EXPECT_GT(times[0].seconds, times[1].seconds);
+    EXPECT_LE(times[0].seconds + times[1].seconds, wall_s);
+    EXPECT_EQ(tasks.seconds("sleep"), times[0].seconds);
+    EXPECT_EQ(tasks.seconds("another"), 0);
 }
 
 TEST(TaskList, a_task_that_throws_ends_the_step) {

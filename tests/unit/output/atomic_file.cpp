@@ -1,4 +1,4 @@
-#include "coupler/output/atomic_file.h"
+#include "coupler/output/file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupler/output/progress.h"
+#include "coupler/output/log.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupler/output/pvd.h"
+#include "coupler/output/vtk.h"
 
 #include <gtest/gtest.h>
 

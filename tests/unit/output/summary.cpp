@@ -20,19 +20,25 @@ Summary diverged_run() {
     s.cause = "element 7 of robot inverted at step 12";
     s.effects = {"magnetic_field", "fluid"};
     s.absent_effects = {"gravity"};
-    s.versions = {{"magfsi", "0.1.0"}, {"lammps", "29 Sep 2021"}};
-    s.ranks = {{"structure", 1}, {"fluid", 2}};
     s.steps = 12;
-    s.substeps = 72;
     s.simulated_s = 2.4e-4;
     s.wall_s = 1.5;
-    s.tasks = {{"fluid", {{"stream", 1.0}, {"exchange", 0.25}}}};
-    s.waiting = {{"fluid", {{"exchange", 0.125}}}};
-    s.load = {{"fluid", {1.25, 0.125, 1.5}}};
     s.coupling_overhead = 0.03;
     s.advice = "give the fluid more ranks";
-    s.fluid = FluidSummary{128000, 88.5, 0.5015, 2e-4, "recursive_regularized", "avx2"};
-    s.memory_bytes = {{"structure", 50000000}};
+    ParticipantReport structure;
+    structure.name = "structure";
+    structure.versions = {{"magfsi", "0.1.0"}, {"lammps", "29 Sep 2021"}};
+    structure.memory_bytes = 50000000;
+    structure.add(StructureSummary{108, 33.5, 6, 72, {}});
+    ParticipantReport fluid;
+    fluid.name = "fluid";
+    fluid.load = {.ranks = 2, .working_s = 1.25, .waiting_s = 0.125, .imbalance = 1.5};
+    fluid.tasks = {{"stream", 1.0}, {"exchange", 0.25}};
+    fluid.waiting = {{"exchange", 0.125}};
+    fluid.add(
+        FluidSummary{128000, 88.5, 0.5015, 2e-4, "recursive_regularized", "avx2"});
+    // As the partner receives it.
+    s.participants = {structure, ParticipantReport::from_text(fluid.to_text())};
     s.probes = {{"robot.com_z[m]", std::numeric_limits<double>::quiet_NaN()},
                 {"robot.bend[rad]", 0.5}};
     s.extra["restart"] = 3;
@@ -73,8 +79,8 @@ TEST(Summary, has_the_keys_that_readers_rely_on) {
 }
 
 TEST(Summary, absent_solvers_have_no_key_and_what_is_not_finite_is_null) {
+    EXPECT_FALSE(to_json(Summary{}).contains("structure"));
     const auto json = to_json(diverged_run());
-    EXPECT_FALSE(json.contains("structure"));
     const auto read_back = nlohmann::ordered_json::parse(json.dump());
     EXPECT_TRUE(read_back["probes"]["robot.com_z[m]"].is_null());
 }
@@ -82,7 +88,8 @@ TEST(Summary, absent_solvers_have_no_key_and_what_is_not_finite_is_null) {
 TEST(Summary, immersed_boundary_has_its_errors_absolute_and_relative) {
     Summary s;
     EXPECT_FALSE(to_json(s).contains("immersed_boundary"));
-    s.immersed_boundary = BoundarySummary{4680, 600, 2e-3, 5e-3, 0.02, 3e-10, 0.01, 0.1};
+    s.participants.emplace_back().add(
+        BoundarySummary{4680, 600, 2e-3, 5e-3, 0.02, 3e-10, 0.01, 0.1});
     const auto json = to_json(s)["immersed_boundary"];
     EXPECT_EQ(json["markers"], 4680);
     EXPECT_EQ(json["no_slip_error"], 0.02);
@@ -100,9 +107,7 @@ TEST(Summary, keeps_the_order_in_which_it_was_filled) {
 }
 
 TEST(Summary, structure_and_every_outcome_have_their_words) {
-    Summary s;
-    s.structure = StructureSummary{108, 33.5, 6};
-    const auto json = to_json(s);
+    const auto json = to_json(diverged_run());
     EXPECT_EQ(json["structure"]["elements"], 108);
     EXPECT_EQ(json["structure"]["ns_per_element_step"], 33.5);
     EXPECT_EQ(json["structure"]["substeps_per_step"], 6);

@@ -4,8 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coupler/output/vti.h"
-#include "coupler/output/vtu.h"
+#include "coupler/output/vtk.h"
 #include "tests/unit/output/temporary_folder.h"
 
 using namespace magfsi::output;

@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "coupler/output/pvd.h"
-#include "coupler/output/vti.h"
-#include "coupler/output/vtu.h"
+#include "coupler/output/vtk.h"
 
 namespace fs = std::filesystem;
 using namespace magfsi::output;

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "adapters/fluids/fluid_solver.h"
-#include "coupler/output/pvd.h"
-#include "coupler/output/vti.h"
+#include "coupler/output/vtk.h"
 #include "coupler/participants/world.h"
 #include "adapters/scene/scene.h"
 #include "coupler/step/clock.h"

@@ -1,6 +1,6 @@
 // Rows of probes.csv; beside a structure, the numbers that go to its rows.
 #include "adapters/fluids/fluid_run.h"
-#include "coupler/participants/handshake.h"
+#include "coupler/participants/world.h"
 #include "adapters/scene/probe_columns.h"
 #include "coupler/step/report.h"
 

@@ -6,7 +6,7 @@
 #include "adapters/lammps/audit/collect_terms.h"
 #include "adapters/lammps/structure_run.h"
 #include "coupler/participants/errors.h"
-#include "coupler/participants/handshake.h"
+#include "coupler/participants/world.h"
 #include "adapters/scene/probe_columns.h"
 #include "coupler/step/report.h"
 

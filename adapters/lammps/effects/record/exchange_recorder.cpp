@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "coupler/checkpoint/gather.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/exchange/exchange.h"
 
 namespace magfsi::lammps {

@@ -1,0 +1,415 @@
+#include "coupler/checkpoint/state_file.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "coupler/output/file.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+constexpr std::int64_t state_format = 1;
+
+// "cannot read dataset fluid: Can't open object"; the caller names the file.
+class Hdf5Error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// An HDF5 object that is closed with its owner.
+class Hdf5Handle {
+  public:
+    using Close = herr_t (*)(hid_t);
+    Hdf5Handle() = default;
+    Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+    ~Hdf5Handle() { reset(); }
+    Hdf5Handle(Hdf5Handle&& other) noexcept
+        : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+        reset();
+        id_ = std::exchange(other.id_, -1);
+        close_ = other.close_;
+        return *this;
+    }
+
+    hid_t get() const { return id_; }
+    // Closes now; negative if that failed.
+    herr_t reset() { return id_ < 0 ? 0 : close_(std::exchange(id_, -1)); }
+
+  private:
+    hid_t id_ = -1;
+    Close close_ = nullptr;
+};
+
+// The innermost entry comes first upwards: the cause, not its consequences.
+herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
+    if (depth == 0 && entry->desc != nullptr)
+        *static_cast<std::string*>(text) = entry->desc;
+    return 0;
+}
+
+// Keeps HDF5 from printing its stack of errors and from locking files; call before
+// anything else of it.
+void prepare_hdf5() {
+    // Some network file systems have no locks and would refuse every file; ours are
+    // never written once they have their name.
+    setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
+    // At the process's end HDF5 would flush what a full disk has refused once, and crash.
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+// Returns what HDF5 returned, or throws with HDF5's innermost reason.
+hid_t checked(hid_t returned, const std::string& what) {
+    if (returned >= 0) return returned;
+    std::string reason = "unknown reason";
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &take_first, &reason);
+    throw Hdf5Error(what + ": " + reason);
+}
+
+}  // namespace
+
+struct StateWriter::Files {
+    Hdf5Handle file;
+    Hdf5Handle table;  // the one that planes go to
+    std::vector<hsize_t> shape;
+};
+
+namespace {
+
+void write_attribute(hid_t file, const char* name, hid_t type, const void* value) {
+    const Hdf5Handle space(checked(H5Screate(H5S_SCALAR), name), &H5Sclose);
+    const Hdf5Handle a(
+        checked(H5Acreate2(file, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                name),
+        &H5Aclose);
+    checked(H5Awrite(a.get(), type, value), name);
+}
+
+Hdf5Handle create_file(const std::string& path) {
+    const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), path), &H5Pclose);
+    // The newest format has checksums of its own structure.
+    H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+    const Hdf5Handle creation(checked(H5Pcreate(H5P_FILE_CREATE), path), &H5Pclose);
+    // No time of day, here and below: equal states give equal files.
+    checked(H5Pset_obj_track_times(creation.get(), false), path);
+    return {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
+                    path),
+            &H5Fclose};
+}
+
+// One chunk a plane with a checksum: damage is found when it is read.
+Hdf5Handle create_table(hid_t file, const std::string& name,
+                        const std::vector<hsize_t>& shape,
+                        const std::vector<hsize_t>& chunk, hid_t type) {
+    const auto rank = static_cast<int>(shape.size());
+    const Hdf5Handle space(checked(H5Screate_simple(rank, shape.data(), nullptr), name),
+                           &H5Sclose);
+    const Hdf5Handle how(checked(H5Pcreate(H5P_DATASET_CREATE), name), &H5Pclose);
+    checked(H5Pset_chunk(how.get(), rank, chunk.data()), name);
+    checked(H5Pset_fletcher32(how.get()), name);
+    checked(H5Pset_obj_track_times(how.get(), false), name);
+    return {checked(H5Dcreate2(file, name.c_str(), type, space.get(), H5P_DEFAULT,
+                               how.get(), H5P_DEFAULT),
+                    name),
+            &H5Dclose};
+}
+
+}  // namespace
+
+// HDF5 tells only its own view; the system's number, where there is one, tells the cause.
+template <class Work>
+void StateWriter::guarded(Work&& work) {
+    errno = 0;
+    try {
+        work();
+    } catch (const Hdf5Error&) {
+        throw output::FileError(path_, errno != 0 ? errno : EIO);
+    }
+}
+
+StateWriter::StateWriter(std::filesystem::path path, const StateHeader& header)
+    : path_(std::move(path)), files_(std::make_unique<Files>()) {
+    prepare_hdf5();
+    guarded([&] {
+        files_->file = create_file(output::temporary_of(path_).string());
+        const hid_t file = files_->file.get();
+        write_attribute(file, "format", H5T_NATIVE_INT64, &state_format);
+        write_attribute(file, "state_hash", H5T_NATIVE_UINT64, &header.state_hash);
+        write_attribute(file, "step", H5T_NATIVE_INT64, &header.step);
+        write_attribute(file, "step_s", H5T_NATIVE_DOUBLE, &header.step_s);
+    });
+}
+
+StateWriter::~StateWriter() {
+    if (committed_) return;
+    files_.reset();
+    ::unlink(output::temporary_of(path_).c_str());
+}
+
+void StateWriter::table(const std::string& name, std::span<const double> values,
+                        std::vector<std::size_t> shape) {
+    if (values.empty()) return;
+    const std::vector<hsize_t> sizes(shape.begin(), shape.end());
+    guarded([&] {
+        const Hdf5Handle data =
+            create_table(files_->file.get(), name, sizes, sizes, H5T_IEEE_F64LE);
+        checked(H5Dwrite(data.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                         values.data()),
+                name);
+    });
+}
+
+void StateWriter::begin_table(const std::string& name, std::vector<std::size_t> shape,
+                              StoredAs stored_as) {
+    files_->shape.assign(shape.begin(), shape.end());
+    std::vector<hsize_t> chunk = files_->shape;
+    chunk[0] = 1;
+    guarded([&] {
+        files_->table =
+            create_table(files_->file.get(), name, files_->shape, chunk,
+                         stored_as == StoredAs::float_ ? H5T_IEEE_F32LE : H5T_IEEE_F64LE);
+    });
+}
+
+void StateWriter::plane(std::size_t index, std::span<const double> values) {
+    std::vector<hsize_t> start(files_->shape.size(), 0), count = files_->shape;
+    start[0] = index;
+    count[0] = 1;
+    const auto rank = static_cast<int>(count.size());
+    guarded([&] {
+        const Hdf5Handle memory(
+            checked(H5Screate_simple(rank, count.data(), nullptr), "plane"), &H5Sclose);
+        const Hdf5Handle place(checked(H5Dget_space(files_->table.get()), "plane"),
+                               &H5Sclose);
+        checked(H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr,
+                                    count.data(), nullptr),
+                "plane");
+        checked(H5Dwrite(files_->table.get(), H5T_NATIVE_DOUBLE, memory.get(),
+                         place.get(), H5P_DEFAULT, values.data()),
+                "plane");
+    });
+}
+
+void StateWriter::commit() {
+    guarded([&] {
+        checked(files_->table.reset(), "close");
+        checked(files_->file.reset(), "close");
+    });
+    output::publish(path_, output::Survives::power_cut);
+    committed_ = true;
+}
+
+struct StateReader::Files {
+    Hdf5Handle file;
+};
+
+namespace {
+
+using Sizes = std::vector<hsize_t>;
+
+// Numbers; a larger table is one of planes (StateWriter::begin_table).
+constexpr std::size_t largest_at_once = std::size_t{1} << 24;
+
+std::size_t product(const Sizes& sizes) {
+    return std::accumulate(sizes.begin(), sizes.end(), std::size_t{1},
+                           std::multiplies<>());
+}
+
+void read_attribute(hid_t file, const char* name, hid_t type, void* value) {
+    const Hdf5Handle a(checked(H5Aopen(file, name, H5P_DEFAULT), name), &H5Aclose);
+    checked(H5Aread(a.get(), type, value), name);
+}
+
+Hdf5Handle open_table(hid_t file, const std::string& name) {
+    return {checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), name), &H5Dclose};
+}
+
+Sizes sizes_of(hid_t table) {
+    const Hdf5Handle space(checked(H5Dget_space(table), "shape"), &H5Sclose);
+    Sizes sizes(static_cast<std::size_t>(
+        checked(H5Sget_simple_extent_ndims(space.get()), "shape")));
+    checked(H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr), "shape");
+    return sizes;
+}
+
+void read_block(hid_t table, const Sizes& start, const Sizes& count, double* out) {
+    const Hdf5Handle memory(
+        checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                "block"),
+        &H5Sclose);
+    const Hdf5Handle place(checked(H5Dget_space(table), "block"), &H5Sclose);
+    checked(H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr,
+                                count.data(), nullptr),
+            "block");
+    checked(
+        H5Dread(table, H5T_NATIVE_DOUBLE, memory.get(), place.get(), H5P_DEFAULT, out),
+        "block");
+}
+
+herr_t collect_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    return 0;
+}
+
+}  // namespace
+
+template <class Work>
+auto StateReader::guarded(Work&& work) const {
+    try {
+        return work();
+    } catch (const Hdf5Error& e) {
+        throw StateFault(
+            fmt::format("{} is torn or no checkpoint ({})", path_.string(), e.what()));
+    }
+}
+
+StateReader::StateReader(std::filesystem::path path)
+    : path_(std::move(path)), files_(std::make_unique<Files>()) {
+    prepare_hdf5();
+    if (!std::filesystem::exists(path_))
+        throw StateFault(fmt::format("{} is missing", path_.string()));
+    guarded([&] {
+        files_->file = Hdf5Handle(
+            checked(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"),
+            &H5Fclose);
+        const hid_t file = files_->file.get();
+        std::int64_t format = 0;
+        read_attribute(file, "format", H5T_NATIVE_INT64, &format);
+        if (format != state_format) throw Hdf5Error(fmt::format("format {}", format));
+        read_attribute(file, "state_hash", H5T_NATIVE_UINT64, &header_.state_hash);
+        read_attribute(file, "step", H5T_NATIVE_INT64, &header_.step);
+        read_attribute(file, "step_s", H5T_NATIVE_DOUBLE, &header_.step_s);
+    });
+}
+
+StateReader::~StateReader() = default;
+
+bool StateReader::has(const std::string& table) const {
+    return H5Lexists(files_->file.get(), table.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::size_t> StateReader::shape(const std::string& table) const {
+    return guarded([&] {
+        const Sizes sizes = sizes_of(open_table(files_->file.get(), table).get());
+        return std::vector<std::size_t>(sizes.begin(), sizes.end());
+    });
+}
+
+std::vector<double> StateReader::table(const std::string& table) const {
+    return guarded([&] {
+        const Hdf5Handle data = open_table(files_->file.get(), table);
+        const Sizes sizes = sizes_of(data.get());
+        std::vector<double> values(product(sizes));
+        read_block(data.get(), Sizes(sizes.size(), 0), sizes, values.data());
+        return values;
+    });
+}
+
+void StateReader::rows(const std::string& table, std::size_t plane, std::size_t begin,
+                       std::size_t end, std::span<double> out) const {
+    guarded([&] {
+        const Hdf5Handle data = open_table(files_->file.get(), table);
+        Sizes count = sizes_of(data.get());
+        Sizes start(count.size(), 0);
+        start[0] = plane;
+        start[1] = begin;
+        count[0] = 1;
+        count[1] = end - begin;
+        if (product(count) != out.size()) throw Hdf5Error(table + " has another shape");
+        read_block(data.get(), start, count, out.data());
+    });
+}
+
+void StateReader::verify() const {
+    guarded([&] {
+        std::vector<std::string> names;
+        checked(H5Literate(files_->file.get(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr,
+                           &collect_name, &names),
+                "list of tables");
+        std::vector<double> values;
+        for (const std::string& name : names) {
+            const Hdf5Handle data = open_table(files_->file.get(), name);
+            Sizes count = sizes_of(data.get());
+            Sizes start(count.size(), 0);
+            const bool large = product(count) > largest_at_once;
+            const hsize_t planes = large ? std::exchange(count[0], 1) : 1;
+            values.resize(product(count));
+            for (; start[0] < planes; ++start[0])
+                read_block(data.get(), start, count, values.data());
+        }
+    });
+}
+
+namespace {
+
+int rank_in(MPI_Comm comm) {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    return rank;
+}
+
+std::size_t size_of(MPI_Comm comm) {
+    int size = 1;
+    MPI_Comm_size(comm, &size);
+    return static_cast<std::size_t>(size);
+}
+
+// What each rank has, one after the other, on the root.
+template <class T>
+std::vector<T> gather_all(MPI_Comm comm, std::span<const T> mine, MPI_Datatype type) {
+    const int count = static_cast<int>(mine.size());
+    std::vector<int> counts(size_of(comm)), starts(counts);
+    MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
+    std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+    const bool root = rank_in(comm) == 0;
+    std::vector<T> all(root ? static_cast<std::size_t>(starts.back() + counts.back())
+                            : std::size_t{0});
+    MPI_Gatherv(mine.data(), count, type, all.data(), counts.data(), starts.data(), type,
+                0, comm);
+    return all;
+}
+
+}  // namespace
+
+std::vector<double> gather_rows(MPI_Comm comm, std::span<const int> index,
+                                std::span<const double> rows, std::size_t width,
+                                std::size_t count) {
+    const auto places = gather_all<int>(comm, index, MPI_INT);
+    const auto values = gather_all<double>(comm, rows, MPI_DOUBLE);
+    if (rank_in(comm) != 0) return {};
+    std::vector<double> sorted(width * count);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * width), width,
+                    sorted.begin() + places[i] * static_cast<std::ptrdiff_t>(width));
+    }
+    return sorted;
+}
+
+std::vector<double> gather_shares(MPI_Comm comm, std::span<const double> mine) {
+    return gather_all<double>(comm, mine, MPI_DOUBLE);
+}
+
+std::vector<double> share_of(MPI_Comm comm, std::span<const double> rows,
+                             std::size_t ranks_then) {
+    const auto rank = static_cast<std::size_t>(rank_in(comm));
+    const std::size_t width = rows.size() / ranks_then;
+    std::vector<double> share(width, 0.0);
+    for (std::size_t r = 0; r < ranks_then; ++r) {
+        const bool mine = ranks_then == size_of(comm) ? r == rank : rank == 0;
+        for (std::size_t i = 0; mine && i < width; ++i) share[i] += rows[r * width + i];
+    }
+    return share;
+}
+
+}  // namespace magfsi::coupler
