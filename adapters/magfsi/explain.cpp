@@ -2,10 +2,204 @@
 
 #include <fmt/format.h>
 
-#include "adapters/magfsi/explain_parts.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/fluid_inside.h"
+#include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "adapters/lammps/substeps.h"
+#include "adapters/magfsi/cost.h"
 #include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
+#include "structure/lattice/element_advice.h"
 
 namespace magfsi::launch {
+
+namespace {
+
+// Elements, what they do to the stiffness, steps.
+
+// Of the block's bricks; thickness: the body's shortest side.
+std::string explain_elements(const structure::Body& solid, const structure::Box& box) {
+    structure::Vec3 edges{};
+    for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
+    const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
+    const structure::ElementAdvice advice = structure::element_advice(
+        solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
+    const auto percent = [](double error) {
+        // An error of rounding is none.
+        return fmt::format("{:+.3g} %", std::abs(error) < 5e-5 ? 0.0 : 100 * error);
+    };
+    std::string text = fmt::format(
+        "    stiffness of the mesh against the exact plate: bending {}, twist {}, dome "
+        "{}, "
+        "saddle {}\n",
+        percent(advice.bending_error), percent(advice.twist_error),
+        percent(advice.dome_error), percent(advice.saddle_error));
+    if (!advice.text.empty()) text += fmt::format("    warning: {}\n", advice.text);
+    return text;
+}
+
+// Of the fluid that the grid has inside the body.
+std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
+    const double off = bodies::off_nodes_kg_m3(scene, solid);
+    const double fluid = scene.fluid->density_kg_m3;
+    if (off == fluid) return "    inertia of the fluid inside: off the nodes' mass\n";
+    if (off == 0)
+        return "    inertia of the fluid inside: a force that follows the fluid\n";
+    return fmt::format(
+        "    inertia of the fluid inside: {:.3g} % off the nodes' mass, the rest a force "
+        "that follows the fluid\n",
+        100 * off / fluid);
+}
+
+std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
+    const structure::Body solid = bodies::to_body(body);
+    std::string text = fmt::format("  body '{}': ", body.name);
+    const auto* box = std::get_if<structure::Box>(&body.mesh);
+    if (box) {
+        const auto& n = box->elements;
+        text += fmt::format("{} x {} x {} = ", n[0], n[1], n[2]);
+    }
+    text += fmt::format("{} elements {}, {} nodes\n", solid.mesh.elements.size(),
+                        scene::name_of(body.element), solid.mesh.nodes.size());
+    if (!solid.mesh.region_names.empty()) {
+        text +=
+            fmt::format("    regions: {}\n", fmt::join(solid.mesh.region_names, ", "));
+    }
+    for (const auto& entry : body.material_regions) {
+        text +=
+            fmt::format("    {}: G {:.4g} Pa, lambda {:.4g} Pa, density {:.4g} kg/m3\n",
+                        fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
+                        entry.material.lame_lambda_pa, entry.material.density_kg_m3);
+    }
+    if (box) text += explain_elements(solid, *box);
+    if (scene.coupling) {
+        text += explain_inertia(scene, solid);
+        text += fmt::format("    {} markers\n",
+                            bodies::place_markers(body, scene.coupling->immersed_boundary,
+                                                  scene.fluid->spacing_m, 0,
+                                                  bodies::spans_fluid(*scene.fluid, body))
+                                .size());
+    }
+    return text;
+}
+
+std::string explain_steps(const scene::Scene& scene) {
+    const lammps::Substeps s = lammps::choose_substeps(scene);
+    std::string text =
+        fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
+                    s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
+    text += fmt::format("    stable step of the lattice        {:.4g} us\n",
+                        s.elastic_limit_s * 1e6);
+    if (s.drag_limit_s > 0) {
+        text += fmt::format("    stable step of the fluid's force  {:.4g} us\n",
+                            s.drag_limit_s * 1e6);
+    }
+    return text;
+}
+
+std::string explain_structure(const scene::Scene& scene) {
+    const bool newton = by_newton(scene);
+    std::string text = newton ? "\nstructure (Newton's method)\n"
+                              : "\nstructure (LAMMPS, fix magttice)\n";
+    for (const scene::Body& body : scene.bodies) text += explain_body(scene, body);
+    if (!scene.time.equilibrium) return text + explain_steps(scene);
+    const double points = scene.time.end_s / scene::path_step_s(scene);
+    text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);
+    if (!newton) {
+        text += fmt::format("  LAMMPS steps of {:.4g} us until at rest\n",
+                            lammps::choose_substeps(scene).lammps_step_s * 1e6);
+    }
+    return text;
+}
+
+// The scheme in words, what it costs, and which one is recommended for these densities.
+
+// Measured (docs/coupling.md): the serial scheme runs down to this density ratio; below
+// it the inertia of the enclosed fluid, which it follows late, may have to be implicit.
+constexpr double min_serial_ratio = 0.01;
+
+// Smallest and largest density of the bodies over the fluid's.
+std::pair<double, double> density_ratios(const scene::Scene& scene) {
+    std::vector<double> ratios;
+    for (const scene::Body& body : scene.bodies) {
+        if (body.material_regions.empty())
+            ratios.push_back(body.material.density_kg_m3 / scene.fluid->density_kg_m3);
+        for (const auto& entry : body.material_regions)
+            ratios.push_back(entry.material.density_kg_m3 / scene.fluid->density_kg_m3);
+    }
+    const auto [low, high] = std::ranges::minmax(ratios);
+    return {low, high};
+}
+
+std::string in_words(const coupler::Coupling& coupling) {
+    const auto velocity = scene::name_of(*coupling.sampled_velocity);
+    switch (coupling.scheme) {
+        case coupler::Scheme::serial:
+            return fmt::format(
+                "structure and fluid take turns; the fluid's velocity is {} over the "
+                "substeps",
+                velocity);
+        case coupler::Scheme::parallel:
+            return "structure and fluid work at once; impulses act one step late";
+        case coupler::Scheme::implicit:
+            break;
+    }
+    const coupler::Iteration& i = *coupling.iteration;
+    return fmt::format(
+        "each step is repeated, by {}, until the fluid velocity at the markers stays "
+        "within {:.2g} of itself, at most {} times; it is {} over the substeps",
+        scene::name_of(i.acceleration), i.velocity_tolerance, i.max_iterations, velocity);
+}
+
+std::string cost(const coupler::Coupling& coupling) {
+    switch (coupling.scheme) {
+        case coupler::Scheme::serial:
+            return "one step of each side after the other";
+        case coupler::Scheme::parallel:
+            return "one step of the slower side, on cores of its own";
+        case coupler::Scheme::implicit:
+            break;
+    }
+    return "the structure's step once an iteration (2 to 4 with iqn_ils); the fluid's "
+           "step once and the rows that bodies touch again, or, with openings, moving "
+           "walls or obstacles, the whole fluid and a copy of it each time";
+}
+
+std::string recommended(const scene::Scene& scene, double min_ratio) {
+    if (min_ratio < min_serial_ratio) {
+        return fmt::format(
+            "implicit: below a density ratio of {:.2g} the serial scheme has not been "
+            "seen to be stable",
+            min_serial_ratio);
+    }
+    if (scene.coupling->immersed_boundary.strength > 2)
+        return "serial: the implicit scheme has diverged at strengths above 2";
+    return "serial: stable here; implicit where the inertia of light bodies or the "
+           "phase of fast ones is to be followed without its lag of a step";
+}
+
+std::string explain_coupling(const scene::Scene& scene) {
+    const coupler::Coupling& coupling = *scene.coupling;
+    const auto [low, high] = density_ratios(scene);
+    const lammps::Substeps s = lammps::choose_substeps(scene);
+    std::string text =
+        fmt::format("\ncoupling ({})\n  {}\n  cost: {}\n",
+                    scene::name_of(coupling.scheme), in_words(coupling), cost(coupling));
+    text += fmt::format("  density of the bodies over the fluid's: {:.3g}", low);
+    if (high > low) text += fmt::format(" to {:.3g}", high);
+    // 2 over the limit is the rate at which the lightest node takes on the fluid's speed.
+    text += fmt::format(
+        "; the lightest node follows the fluid at {:.3g} of its slip a coupled step\n",
+        2 * s.coupled_step_s / s.drag_limit_s);
+    return text + fmt::format("  recommended: {}\n", recommended(scene, low));
+}
+
+}  // namespace
 
 std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     const int fluid_ranks = ranks.contains("fluid") ? ranks.at("fluid") : 1;
@@ -15,13 +209,24 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     for (const std::string& line : scene::idle_effects(scene))
         text += fmt::format("  warning: {}\n", line);
     if (!scene.bodies.empty()) text += explain_structure(scene);
-    if (scene.fluid) {
-        text += scene.fluid->solver == scene::FluidSolver::lbm
-                    ? explain_fluid(scene, fluid_ranks)
-                    : explain_openfoam(scene);
-    }
+    if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling) text += explain_coupling(scene);
     return text;
+}
+
+nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
+    nlohmann::ordered_json out;
+    out["name"] = scene.name;
+    out["scene_hash"] = fmt::format("{:016x}", scene.hash);
+    out["version"] = MAGFSI_VERSION;
+    out["machine"] = machine();
+    out["ranks"] = ranks;
+    if (scene.fluid) {
+        out["fluid"] = {{"spacing_m", scene.fluid->spacing_m},
+                        {"step_s", *scene::coupled_step_s(scene)}};
+    }
+    if (const auto cost = prediction(scene, ranks)) out["predicted"] = to_json(*cost);
+    return out;
 }
 
 }  // namespace magfsi::launch

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "adapters/magfsi/ranks.h"
+#include "adapters/magfsi/participants.h"
 #include "adapters/scene/scene.h"
 
 namespace magfsi::launch {

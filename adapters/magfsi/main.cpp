@@ -1,15 +1,17 @@
 // magfsi: the program behind the launcher.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
-#include "adapters/magfsi/cost/prediction.h"
+#include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
-#include "coupler/participants/errors.h"
 #include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
 #include "adapters/scene/reader.h"
 #include "adapters/scene/schema.h"
+#include "coupler/participants/errors.h"
 
 namespace {
 
@@ -28,7 +30,9 @@ void add_scene_options(CLI::App& command, Options& options) {
         .add_option("--set", options.run.overrides,
                     "Override a value: path.to.key=value, e.g. fluid.spacing='0.1 mm'")
         ->allow_extra_args(false);
-    command.add_option("--fluid", options.fluid, "Fluid solver: lbm or openfoam");
+    command.add_option("--fluid", options.fluid,
+                       fmt::format("Fluid solver: {}",
+                                   fmt::join(scene::names<scene::FluidSolver>, " or ")));
 }
 
 void add_ranks(CLI::App& command, Options& options) {
@@ -77,6 +81,10 @@ int execute(CLI::App& app, Options& options) {
 int main(int argc, char** argv) {
     CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);
+    app.footer(
+        "The launcher ./magfsi has besides: study FILE (accuracy against time), bench, "
+        "test,\nlammps (LAMMPS with our styles), python SCRIPT (with the package "
+        "magfsi).");
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");
     add_scene_options(run, options);
@@ -85,7 +93,7 @@ int main(int argc, char** argv) {
     run.add_option("--restart", options.run.restart,
                    "Go on from a checkpoint: latest, or one of its files");
     run.add_flag("--record", options.run.record,
-                 "Write exchange.record: all that the two sides tell each other");
+                 "Write exchange.record: all that the two sides send each other");
     run.add_option("--replay", options.replay,
                    "Play one side from a record: fluid=RUN or structure=RUN");
     add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"),

@@ -5,27 +5,28 @@
 
 #include <fstream>
 
-#include "adapters/magfsi/cost/prediction.h"
+#include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/explain.h"
-#include "adapters/magfsi/mpi_job.h"
+#include "adapters/magfsi/job.h"
 #include "adapters/magfsi/retries.h"
-#include "adapters/openfoam/engine_library.h"
+#include "adapters/run_scene.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/names.h"
+#include "adapters/scene/reader.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/file.h"
 #include "coupler/output/summary.h"
 #include "coupler/participants/guard.h"
 #include "coupler/participants/errors.h"
-#include "adapters/run_scene.h"
-#include "adapters/scene/effective.h"
-#include "adapters/scene/reader.h"
 
 namespace magfsi::launch {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 namespace {
 
-fs::path program(const char* name) {
+fs::path program(const std::string& name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
@@ -38,11 +39,10 @@ bool goes_on_in(const fs::path& out, const RunOptions& options) {
 // What an earlier run left: its series would mix with the new one's.
 void clear_run_folder(const fs::path& out) {
     for (const char* name :
-         {"summary.json", "probes.csv", "structure.pvd", "fluid.pvd"}) {
-        fs::remove(out / name);
-    }
-    fs::remove_all(out / "fields");
-    fs::remove_all(out / "openfoam");
+         {"summary.json", "probes.csv", "structure.pvd", "fluid.pvd", "fields"})
+        fs::remove_all(out / name);
+    for (const auto solver : scene::names<scene::FluidSolver>)
+        fs::remove_all(out / solver);
     fs::create_directories(out);
 }
 
@@ -62,29 +62,20 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
                          {"--halvings", std::to_string(options.halvings)});
     const Ranks ranks = choose_ranks(scene, options.ranks);
     std::vector<Program> programs;
-    const auto add = [&](const std::string& role, const char* name) {
-        Program p;
-        p.role = role;
-        p.ranks = ranks.at(role);
-        p.command = {program(name).string()};
+    const auto names = programs_of(scene);
+    for (const char* role : {"structure", "fluid"}) {
+        if (!names.contains(role)) continue;
+        Program p{role, ranks.at(role), {program(names.at(role)).string()}};
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
         if (const auto played = options.replay.find(role);
             played != options.replay.end()) {
             p.ranks = 1;
             p.command.front() = program("magfsi-replay-").string() + role;
             p.command.insert(p.command.end(), {"--replay", played->second.string()});
-        } else if (options.record && role == "structure") {
+        } else if (options.record && p.role == "structure") {
             p.command.emplace_back("--record");
         }
         programs.push_back(std::move(p));
-    };
-    const bool newton = scene.time.equilibrium && scene.time.equilibrium->method ==
-                                                      scene::EquilibriumMethod::newton;
-    if (!scene.bodies.empty())
-        add("structure", newton ? "magfsi-equilibrium" : "magfsi-structure");
-    if (scene.fluid) {
-        const bool lbm = scene.fluid->solver == scene::FluidSolver::lbm;
-        add("fluid", lbm ? "magfsi-fluid-lbm" : "magfsi-fluid-openfoam");
     }
     return programs;
 }
@@ -116,12 +107,19 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
     }
 }
 
+Json read_summary(const fs::path& out) {
+    std::ifstream in(out / "summary.json");
+    return Json::parse(in, nullptr, false);  // no object where there is none
+}
+
+void write_summary(const fs::path& out, const Json& summary) {
+    output::write_atomically(out / "summary.json", summary.dump(2) + "\n");
+}
+
 // The survivors of a lost process may have had no time to say how it ended.
 void write_lost(const scene::Scene& scene, const fs::path& out,
                 const std::string& cause) {
-    nlohmann::ordered_json json;
-    std::ifstream in(out / "summary.json");
-    if (in) json = nlohmann::ordered_json::parse(in, nullptr, false);
+    Json json = read_summary(out);
     if (!json.is_object()) {
         output::Summary summary;
         summary.scene = scene.name;
@@ -132,36 +130,22 @@ void write_lost(const scene::Scene& scene, const fs::path& out,
     }
     json["outcome"] = output::to_text(output::Outcome::lost_partner);
     json["cause"] = cause;
-    output::write_atomically(out / "summary.json", json.dump(2) + "\n");
-}
-
-double memory_of(const nlohmann::ordered_json& summary) {
-    double bytes = 0;
-    for (const auto& side : summary.at("memory_bytes")) bytes += side.get<double>();
-    return bytes;
-}
-
-void add_to_summary(const fs::path& out, const char* key,
-                    const nlohmann::ordered_json& value) {
-    std::ifstream in(out / "summary.json");
-    auto json = nlohmann::ordered_json::parse(in, nullptr, false);
-    if (!json.is_object()) return;
-    json[key] = value;
-    output::write_atomically(out / "summary.json", json.dump(2) + "\n");
+    write_summary(out, json);
 }
 
 // Beside the actual figures, in summary.json and in a line.
 void write_predicted(const fs::path& out, const std::optional<Prediction>& predicted) {
-    std::ifstream in(out / "summary.json");
-    auto json = nlohmann::ordered_json::parse(in, nullptr, false);
+    Json json = read_summary(out);
     if (!predicted || !json.is_object()) return;
     json["predicted"] = to_json(*predicted);
-    output::write_atomically(out / "summary.json", json.dump(2) + "\n");
+    write_summary(out, json);
     if (!predicted->wall_s) return;
+    double bytes = 0;
+    for (const auto& side : json.at("memory_bytes")) bytes += side.get<double>();
     fmt::print("predicted {:.3g} s and {:.3g} MB, took {:.3g} s and {:.3g} MB\n",
                *predicted->wall_s,
                (predicted->structure_bytes + predicted->fluid_bytes) / 1e6,
-               json.value("wall_s", 0.0), memory_of(json) / 1e6);
+               json.value("wall_s", 0.0), bytes / 1e6);
 }
 
 JobEnd run_once(const scene::Scene& scene, const RunOptions& options,
@@ -173,12 +157,6 @@ JobEnd run_once(const scene::Scene& scene, const RunOptions& options,
     return run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
 }
 
-std::string cause_in(const fs::path& out) {
-    std::ifstream in(out / "summary.json");
-    const auto json = nlohmann::ordered_json::parse(in, nullptr, false);
-    return json.is_object() ? json.value("cause", "") : "";
-}
-
 JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
                         const fs::path& out, Retries& retries) {
     const std::vector<std::string> head = options.notes;
@@ -188,9 +166,13 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
         const JobEnd end = run_once(scene, options, out);
         const bool diverged =
             end.exit_code == coupler::exit_diverged && end.lost.empty() && !end.stopped;
-        if (!diverged || !retries.again(cause_in(out))) {
-            if (!retries.record().empty())
-                add_to_summary(out, "retries", retries.record());
+        Json summary = read_summary(out);
+        const std::string cause = summary.is_object() ? summary.value("cause", "") : "";
+        if (!diverged || !retries.again(cause)) {
+            if (!retries.record().empty() && summary.is_object()) {
+                summary["retries"] = retries.record();
+                write_summary(out, summary);
+            }
             if (diverged && !retries.note().empty())
                 fmt::print(stderr, "magfsi: {}\n", retries.note());
             return end;
@@ -229,10 +211,11 @@ std::map<std::string, fs::path> parse_replay(const std::string& text) {
 
 int run(const RunOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
-    if (scene.fluid && scene.fluid->solver == scene::FluidSolver::openfoam) {
-        const std::string fault = openfoam::missing();
+    if (scene.fluid) {
+        const std::string fault = fluid_program(scene).missing();
         if (!fault.empty())
-            throw std::invalid_argument("fluid.solver: openfoam: " + fault);
+            throw std::invalid_argument(
+                fmt::format("fluid.solver: {}: {}", name_of(scene.fluid->solver), fault));
     }
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.

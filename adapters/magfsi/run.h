@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/magfsi/ranks.h"
+#include "adapters/magfsi/participants.h"
 
 namespace magfsi::launch {
 
@@ -15,11 +15,11 @@ struct RunOptions {
     std::filesystem::path scene;
     std::filesystem::path out;
     std::vector<std::string> overrides;
-    Ranks ranks;                      // those that are given
-    std::vector<std::string> notes;   // for the head of the log
-    std::string restart;              // latest, a file of a checkpoint, or empty
-    int halvings = 0;                 // of every step, by retries
-    bool record = false;              // write exchange.record
+    Ranks ranks;                     // those that are given
+    std::vector<std::string> notes;  // for the head of the log
+    std::string restart;             // latest, a file of a checkpoint, or empty
+    int halvings = 0;                // of every step, by retries
+    bool record = false;             // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
 };
 

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "adapters/openfoam/explain.h"
+
 namespace magfsi::openfoam {
 
 namespace fs = std::filesystem;

@@ -1,14 +1,14 @@
+#include "adapters/openfoam/explain.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "adapters/magfsi/explain_parts.h"
-#include "adapters/openfoam/engine_library.h"
 #include "adapters/openfoam/scene_to_mesh.h"
 #include "adapters/scene/effective.h"
 
-namespace magfsi::launch {
+namespace magfsi::openfoam {
 
 namespace {
 
@@ -22,7 +22,7 @@ std::string row(const char* name, const std::string& si) {
     return fmt::format("  {:<34} {:>14}\n", name, si);
 }
 
-double largest_cell_m(const openfoam::BoxMesh& mesh) {
+double largest_cell_m(const BoxMesh& mesh) {
     double largest = 0;
     for (const auto& planes : mesh.planes_m) {
         for (std::size_t i = 1; i < planes.size(); ++i)
@@ -33,7 +33,7 @@ double largest_cell_m(const openfoam::BoxMesh& mesh) {
 
 }  // namespace
 
-std::string explain_openfoam(const scene::Scene& scene) {
+std::string explain(const scene::Scene& scene, int /*ranks*/) {
     for (const auto& integral : scene.probes.value_or(scene::Probes{}).integrals) {
         if (!std::holds_alternative<scene::FluidPlane>(integral.over)) continue;
         throw std::invalid_argument(fmt::format(
@@ -43,8 +43,8 @@ std::string explain_openfoam(const scene::Scene& scene) {
     }
     const scene::Fluid& fluid = *scene.fluid;
     const double step_s = *scene::coupled_step_s(scene);
-    const openfoam::BoxMesh mesh = openfoam::to_mesh(fluid, 0, 1);
-    const auto n = openfoam::mesh_cells(mesh);
+    const BoxMesh mesh = to_mesh(fluid, 0, 1);
+    const auto n = mesh_cells(mesh);
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
     std::string text = "\nfluid (OpenFOAM, pimpleFoam)                     SI\n";
     text += row("spacing", fmt::format("{:.4g} mm", fluid.spacing_m * 1e3));
@@ -75,9 +75,9 @@ std::string explain_openfoam(const scene::Scene& scene) {
             "resolved: take a spacing of {:.3g} mm\n",
             grid_reynolds, fluid.spacing_m * most_grid_reynolds / grid_reynolds * 1e3);
     }
-    if (const std::string fault = openfoam::missing(); !fault.empty())
+    if (const std::string fault = missing(); !fault.empty())
         text += fmt::format("  warning: {}\n", fault);
     return text;
 }
 
-}  // namespace magfsi::launch
+}  // namespace magfsi::openfoam

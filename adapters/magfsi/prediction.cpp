@@ -1,13 +1,42 @@
-#include "adapters/magfsi/cost/prediction.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <utility>
 
-#include "adapters/magfsi/mpi_job.h"
+#include "adapters/magfsi/cost.h"
+#include "adapters/magfsi/job.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::launch {
 
+// From calibration.json, whose keys are the members' names.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FluidSpeed, cells, ranks, single_precision,
+                                   s_per_cell_step)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NewtonSpeed, nodes, s_per_point)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Calibration, machine, date, fluid, newton, s_per_cell_regularized, s_per_wall_cell,
+    s_per_element_substep, s_per_substep, s_per_substep_exchange, s_per_marker_substep,
+    s_per_marker_step, s_per_coupled_step, s_per_coupled_step_shared, s_per_coupled_cell,
+    s_per_coupled_cell_shared, s_per_cell_row, s_per_cell_enstrophy, s_per_probe_row,
+    s_per_cell_byte, s_per_element_file, fluid_bytes, coupled_fluid_bytes, lammps_bytes,
+    newton_bytes, bytes_per_cell, bytes_per_cell_file, bytes_per_cell_curl,
+    bytes_per_element, newton_bytes_per_element, bytes_per_marker, structure_file_bytes)
+
 namespace {
+
+// $XDG_CACHE_HOME/magfsi/calibration.json, or ~/.cache/magfsi/calibration.json.
+std::filesystem::path calibration_file() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    const std::filesystem::path folder =
+        cache && *cache ? std::filesystem::path(cache)
+                        : std::filesystem::path(home ? home : "/tmp") / ".cache";
+    return folder / "magfsi/calibration.json";
+}
 
 // Files of elements: 8 corners and 9 + 4 numbers around them, as counted on a strip.
 constexpr double bytes_per_element_file = 280;
@@ -113,8 +142,6 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }
 
-}  // namespace
-
 Prediction predict(const Work& work, const Calibration& c) {
     Prediction p;
     add_memory(work, c, p);
@@ -127,18 +154,17 @@ Prediction predict(const Work& work, const Calibration& c) {
     if (work.fluid && work.structure)
         p.exchange_s = work.steps * work.iterations * exchange_s(work, c);
     const double structure = p.structure_s.value_or(0), fluid = p.fluid_s.value_or(0);
-    p.wall_s = (work.at_once ? std::max(structure, fluid) : structure + fluid) +
+    p.wall_s = (work.parallel ? std::max(structure, fluid) : structure + fluid) +
                p.exchange_s.value_or(0);
     return p;
 }
 
+// The same work on other ranks.
 Work on_ranks(Work work, const Ranks& ranks) {
     if (work.fluid) work.fluid->ranks = ranks.at("fluid");
     if (work.structure) work.structure->ranks = ranks.at("structure");
     return work;
 }
-
-namespace {
 
 // Those worth a look: one rank a core at most, and Newton's method has one.
 std::vector<Ranks> other_ranks(const Work& work, const Ranks& ranks) {
@@ -153,33 +179,116 @@ std::vector<Ranks> other_ranks(const Work& work, const Ranks& ranks) {
     return all;
 }
 
+// The ranks, up to a core each, on which this will take clearly less time; nothing where
+// there are none. Memory decides nothing here.
+std::optional<std::pair<Ranks, double>> faster_ranks(const Work& work, const Ranks& ranks,
+                                                     double wall_s,
+                                                     const Calibration& calibration) {
+    // Of the time: less is within the prediction's error.
+    constexpr double clearly = 0.85;
+    double least_s = clearly * wall_s;
+    std::optional<std::pair<Ranks, double>> best;
+    for (const Ranks& other : other_ranks(work, ranks)) {
+        const Prediction p = predict(on_ranks(work, other), calibration);
+        if (!p.wall_s || *p.wall_s >= least_s) continue;
+        least_s = *p.wall_s;
+        best = {other, least_s};
+    }
+    return best;
+}
+
+std::string duration(double seconds) {
+    if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
+    return fmt::format("{:.2g} h", seconds / 3600);
+}
+
+std::string time_line(const Prediction& p, bool path) {
+    if (!p.wall_s)
+        return "unknown: damped motion takes as many steps as it needs to come to rest";
+    std::string text = duration(*p.wall_s);
+    if (path) {
+        text +=
+            " if Newton's method meets no instability on the path, several times "
+            "that if it does";
+    }
+    if (p.exchange_s) {
+        text += fmt::format(" (structure {}, fluid {}, messages {})",
+                            duration(*p.structure_s), duration(*p.fluid_s),
+                            duration(*p.exchange_s));
+    }
+    return text;
+}
+
 }  // namespace
 
-std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks) {
-    if (scene.fluid && scene.fluid->solver == scene::FluidSolver::openfoam)
+std::string machine() {
+    std::string name = "a processor";
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);) {
+        const auto colon = line.find(": ");
+        if (!line.starts_with("model name") || colon == std::string::npos) continue;
+        name = line.substr(colon + 2);
+        break;
+    }
+    return fmt::format("{}, {} cores", name, available_cores());
+}
+
+std::optional<Calibration> read_calibration() {
+    std::ifstream in(calibration_file());
+    const auto json = nlohmann::json::parse(in, nullptr, false);
+    if (!json.is_object() || json.value("version", "") != MAGFSI_VERSION ||
+        json.value("machine", "") != machine())
         return std::nullopt;
+    try {
+        return json.get<Calibration>();
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;  // of another making: as good as none
+    }
+}
+
+std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks) {
+    if (scene.fluid && !fluid_program(scene).predicted) return std::nullopt;
     const auto calibration = read_calibration();
     if (!calibration) return std::nullopt;
     return predict(work_of(scene, ranks), *calibration);
 }
 
-std::optional<std::pair<Ranks, Prediction>> faster_ranks(const scene::Scene& scene,
-                                                         const Ranks& ranks) {
-    const auto now = prediction(scene, ranks);
-    if (!now || !now->wall_s) return std::nullopt;
-    constexpr double worth_it =
-        0.85;  // of the time: less is within the prediction's error
-    double least_s = worth_it * *now->wall_s;
-    const Work work = work_of(scene, ranks);
-    const Calibration calibration = *read_calibration();
-    std::optional<std::pair<Ranks, Prediction>> best;
-    for (const Ranks& other : other_ranks(work, ranks)) {
-        const Prediction p = predict(on_ranks(work, other), calibration);
-        if (!p.wall_s || *p.wall_s >= least_s) continue;
-        least_s = *p.wall_s;
-        best = {other, p};
+nlohmann::ordered_json to_json(const Prediction& p) {
+    nlohmann::ordered_json out;
+    out["wall_s"] = p.wall_s ? nlohmann::ordered_json(*p.wall_s) : nullptr;
+    if (p.structure_bytes > 0) out["memory_bytes"]["structure"] = p.structure_bytes;
+    if (p.fluid_bytes > 0) out["memory_bytes"]["fluid"] = p.fluid_bytes;
+    out["disk_bytes"] = p.disk_bytes;
+    return out;
+}
+
+std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
+    std::string text = fmt::format("\ncost on ranks {}\n", to_text(ranks));
+    if (scene.fluid && !fluid_program(scene).predicted)
+        return text + fmt::format("  not predicted with fluid.solver {}\n",
+                                  scene::name_of(scene.fluid->solver));
+    const auto calibration = read_calibration();
+    if (!calibration) {
+        return text +
+               "  not known: this machine is not calibrated; ./magfsi bench "
+               "--calibrate does it in half a minute\n";
     }
-    return best;
+    const Work work = work_of(scene, ranks);
+    const Prediction p = predict(work, *calibration);
+    text +=
+        fmt::format("  time    {}\n", time_line(p, scene.time.equilibrium.has_value()));
+    const auto faster =
+        p.wall_s ? faster_ranks(work, ranks, *p.wall_s, *calibration) : std::nullopt;
+    if (faster) {
+        text += fmt::format("  faster  with --ranks {}: {}\n", to_text(faster->first),
+                            duration(faster->second));
+    }
+    text +=
+        fmt::format("  memory  {:.3g} MB\n", (p.structure_bytes + p.fluid_bytes) / 1e6);
+    text += fmt::format("  disk    {:.3g} MB\n", p.disk_bytes / 1e6);
+    return text + fmt::format("  as calibrated on {}, {}\n", calibration->machine,
+                              calibration->date);
 }
 
 }  // namespace magfsi::launch

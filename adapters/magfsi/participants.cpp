@@ -1,33 +1,62 @@
-#include "adapters/magfsi/ranks.h"
+#include "adapters/magfsi/participants.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <stdexcept>
 
-#include "adapters/magfsi/mpi_job.h"
+#include "adapters/lbm/explain.h"
+#include "adapters/magfsi/job.h"
+#include "adapters/openfoam/explain.h"
+#include "adapters/scene/names.h"
 
 namespace magfsi::launch {
 
 namespace {
 
+// In the order of scene::FluidSolver.
+const std::array fluid_programs = std::to_array<FluidProgram>({
+    {"magfsi-fluid-lbm", [] { return std::string(); }, &lbm::explain, true},
+    {"magfsi-fluid-openfoam", &openfoam::missing, &openfoam::explain, false},
+});
+static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
+              scene::names<scene::FluidSolver>.size());
+
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    // Where structure and fluid take turns the fluid may have every core, where both work
-    // at once all but the structure's, as long as each rank has enough cells to be worth
-    // its messages.
-    const bool at_once =
+    // In the serial scheme the fluid may have every core, in the parallel one all but the
+    // structure's, as long as each rank has enough cells to be worth its messages.
+    const bool parallel =
         scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
-    const int cores = std::max(1, available_cores() - (at_once ? 1 : 0));
-    constexpr double fewest_cells_a_rank = 20000;
+    const int cores = std::max(1, available_cores() - (parallel ? 1 : 0));
+    constexpr double min_cells_per_rank = 20000;
     double cells = 1;
     for (const double length : scene.fluid->box_m)
         cells *= length / scene.fluid->spacing_m;
-    return std::clamp(static_cast<int>(cells / fewest_cells_a_rank), 1, cores);
+    return std::clamp(static_cast<int>(cells / min_cells_per_rank), 1, cores);
 }
 
 }  // namespace
+
+const FluidProgram& fluid_program(const scene::Scene& scene) {
+    return fluid_programs.at(static_cast<std::size_t>(scene.fluid->solver));
+}
+
+bool by_newton(const scene::Scene& scene) {
+    return scene.time.equilibrium &&
+           scene.time.equilibrium->method == scene::EquilibriumMethod::newton;
+}
+
+std::map<std::string, std::string> programs_of(const scene::Scene& scene) {
+    std::map<std::string, std::string> programs;
+    if (!scene.bodies.empty())
+        programs["structure"] =
+            by_newton(scene) ? "magfsi-equilibrium" : "magfsi-structure";
+    if (scene.fluid) programs["fluid"] = fluid_program(scene).program;
+    return programs;
+}
 
 Ranks parse_ranks(const std::string& text) {
     Ranks ranks;
@@ -63,8 +92,8 @@ std::string to_text(const Ranks& ranks) {
 
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     Ranks ranks;
-    if (!scene.bodies.empty()) ranks["structure"] = default_ranks(scene, "structure");
-    if (scene.fluid) ranks["fluid"] = default_ranks(scene, "fluid");
+    for (const auto& [role, name] : programs_of(scene))
+        ranks[role] = default_ranks(scene, role);
     for (const auto& [role, number] : given) {
         if (!ranks.contains(role)) {
             throw std::invalid_argument(

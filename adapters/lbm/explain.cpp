@@ -1,3 +1,5 @@
+#include "adapters/lbm/explain.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -6,13 +8,12 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
-#include "adapters/magfsi/explain_parts.h"
 #include "adapters/scene/effective.h"
 #include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/units.h"
 #include "structure/lammps/placement.h"
 
-namespace magfsi::launch {
+namespace magfsi::lbm {
 
 namespace {
 
@@ -84,7 +85,7 @@ std::vector<fluid::Vec3> markers_m(const scene::Scene& scene) {
 }
 
 std::string memory(const scene::Scene& scene, int ranks) {
-    const lbm::FluidMemory m = lbm::fluid_memory(scene, ranks, markers_m(scene));
+    const FluidMemory m = fluid_memory(scene, ranks, markers_m(scene));
     std::string text =
         fmt::format("  memory: {:.1f} MB of populations", m.populations / 1e6);
     for (const auto& [what, bytes] : m.held)
@@ -140,9 +141,9 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
 
 }  // namespace
 
-std::string explain_fluid(const scene::Scene& scene, int ranks) {
+std::string explain(const scene::Scene& scene, int ranks) {
     const scene::Fluid& fluid = *scene.fluid;
-    const auto config = lbm::to_config(fluid, *scene::coupled_step_s(scene));
+    const auto config = to_config(fluid, *scene::coupled_step_s(scene));
     fluid::check(config);
     const LatticeValues v = lattice_values(fluid, config);
     const auto& n = config.cells;
@@ -153,4 +154,4 @@ std::string explain_fluid(const scene::Scene& scene, int ranks) {
     return text + memory(scene, ranks) + warnings(scene, v);
 }
 
-}  // namespace magfsi::launch
+}  // namespace magfsi::lbm

@@ -1,13 +1,57 @@
-// Seconds of this machine, measured once by `magfsi bench --calibrate` and kept in the
-// user's cache folder.
+// What a scene will cost on this machine: its work, counted before it runs, times the
+// seconds and bytes that the calibration has measured.
 #pragma once
 
-#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "adapters/magfsi/participants.h"
+#include "adapters/scene/scene.h"
+
 namespace magfsi::launch {
+
+struct FluidWork {
+    double cells = 0, wall_cells = 0;  // at sides that are not periodic
+    bool recursive_regularized = false;
+    bool single_precision = false;  // of populations in memory
+    double probe_rows = 0;
+    double sum_rows = 0;  // of them, each a pass over all cells
+    bool vorticity_files = false;
+    double enstrophy_rows = 0;  // also vorticities in files
+    double files = 0;
+    double bytes_a_cell = 0;  // of a file
+    int ranks = 1;
+};
+
+struct StructureWork {
+    double elements = 0, nodes = 0, markers = 0;
+    double substeps = 1;  // in a coupled step
+    double probe_rows = 0, files = 0;
+    int ranks = 1;
+};
+
+// Paths of equilibria, whose steps show only when they run.
+struct PathWork {
+    double points = 0;
+    bool newton = true;  // else by damped motion
+};
+
+struct Work {
+    double steps = 0;       // coupled
+    double iterations = 1;  // of a step
+    bool parallel = false;  // both sides work at the same time
+    std::optional<FluidWork> fluid;
+    std::optional<StructureWork> structure;
+    std::optional<PathWork> path;
+};
+
+// Throws as explain does, on what only mesh and solvers can refuse.
+Work work_of(const scene::Scene& scene, const Ranks& ranks);
+
+// The calibration: seconds of this machine, measured once by `magfsi bench --calibrate`
+// and kept in the user's cache folder.
 
 // A fluid alone, in a periodic box, of two relaxation times.
 struct FluidSpeed {
@@ -56,10 +100,23 @@ struct Calibration {
 // This machine in words: its processor and the cores that may be used.
 std::string machine();
 
-// $XDG_CACHE_HOME/magfsi/calibration.json, or ~/.cache/magfsi/calibration.json.
-std::filesystem::path calibration_file();
-
 // Nothing if there is none, or if it is of another machine or version of magfsi.
 std::optional<Calibration> read_calibration();
+
+struct Prediction {
+    std::optional<double> wall_s;  // of the steps; nothing for unknown motion to rest
+    std::optional<double> structure_s, fluid_s, exchange_s;  // its parts
+    double structure_bytes = 0, fluid_bytes = 0;             // memory of all ranks
+    double disk_bytes = 0;                                   // fields and probes
+};
+
+// Nothing without a calibration, and for a fluid whose cost is not predicted.
+std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks);
+
+// With wall_s (null where there is none), memory_bytes by participant, disk_bytes.
+nlohmann::ordered_json to_json(const Prediction& prediction);
+
+// For explain: the prediction, or how to get one.
+std::string explain_cost(const scene::Scene& scene, const Ranks& ranks);
 
 }  // namespace magfsi::launch

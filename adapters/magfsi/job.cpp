@@ -1,4 +1,4 @@
-#include "adapters/magfsi/mpi_job.h"
+#include "adapters/magfsi/job.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -6,28 +6,104 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <span>
 #include <stdexcept>
-
-#include "adapters/magfsi/mpirun_messages.h"
 
 namespace magfsi::launch {
 
 namespace {
 
+// Whether one of the texts is part of one of the lines.
+bool has_any(std::span<const std::string> lines, std::span<const char* const> texts) {
+    return std::ranges::any_of(lines, [&](const std::string& line) {
+        return std::ranges::any_of(texts, [&](const char* text) {
+            return line.find(text) != std::string::npos;
+        });
+    });
+}
+
+// Banners of Open MPI that say in other words what magfsi says itself.
+constexpr const char* known_banners[] = {
+    "MPI_ABORT was invoked", "Primary job  terminated normally",
+    "mpirun noticed that process", "mpirun detected that one",
+    "mpirun has exited due to process rank"};
+// Its own lines "[host:pid] ..." about these banners, and about a read of shared memory
+// that a killed partner had offered.
+constexpr const char* known_lines[] = {"more process has sent help message",
+                                       "more processes have sent help message",
+                                       "Set MCA parameter \"orte_base_help_aggregate\"",
+                                       "ORTE_ERROR_LOG", "Read -1, expected"};
+
 volatile pid_t child = 0;
-volatile std::sig_atomic_t told_to_end = 0;
-volatile std::sig_atomic_t first_word = SIGTERM;
+volatile std::sig_atomic_t stop_signal = 0;
+volatile std::sig_atomic_t first_signal = SIGTERM;
 
 // mpirun kills a second after SIGTERM; SIGUSR1 it hands to every process, and waits.
 extern "C" void pass_on(int signal) {
-    const int word = told_to_end == 0 ? first_word : SIGTERM;
-    told_to_end = signal;
-    if (child > 0) kill(child, word);
+    const int sent = stop_signal == 0 ? first_signal : SIGTERM;
+    stop_signal = signal;
+    if (child > 0) kill(child, sent);
 }
+
+void show(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        // Survivors that mpirun ends when another process was lost say so; the cause is
+        // named once, at the end.
+        if (stop_signal == 0 && line.find("told to end by signal") != std::string::npos)
+            continue;
+        std::fprintf(stderr, "%s\n", line.c_str());
+    }
+}
+
+struct LostProcess {
+    int world_rank = -1;
+    int signal = 0;
+};
+
+// mpirun's error output, line by line: its banners, framed by lines of dashes, are kept
+// from the user, and what they say about a killed process is kept.
+class MpirunMessages {
+  public:
+    void take(const std::string& line) {
+        const char* at = std::strstr(line.c_str(), "process rank ");
+        const char* end = std::strstr(line.c_str(), "exited on signal ");
+        LostProcess lost;
+        if (at && end && std::sscanf(at, "process rank %d", &lost.world_rank) == 1 &&
+            std::sscanf(end, "exited on signal %d", &lost.signal) == 1)
+            lost_ = lost;
+        if (line.size() > 40 && line.find_first_not_of('-') == std::string::npos) {
+            if (in_banner_)
+                close_banner();
+            else
+                in_banner_ = true;
+        } else if (line.starts_with('[') && has_any({&line, 1}, known_lines)) {
+            return;
+        } else if (in_banner_) {
+            banner_.push_back(line);
+        } else {
+            show({line});
+        }
+    }
+    // Also at the end of the stream.
+    void close_banner() {
+        in_banner_ = false;
+        if (!has_any(banner_, known_banners)) show(banner_);
+        banner_.clear();
+    }
+    const std::optional<LostProcess>& lost() const { return lost_; }
+
+  private:
+    bool in_banner_ = false;
+    std::vector<std::string> banner_;
+    std::optional<LostProcess> lost_;
+};
 
 int all_ranks(const std::vector<Program>& programs) {
     int ranks = 0;
@@ -57,16 +133,6 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     _exit(127);
 }
 
-void show(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) {
-        // Survivors that mpirun ends when another process was lost say so; the cause is
-        // named once, at the end.
-        if (told_to_end == 0 && line.find("told to end by signal") != std::string::npos)
-            continue;
-        std::fprintf(stderr, "%s\n", line.c_str());
-    }
-}
-
 void filter_errors(int pipe, MpirunMessages& messages) {
     std::string pending;
     char buffer[4096];
@@ -77,12 +143,12 @@ void filter_errors(int pipe, MpirunMessages& messages) {
         pending.append(buffer, static_cast<std::size_t>(got));
         std::size_t end;
         while ((end = pending.find('\n')) != std::string::npos) {
-            show(messages.take(pending.substr(0, end)));
+            messages.take(pending.substr(0, end));
             pending.erase(0, end + 1);
         }
     }
-    if (!pending.empty()) show(messages.take(pending));
-    show(messages.rest());
+    if (!pending.empty()) messages.take(pending);
+    messages.close_banner();
 }
 
 }  // namespace
@@ -113,7 +179,7 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
 }
 
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
-    first_word = on_stop == OnStop::checkpoint ? SIGUSR1 : SIGTERM;
+    first_signal = on_stop == OnStop::checkpoint ? SIGUSR1 : SIGTERM;
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
     const auto command = mpirun_command(programs);
@@ -133,7 +199,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     JobEnd end;
-    end.stopped = told_to_end != 0;
+    end.stopped = stop_signal != 0;
     end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     if (messages.lost() && !end.stopped) {
         end.lost =

@@ -1,4 +1,4 @@
-#include "adapters/magfsi/cost/work.h"
+#include "adapters/magfsi/cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ StructureWork structure_work(const scene::Scene& scene, int ranks) {
 PathWork path_work(const scene::Scene& scene) {
     PathWork work;
     work.points = std::round(scene.time.end_s / scene::path_step_s(scene));
-    work.newton = scene.time.equilibrium->method == scene::EquilibriumMethod::newton;
+    work.newton = by_newton(scene);
     return work;
 }
 
@@ -127,7 +127,7 @@ Work work_of(const scene::Scene& scene, const Ranks& ranks) {
     }
     work.steps = std::round(scene.time.end_s / step_s);
     if (scene.coupling) {
-        work.at_once = scene.coupling->scheme == coupler::Scheme::parallel;
+        work.parallel = scene.coupling->scheme == coupler::Scheme::parallel;
         if (scene.coupling->scheme == coupler::Scheme::implicit)
             work.iterations = usual_iterations;
     }
