@@ -21,7 +21,6 @@ namespace magfsi::structure {
 using Lines = std::vector<std::string>;
 
 // --- forces that need a body's elements
-// -------------------------------------------------
 
 // Node n of a body is the atom with ID first_id + n.
 struct NodeRange {
@@ -90,7 +89,6 @@ std::unique_ptr<BodyForce> make_force(LAMMPS_NS::LAMMPS* lammps, const MagtticeB
 }
 
 // --- the effect
-// -------------------------------------------------------------------------
 
 // All but the first two and the last two members are used only where the effect is asked
 // for. Null: nothing.
@@ -131,7 +129,6 @@ std::vector<const Effect*> asked_effects(const LammpsInput& input);
 std::string integrated_group(const LammpsInput& input);
 
 // --- for the LAMMPS styles of effects
-// -----------------------------------------------------
 
 template <class Style>
 void add_fix_style(LAMMPS_NS::LAMMPS& lammps, const char* name) {

@@ -78,7 +78,6 @@ TEST(Gravity, DropsABodyFarOutOfItsBoxWithoutLosingAtoms) {
 }
 
 // --- restarts
-// ---------------------------------------------------------------------------
 
 // The script's lines for a start from a restart file, which brings the atoms, the box and
 // the step number along.
@@ -156,7 +155,6 @@ TEST(FixModify, SetsTheWork) {
 }
 
 // --- faces that something outside moves
-// ---------------------------------------------------
 
 // Each step adds a displacement's gain: a rounding of 4e-19 m, half of the last digit of
 // 4 mm, in each of some thousand steps.

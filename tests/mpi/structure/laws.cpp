@@ -208,7 +208,6 @@ TEST(FieldVariables, FollowTheProgram) {
 }
 
 // --- what ends a run
-// ------------------------------------------------------------------------
 
 struct Stopped : std::runtime_error {
     using std::runtime_error::runtime_error;

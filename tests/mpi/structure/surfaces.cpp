@@ -113,7 +113,6 @@ TEST(Contact, KeepsTheEndsOfAFoldedSheetApart) {
 }
 
 // --- platform
-// -----------------------------------------------------------------------------
 
 constexpr double mass_kg = 1860 * 3.7e-3 * 1.5e-3 * 0.185e-3;
 constexpr double gravity_m_s2 = 9.81;
@@ -186,7 +185,6 @@ TEST(Friction, HoldsBelowItsAngleAndSlidesAboveByCoulombsLaw) {
 }
 
 // --- atoms that change ranks in the middle of a run, which only contact asks for
-// ------------
 
 // A sheet that turns about y over a rough platform while it bends: its ends change sides,
 // and so do the ranks that own them.
@@ -233,7 +231,6 @@ TEST(Migration, ChangesNothingInTheMotion) {
 }
 
 // --- how far from equilibrium
-// ---------------------------------------------------------------
 
 LammpsInput cantilever() {
     LammpsInput input = test::strip_in_field();
