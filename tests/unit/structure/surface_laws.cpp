@@ -1,3 +1,4 @@
+// The laws of one node on a platform and of two nodes in contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,30 +9,31 @@
 namespace magfsi::structure {
 namespace {
 
-constexpr double area_m2 = 3e-8;
-const double at_rest[3] = {0, 0, 0};
+constexpr double at_rest[3] = {0, 0, 0};
 
 Platform rough() {
     return {{1e-3, 0, 2e-3}, {0, 0.6, 0.8}, 1e9, 0.5, 0};
+}
+
+PlatformContact touch(const Platform& platform, const double* x, StickPoint& stick,
+                      const double* v = at_rest) {
+    return platform_contact(platform, 3e-8, x, v, 0, stick);
 }
 
 TEST(PlatformLaw, ForceIsMinusTheGradientOfItsEnergyWhileItSticks) {
     const Platform platform = rough();
     StickPoint stick;
     const double first[3] = {0, 1e-4, 1.9e-3};
-    platform_contact(platform, area_m2, first, at_rest, 0, stick);
+    touch(platform, first, stick);
     double x[3] = {1e-6, 1.01e-4, 1.899e-3};
-    const PlatformContact here =
-        platform_contact(platform, area_m2, x, at_rest, 0, stick);
+    const PlatformContact here = touch(platform, x, stick);
     for (int d = 0; d < 3; ++d) {
         const double h = 1e-9;
         const double middle = x[d];
         x[d] = middle + h;
-        const double up =
-            platform_contact(platform, area_m2, x, at_rest, 0, stick).energy_j;
+        const double up = touch(platform, x, stick).energy_j;
         x[d] = middle - h;
-        const double down =
-            platform_contact(platform, area_m2, x, at_rest, 0, stick).energy_j;
+        const double down = touch(platform, x, stick).energy_j;
         x[d] = middle;
         // The energy is quadratic: only rounding, 1e-16 of it over h.
         EXPECT_NEAR(-(up - down) / (2 * h), here.force_n[static_cast<std::size_t>(d)],
@@ -43,14 +45,12 @@ TEST(PlatformLaw, FrictionIsLimitedAndASecondLookChangesNothing) {
     const Platform platform = rough();
     StickPoint stick;
     const double first[3] = {0, 1e-4, 1.9e-3};
-    platform_contact(platform, area_m2, first, at_rest, 0, stick);
+    touch(platform, first, stick);
     const double x[3] = {3e-4, 1e-4, 1.9e-3};
-    const PlatformContact slid =
-        platform_contact(platform, area_m2, x, at_rest, 0, stick);
+    const PlatformContact slid = touch(platform, x, stick);
     // Along x only: mu times the normal force, against the motion.
     EXPECT_NEAR(slid.force_n[0] / (0.5 * slid.normal_n), -1, 1e-12);
-    const PlatformContact again =
-        platform_contact(platform, area_m2, x, at_rest, 0, stick);
+    const PlatformContact again = touch(platform, x, stick);
     for (std::size_t d = 0; d < 3; ++d) {
         EXPECT_NEAR(again.force_n[d], slid.force_n[d], 1e-12 * slid.normal_n);
     }
@@ -62,14 +62,12 @@ TEST(PlatformLaw, NeverPullsAndLetsGo) {
     StickPoint stick;
     const double x[3] = {0, 1e-4, 1.9e-3};
     const double leaving[3] = {0, 6, 8};
-    const PlatformContact contact =
-        platform_contact(platform, area_m2, x, leaving, 0, stick);
+    const PlatformContact contact = touch(platform, x, stick, leaving);
     EXPECT_LT(contact.gap_m, 0);
     EXPECT_EQ(contact.normal_n, 0);
     EXPECT_TRUE(stick.held);
     const double above[3] = {0, 0, 3e-3};
-    const PlatformContact off =
-        platform_contact(platform, area_m2, above, at_rest, 0, stick);
+    const PlatformContact off = touch(platform, above, stick);
     EXPECT_GT(off.gap_m, 0);
     EXPECT_EQ(off.force_n, (Vec3{}));
     EXPECT_FALSE(stick.held);
