@@ -78,7 +78,7 @@ void check_gravity(const Scene& scene, Lines& lines) {
 void check_damping(const Scene& scene, Lines& lines) {
     if (!scene.damping) return;
     const auto& equilibrium = scene.time.equilibrium;
-    if (scene.damping->rate_1_s == 0)
+    if (*scene.damping == structure::Drag{})
         lines.push_back(idle("damping", "its rate is 0"));
     else if (equilibrium && equilibrium->method == EquilibriumMethod::newton)
         lines.push_back(idle("damping", "Newton's method knows no motion"));

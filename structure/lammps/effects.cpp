@@ -42,7 +42,7 @@ void refuse_absent(const LammpsInput& input) {
     need(input.gradient.has_value(), "field_gradient");
     need(input.contact.has_value(), "contact");
     need(input.gravity_m_s2.has_value(), "gravity");
-    need(input.drag_rate_1_s.has_value(), "drag");
+    need(input.drag.has_value(), "drag");
     need(input.platform.has_value(), "platform");
     need(!input.motions.empty(), "prescribed_motion");
     for (const Body& body : input.bodies) {

@@ -1,13 +1,13 @@
-// fix ID group magttice/drag RATE: every atom of the group is slowed at that rate,
-// dv/dt = -RATE v. LAMMPS's fix viscous has one coefficient per atom type, but nodes
-// differ in mass.
+// fix ID group magttice/drag RATE: every atom of the group is slowed by drag_law.h.
+// LAMMPS's fix viscous has one coefficient per atom type, but nodes differ in mass.
 #include "atom.h"
 #include "error.h"
 #include "update.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "structure/lammps/effect.h"
 
@@ -18,17 +18,18 @@ class FixMagtticeDrag : public LAMMPS_NS::Fix {
   public:
     FixMagtticeDrag(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
         : Fix(lammps, narg, arg) {
-        if (narg != 4) {
+        DragNumbers numbers{};
+        const bool complete = narg == 3 + static_cast<int>(numbers.size());
+        for (std::size_t i = 0; complete && i < numbers.size(); ++i)
+            numbers[i] = number(arg[3 + i], lmp);
+        const auto allowed = [](double value) { return value >= 0; };
+        if (!complete || !std::ranges::all_of(numbers, allowed)) {
             fail(*error,
-                 fmt::format("fix {} magttice/drag takes one argument, the rate", id));
+                 fmt::format("fix {} magttice/drag with \"{}\" found; it takes the rate, "
+                             "which must not be negative",
+                             id, fmt::join(arg + 3, arg + narg, " ")));
         }
-        rate_1_s_ = number(arg[3], lmp);
-        if (!(rate_1_s_ >= 0)) {
-            fail(*error,
-                 fmt::format("fix {} magttice/drag: the rate found is {}, it must "
-                             "not be negative",
-                             id, arg[3]));
-        }
+        drag_ = std::bit_cast<Drag>(numbers);
         dynamic_group_allow = 1;
     }
     int setmask() override {
@@ -36,9 +37,7 @@ class FixMagtticeDrag : public LAMMPS_NS::Fix {
         return INITIAL_INTEGRATE | FINAL_INTEGRATE;
     }
     void init() override { reset_dt(); }
-    void reset_dt() override {
-        half_step_factor_ = std::exp(-0.5 * rate_1_s_ * update->dt);
-    }
+    void reset_dt() override { half_step_ = DragDecay(drag_, 0.5 * update->dt); }
     void initial_integrate(int) override { slow_down(); }
     void final_integrate() override { slow_down(); }
 
@@ -50,23 +49,25 @@ class FixMagtticeDrag : public LAMMPS_NS::Fix {
         double* const* const v = atom->v;
         for (int i = 0; i < atom->nlocal; ++i) {
             if ((atom->mask[i] & groupbit) == 0) continue;
-            for (int d = 0; d < 3; ++d) v[i][d] *= half_step_factor_;
+            const double left = half_step_.share(v[i]);
+            for (int d = 0; d < 3; ++d) v[i][d] *= left;
         }
     }
 
-    double rate_1_s_ = 0;
-    double half_step_factor_ = 1;  // exp(-rate dt / 2)
+    Drag drag_;
+    DragDecay half_step_;
 };
 
 }  // namespace
 
 extern const Effect drag_effect{
     .name = "drag",
-    .asked = [](const LammpsInput& input) { return input.drag_rate_1_s.has_value(); },
+    .asked = [](const LammpsInput& input) { return input.drag.has_value(); },
     .commands =
         [](Lines& lines, const LammpsInput& input) {
             lines.push_back(
-                fmt::format("fix drag all magttice/drag {:.17g}", *input.drag_rate_1_s));
+                fmt::format("fix drag all magttice/drag {:.17g}",
+                            fmt::join(std::bit_cast<DragNumbers>(*input.drag), " ")));
         },
     .register_styles =
         [](LAMMPS_NS::LAMMPS& lammps) {

@@ -48,7 +48,7 @@ TEST(AnyRanks, GiveTheSameMotionEnergiesAndWork) {
         placement.position_m = Vec3{8e-3, 4e-3, 4e-3};
         input.placements = {placement};
         input.gravity_m_s2 = Vec3{0, 0, -9.81};
-        input.drag_rate_1_s = 20;
+        input.drag = Drag{20};
         expect_same_on_any_ranks(input, 1e-13 * 3.7e-3, 4, 1e-9);
     }
 }
@@ -119,7 +119,7 @@ TEST(Restart, KeepsTheWorkOfTheFieldAndTheMotion) {
 TEST(Restart, GoesOnAsTheUninterruptedRunWould) {
     LammpsInput input = test::strip_in_field();
     input.gravity_m_s2 = Vec3{3, 0, -9.81};
-    input.drag_rate_1_s = 100;
+    input.drag = Drag{100};
     input.contact = ContactLaw{};
     input.platform = Platform{};
     input.platform->friction = 0.5;
@@ -192,7 +192,7 @@ TEST(PrescribedMotion, MovedFacesFollowTheirCourse) {
 
 TEST(PrescribedMotion, ABodyComesAlongWithItsFace) {
     LammpsInput input = test::bare_strip();
-    input.drag_rate_1_s = 220;
+    input.drag = Drag{220};
     const DisplacementRamp ramp{{1e-3, 0.2e-3, -0.5e-3}, 20e-3};
     input.bodies[0].clamps = {"x_min"};
     input.motions = {{0, {"x_min"}, ramp}};

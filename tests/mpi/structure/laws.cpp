@@ -124,7 +124,7 @@ TEST(Gradient, PullsADipoleAndItsWorkIsTheEnergyOfTheBody) {
 
 TEST(Drag, SlowsEveryNodeAtItsRateWhateverItsMass) {
     LammpsInput input = test::bare_strip();
-    input.drag_rate_1_s = 300;
+    input.drag = Drag{300};
     test::Run run(input, {"velocity all set 0.1 0.0 -0.2"});
     run.steps(1000);
     const double decay = std::exp(-300 * 1000 * input.time_step_s);
@@ -140,7 +140,7 @@ TEST(Clamps, HoldTheirNodesAndCarryTheWeight) {
     LammpsInput input = test::bare_strip();
     input.bodies[0].clamps = {"x_min"};
     input.gravity_m_s2 = Vec3{0, 0, -9.81};
-    input.drag_rate_1_s = 220;
+    input.drag = Drag{220};
     test::Run run(input);
     const auto start = run.gather("x");
     run.steps(30000);

@@ -87,7 +87,7 @@ double ends_apart(const Body& body, const std::vector<double>& x) {
 double folded_end_distance(bool contact, double& closest_m) {
     LammpsInput input = test::strip_in_field();
     input.field = FieldProgram{{0, 2}, ConstantField{0.06, 4.0}};
-    input.drag_rate_1_s = 300;
+    input.drag = Drag{300};
     if (contact) {
         input.contact = ContactLaw{};
         input.time_step_s = 0.9 * contact_step_limit_s(input);
@@ -133,7 +133,7 @@ LammpsInput lying_strip(double tilt, double friction) {
 
 TEST(Platform, CarriesTheWeightAndGivesWayByLessThanAHundredthOfTheThickness) {
     LammpsInput input = lying_strip(0, 0);
-    input.drag_rate_1_s = 500;  // takes the energy of bending waves, of 1 krad/s and more
+    input.drag = Drag{500};  // takes the energy of bending waves, of 1 krad/s and more
     test::Run run(input);
     run.steps(10000);
     const double weight = mass_kg * gravity_m_s2;
@@ -195,7 +195,7 @@ LammpsInput tumbling_sheet() {
     input.platform->point_m = {0, 0, -0.2e-3};
     input.platform->friction = 0.4;
     input.gravity_m_s2 = Vec3{0, 0, -9.81};
-    input.drag_rate_1_s = 20;
+    input.drag = Drag{20};
     input.time_step_s =
         0.8 * std::min(platform_step_limit_s(input), contact_step_limit_s(input));
     return input;
@@ -237,7 +237,7 @@ LammpsInput cantilever() {
     input.bodies[0].clamps = {"x_min"};
     input.field = FieldProgram{{0, 2}, ConstantField{2e-3, 1.0}};
     input.gravity_m_s2 = Vec3{0, 0, -9.81};
-    input.drag_rate_1_s = 220;  // twice the lowest frequency, 112 rad/s
+    input.drag = Drag{220};  // twice the lowest frequency, 112 rad/s
     input.quiet = true;
     return input;
 }

@@ -72,7 +72,7 @@ TEST_F(Script, EveryEffectBringsItsCommand) {
     input_.field = FieldProgram{{0, 2}, ConstantField{0.01, 1}};
     input_.gradient = GradientInput{{{{1, 0, 0}, {0, 1, 0}, {0, 0, -2}}}, {0, 0, 0.5}};
     input_.gravity_m_s2 = Vec3{0, 0, -9.81};
-    input_.drag_rate_1_s = 50;
+    input_.drag = Drag{50};
     input_.platform = Platform{{0, 0, -1}, {0, 0, 1}, 2e7, 0.25, 0};
     input_.contact = ContactLaw{2e-4, 3e7, 2};
     input_.quiet = true;
