@@ -34,8 +34,8 @@ add_library(cholmod::cholmod UNKNOWN IMPORTED)
 set_target_properties(cholmod::cholmod PROPERTIES
   IMPORTED_LOCATION ${CHOLMOD_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${CHOLMOD_INCLUDE_DIR})
 
-# The unmodified LAMMPS library. Its headers include a fmt header that Debian does not
-# ship; structure/lammps/fmt_shim declares the four names they need, and must come first.
+# The unmodified LAMMPS library. Its headers include a {fmt} that Debian does not ship;
+# structure/lammps/fmt_shim adds what Debian's lacks, and must come first.
 find_path(LAMMPS_INCLUDE_DIR lammps/lammps.h REQUIRED)
 find_library(LAMMPS_LIBRARY lammps REQUIRED)
 add_library(magfsi_lammps_headers INTERFACE)

@@ -21,7 +21,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     input.field = scene.magnetic_field;
     if (scene.magnetic_field) input.gradient = scene.magnetic_field->gradient;
     input.gravity_m_s2 = bodies::to_gravity(scene);
-    if (scene.damping) input.drag_rate_1_s = scene.damping->rate_1_s;
+    input.drag = scene.damping;
     input.platform = scene.platform;
     input.contact = scene.contact;
     input.time_step_s = time_step_s;

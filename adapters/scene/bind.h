@@ -192,7 +192,7 @@ void bind_keys(Io& io, Gravity& gravity) {
 }
 
 template <class Io>
-void bind_keys(Io& io, Damping& damping) {
+void bind_keys(Io& io, structure::Drag& damping) {
     io("rate", damping.rate_1_s);
 }
 

@@ -16,13 +16,17 @@ std::string idle(const std::string& key, const std::string& why) {
     return fmt::format("{} can do nothing: {}; remove the key, or correct it", key, why);
 }
 
+bool all_zero(double value) {
+    return value == 0;
+}
+bool all_zero(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return value == 0; });
+}
+
+// Every course has a magnitude, or one per row.
 bool no_field_at_any_time(const MagneticField& field) {
-    if (const auto* still = std::get_if<ConstantField>(&field.course))
-        return still->magnitude_t == 0;
-    if (const auto* turning = std::get_if<RotatingField>(&field.course))
-        return turning->magnitude_t == 0;
-    const auto& table = std::get<FieldTable>(field.course);
-    return std::ranges::all_of(table.magnitude_t, [](double m) { return m == 0; });
+    return std::visit([](const auto& course) { return all_zero(course.magnitude_t); },
+                      field.course);
 }
 
 bool is_zero(const Vec3& v) {
@@ -78,7 +82,7 @@ void check_gravity(const Scene& scene, Lines& lines) {
 void check_damping(const Scene& scene, Lines& lines) {
     if (!scene.damping) return;
     const auto& equilibrium = scene.time.equilibrium;
-    if (scene.damping->rate_1_s == 0)
+    if (*scene.damping == structure::Drag{})
         lines.push_back(idle("damping", "its rate is 0"));
     else if (equilibrium && equilibrium->method == EquilibriumMethod::newton)
         lines.push_back(idle("damping", "Newton's method knows no motion"));

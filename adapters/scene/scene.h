@@ -12,6 +12,7 @@
 
 #include "coupler/options.h"
 #include "fluid_lbm/options.h"
+#include "structure/lammps/drag_law.h"
 #include "structure/options.h"
 
 namespace magfsi::scene {
@@ -73,10 +74,6 @@ struct MagneticField : structure::FieldProgram {
 struct Gravity {
     double acceleration_m_s2 = 0;
     Vec3 direction{0, 0, -1};  // unit vector
-};
-
-struct Damping {
-    double rate_1_s = 0;  // force = -rate * mass * velocity, on every node
 };
 
 // --- fluid --------------------------------------------------------------------------
@@ -192,7 +189,7 @@ struct Scene {
     std::vector<Body> bodies;  // by name, whatever their order in the file
     std::optional<MagneticField> magnetic_field;
     std::optional<Gravity> gravity;
-    std::optional<Damping> damping;
+    std::optional<structure::Drag> damping;
     std::optional<structure::Platform> platform;
     std::optional<structure::ContactLaw> contact;
     std::optional<Fluid> fluid;

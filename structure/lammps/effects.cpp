@@ -1,32 +1,40 @@
+// The effects of this build: the list and what is asked of all of them.
+#include "structure/lammps/effect.h"
+
+#include "error.h"
+#include "utils.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "structure/held_nodes.h"
-#include "structure/lammps/effect.h"
+#include "structure/lammps/fix_magttice.h"
+#include "structure/lammps/register_styles.h"
 #include "structure/materials.h"
 
 namespace magfsi::structure {
 
-#define MAGFSI_EFFECT(name) extern const ScriptEffect name##_effect;
+#define MAGFSI_EFFECT(name) extern const Effect name##_effect;
 #include "structure/lammps/effects.inc"
 #undef MAGFSI_EFFECT
 
 namespace {
 
 #define MAGFSI_EFFECT(name) &name##_effect,
-constexpr const ScriptEffect* registered[] = {
+constexpr const Effect* registered[] = {
 #include "structure/lammps/effects.inc"
     nullptr};
 #undef MAGFSI_EFFECT
 
 void refuse_absent(const LammpsInput& input) {
-    const auto need = [](bool asked, const char* name) {
-        const auto is_it = [&](const ScriptEffect* e) {
-            return std::string(e->name) == name;
-        };
-        if (!asked || std::ranges::any_of(script_effects(), is_it)) return;
+    const auto need = [](bool asked, std::string_view name) {
+        const auto is_it = [&](const Effect* e) { return e->name == name; };
+        if (!asked || std::ranges::any_of(effects(), is_it)) return;
         throw std::invalid_argument(
             fmt::format("{} is asked for, and this program was built without it", name));
     };
@@ -34,7 +42,7 @@ void refuse_absent(const LammpsInput& input) {
     need(input.gradient.has_value(), "field_gradient");
     need(input.contact.has_value(), "contact");
     need(input.gravity_m_s2.has_value(), "gravity");
-    need(input.drag_rate_1_s.has_value(), "drag");
+    need(input.drag.has_value(), "drag");
     need(input.platform.has_value(), "platform");
     need(!input.motions.empty(), "prescribed_motion");
     for (const Body& body : input.bodies) {
@@ -45,33 +53,67 @@ void refuse_absent(const LammpsInput& input) {
     }
 }
 
+std::function<void(const std::string&)>& failure_handler() {
+    static std::function<void(const std::string&)> handler;
+    return handler;
+}
+
 }  // namespace
 
-std::span<const ScriptEffect* const> script_effects() {
+std::span<const Effect* const> effects() {
     return std::span(registered).first(std::size(registered) - 1);
 }
 
-std::vector<const ScriptEffect*> asked_effects(const LammpsInput& input) {
-    std::vector<const ScriptEffect*> asked;
-    for (const ScriptEffect* effect : script_effects()) {
-        if (effect->asked(input)) asked.push_back(effect);
-    }
+std::vector<const Effect*> asked_effects(const LammpsInput& input) {
+    std::vector<const Effect*> asked;
+    std::ranges::copy_if(effects(), std::back_inserter(asked),
+                         [&](const Effect* effect) { return effect->asked(input); });
     return asked;
 }
 
 void check_effects(const LammpsInput& input) {
     refuse_absent(input);
-    for (const ScriptEffect* effect : asked_effects(input)) {
+    for (const Effect* effect : asked_effects(input)) {
         if (effect->check) effect->check(input);
     }
 }
 
+std::string integrated_group(const LammpsInput& input) {
+    for (const Effect* effect : asked_effects(input)) {
+        if (effect->integrated_group) return effect->integrated_group;
+    }
+    return "all";
+}
+
 double surface_spring_pa_m(const LammpsInput& input, const Body& body) {
     double sum = 0;
-    for (const ScriptEffect* effect : asked_effects(input)) {
+    for (const Effect* effect : asked_effects(input)) {
         if (effect->surface_spring_pa_m) sum += effect->surface_spring_pa_m(input, body);
     }
     return sum;
+}
+
+void register_styles(LAMMPS_NS::LAMMPS& lammps) {
+    add_fix_style<FixMagttice>(lammps, "magttice");
+    for (const Effect* effect : effects()) {
+        if (effect->register_styles) effect->register_styles(lammps);
+    }
+}
+
+void set_failure_handler(std::function<void(const std::string& cause)> handler) {
+    failure_handler() = std::move(handler);
+}
+
+void fail(LAMMPS_NS::Error& error, const std::string& cause) {
+    if (failure_handler()) {
+        failure_handler()(cause);
+        std::abort();  // the handler's contract is not to return
+    }
+    error.one(FLERR, cause);
+}
+
+double number(const char* word, LAMMPS_NS::LAMMPS* lammps) {
+    return LAMMPS_NS::utils::numeric(FLERR, word, false, lammps);
 }
 
 }  // namespace magfsi::structure

@@ -7,37 +7,53 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "structure/lammps/law_words.h"
+
 namespace magfsi::structure {
+
+template <>
+constexpr const char* law_name<ConstantField> = "constant";
+template <>
+constexpr const char* law_name<RotatingField> = "rotating";
+
+// Rows of time, magnitude and direction.
+template <>
+struct LawWords<FieldTable> {
+    static std::string words(const FieldTable& table) {
+        std::string out = table.repeat ? "repeat" : "table";
+        for (std::size_t i = 0; i < table.time_s.size(); ++i) {
+            const auto& directions = table.direction_rad;
+            out += fmt::format(" {:.17g} {:.17g} {:.17g}", table.time_s[i],
+                               table.magnitude_t[i],
+                               directions[directions.size() == 1 ? 0 : i]);
+        }
+        return out;
+    }
+    static std::string usage() { return "table and repeat have 3 per row"; }
+    static std::optional<FieldTable> read(const std::string& name,
+                                          std::span<const double> values) {
+        if ((name != "table" && name != "repeat") || values.size() % 3 != 0) return {};
+        FieldTable table;
+        table.repeat = name == "repeat";
+        for (std::size_t i = 0; i < values.size(); i += 3) {
+            table.time_s.push_back(values[i]);
+            table.magnitude_t.push_back(values[i + 1]);
+            table.direction_rad.push_back(values[i + 2]);
+        }
+        return table;
+    }
+};
+
 namespace {
 
-void check_plane(const std::array<int, 2>& plane) {
-    const bool axes =
-        std::ranges::all_of(plane, [](int axis) { return axis >= 0 && axis <= 2; });
-    if (!axes || plane[0] == plane[1]) {
-        throw std::invalid_argument(
-            fmt::format("field plane of axes {} and {} found, two different ones of 0, "
-                        "1, 2 are allowed",
-                        plane[0], plane[1]));
-    }
+// The field of each course at a time, as magnitude and direction.
+ConstantField polar(const ConstantField& course, double) {
+    return course;
 }
 
-void check_table(const FieldTable& table) {
-    const std::size_t rows = table.time_s.size();
-    const std::size_t directions = table.direction_rad.size();
-    if (rows == 0 || table.magnitude_t.size() != rows ||
-        (directions != 1 && directions != rows)) {
-        throw std::invalid_argument(
-            fmt::format("field table with {} times, {} magnitudes and {} directions "
-                        "found; it needs one "
-                        "magnitude a time and one direction, or one a time",
-                        rows, table.magnitude_t.size(), directions));
-    }
-    if (!std::ranges::is_sorted(table.time_s)) {
-        throw std::invalid_argument("the times of a field table must not fall");
-    }
-    if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
-        throw std::invalid_argument("a repeated field table needs a period above zero");
-    }
+ConstantField polar(const RotatingField& course, double time_s) {
+    return {course.magnitude_t,
+            course.start_rad + 2 * std::numbers::pi * course.frequency_hz * time_s};
 }
 
 double fold_time(const FieldTable& table, double time_s) {
@@ -58,25 +74,45 @@ double interpolate(const std::vector<double>& time_s, const std::vector<double>&
     return value[i] + s * (value[i + 1] - value[i]);
 }
 
-ConstantField polar(const ConstantField& course, double) {
-    return course;
-}
-ConstantField polar(const RotatingField& course, double time_s) {
-    return {course.magnitude_t,
-            course.start_rad + 2 * std::numbers::pi * course.frequency_hz * time_s};
-}
 ConstantField polar(const FieldTable& course, double time_s) {
     const double t = fold_time(course, time_s);
     return {interpolate(course.time_s, course.magnitude_t, t),
             interpolate(course.time_s, course.direction_rad, t)};
 }
 
-}  // namespace
-
-void check_field_program(const FieldProgram& program) {
-    check_plane(program.plane);
-    if (const auto* table = std::get_if<FieldTable>(&program.course)) check_table(*table);
+void check(const FieldTable& table) {
+    const std::size_t rows = table.time_s.size();
+    const std::size_t directions = table.direction_rad.size();
+    if (rows == 0 || table.magnitude_t.size() != rows ||
+        (directions != 1 && directions != rows)) {
+        throw std::invalid_argument(fmt::format(
+            "field table with {} times, {} magnitudes and {} directions "
+            "found; it needs one magnitude per time and one direction, or one "
+            "per time",
+            rows, table.magnitude_t.size(), directions));
+    }
+    if (!std::ranges::is_sorted(table.time_s)) {
+        throw std::invalid_argument("the times of a field table must not fall");
+    }
+    if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
+        throw std::invalid_argument("a repeated field table needs a period above zero");
+    }
 }
+
+void check_plane(const std::array<int, 2>& plane) {
+    const bool axes =
+        std::ranges::all_of(plane, [](int axis) { return axis >= 0 && axis <= 2; });
+    if (!axes || plane[0] == plane[1]) {
+        throw std::invalid_argument("a field plane is two different ones of x, y, z");
+    }
+}
+
+void check_program(const FieldProgram& program) {
+    check_plane(program.plane);
+    if (const auto* table = std::get_if<FieldTable>(&program.course)) check(*table);
+}
+
+}  // namespace
 
 Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane) {
     check_plane(plane);
@@ -93,6 +129,24 @@ ConstantField polar_field_at(const FieldProgram& program, double time_s) {
 
 Vec3 field_at(const FieldProgram& program, double time_s) {
     return field_vector(polar_field_at(program, time_s), program.plane);
+}
+
+std::string field_arguments(const FieldProgram& program) {
+    check_program(program);
+    return fmt::format("{}{} {}", "xyz"[program.plane[0]], "xyz"[program.plane[1]],
+                       law_words(program.course));
+}
+
+FieldProgram parse_field_arguments(const std::vector<std::string>& words) {
+    if (words.size() < 2 || words[0].size() != 2) {
+        throw std::invalid_argument(
+            "a plane such as xz, a course and its numbers are needed");
+    }
+    FieldProgram program;
+    program.plane = {words[0][0] - 'x', words[0][1] - 'x'};
+    read_law(program.course, std::span(words).subspan(1));
+    check_program(program);
+    return program;
 }
 
 }  // namespace magfsi::structure

@@ -1,4 +1,5 @@
-// The uniform magnetic field over time (eqs. 7 to 9).
+// The uniform magnetic field over time (eqs. 7 to 9). A new course needs its struct in
+// structure/options.h and its part in field_program.cpp: docs/adding_a_field_law.md.
 #pragma once
 
 #include <array>
@@ -9,11 +10,7 @@
 
 namespace magfsi::structure {
 
-// Throws std::invalid_argument on a table that is empty, whose times fall, or whose
-// columns differ in length, and on a plane that is not two different axes.
-void check_field_program(const FieldProgram& program);
-
-// Field vector [T] of a checked program.
+// Field vector [T].
 Vec3 field_at(const FieldProgram& program, double time_s);
 
 // The same as signed magnitude and direction in the program's plane.

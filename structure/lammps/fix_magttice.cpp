@@ -1,6 +1,7 @@
 #include "structure/lammps/fix_magttice.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -8,15 +9,15 @@
 #include "update.h"
 #include "utils.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <cstring>
 #include <stdexcept>
-#include <string>
 
-#include "structure/lammps/element_name.h"
-#include "structure/lammps/failure.h"
 #include "structure/lammps/lattice_file.h"
+#include "structure/lammps/step_limit.h"
 
 namespace magfsi::structure {
 namespace {
@@ -24,31 +25,52 @@ namespace {
 // ID group style, then the file, the first atom, G and K.
 constexpr int first_keyword = 7;
 
+const BodyForceStyle& force_of(const std::string& keyword) {
+    std::string allowed = "element, material";
+    for (const Effect* effect : effects()) {
+        if (effect->force.keyword == nullptr) continue;
+        if (keyword == effect->force.keyword) return effect->force;
+        allowed += std::string(", ") + effect->force.keyword;
+    }
+    throw std::invalid_argument(
+        fmt::format("\"{}\" found; allowed are {}", keyword, allowed));
+}
+
 }  // namespace
 
 // fix ID group magttice FILE first_atom_id G K [element VARIANT] [field Bx By Bz] ...
 FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg) {
+    : Fix(lammps, narg, arg), who_(fmt::format("fix {} magttice", id)) {
     if (narg < first_keyword) {
-        fail(*error, std::string("fix ") + id +
-                         " magttice needs a lattice file, its first atom ID, G and K");
+        fail(*error, who_ + " needs a lattice file, its first atom ID, G and K");
     }
     range_.first_id = LAMMPS_NS::utils::inumeric(FLERR, arg[4], false, lmp);
-    Material& material = materials_.emplace_back();
-    material.shear_modulus_pa = LAMMPS_NS::utils::numeric(FLERR, arg[5], false, lmp);
-    material.lame_lambda_pa = LAMMPS_NS::utils::numeric(FLERR, arg[6], false, lmp);
+    materials_.push_back(parse_material(arg + 5, 2));
     try {
         std::vector<AskedForce> forces;
         for (int i = first_keyword; i < narg;)
             i += parse_keyword(narg - i, arg + i, forces);
         const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
         if (std::ranges::any_of(materials_, viscous))
-            forces.push_back({body_force("viscosity"), nullptr});
+            forces.push_back({force_of("viscosity"), nullptr});
         read_body(arg[3], forces);
     } catch (const std::exception& cause) {
-        fail(*error, std::string("fix ") + id + " magttice: " + cause.what());
+        fail(*error, fmt::format("{}: {}", who_, cause.what()));
     }
     declare_output();
+}
+
+FixMagttice::~FixMagttice() {
+    delete[] extlist;
+}
+
+// G, K and, of three values, the viscosity.
+Material FixMagttice::parse_material(char** arg, int values) {
+    Material material;
+    material.shear_modulus_pa = number(arg[0], lmp);
+    material.lame_lambda_pa = number(arg[1], lmp);
+    if (values > 2) material.viscosity_pa_s = number(arg[2], lmp);
+    return material;
 }
 
 // Returns the number of words of the keyword and its values.
@@ -56,9 +78,8 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
     const std::string keyword = arg[0];
     const auto with = [&](int values) {
         if (left > values) return 1 + values;
-        throw std::invalid_argument("\"" + keyword + "\" with " +
-                                    std::to_string(left - 1) +
-                                    " values found, it takes " + std::to_string(values));
+        throw std::invalid_argument(fmt::format(
+            "\"{}\" with {} values found, it takes {}", keyword, left - 1, values));
     };
     if (keyword == "element") {
         const int words = with(1);
@@ -67,33 +88,22 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
     }
     if (keyword == "viscosity") {
         const int words = with(1);
-        materials_.front().viscosity_pa_s =
-            LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
+        materials_.front().viscosity_pa_s = number(arg[1], lmp);
         return words;
     }
     if (keyword == "material") {
         const int words = with(3);
-        parse_material(arg + 1);
+        materials_.push_back(parse_material(arg + 1, 3));
         return words;
     }
-    const BodyForceStyle& found = body_force(keyword);
-    for (const AskedForce& other : asked) {
-        if (other.style.make == found.make)
-            throw std::invalid_argument("\"" + keyword + "\" found twice");
-    }
+    const BodyForceStyle& found = force_of(keyword);
+    const auto same = [&](const AskedForce& other) {
+        return other.style.keyword == found.keyword;
+    };
+    if (std::ranges::any_of(asked, same))
+        throw std::invalid_argument(fmt::format("\"{}\" found twice", keyword));
     asked.push_back({found, arg + 1});
     return with(found.values);
-}
-
-void FixMagttice::parse_material(char** arg) {
-    Material& material = materials_.emplace_back();
-    material.shear_modulus_pa = LAMMPS_NS::utils::numeric(FLERR, arg[0], false, lmp);
-    material.lame_lambda_pa = LAMMPS_NS::utils::numeric(FLERR, arg[1], false, lmp);
-    material.viscosity_pa_s = LAMMPS_NS::utils::numeric(FLERR, arg[2], false, lmp);
-}
-
-FixMagttice::~FixMagttice() {
-    delete[] extlist;
 }
 
 void FixMagttice::declare_output() {
@@ -124,8 +134,7 @@ void FixMagttice::read_body(const std::string& file,
         by_first_[static_cast<std::size_t>(read.elements[e][0])].push_back(
             static_cast<int>(e));
     }
-    const MagtticeBody body{std::string("fix ") + id + " magttice", range_, lattice_,
-                            nodes_m_, read.magnetization_a_m};
+    const MagtticeBody body{who_, range_, lattice_, nodes_m_, read.magnetization_a_m};
     for (const AskedForce& one : asked)
         forces_.push_back(one.style.make(lmp, body, one.values));
 }
@@ -138,39 +147,57 @@ int FixMagttice::setmask() {
 }
 
 void FixMagttice::init() {
-    const std::string who = std::string("fix ") + id + " magttice ";
-    if (force->newton == 0) fail(*error, who + "needs the command: newton on");
+    if (force->newton == 0) fail(*error, who_ + " needs the command: newton on");
     if (atom->map_style == 0) {
-        fail(*error, who + "needs the command: atom_modify map array");
+        fail(*error, who_ + " needs the command: atom_modify map array");
     }
     if (std::string(update->integrate_style).find("respa") != std::string::npos) {
-        fail(*error, who + "works with run_style verlet only");
+        fail(*error, who_ + " works with run_style verlet only");
     }
     int here = 0;
     for (int i = 0; i < atom->nlocal; ++i) here += range_.node(atom->tag[i]) >= 0 ? 1 : 0;
     int present = 0;
     MPI_Allreduce(&here, &present, 1, MPI_INT, MPI_SUM, world);
     if (present != range_.count) {
-        fail(*error, who + "has " + std::to_string(range_.count) +
-                         " nodes in its lattice file, but " + std::to_string(present) +
-                         " atoms with IDs from " + std::to_string(range_.first_id) +
-                         " on are there");
+        fail(*error, fmt::format("{} has {} nodes in its lattice file, but {} atoms with "
+                                 "IDs from {} on are there",
+                                 who_, range_.count, present, range_.first_id));
     }
     for (const auto& added : forces_) added->init();
 }
 
+OwnedElements FixMagttice::owned_elements() const {
+    OwnedElements out;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        const int node = range_.node(atom->tag[i]);
+        if (node < 0) continue;
+        for (int e : by_first_[static_cast<std::size_t>(node)]) {
+            std::array<int, 8> atoms{};
+            for (int a = 0; a < 8; ++a) {
+                const int atom_id = range_.first_id + lattice_.elements[e][a];
+                const int seen = atom->map(atom_id);
+                if (seen < 0) {
+                    out.missing_id = atom_id;
+                    return out;
+                }
+                atoms[a] = domain->closest_image(i, seen);
+            }
+            out.element.push_back(e);
+            out.atom.push_back(atoms);
+        }
+    }
+    return out;
+}
+
 void FixMagttice::rebuild() {
-    const OwnedElements owned =
-        owned_elements(range_, lattice_.elements, by_first_, *atom, *domain);
+    const OwnedElements owned = owned_elements();
     if (owned.missing_id != 0) {
         fail(*error,
-             std::string("fix ") + id + " magttice: atom " +
-                 std::to_string(owned.missing_id) +
-                 " of an element is not known on the rank that owns the element at "
-                 "step " +
-                 std::to_string(update->ntimestep) +
-                 "; raise comm_modify cutoff above the longest element diagonal (" +
-                 std::to_string(lattice_.longest_diagonal_m) + " at rest)");
+             fmt::format("{}: atom {} of an element is not known on the rank that owns "
+                         "the element at step {}; raise comm_modify cutoff above the "
+                         "longest element diagonal ({:g} m at rest)",
+                         who_, owned.missing_id, update->ntimestep,
+                         lattice_.longest_diagonal_m));
     }
     kernel_.assign(lattice_, owned.element, owned.atom);
     for (const auto& added : forces_) added->rebuild(owned);
@@ -206,7 +233,11 @@ void FixMagttice::add_elastic() {
     energies_known_ = false;
 }
 
-// The body is named as its group is. Positions that are not numbers print as such.
+void FixMagttice::add_elastic_forces(double* f) const {
+    if (kernel_.size() > 0) kernel_.add_forces(atom->x[0], f);
+}
+
+// The body is named as its group is. Positions that are NaN print as such.
 std::string FixMagttice::place(int element) const {
     const Hexahedron& nodes = lattice_.elements[static_cast<std::size_t>(element)];
     Vec3 rest{};
@@ -218,24 +249,111 @@ std::string FixMagttice::place(int element) const {
             now[d] += 0.125 * (i < 0 ? NAN : atom->x[i][d]);
         }
     }
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(),
-                  "body %s, centre now at (%.6g, %.6g, %.6g) m, in the body's frame at "
-                  "rest (%.6g, %.6g, %.6g) m",
-                  group->names[igroup], now[0], now[1], now[2], rest[0], rest[1],
-                  rest[2]);
-    return text.data();
+    return fmt::format(
+        "body {}, centre now at ({:.6g}, {:.6g}, {:.6g}) m, in the body's frame at rest "
+        "({:.6g}, {:.6g}, {:.6g}) m",
+        group->names[igroup], now[0], now[1], now[2], rest[0], rest[1], rest[2]);
 }
 
 void FixMagttice::refuse_inverted(const KernelResult& result) {
     const std::string j = std::isinf(result.smallest_j)
                               ? "which is not a number"
                               : std::to_string(result.smallest_j);
-    fail(*error, std::string("fix ") + id + " magttice: element " +
-                     std::to_string(result.element) + " is inverted at step " +
-                     std::to_string(update->ntimestep) + ", its volume ratio J is " + j +
-                     " (" + place(result.element) +
-                     "); use a smaller time step, a finer mesh or a weaker field");
+    fail(*error,
+         fmt::format("{}: element {} is inverted at step {}, its volume ratio J is {} "
+                     "({}); use a smaller time step, a finer mesh or a weaker field",
+                     who_, result.element, update->ntimestep, j, place(result.element)));
+}
+
+// Energies cost a second pass over the elements, so only those who ask pay for it.
+void FixMagttice::compute_energies() {
+    if (energies_known_) return;
+    energies_known_ = true;
+    energy_j_ = {};
+    if (kernel_.size() > 0) {
+        scratch_.assign(3 * static_cast<std::size_t>(atom->nlocal + atom->nghost), 0.0);
+        energy_j_[0] =
+            kernel_.add_forces_and_energy(atom->x[0], scratch_.data()).energy_j;
+    }
+    for (const auto& added : forces_) energy_j_[1] += added->energy_j();
+}
+
+double FixMagttice::compute_scalar() {
+    compute_energies();
+    const double mine = energy_j_[0] + energy_j_[1];
+    double sum = 0;
+    MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+    return sum;
+}
+
+double FixMagttice::compute_vector(int i) {
+    if (i < 2) compute_energies();
+    const std::array<double, 5> mine{energy_j_[0], energy_j_[1], work_j_, smallest_j_,
+                                     lost_j_};
+    double all = 0;
+    MPI_Allreduce(&mine[static_cast<std::size_t>(i)], &all, 1, MPI_DOUBLE,
+                  i == 3 ? MPI_MIN : MPI_SUM, world);
+    return all;
+}
+
+int FixMagttice::modify_param(int narg, char** arg) {
+    if (std::strcmp(arg[0], "work") != 0) return 0;
+    if (narg < 2) fail(*error, fmt::format("fix_modify {} work needs one value", id));
+    const double value = number(arg[1], lmp);
+    work_j_ = comm->me == 0 ? value : 0.0;
+    return 2;
+}
+
+void FixMagttice::write_restart(FILE* file) {
+    const std::array<double, 2> totals{compute_vector(2), compute_vector(4)};
+    if (comm->me != 0) return;
+    const int size = sizeof(totals);
+    std::fwrite(&size, sizeof(int), 1, file);
+    std::fwrite(totals.data(), sizeof(totals), 1, file);
+}
+
+void FixMagttice::restart(char* buffer) {
+    std::array<double, 2> totals{};
+    std::memcpy(totals.data(), buffer, sizeof(totals));
+    work_j_ = comm->me == 0 ? totals[0] : 0.0;
+    lost_j_ = comm->me == 0 ? totals[1] : 0.0;
+}
+
+void* FixMagttice::extract(const char* name, int& dimension) {
+    dimension = 0;
+    if (std::strcmp(name, "work_share") == 0) return &work_j_;
+    if (std::strcmp(name, "lost_share") == 0) return &lost_j_;
+    return nullptr;
+}
+
+double FixMagttice::memory_usage() {
+    // Both the lattice and the packed batches hold about 50 numbers per element.
+    return static_cast<double>(lattice_.elements.size() + kernel_.size()) * 50 *
+           sizeof(double);
+}
+
+std::vector<const FixMagttice*> bodies_of(const LAMMPS_NS::Modify& modify) {
+    std::vector<const FixMagttice*> out;
+    for (int i = 0; i < modify.nfix; ++i) {
+        if (std::strcmp(modify.fix[i]->style, "magttice") != 0) continue;
+        out.push_back(static_cast<const FixMagttice*>(modify.fix[i]));
+    }
+    return out;
+}
+
+std::vector<SurfaceNode> surface_nodes(const LAMMPS_NS::Modify& modify) {
+    std::vector<SurfaceNode> by_id;
+    const auto bodies = bodies_of(modify);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const std::vector<Vec3>& x = bodies[b]->nodes_m();
+        const auto areas = surface_areas(x, bodies[b]->lattice().elements);
+        const auto first = static_cast<std::size_t>(bodies[b]->range().first_id);
+        by_id.resize(std::max(by_id.size(), first + x.size()));
+        for (std::size_t a = 0; a < x.size(); ++a) {
+            by_id[first + a] = {static_cast<int>(b), areas[a], x[a]};
+        }
+    }
+    return by_id;
 }
 
 }  // namespace magfsi::structure

@@ -1,16 +1,8 @@
 // fix ID group magttice: the lattice forces of one body and those that effects add to
-// them (body_force.h). See docs/fix_magttice.md.
+// them (effect.h). See docs/fix_magttice.md.
 #pragma once
 
-#include "fix.h"
-
-#include <array>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "structure/lammps/body_force.h"
-#include "structure/lammps/owned_elements.h"
+#include "structure/lammps/effect.h"
 #include "structure/lattice/element_kernel.h"
 
 namespace magfsi::structure {
@@ -43,12 +35,12 @@ class FixMagttice : public LAMMPS_NS::Fix {
     const NodeRange& range() const { return range_; }
     const Lattice& lattice() const { return lattice_; }
     const std::vector<Vec3>& nodes_m() const { return nodes_m_; }  // at rest
-    // Adds this rank's elastic forces at the present positions to f, three values a local
-    // or ghost atom.
+    // Adds this rank's elastic forces at the present positions to f, three values per
+    // local or ghost atom.
     void add_elastic_forces(double* f) const;
 
   private:
-    // A word that stands for forces of an effect, and its values.
+    // A keyword that stands for the forces of an effect, and its values.
     struct AskedForce {
         BodyForceStyle style;
         char** values = nullptr;
@@ -56,14 +48,16 @@ class FixMagttice : public LAMMPS_NS::Fix {
 
     void declare_output();
     int parse_keyword(int left, char** arg, std::vector<AskedForce>& asked);
-    void parse_material(char** arg);
+    Material parse_material(char** arg, int values);
     void read_body(const std::string& file, const std::vector<AskedForce>& asked);
     void rebuild();
+    OwnedElements owned_elements() const;
     void add_elastic();
     std::string place(int element) const;
     void refuse_inverted(const KernelResult& result);
     void compute_energies();
 
+    std::string who_;  // "fix ID magttice", for messages
     NodeRange range_;
     Lattice lattice_;
     std::vector<Vec3> nodes_m_;
@@ -81,5 +75,8 @@ class FixMagttice : public LAMMPS_NS::Fix {
     std::array<double, 2> energy_j_{};  // elastic, magnetic
     std::vector<double> scratch_;
 };
+
+// The bodies of a run, in the order of the script.
+std::vector<const FixMagttice*> bodies_of(const LAMMPS_NS::Modify& modify);
 
 }  // namespace magfsi::structure

@@ -12,7 +12,7 @@ namespace {
 // LAMMPS has 32 groups; these are taken.
 const std::vector<std::string> own_groups{"all",    "clamped", "moving",
                                           "held_x", "held_y",  "held_z"};
-constexpr std::size_t most_bodies = 26;
+constexpr std::size_t max_bodies_and_motions = 26;
 
 std::string sanitized(const std::string& name) {
     std::string out = name.empty() ? "body" : name;
@@ -26,11 +26,11 @@ std::string sanitized(const std::string& name) {
 
 std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
                                       std::size_t motions) {
-    if (bodies.size() + motions > most_bodies) {
+    if (bodies.size() + motions > max_bodies_and_motions) {
         throw std::invalid_argument(fmt::format(
             "{} bodies and {} prescribed motions found, LAMMPS has groups for "
             "{} of both",
-            bodies.size(), motions, most_bodies));
+            bodies.size(), motions, max_bodies_and_motions));
     }
     std::vector<std::string> taken = own_groups;
     for (std::size_t m = 0; m < motions; ++m) taken.push_back(moved_group(m));
@@ -78,6 +78,25 @@ std::string id_ranges(const std::vector<int>& ids) {
         }
     }
     return out;
+}
+
+int first_id(const LammpsInput& input, std::size_t body) {
+    std::size_t before = 0;
+    for (std::size_t b = 0; b < body; ++b) before += input.bodies[b].mesh.nodes.size();
+    return static_cast<int>(before) + 1;
+}
+
+std::vector<int> ids_where(const LammpsInput& input,
+                           const std::function<bool(const HeldAxes&)>& condition) {
+    std::vector<int> ids;
+    for (std::size_t b = 0; b < input.bodies.size(); ++b) {
+        const auto held = held_axes(input.bodies[b]);
+        const int first = first_id(input, b);
+        for (std::size_t n = 0; n < held.size(); ++n) {
+            if (condition(held[n])) ids.push_back(first + static_cast<int>(n));
+        }
+    }
+    return ids;
 }
 
 }  // namespace magfsi::structure

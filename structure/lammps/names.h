@@ -1,15 +1,17 @@
-// Words of a LAMMPS command line.
+// Names and atom IDs in the commands of a script.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "structure/body.h"
+#include "structure/held_nodes.h"
+#include "structure/lammps/script.h"
 
 namespace magfsi::structure {
 
-// One ID a body, fit for groups, fixes and file names: letters, digits and underscores of
-// its name, other characters as underscores; a repeated or reserved one gets a number.
+// One ID per body, fit for groups, fixes and file names: letters, digits and underscores
+// of its name, other characters as underscores; a repeated or reserved one gets a number.
 // Throws std::invalid_argument on more bodies and motions than LAMMPS has groups for.
 std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
                                       std::size_t motions = 0);
@@ -25,5 +27,12 @@ std::string quoted(const std::string& path);
 
 // Rising IDs as LAMMPS ranges first:last:stride, "1:91:10 3".
 std::string id_ranges(const std::vector<int>& ids);
+
+// Atom ID of a body's node 0. Atoms are numbered from 1, one body after the other.
+int first_id(const LammpsInput& input, std::size_t body);
+
+// IDs of the nodes whose held axes satisfy the condition, ascending.
+std::vector<int> ids_where(const LammpsInput& input,
+                           const std::function<bool(const HeldAxes&)>& condition);
 
 }  // namespace magfsi::structure

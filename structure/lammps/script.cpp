@@ -1,10 +1,180 @@
 #include "structure/lammps/script.h"
 
-#include "structure/lammps/data_file.h"
-#include "structure/lammps/script_assembly.h"
-#include "structure/lammps/script_lines.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "structure/lammps/effect.h"
+#include "structure/lammps/lattice_file.h"
+#include "structure/lammps/names.h"
+#include "structure/materials.h"
 
 namespace magfsi::structure {
+namespace {
+
+// All bodies together: nodes numbered one body after the other.
+struct Assembly {
+    std::vector<DataAtom> atoms;
+    Vec3 low{INFINITY, INFINITY, INFINITY};  // bounds of the bodies before relaxing
+    Vec3 high{-INFINITY, -INFINITY, -INFINITY};
+    std::vector<int> first_node;
+    std::vector<std::string> name;  // fit for LAMMPS IDs and file names
+    double longest_diagonal_m = 0;  // of an element, where it starts
+};
+
+void check_input(const LammpsInput& input) {
+    if (input.bodies.empty()) throw std::invalid_argument("no body found, one is needed");
+    if (!input.placements.empty() && input.placements.size() != input.bodies.size()) {
+        throw std::invalid_argument(fmt::format(
+            "{} placements for {} bodies found, one per body or none is allowed",
+            input.placements.size(), input.bodies.size()));
+    }
+    if (!(input.time_step_s > 0)) {
+        throw std::invalid_argument(fmt::format(
+            "time step of {:g} s found, it must be positive", input.time_step_s));
+    }
+    for (const Body& body : input.bodies) {
+        check_materials(body.element_material, body.mesh.elements.size(),
+                        body.other_materials.size());
+        for (const Material& material : used_materials(body)) {
+            if (material.density_kg_m3 > 0) continue;
+            throw std::invalid_argument(fmt::format(
+                "body {} has an effective density of {:g} kg/m3, it must be positive",
+                body.name, material.density_kg_m3));
+        }
+    }
+}
+
+double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
+    double longest = 0;
+    for (const Hexahedron& element : body.mesh.elements) {
+        for (int a = 0; a < 4; ++a) {
+            const Vec3& x = nodes[element[a]];
+            const Vec3& y = nodes[element[7 - a]];
+            longest =
+                std::max(longest, std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]));
+        }
+    }
+    return longest;
+}
+
+void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
+    all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
+    const auto masses = node_masses(build_lattice(body));
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        all.atoms.push_back({nodes[a], masses[a]});
+    }
+    all.longest_diagonal_m =
+        std::max(all.longest_diagonal_m, longest_diagonal(nodes, body));
+}
+
+void add_bounds(Assembly& all, const std::vector<Vec3>& nodes) {
+    for (const Vec3& x : nodes) {
+        for (int d = 0; d < 3; ++d) {
+            all.low[d] = std::min(all.low[d], x[d]);
+            all.high[d] = std::max(all.high[d], x[d]);
+        }
+    }
+}
+
+Assembly assemble(const LammpsInput& input) {
+    Assembly all;
+    all.name = lammps_names(input.bodies, input.motions.size());
+    const std::array<int, 2> plane =
+        input.field ? input.field->plane : std::array<int, 2>{0, 2};
+    for (std::size_t i = 0; i < input.bodies.size(); ++i) {
+        Placement placement =
+            input.placements.empty() ? Placement{} : input.placements[i];
+        add_body(all, input.bodies[i], placed_nodes(input.bodies[i], placement, plane));
+        placement.relaxed.reset();
+        add_bounds(all, placed_nodes(input.bodies[i], placement, plane));
+    }
+    all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
+    return all;
+}
+
+// Along the bodies' length, also where they start rolled up.
+int longest_axis(const Assembly& all) {
+    int longest = 0;
+    for (int d = 1; d < 3; ++d) {
+        if (all.high[d] - all.low[d] > all.high[longest] - all.low[longest]) longest = d;
+    }
+    return longest;
+}
+
+// Of the effects between nodes that come and go near each other; 0 without one.
+double neighbour_skin_m(const LammpsInput& input) {
+    double skin_m = 0;
+    for (const Effect* effect : asked_effects(input)) {
+        if (effect->neighbour_skin_m)
+            skin_m = std::max(skin_m, effect->neighbour_skin_m(input));
+    }
+    return skin_m;
+}
+
+// Boundaries are wrapped around the atoms at the start and not used after that: a body
+// may travel anywhere. Ranks share the bodies along their longest extent, evenly by
+// nodes.
+void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
+                const std::string& data_file) {
+    const int axis = longest_axis(all);
+    std::array<const char*, 3> ranks{"1", "1", "1"};
+    ranks[axis] = "*";
+    // Ghosts must reach across an element, even one that has been stretched by half.
+    const double cutoff = 1.5 * all.longest_diagonal_m;
+    const double skin_m = neighbour_skin_m(input);
+    lines.insert(
+        lines.end(),
+        {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0", "newton on",
+         "boundary s s s",
+         fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
+         fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
+         fmt::format("neighbor {:.6g} bin", skin_m > 0 ? skin_m : 0.1 * cutoff),
+         skin_m > 0 ? "neigh_modify every 1 delay 0 check yes" : "neigh_modify once yes",
+         fmt::format("read_data {}", quoted(data_file)),
+         fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
+}
+
+// Writes the lattice files and fills fix_id.
+void add_lattices(LammpsScript& script, const LammpsInput& input, const Assembly& all,
+                  const std::filesystem::path& folder) {
+    for (std::size_t i = 0; i < input.bodies.size(); ++i) {
+        const Body& body = input.bodies[i];
+        const std::string file = (folder / (all.name[i] + ".lattice")).string();
+        write_lattice_file({body.mesh.nodes, body.mesh.elements, body.magnetization_a_m,
+                            body.element_material},
+                           file);
+        script.setup.push_back(fmt::format("group {} id {}:{}", all.name[i],
+                                           all.first_node[i], all.first_node[i + 1] - 1));
+        script.fix_id.push_back("magttice_" + all.name[i]);
+        std::string line = fmt::format(
+            "fix {} {} magttice {} {} {:.17g} {:.17g} element {}", script.fix_id.back(),
+            all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
+            body.material.lame_lambda_pa, name_of(body.element));
+        for (const Effect* effect : asked_effects(input)) {
+            if (effect->body_words) line += effect->body_words(input, body);
+        }
+        for (const Material& other : body.other_materials) {
+            line +=
+                fmt::format(" material {:.17g} {:.17g} {:.17g}", other.shear_modulus_pa,
+                            other.lame_lambda_pa, other.viscosity_pa_s);
+        }
+        script.setup.push_back(line);
+    }
+}
+
+// Of the effects that are asked for, those of one place in the script.
+void add_effects(Lines& lines, const LammpsInput& input,
+                 Effect::Commands Effect::*place) {
+    for (const Effect* effect : asked_effects(input)) {
+        if (effect->*place) (effect->*place)(lines, input);
+    }
+}
+
+}  // namespace
 
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder) {
@@ -15,13 +185,15 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     write_data_file(all.atoms, data_file);
     LammpsScript script;
     script.first_node = all.first_node;
-    add_system(script.setup, input, all, data_file);
-    add_effects(script.setup, input, &ScriptEffect::before_bodies);
-    add_lattices(script.setup, script, input, all, folder);
-    add_effects(script.setup, input, &ScriptEffect::commands);
-    add_integration(script.setup, input);
-    add_effects(script.setup, input, &ScriptEffect::after_integration);
-    add_settings(script.setup, input);
+    Lines& lines = script.setup;
+    add_system(lines, input, all, data_file);
+    add_effects(lines, input, &Effect::before_bodies);
+    add_lattices(script, input, all, folder);
+    add_effects(lines, input, &Effect::commands);
+    lines.push_back(fmt::format("fix integrate {} nve", integrated_group(input)));
+    add_effects(lines, input, &Effect::after_integration);
+    lines.insert(lines.end(), {fmt::format("timestep {:.17g}", input.time_step_s),
+                               "thermo_style custom step", "thermo 0"});
     return script;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "structure/body.h"
+#include "structure/lammps/drag_law.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
 
@@ -20,7 +21,7 @@ struct LammpsInput {
     std::optional<FieldProgram> field;
     std::optional<GradientInput> gradient;  // with or without a field
     std::optional<Vec3> gravity_m_s2;
-    std::optional<double> drag_rate_1_s;
+    std::optional<Drag> drag;
     std::optional<Platform> platform;  // stiffness 0: that of platform_of
     std::vector<PrescribedMotion> motions;
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law

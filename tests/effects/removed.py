@@ -1,5 +1,5 @@
 """An absent effect costs nothing: a scene without it executes the same instructions in its
-steps as in a program that was built without the effect's folder and its line in a list.
+steps as in a program that was built without the effect's files and its line in a list.
 
     ./magfsi python tests/effects/removed.py            of all effects
     ./magfsi python tests/effects/removed.py drag       of this one
@@ -47,10 +47,11 @@ class Case:
 
 
 def case(program, registry, name, absent, files=(), coupled=False):
-    """files: beside the folder, what only the effect uses."""
+    """files: beside its own file or folder, what only the effect uses."""
     scene, short = COUPLED if coupled else SCENES[program]
     folder = registry.removesuffix(".inc")
-    return Case(program, scene, Removal(name, (f"{folder}/{name}/*", *files), registry),
+    own = (f"{folder}/{name}.cpp", f"{folder}/{name}/*", *files)
+    return Case(program, scene, Removal(name, own, registry),
                 {**short, **absent}, coupled)
 
 
@@ -81,6 +82,7 @@ EFFECTS = {
     "contact": of_structure("contact", contact="null"),
     "clamps": of_structure("clamps"),
     "rollers": of_structure("rollers"),
+    "quiet": of_structure("quiet"),
     "prescribed_motion": of_structure("prescribed_motion"),
     "moving_wall": of_fluid("moving_wall"),
     "free_slip": of_fluid("free_slip"),

@@ -10,7 +10,7 @@ void attach_audit(Engine& engine, const structure::LammpsInput& input) {
     std::vector<std::string> moved;
     for (std::size_t m = 0; m < input.motions.size(); ++m)
         moved.push_back(structure::moved_group(m));
-    engine.attach_audit(input.drag_rate_1_s.value_or(0), moved);
+    engine.attach_audit(input.drag ? input.drag->rate_1_s : 0, moved);
 }
 
 EnergyTerms collect_terms(const Engine& engine, const scene::Scene& scene,

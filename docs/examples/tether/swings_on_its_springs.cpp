@@ -6,18 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "structure/lammps/effects/tether/tether.h"
+#include "docs/examples/tether/tether.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 
 namespace magfsi::structure {
 namespace {
-
-bool has_tether(const LammpsScript& script) {
-    return std::ranges::any_of(script.setup, [](const std::string& line) {
-        return line.starts_with("fix tether");
-    });
-}
 
 TEST(Tether, LetsABodySwingUnderItsWeight) {
     LammpsInput input = test::bare_strip();
@@ -27,13 +21,10 @@ TEST(Tether, LetsABodySwingUnderItsWeight) {
     for (const double m : masses) mass += m;
     const double omega = 500;
     tether_n_m = mass * omega * omega / static_cast<double>(masses.size());
-    const test::SharedFolder folder;
-    test::LammpsRun run(MPI_COMM_WORLD, folder.write(input).setup);
-    run.command("run 0");
+    test::Run run(input);
     const auto start = run.gather("x");
     const double half_swing = std::numbers::pi / omega;
-    const auto steps = static_cast<int>(half_swing / input.time_step_s);
-    run.command("run " + std::to_string(steps) + " pre no post no");
+    run.steps(static_cast<int>(half_swing / input.time_step_s));
     const auto now = run.gather("x");
     double sunk = 0;
     for (std::size_t a = 0; a < masses.size(); ++a)
@@ -44,12 +35,15 @@ TEST(Tether, LetsABodySwingUnderItsWeight) {
 }
 
 TEST(Tether, IsAbsentUnlessAskedFor) {
-    const LammpsInput input = test::bare_strip();
-    const test::SharedFolder folder;
+    const auto has_tether = [] {
+        return std::ranges::any_of(
+            test::SharedScript(test::bare_strip()).lines(),
+            [](const std::string& line) { return line.starts_with("fix tether"); });
+    };
     tether_n_m.reset();
-    EXPECT_FALSE(has_tether(folder.write(input)));
+    EXPECT_FALSE(has_tether());
     tether_n_m = 1;
-    EXPECT_TRUE(has_tether(folder.write(input)));
+    EXPECT_TRUE(has_tether());
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "structure/lammps/element_name.h"
+#include "structure/lammps/lattice_file.h"
 #include "structure/lammps/register_styles.h"
 #include "structure/lammps/script.h"
 #include "structure/lattice/stable_step.h"

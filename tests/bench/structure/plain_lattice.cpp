@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "structure/lammps/element_name.h"
+#include "structure/lammps/lattice_file.h"
 #include "structure/lattice/hexahedron.h"
 
 namespace magfsi::structure::bench {

@@ -1,4 +1,5 @@
-// The paper's strip as the structure tests run it.
+// The bodies that the structure tests run in LAMMPS: the paper's strip, and a bar of two
+// materials.
 #pragma once
 
 #include <numbers>
@@ -8,6 +9,7 @@
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/box_mesh.h"
+#include "tests/unit/structure/two_materials.h"
 
 namespace magfsi::structure::test {
 
@@ -40,6 +42,29 @@ inline LammpsInput bare_strip() {
     return input;
 }
 
+// Without load, from the V of 5 mT.
+inline LammpsInput released_strip() {
+    LammpsInput input = bare_strip();
+    Placement placement;
+    placement.relaxed = ConstantField{5e-3, 0.8};
+    input.placements = {placement};
+    return input;
+}
+
+// A cantilever of two materials, one of them viscous, in a field and under its weight.
+inline LammpsInput bending_bar() {
+    LammpsInput input;
+    Body body = soft_and_stiff_bar();
+    body.other_materials[0].viscosity_pa_s = 0.5;
+    body.magnetization_a_m = uniform_magnetization(body.mesh, {60e3, 0, 0});
+    body.clamps = {"x_min"};
+    input.field = FieldProgram{{0, 2}, ConstantField{10e-3, 1.5}};
+    input.gravity_m_s2 = Vec3{0, 0, -9.81};
+    input.time_step_s = 0.9 * stable_step_s(body);
+    input.bodies = {body};
+    return input;
+}
+
 // Sum of mass times v [kg m/s] of a body whose node 0 has the given place in v.
 inline Vec3 momentum(const Body& body, const std::vector<double>& velocity,
                      std::size_t first = 0) {
@@ -53,12 +78,14 @@ inline Vec3 momentum(const Body& body, const std::vector<double>& velocity,
     return out;
 }
 
-// Kinetic energy [J] of a scene's only body, from velocities by atom ID.
-inline double kinetic_energy(const Body& body, const std::vector<double>& velocity) {
+// Kinetic energy [J] of such a body.
+inline double kinetic_energy(const Body& body, const std::vector<double>& velocity,
+                             std::size_t first = 0) {
     const auto mass = node_masses(build_lattice(body));
     double out = 0;
-    for (std::size_t q = 0; q < velocity.size(); ++q) {
-        out += 0.5 * mass[q / 3] * velocity[q] * velocity[q];
+    for (std::size_t q = 0; q < 3 * mass.size(); ++q) {
+        const double v = velocity[3 * first + q];
+        out += 0.5 * mass[q / 3] * v * v;
     }
     return out;
 }

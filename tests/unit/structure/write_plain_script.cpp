@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     input.bodies = {body};
     input.field = FieldProgram{{0, 2}, ConstantField{0.005, 1.5}};
     input.gravity_m_s2 = Vec3{0, 0, -9.81};
-    input.drag_rate_1_s = 100;
+    input.drag = Drag{100};
     input.time_step_s = 0.9 * stable_step_s(body);
     std::ofstream out(folder / "lammps.in");
     for (const std::string& line : write_lammps_input(input, folder).setup) {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "structure/lammps/contact_area.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/materials.h"
 #include "structure/mesh/surface.h"
@@ -52,15 +51,20 @@ double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m
 }
 
 double contact_spring_pa_m(const Body& body, const ContactLaw& law) {
-    const auto area = contact_areas(body.mesh.nodes, body.mesh.elements);
+    const auto area = surface_areas(body.mesh.nodes, body.mesh.elements);
     const double largest = *std::ranges::max_element(area);
     const double coarse =
         6 * largest / (std::numbers::pi * law.distance_m * law.distance_m);
     return 2 * std::max(2.2, coarse) * law.stiffness_pa_m;
 }
 
-double contact_step_limit_s(const Body& body, const ContactLaw& law) {
-    return step_limit_s(body, contact_spring_pa_m(body, law));
+ContactLaw contact_law(const LammpsInput& input) {
+    ContactLaw law = *input.contact;
+    if (!(law.distance_m > 0)) law.distance_m = contact_distance_m(input.bodies);
+    if (!(law.stiffness_pa_m > 0)) {
+        law.stiffness_pa_m = contact_stiffness_pa_m(input.bodies, law.distance_m);
+    }
+    return law;
 }
 
 }  // namespace magfsi::structure

@@ -29,17 +29,14 @@ double contact_distance_m(const std::vector<Body>& bodies);
 // a pressure of 0.22 (lambda + 2 G), five shear moduli where lambda is 20 G.
 double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m);
 
-// Stiffness [Pa/m] that a surface feels at worst where it meets another of the same kind:
-// 2.2 s (two surfaces at g = d / sqrt(e)) or, on a mesh coarser than d, that of the one
-// node opposite, 6 s A_j / (pi d^2); both surfaces move, which doubles it.
+// Stiffness [Pa/m], for step_limit_s, that a surface feels at worst where it meets
+// another of the same kind: 2.2 s (two surfaces at g = d / sqrt(e)) or, on a mesh coarser
+// than d, that of the one node opposite, 6 s A_j / (pi d^2); both surfaces move, which
+// doubles it.
 double contact_spring_pa_m(const Body& body, const ContactLaw& law);
 
 // The contact of the input with its missing values put in: contact_distance_m and
 // contact_stiffness_pa_m of all bodies.
 ContactLaw contact_law(const LammpsInput& input);
-
-// step_limit_s with that stiffness. Run at 0.9 of it; where a platform is hit as well,
-// use step_limit_s with the sum of both.
-double contact_step_limit_s(const Body& body, const ContactLaw& law);
 
 }  // namespace magfsi::structure

@@ -47,9 +47,4 @@ double platform_stiffness_pa_m(const Material& material, double thickness_m);
 // extent).
 Platform platform_of(const LammpsInput& input);
 
-// Stable velocity-Verlet step [s] of a body on a platform of that stiffness: 2 / sqrt of
-// omega_max^2 of the body alone plus the largest stiffness * area / mass of a node. Run
-// at 0.9 of it.
-double platform_step_limit_s(const Body& body, double stiffness_pa_m);
-
 }  // namespace magfsi::structure

@@ -8,7 +8,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "structure/lammps/law_words.h"
+
 namespace magfsi::structure {
+
+template <>
+constexpr const char* law_name<Oscillation> = "oscillation";
+template <>
+constexpr const char* law_name<DisplacementRamp> = "ramp";
 
 namespace {
 
@@ -28,6 +35,14 @@ Vec3 velocity(const Oscillation& o, double time_s) {
     return times(omega * std::cos(omega * time_s + o.phase_rad), o.amplitude_m);
 }
 
+Vec3 way(const Oscillation& o) {
+    return o.amplitude_m;
+}
+void check(const Oscillation& o) {
+    if (!(o.frequency_hz > 0))
+        throw std::invalid_argument("an oscillation needs a frequency above zero");
+}
+
 Vec3 displacement(const DisplacementRamp& r, double time_s) {
     if (time_s >= r.duration_s) return r.displacement_m;
     return times((1 - std::cos(pi * time_s / r.duration_s)) / 2, r.displacement_m);
@@ -38,34 +53,12 @@ Vec3 velocity(const DisplacementRamp& r, double time_s) {
     return times(rate * std::sin(rate * time_s) / 2, r.displacement_m);
 }
 
-std::string words_of(const Oscillation& o) {
-    return fmt::format("oscillation {:.17g} {:.17g} {:.17g}",
-                       fmt::join(o.amplitude_m, " "), o.frequency_hz, o.phase_rad);
+Vec3 way(const DisplacementRamp& r) {
+    return r.displacement_m;
 }
-std::string words_of(const DisplacementRamp& r) {
-    return fmt::format("ramp {:.17g} {:.17g}", fmt::join(r.displacement_m, " "),
-                       r.duration_s);
-}
-
-[[noreturn]] void refuse(const std::vector<std::string>& words) {
-    throw std::invalid_argument(
-        fmt::format("the motion \"{}\" found, oscillation AX AY AZ FREQUENCY PHASE or "
-                    "ramp DX DY DZ DURATION is allowed",
-                    fmt::join(words, " ")));
-}
-
-std::vector<double> numbers_in(const std::vector<std::string>& words) {
-    std::vector<double> numbers;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        std::size_t read = 0;
-        try {
-            numbers.push_back(std::stod(words[i], &read));
-        } catch (const std::exception&) {
-            refuse(words);
-        }
-        if (read != words[i].size()) refuse(words);
-    }
-    return numbers;
+void check(const DisplacementRamp& r) {
+    if (!(r.duration_s > 0))
+        throw std::invalid_argument("a ramp needs a duration above zero");
 }
 
 [[noreturn]] void refuse_face(const Body& body, const std::string& face,
@@ -80,9 +73,11 @@ const std::vector<int>& nodes_of(const Body& body, const std::string& face) {
     refuse_face(body, face, "is none of its mesh");
 }
 
-// Nodes of faces that hold the body where it is, and those on rollers across the way.
+// Nodes of faces that hold the body where it is, and those on rollers across the
+// direction.
 std::set<int> held_otherwise(const Body& body, const std::set<std::string>& moved,
-                             const Vec3& way) {
+                             const MotionCourse& course) {
+    const Vec3 direction = std::visit([](const auto& c) { return way(c); }, course);
     std::set<int> held;
     for (const std::string& face : body.clamps) {
         if (moved.contains(face)) continue;
@@ -90,7 +85,7 @@ std::set<int> held_otherwise(const Body& body, const std::set<std::string>& move
         held.insert(nodes.begin(), nodes.end());
     }
     for (const Roller& roller : body.rollers) {
-        if (way[static_cast<std::size_t>(roller.axis)] == 0) continue;
+        if (direction[static_cast<std::size_t>(roller.axis)] == 0) continue;
         for (const std::string& face : roller.faces) {
             const auto& nodes = nodes_of(body, face);
             held.insert(nodes.begin(), nodes.end());
@@ -118,8 +113,7 @@ void check_motions(const std::vector<Body>& bodies,
     std::vector<std::set<int>> moved(bodies.size());
     for (const PrescribedMotion& motion : motions) {
         const Body& body = bodies[motion.body];
-        const auto held =
-            held_otherwise(body, faces[motion.body], direction(motion.course));
+        const auto held = held_otherwise(body, faces[motion.body], motion.course);
         for (const int node : moved_nodes(body, motion)) {
             if (moved[motion.body].insert(node).second && !held.contains(node)) continue;
             refuse_face(body, fmt::format("{}", fmt::join(motion.faces, ", ")),
@@ -137,23 +131,15 @@ Vec3 velocity_m_s(const MotionCourse& course, double time_s) {
     return std::visit([&](const auto& c) { return velocity(c, time_s); }, course);
 }
 
-Vec3 direction(const MotionCourse& course) {
-    const auto* oscillation = std::get_if<Oscillation>(&course);
-    return oscillation ? oscillation->amplitude_m
-                       : std::get<DisplacementRamp>(course).displacement_m;
-}
-
 std::string motion_words(const MotionCourse& course) {
-    return std::visit([](const auto& c) { return words_of(c); }, course);
+    return law_words(course);
 }
 
 MotionCourse motion_from(const std::vector<std::string>& words) {
-    const std::vector<double> n = numbers_in(words);
-    if (words.size() == 6 && words[0] == "oscillation" && n[3] > 0)
-        return Oscillation{{n[0], n[1], n[2]}, n[3], n[4]};
-    if (words.size() == 5 && words[0] == "ramp" && n[3] > 0)
-        return DisplacementRamp{{n[0], n[1], n[2]}, n[3]};
-    refuse(words);
+    MotionCourse course;
+    read_law(course, words);
+    std::visit([](const auto& c) { check(c); }, course);
+    return course;
 }
 
 }  // namespace magfsi::structure

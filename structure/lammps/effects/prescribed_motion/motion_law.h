@@ -19,7 +19,6 @@ void check_motions(const std::vector<Body>& bodies,
 
 Vec3 displacement_m(const MotionCourse& course, double time_s);
 Vec3 velocity_m_s(const MotionCourse& course, double time_s);
-Vec3 direction(const MotionCourse& course);  // of any length
 
 // As words of fix magttice/motion, and back: "oscillation AX AY AZ FREQUENCY PHASE",
 // "ramp DX DY DZ DURATION". Throws std::invalid_argument on other words.

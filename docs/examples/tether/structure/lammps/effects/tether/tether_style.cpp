@@ -1,7 +1,0 @@
-#include "structure/lammps/register_styles.h"
-
-namespace magfsi::structure {
-
-void register_tether(LAMMPS_NS::LAMMPS&) {}  // LAMMPS has it
-
-}  // namespace magfsi::structure

@@ -1,0 +1,32 @@
+// Clamped nodes are left out of the integration: they cannot move, and the force on them
+// stays readable as the reaction. Nodes held along all axes are clamped, wherever that
+// comes from.
+#include <fmt/format.h>
+
+#include "structure/lammps/effect.h"
+#include "structure/lammps/names.h"
+
+namespace magfsi::structure {
+
+namespace {
+
+std::vector<int> clamped_ids(const LammpsInput& input) {
+    return ids_where(input, [](const HeldAxes& held) {
+        return held == HeldAxes{true, true, true};
+    });
+}
+
+void add_clamps(Lines& lines, const LammpsInput& input) {
+    lines.push_back(fmt::format("group clamped id {}", id_ranges(clamped_ids(input))));
+    lines.push_back("group moving subtract all clamped");
+}
+
+}  // namespace
+
+extern const Effect clamps_effect{
+    .name = "clamps",
+    .asked = [](const LammpsInput& input) { return !clamped_ids(input).empty(); },
+    .commands = add_clamps,
+    .integrated_group = "moving"};
+
+}  // namespace magfsi::structure

@@ -1,0 +1,77 @@
+// A field that varies linearly in space (structure/magnetics/field_gradient.h), within
+// fix magttice.
+#include "atom.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "structure/lammps/effect.h"
+#include "structure/magnetics/field_gradient.h"
+
+namespace magfsi::structure {
+namespace {
+
+// Nine entries of the matrix row by row, then the origin.
+constexpr int values = 12;
+
+FieldGradient gradient_from(char** words, LAMMPS_NS::LAMMPS* lammps) {
+    Eigen::Matrix3d matrix;
+    Vec3 origin{};
+    for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = number(words[i], lammps);
+    for (std::size_t d = 0; d < 3; ++d) origin[d] = number(words[9 + d], lammps);
+    return {matrix, origin};
+}
+
+class GradientForce : public BodyForce {
+  public:
+    GradientForce(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char** words)
+        : BodyForce(lammps),
+          gradient_(gradient_from(words, lammps)),
+          of_body_(gradient_elements(body.nodes_m, body.lattice.elements,
+                                     body.magnetization_a_m)) {}
+
+    void rebuild(const OwnedElements& owned) override {
+        nodes_ = owned.atom;
+        elements_.clear();
+        for (int e : owned.element) {
+            elements_.push_back(of_body_[static_cast<std::size_t>(e)]);
+        }
+    }
+    void add() override {
+        energy_j_ = elements_.empty() ? 0
+                                      : add_gradient_forces(elements_, nodes_, gradient_,
+                                                            atom->x[0], atom->f[0]);
+    }
+    // Constant in time: its work is what its energy has lost.
+    Turnover advance() override {
+        const double before = energy_j_;
+        add();
+        return {.work_j = before - energy_j_};
+    }
+    double energy_j() const override { return energy_j_; }
+
+  private:
+    FieldGradient gradient_;
+    std::vector<GradientElement> of_body_;
+    std::vector<GradientElement> elements_;  // of this rank, and their nodes
+    std::vector<std::array<int, 8>> nodes_;
+    double energy_j_ = 0;
+};
+
+std::string gradient_words(const LammpsInput& input, const Body& body) {
+    if (body.magnetization_a_m.empty()) return "";
+    std::string out = " gradient";
+    for (const Vec3& row : input.gradient->matrix_t_m)
+        out += fmt::format(" {:.17g}", fmt::join(row, " "));
+    return out + fmt::format(" {:.17g}", fmt::join(input.gradient->origin_m, " "));
+}
+
+}  // namespace
+
+extern const Effect field_gradient_effect{
+    .name = "field_gradient",
+    .asked = [](const LammpsInput& input) { return input.gradient.has_value(); },
+    .body_words = gradient_words,
+    .force = {"gradient", values, make_force<GradientForce>}};
+
+}  // namespace magfsi::structure

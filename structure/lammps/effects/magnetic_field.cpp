@@ -1,0 +1,182 @@
+// The uniform field over time: fix ID group magttice/field PLANE COURSE ... gives it as a
+// global vector [T], and `field Bx By Bz` of fix magttice makes its forces q_a B on the
+// nodes (structure/magnetics/nodal_charge.h).
+#include "atom.h"
+#include "error.h"
+#include "input.h"
+#include "update.h"
+#include "variable.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "structure/lammps/effect.h"
+#include "structure/lammps/field_program.h"
+#include "structure/magnetics/nodal_charge.h"
+
+namespace magfsi::structure {
+namespace {
+
+// LAMMPS reads a variable's formula anew in every evaluation: a table written as one
+// costs more than the forces of a small body.
+class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
+  public:
+    FixMagtticeFieldSource(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
+        : Fix(lammps, narg, arg) {
+        try {
+            program_ = parse_field_arguments({arg + 3, arg + narg});
+        } catch (const std::exception& cause) {
+            fail(*error, fmt::format("fix {} magttice/field: {}", id, cause.what()));
+        }
+        vector_flag = 1;
+        size_vector = 3;
+        extvector = 0;
+        global_freq = 1;
+    }
+    int setmask() override { return 0; }
+    // The time is that of the step number, not a sum of steps: it stays right over
+    // restarts.
+    double compute_vector(int i) override {
+        const double time_s = static_cast<double>(update->ntimestep) * update->dt;
+        return field_at(program_, time_s)[static_cast<std::size_t>(i)];
+    }
+
+  private:
+    FieldProgram program_;
+};
+
+class UniformField : public BodyForce {
+  public:
+    // components: Bx By Bz, each a number [T] or v_NAME, a variable of LAMMPS.
+    UniformField(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char** components)
+        : BodyForce(lammps),
+          who_(body.who),
+          range_(body.range),
+          charge_a_m_(nodal_charges(body.nodes_m, body.lattice.elements,
+                                    body.magnetization_a_m)) {
+        for (int d = 0; d < 3; ++d) {
+            const std::string word = components[d];
+            if (word.starts_with("v_")) {
+                field_[d].name = word.substr(2);
+            } else {
+                field_[d].value_t = number(components[d], lmp);
+            }
+        }
+    }
+
+    void init() override {
+        for (Component& component : field_) {
+            if (component.name.empty()) continue;
+            component.variable = input->variable->find(component.name.c_str());
+            if (component.variable < 0 ||
+                input->variable->equalstyle(component.variable) == 0) {
+                fail(*error, fmt::format("{}: the field names variable {}, an "
+                                         "equal-style variable is needed",
+                                         who_, component.name));
+            }
+        }
+    }
+    void rebuild(const OwnedElements&) override {
+        charged_.clear();
+        for (int i = 0; i < atom->nlocal; ++i) {
+            const int node = range_.node(atom->tag[i]);
+            if (node < 0 || charge_a_m_[static_cast<std::size_t>(node)] == 0) continue;
+            charged_.push_back({i, charge_a_m_[static_cast<std::size_t>(node)]});
+        }
+    }
+    void add() override {
+        evaluate();
+        add_forces();
+    }
+    // At this point of a step v holds the velocity of the half step, (x(n+1) - x(n)) /
+    // dt, so that the mean of the field at both ends gives the work of the step.
+    Turnover advance() override {
+        std::array<double, 3> before{};
+        for (int d = 0; d < 3; ++d) before[d] = field_[d].value_t;
+        evaluate();
+        const std::array<double, 3> flow = charge_flow();
+        Turnover step;
+        for (int d = 0; d < 3; ++d) {
+            step.work_j += 0.5 * update->dt * (before[d] + field_[d].value_t) * flow[d];
+        }
+        add_forces();
+        return step;
+    }
+    double energy_j() const override {
+        double energy_j = 0;
+        const double* const* const x = atom->x;
+        for (const ChargedNode& node : charged_) {
+            for (int d = 0; d < 3; ++d)
+                energy_j -= node.charge_a_m * field_[d].value_t * x[node.atom][d];
+        }
+        return energy_j;
+    }
+
+  private:
+    struct Component {
+        std::string name;  // of the variable; empty: constant
+        int variable = -1;
+        double value_t = 0;
+    };
+    struct ChargedNode {
+        int atom = 0;  // local index
+        double charge_a_m = 0;
+    };
+
+    void evaluate() {
+        modify->clearstep_compute();
+        for (Component& component : field_) {
+            if (component.variable < 0) continue;
+            component.value_t = input->variable->compute_equal(component.variable);
+        }
+        modify->addstep_compute(update->ntimestep + 1);
+    }
+    void add_forces() {
+        double* const* const f = atom->f;
+        for (const ChargedNode& node : charged_) {
+            for (int d = 0; d < 3; ++d)
+                f[node.atom][d] += node.charge_a_m * field_[d].value_t;
+        }
+    }
+    // Sum of q v of this rank [A m2/s].
+    std::array<double, 3> charge_flow() const {
+        std::array<double, 3> sum{};
+        const double* const* const v = atom->v;
+        for (const ChargedNode& node : charged_) {
+            for (int d = 0; d < 3; ++d) sum[d] += node.charge_a_m * v[node.atom][d];
+        }
+        return sum;
+    }
+
+    std::string who_;
+    NodeRange range_;
+    std::vector<double> charge_a_m_;    // by node of the body
+    std::vector<ChargedNode> charged_;  // owned by this rank, charge not zero
+    std::array<Component, 3> field_;
+};
+
+// Variables, so that a script can put its own course in their place.
+void add_field(Lines& lines, const LammpsInput& input) {
+    lines.push_back("fix field all magttice/field " + field_arguments(*input.field));
+    for (int d = 0; d < 3; ++d) {
+        lines.push_back(fmt::format("variable B{} equal f_field[{}]", "xyz"[d], d + 1));
+    }
+}
+
+}  // namespace
+
+extern const Effect magnetic_field_effect{
+    .name = "magnetic_field",
+    .asked = [](const LammpsInput& input) { return input.field.has_value(); },
+    .before_bodies = add_field,
+    .body_words = [](const LammpsInput&, const Body& body) -> std::string {
+        return body.magnetization_a_m.empty() ? "" : " field v_Bx v_By v_Bz";
+    },
+    .force = {"field", 3, make_force<UniformField>},
+    .register_styles =
+        [](LAMMPS_NS::LAMMPS& lammps) {
+            add_fix_style<FixMagtticeFieldSource>(lammps, "magttice/field");
+        }};
+
+}  // namespace magfsi::structure

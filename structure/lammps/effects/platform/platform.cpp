@@ -1,0 +1,337 @@
+// fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU] [damping C]:
+// a plane that pushes the surface of the bodies back. See docs/fix_magttice.md.
+#include "atom.h"
+#include "error.h"
+#include "update.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "structure/lammps/effect.h"
+#include "structure/lammps/effects/platform/platform_law.h"
+
+namespace magfsi::structure {
+namespace {
+
+// ID group style, then point, normal and stiffness.
+constexpr int first_keyword = 10;
+
+class FixMagtticePlatform : public LAMMPS_NS::Fix {
+  public:
+    FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
+    ~FixMagtticePlatform() override;
+
+    int setmask() override;
+    void init() override;
+    void setup_post_neighbor() override { rebuild(); }
+    void post_neighbor() override { rebuild(); }
+    void min_post_neighbor() override { rebuild(); }
+    void setup(int) override { (this->*add_forces_)(0); }
+    void min_setup(int) override { (this->*add_forces_)(0); }
+    void post_force(int vflag) override;
+    void min_post_force(int) override { (this->*add_forces_)(0); }
+
+    double compute_scalar() override;       // energy of the springs
+    double compute_vector(int i) override;  // see the documentation
+    void* extract(const char* name, int& dimension) override;
+
+    // The stick points go with their atoms, over ranks and restarts.
+    void grow_arrays(int count) override;
+    void copy_arrays(int from, int to, int deleted) override;
+    void set_arrays(int atom_index) override;
+    int pack_exchange(int i, double* buffer) override;
+    int unpack_exchange(int i, double* buffer) override;
+    int pack_restart(int i, double* buffer) override;
+    void unpack_restart(int i, int nth) override;
+    int size_restart(int i) override;
+    int maxsize_restart() override;
+    double memory_usage() override;
+
+  private:
+    struct PressedNode {
+        int atom = 0;  // local index
+        double area_m2 = 0;
+    };
+    void parse_plane(char** arg);
+    void parse_keywords(int narg, char** arg);
+    void declare_output();
+    void rebuild();
+    void add_frictionless_forces(double dt_s);
+    void add_forces_with_friction(double dt_s);
+    template <class ContactOf>
+    void add_forces(ContactOf&& contact_of);
+
+    Platform platform_;
+    // The loop of the scene's platform: no node asks whether there is friction.
+    void (FixMagtticePlatform::*add_forces_)(double) = nullptr;
+    std::vector<SurfaceNode> node_;     // by atom ID
+    std::vector<PressedNode> surface_;  // of this rank and the group
+    std::vector<StickPoint> stick_;     // by local atom
+
+    // This rank's share, of the last evaluation.
+    double normal_n_ = 0, energy_j_ = 0, smallest_gap_m_ = 0;
+    Vec3 force_n_{};
+    double slid_j_ = 0;  // since the start
+};
+
+FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg) {
+    if (narg < first_keyword) {
+        fail(*error, fmt::format("fix {} magttice/platform needs a point, a normal and a "
+                                 "stiffness: seven numbers",
+                                 id));
+    }
+    parse_plane(arg);
+    parse_keywords(narg, arg);
+    add_forces_ = &FixMagtticePlatform::add_frictionless_forces;
+    if (platform_.friction > 0)
+        add_forces_ = &FixMagtticePlatform::add_forces_with_friction;
+    declare_output();
+    FixMagtticePlatform::grow_arrays(atom->nmax);
+    atom->add_callback(LAMMPS_NS::Atom::GROW);
+    atom->add_callback(LAMMPS_NS::Atom::RESTART);
+}
+
+FixMagtticePlatform::~FixMagtticePlatform() {
+    atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
+    atom->delete_callback(id, LAMMPS_NS::Atom::RESTART);
+    delete[] extlist;
+}
+
+void FixMagtticePlatform::parse_plane(char** arg) {
+    double length = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+        platform_.point_m[d] = number(arg[3 + d], lmp);
+        platform_.normal[d] = number(arg[6 + d], lmp);
+        length = std::hypot(length, platform_.normal[d]);
+    }
+    platform_.stiffness_pa_m = number(arg[9], lmp);
+    if (!(length > 0) || !(platform_.stiffness_pa_m > 0)) {
+        fail(*error,
+             fmt::format("fix {} magttice/platform: a normal of length {} and the "
+                         "stiffness {} found, both must be positive",
+                         id, length, arg[9]));
+    }
+    for (double& component : platform_.normal) component /= length;
+}
+
+void FixMagtticePlatform::parse_keywords(int narg, char** arg) {
+    for (int i = first_keyword; i < narg; i += 2) {
+        const std::string keyword = arg[i];
+        double* value = keyword == "friction"  ? &platform_.friction
+                        : keyword == "damping" ? &platform_.damping_pa_s_m
+                                               : nullptr;
+        if (value != nullptr && i + 1 < narg) {
+            *value = number(arg[i + 1], lmp);
+        }
+        if (value == nullptr || i + 1 >= narg || !(*value >= 0)) {
+            fail(*error, fmt::format("fix {} magttice/platform: \"{}\" found; "
+                                     "\"friction\" and \"damping\" with one value, not "
+                                     "negative, are allowed",
+                                     id, keyword));
+        }
+    }
+}
+
+void FixMagtticePlatform::declare_output() {
+    scalar_flag = 1;
+    extscalar = 1;
+    vector_flag = 1;
+    size_vector = 8;
+    extvector = -1;
+    extlist = new int[8]{1, 1, 1, 0, 1, 1, 1, 1};
+    global_freq = 1;
+    energy_global_flag = 1;
+    thermo_energy = 1;
+    restart_peratom = 1;
+}
+
+void FixMagtticePlatform::post_force(int) {
+    (this->*add_forces_)(update->dt);
+}
+
+int FixMagtticePlatform::setmask() {
+    using namespace LAMMPS_NS::FixConst;
+    return POST_FORCE | MIN_POST_FORCE | POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+}
+
+void FixMagtticePlatform::init() {
+    node_ = surface_nodes(*modify);
+    if (node_.empty()) {
+        fail(*error,
+             fmt::format("fix {} magttice/platform found no fix magttice, it needs "
+                         "the surface of at least one",
+                         id));
+    }
+}
+
+void FixMagtticePlatform::rebuild() {
+    surface_.clear();
+    for (int i = 0; i < atom->nlocal; ++i) {
+        const auto tag = static_cast<std::size_t>(atom->tag[i]);
+        if ((atom->mask[i] & groupbit) == 0 || tag >= node_.size()) continue;
+        if (node_[tag].area_m2 > 0) surface_.push_back({i, node_[tag].area_m2});
+    }
+}
+
+// Velocities, which only the damping looks at, are those of the half step.
+template <class ContactOf>
+void FixMagtticePlatform::add_forces(ContactOf&& contact_of) {
+    normal_n_ = 0;
+    energy_j_ = 0;
+    smallest_gap_m_ = INFINITY;
+    force_n_ = {};
+    const double* const* const x = atom->x;
+    const double* const* const v = atom->v;
+    double* const* const f = atom->f;
+    for (const PressedNode& node : surface_) {
+        const int i = node.atom;
+        const PlatformContact contact = contact_of(node, x[i], v[i]);
+        smallest_gap_m_ = std::min(smallest_gap_m_, contact.gap_m);
+        if (!(contact.gap_m < 0)) continue;
+        normal_n_ += contact.normal_n;
+        energy_j_ += contact.energy_j;
+        slid_j_ += contact.slid_j;
+        for (std::size_t d = 0; d < 3; ++d) {
+            f[i][d] += contact.force_n[d];
+            force_n_[d] += contact.force_n[d];
+        }
+    }
+}
+
+void FixMagtticePlatform::add_frictionless_forces(double) {
+    add_forces([&](const PressedNode& node, const double* x, const double* v) {
+        return frictionless_contact(platform_, node.area_m2, x, v);
+    });
+}
+
+void FixMagtticePlatform::add_forces_with_friction(double dt_s) {
+    add_forces([&](const PressedNode& node, const double* x, const double* v) {
+        return platform_contact(platform_, node.area_m2, x, v, dt_s,
+                                stick_[static_cast<std::size_t>(node.atom)]);
+    });
+}
+
+// Outputs, and the stick points that the fix keeps with the atoms.
+
+constexpr int stick_values = 4;
+
+int pack(const StickPoint& stick, double* buffer) {
+    for (int d = 0; d < 3; ++d) buffer[d] = stick.at_m[static_cast<std::size_t>(d)];
+    buffer[3] = stick.held ? 1 : 0;
+    return stick_values;
+}
+
+StickPoint unpack(const double* buffer) {
+    return {{buffer[0], buffer[1], buffer[2]}, buffer[3] != 0};
+}
+
+double FixMagtticePlatform::compute_scalar() {
+    double all = 0;
+    MPI_Allreduce(&energy_j_, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    return all;
+}
+
+double FixMagtticePlatform::compute_vector(int i) {
+    if (i == 3) {
+        double smallest = 0;
+        MPI_Allreduce(&smallest_gap_m_, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+        return smallest;
+    }
+    const std::array<double, 6> mine{normal_n_,   energy_j_,   force_n_[0],
+                                     force_n_[1], force_n_[2], slid_j_};
+    std::array<double, 6> all{};
+    MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_SUM, world);
+    if (i == 0) return all[0];
+    if (i == 2) return all[1];
+    if (i > 3) return all[static_cast<std::size_t>(i - 2)];
+    double squared = 0;  // the part of the force that lies in the plane
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double part = all[2 + d] - all[0] * platform_.normal[d];
+        squared += part * part;
+    }
+    return std::sqrt(squared);
+}
+
+void* FixMagtticePlatform::extract(const char* name, int& dimension) {
+    dimension = 0;
+    return std::strcmp(name, "lost_share") == 0 ? &slid_j_ : nullptr;
+}
+
+void FixMagtticePlatform::grow_arrays(int count) {
+    stick_.resize(static_cast<std::size_t>(count));
+}
+
+void FixMagtticePlatform::copy_arrays(int from, int to, int) {
+    stick_[static_cast<std::size_t>(to)] = stick_[static_cast<std::size_t>(from)];
+}
+
+void FixMagtticePlatform::set_arrays(int atom_index) {
+    stick_[static_cast<std::size_t>(atom_index)] = {};
+}
+
+int FixMagtticePlatform::pack_exchange(int i, double* buffer) {
+    return pack(stick_[static_cast<std::size_t>(i)], buffer);
+}
+
+int FixMagtticePlatform::unpack_exchange(int i, double* buffer) {
+    stick_[static_cast<std::size_t>(i)] = unpack(buffer);
+    return stick_values;
+}
+
+// LAMMPS expects the number of values in the first one.
+int FixMagtticePlatform::pack_restart(int i, double* buffer) {
+    buffer[0] = stick_values + 1;
+    return 1 + pack(stick_[static_cast<std::size_t>(i)], buffer + 1);
+}
+
+void FixMagtticePlatform::unpack_restart(int i, int nth) {
+    const double* values = atom->extra[i];
+    for (int skipped = 0; skipped < nth; ++skipped) values += static_cast<int>(*values);
+    stick_[static_cast<std::size_t>(i)] = unpack(values + 1);
+}
+
+int FixMagtticePlatform::size_restart(int) {
+    return stick_values + 1;
+}
+
+int FixMagtticePlatform::maxsize_restart() {
+    return stick_values + 1;
+}
+
+double FixMagtticePlatform::memory_usage() {
+    return static_cast<double>(stick_.size() * sizeof(StickPoint) +
+                               surface_.size() * sizeof(PressedNode));
+}
+
+void add_platform(Lines& lines, const LammpsInput& input) {
+    const Platform platform = platform_of(input);
+    std::string line =
+        fmt::format("fix platform all magttice/platform {:.17g} {:.17g} {:.17g}",
+                    fmt::join(platform.point_m, " "), fmt::join(platform.normal, " "),
+                    platform.stiffness_pa_m);
+    if (platform.friction > 0)
+        line += fmt::format(" friction {:.17g}", platform.friction);
+    if (platform.damping_pa_s_m > 0)
+        line += fmt::format(" damping {:.17g}", platform.damping_pa_s_m);
+    lines.push_back(line);
+}
+
+}  // namespace
+
+extern const Effect platform_effect{
+    .name = "platform",
+    .asked = [](const LammpsInput& input) { return input.platform.has_value(); },
+    .commands = add_platform,
+    .surface_spring_pa_m = [](const LammpsInput& input,
+                              const Body&) { return platform_of(input).stiffness_pa_m; },
+    .register_styles =
+        [](LAMMPS_NS::LAMMPS& lammps) {
+            add_fix_style<FixMagtticePlatform>(lammps, "magttice/platform");
+        }};
+
+}  // namespace magfsi::structure

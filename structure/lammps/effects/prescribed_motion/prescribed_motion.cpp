@@ -1,0 +1,120 @@
+// fix ID group magttice/motion COURSE: moves the atoms of its group, which no other fix
+// may integrate, along a course (motion_law.h) from where they are at step 0.
+//
+// It keeps nothing: each step adds what the course gains in it, so that atoms may migrate
+// and runs may go on from positions alone. (LAMMPS's fix move keeps every atom's start,
+// refuses reset_timestep, and has no phase and no ramp.)
+#include "atom.h"
+#include "error.h"
+#include "update.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "structure/lammps/effect.h"
+#include "structure/lammps/effects/prescribed_motion/motion_law.h"
+#include "structure/lammps/names.h"
+
+namespace magfsi::structure {
+namespace {
+
+class FixMagtticeMotion : public LAMMPS_NS::Fix {
+  public:
+    FixMagtticeMotion(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
+    int setmask() override;
+    void init() override;
+    void initial_integrate(int) override;
+    void final_integrate() override;
+
+  private:
+    double time_s(int steps_ago) const;
+    void set_velocity(const Vec3& velocity_m_s);
+
+    MotionCourse course_;
+};
+
+FixMagtticeMotion::FixMagtticeMotion(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg) {
+    try {
+        course_ = motion_from({arg + 3, arg + narg});
+    } catch (const std::invalid_argument& fault) {
+        fail(*error, fmt::format("fix {} magttice/motion: {}", id, fault.what()));
+    }
+    dynamic_group_allow = 1;
+}
+
+int FixMagtticeMotion::setmask() {
+    return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE;
+}
+
+// From the number of the step, so that it stays right over restarts.
+double FixMagtticeMotion::time_s(int steps_ago) const {
+    return static_cast<double>(update->ntimestep - steps_ago) * update->dt;
+}
+
+// Before the first forces are evaluated, and before ghosts get their velocities.
+void FixMagtticeMotion::init() {
+    set_velocity(velocity_m_s(course_, time_s(0)));
+}
+
+// Between the two, forces see the mean velocity of the step, as velocity Verlet's half
+// step has it for all other atoms.
+void FixMagtticeMotion::initial_integrate(int) {
+    const Vec3 from = displacement_m(course_, time_s(1));
+    const Vec3 to = displacement_m(course_, time_s(0));
+    Vec3 gain{}, mean{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        gain[d] = to[d] - from[d];
+        mean[d] = gain[d] / update->dt;
+    }
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if ((atom->mask[i] & groupbit) == 0) continue;
+        for (std::size_t d = 0; d < 3; ++d) atom->x[i][d] += gain[d];
+    }
+    set_velocity(mean);
+}
+
+void FixMagtticeMotion::final_integrate() {
+    set_velocity(velocity_m_s(course_, time_s(0)));
+}
+
+void FixMagtticeMotion::set_velocity(const Vec3& velocity_m_s) {
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if ((atom->mask[i] & groupbit) != 0)
+            std::copy_n(velocity_m_s.data(), 3, atom->v[i]);
+    }
+}
+
+std::vector<int> moved_ids(const LammpsInput& input, const PrescribedMotion& motion) {
+    std::vector<int> ids = moved_nodes(input.bodies[motion.body], motion);
+    const int first = first_id(input, motion.body);
+    for (int& id : ids) id += first;
+    return ids;
+}
+
+// After the drag, which would slow them.
+void add_motions(Lines& lines, const LammpsInput& input) {
+    for (std::size_t m = 0; m < input.motions.size(); ++m) {
+        const std::string group = moved_group(m);
+        lines.push_back(fmt::format("group {} id {}", group,
+                                    id_ranges(moved_ids(input, input.motions[m]))));
+        lines.push_back(fmt::format("fix {0} {0} magttice/motion {1}", group,
+                                    motion_words(input.motions[m].course)));
+    }
+}
+
+}  // namespace
+
+extern const Effect prescribed_motion_effect{
+    .name = "prescribed_motion",
+    .asked = [](const LammpsInput& input) { return !input.motions.empty(); },
+    .check = [](const LammpsInput& input) { check_motions(input.bodies, input.motions); },
+    .after_integration = add_motions,
+    .register_styles =
+        [](LAMMPS_NS::LAMMPS& lammps) {
+            add_fix_style<FixMagtticeMotion>(lammps, "magttice/motion");
+        }};
+
+}  // namespace magfsi::structure

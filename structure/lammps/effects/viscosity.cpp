@@ -1,0 +1,66 @@
+// Kelvin-Voigt damping (structure/lattice/viscosity.h), within fix magttice.
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "update.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "structure/lammps/effect.h"
+#include "structure/lattice/viscosity.h"
+#include "structure/materials.h"
+
+namespace magfsi::structure {
+namespace {
+
+class ViscousForce : public BodyForce {
+  public:
+    ViscousForce(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char**)
+        : BodyForce(lammps), who_(body.who), lattice_(body.lattice) {
+        kernel_.assign(lattice_);  // refuses a negative viscosity before the run
+    }
+
+    void init() override {
+        if (comm->ghost_velocity == 0)
+            fail(*error, who_ + " viscosity needs the command: comm_modify vel yes");
+    }
+    void rebuild(const OwnedElements& owned) override {
+        kernel_.assign(lattice_, owned.element, owned.atom);
+    }
+    void add() override { add_forces(); }
+    // With the velocities of the half step, as explicit damping has to.
+    Turnover advance() override { return {.lost_j = update->dt * add_forces()}; }
+    void minimize() override {}
+
+  private:
+    double add_forces() {  // returns the power lost [W]
+        if (kernel_.empty()) return 0;
+        return kernel_.add_forces(atom->x[0], atom->v[0], atom->f[0]);
+    }
+
+    std::string who_;
+    const Lattice& lattice_;
+    ViscousKernel kernel_;
+};
+
+// Those of other materials are among their `material` words.
+std::string viscosity_words(const LammpsInput&, const Body& body) {
+    const double viscosity = body.material.viscosity_pa_s;
+    return viscosity == 0 ? "" : fmt::format(" viscosity {:.17g}", viscosity);
+}
+
+}  // namespace
+
+extern const Effect viscosity_effect{
+    .name = "viscosity",
+    .asked =
+        [](const LammpsInput& input) {
+            return std::ranges::any_of(input.bodies, is_viscous);
+        },
+    .body_words = viscosity_words,
+    // fix magttice itself reads the value, which belongs to its first material.
+    .force = {"viscosity", 0, make_force<ViscousForce>}};
+
+}  // namespace magfsi::structure
