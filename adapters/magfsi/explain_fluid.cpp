@@ -8,8 +8,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/magfsi/explain_parts.h"
 #include "adapters/scene/effective.h"
-#include "fluid_lbm/collision/choice.h"
-#include "fluid_lbm/units.h"
+#include "fluid_lbm/config.h"
 #include "structure/lammps/placement.h"
 
 namespace magfsi::launch {
