@@ -3,37 +3,17 @@
 
 #include <mpi.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "fluid_lbm/options.h"
+#include "fluid_lbm/config.h"
 
 namespace magfsi::fluid {
-
-struct FluidConfig : Options {
-    std::array<int, 3> cells{};
-    double spacing_m = 0;
-    double time_step_s = 0;
-    ObstacleWall obstacle_wall = ObstacleWall::interpolated;
-    // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
-    std::function<Vec3(const Vec3&)> initial_velocity;
-    std::function<double(const Vec3&)> initial_pressure;
-};
-
-// The collision that a run of this configuration uses, and why: one line for a log.
-std::string collision_reason(const FluidConfig& config);
-
-// Half-open box of cells in global indices.
-struct CellBox {
-    std::array<int, 3> lo{}, hi{};
-};
 
 // Cells x_begin <= x < x_end of one row, global indices, inside the owned box.
 struct CellRow {
@@ -41,7 +21,7 @@ struct CellRow {
     int size() const { return x_end - x_begin; }
 };
 
-constexpr int populations_a_cell = 19;
+constexpr int populations_per_cell = 19;
 
 struct Totals {  // over all ranks, without the insides of obstacles
     double mass_kg = 0;
@@ -83,18 +63,14 @@ class Fluid {
     Fluid& operator=(const Fluid&) = delete;
 
     const FluidConfig& config() const;
-    double relaxation_time() const;
-    Collision collision() const;  // the one chosen
-    std::string kernel() const;   // "avx512", "avx2" or "sse2"
     CellBox owned() const;
     const std::vector<CellBox>& owned_by_rank() const;
-    std::size_t memory_bytes() const;  // this rank
 
     // Cells inside obstacles, of all ranks. Collective.
     std::vector<CellRow> solid_rows() const;
 
-    // Velocity before this step's force acts (sum of c f over rho), [m/s], three values a
-    // cell, rows one after the other.
+    // Velocity before this step's force acts (sum of c f over rho), [m/s], three values
+    // per cell, rows one after the other.
     void velocity(std::span<const CellRow> rows, std::span<double> out) const;
 
     // Force density [N/m3] of the next step only, three values a cell (Guo's scheme).
@@ -108,8 +84,7 @@ class Fluid {
     void keep();
     void go_back();
     // Seconds that this rank has waited for its neighbours in steps so far.
-    double waited_for_neighbors_s() const;
-    std::int64_t steps_done() const;
+    double waited_for_neighbours_s() const;
 
     // The whole state between steps: its step and, for every cell, the 19 populations
     // that have arrived there, as deviations from rest; the same numbers however the box
@@ -131,12 +106,10 @@ class Fluid {
     // configuration; zero before the first. By gauge pressure: an obstacle that touches a
     // wall feels none of the rest pressure. Collective.
     std::vector<Vec3> obstacle_forces() const;
-    // This rank's present state, whatever it is; costs a sweep.
-    std::optional<Divergence> divergence() const;
-    // The first cell of this rank that a step found diverged: every step looks at every
+    // The first cell of this rank that a step found diverged: every step checks every
     // cell in passing, before its collision (with the step's force), so that a state that
-    // went wrong is named by the very next step at the latest and never spreads values
-    // that are not finite. Costs nothing to ask.
+    // went wrong is named by the next step at the latest and never spreads values that
+    // are not finite.
     std::optional<Divergence> diverged() const;
     // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest; in
     // obstacles 0 and the density at rest.
@@ -144,8 +117,9 @@ class Fluid {
     // curl u [1/s] of the owned cells, 3 a cell, x fastest. Collective.
     void vorticity(std::span<float> out) const;
 
+    struct State;  // state.h: for the files that implement this class
+
   private:
-    struct State;
     std::unique_ptr<State> state_;
 };
 

@@ -1,9 +1,6 @@
 // SI to lattice units and back: length in cells, time in steps, density 1 at rest.
 #pragma once
 
-#include "fluid_lbm/collision/watch.h"
-#include "fluid_lbm/fluid.h"
-
 namespace magfsi::fluid {
 
 struct Units {
@@ -25,12 +22,10 @@ struct Units {
     }
 };
 
-Units units(const FluidConfig& config);
-
 // tau = 3 nu dt / dx^2 + 1/2.
-double relaxation_time(const FluidConfig& config);
-
-// Throws std::invalid_argument with a sentence on the first value that cannot run.
-void check(const FluidConfig& config);
+constexpr double relaxation_time(double viscosity_m2_s, double time_step_s,
+                                 double spacing_m) {
+    return 3 * viscosity_m2_s * time_step_s / (spacing_m * spacing_m) + 0.5;
+}
 
 }  // namespace magfsi::fluid

@@ -9,8 +9,7 @@
 #include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
-#include "fluid_lbm/collision/choice.h"
-#include "fluid_lbm/units.h"
+#include "fluid_lbm/config.h"
 #include "structure/lammps/placement.h"
 
 namespace magfsi::lbm {

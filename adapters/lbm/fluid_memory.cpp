@@ -6,9 +6,8 @@
 #include "adapters/scene/effective.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
-#include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/parallel/decomposition.h"
-#include "fluid_lbm/solver.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
 
 namespace magfsi::lbm {
 
@@ -55,12 +54,7 @@ bool has_enstrophy(const scene::Scene& scene) {
 bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
     const bool implicit =
         scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit;
-    const bool plain = std::ranges::all_of(config.boundaries, [](const auto& side) {
-        return side.kind == fluid::BoundaryKind::periodic ||
-               (side.kind == fluid::BoundaryKind::no_slip &&
-                side.wall_velocity_m_s == fluid::Vec3{});
-    });
-    return implicit && (!plain || !config.obstacles.empty() || config.body_force_n_m3);
+    return implicit && !fluid::sweep_is_all(config);
 }
 
 // In both sets of touched rows a stencil, a place and a share; three vectors as they come
@@ -106,14 +100,8 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     const auto config = to_config(*scene.fluid, *scene::coupled_step_s(scene));
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
-    std::array<bool, 3> periodic{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        periodic[axis] =
-            config.boundaries[2 * axis].kind == fluid::BoundaryKind::periodic;
-    const auto storage = config.precision == fluid::Precision::double_
-                             ? fluid::Storage::double_
-                             : fluid::Storage::float_;
-    const auto parts = fluid::decompose(n, periodic, ranks);
+    const auto storage = fluid::storage_of(config.precision);
+    const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
     FluidMemory memory;
     double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
     for (int rank = 0; rank < ranks; ++rank) {

@@ -5,6 +5,7 @@
 #include "adapters/lbm/fluid_probes.h"
 #include "adapters/lbm/fluid_state.h"
 #include "coupler/participants/errors.h"
+#include "isa/instruction_set.h"
 
 namespace magfsi::lbm {
 
@@ -12,10 +13,7 @@ LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(flu
     const fluid::FluidConfig& config = fluid.config();
     grid_.spacing_m = config.spacing_m;
     grid_.cells = config.cells;
-    for (std::size_t d = 0; d < 3; ++d) {
-        grid_.periodic[d] =
-            config.boundaries[2 * d].kind == fluid::BoundaryKind::periodic;
-    }
+    grid_.periodic = fluid::periodic_axes(config);
     for (const fluid::CellBox& box : fluid.owned_by_rank()) {
         grid_.owned_by_rank.push_back({box.lo, box.hi});
     }
@@ -58,7 +56,8 @@ std::string LbmFluid::headline() const {
         "{} x {} x {} cells of {:.4g} mm, step {:.4g} us, relaxation time {:.5g}, {} "
         "collision, {} kernels",
         c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
-        fluid_.relaxation_time(), name_of(fluid_.collision()), fluid_.kernel());
+        fluid::relaxation_time(c), name_of(fluid::choose_collision(c)),
+        name(choose_instruction_set()));
 }
 
 std::vector<double> LbmFluid::probe_values(const scene::Scene& scene) {
@@ -88,18 +87,19 @@ void LbmFluid::check_divergence() {
 }
 
 output::FluidSummary LbmFluid::summary() const {
-    const auto& n = fluid_.config().cells;
+    const fluid::FluidConfig& config = fluid_.config();
+    const auto& n = config.cells;
     output::FluidSummary summary;
     summary.cells = static_cast<std::int64_t>(n[0]) * n[1] * n[2];
-    summary.relaxation_time = fluid_.relaxation_time();
-    summary.spacing_m = fluid_.config().spacing_m;
-    summary.collision = name_of(fluid_.collision());
-    summary.kernel = fluid_.kernel();
+    summary.relaxation_time = fluid::relaxation_time(config);
+    summary.spacing_m = config.spacing_m;
+    summary.collision = name_of(fluid::choose_collision(config));
+    summary.kernel = name(choose_instruction_set());
     return summary;
 }
 
 double LbmFluid::waited_for_neighbors_s() const {
-    return fluid_.waited_for_neighbors_s();
+    return fluid_.waited_for_neighbours_s();
 }
 
 void LbmFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) {

@@ -9,7 +9,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/probe_columns.h"
-#include "fluid_lbm/collision/choice.h"
+#include "fluid_lbm/config.h"
 
 namespace magfsi::launch {
 

@@ -1,71 +1,55 @@
 #include "fluid_lbm/boundary/boundaries.h"
 
 #include <algorithm>
-#include <string_view>
+#include <string>
 
-#include "fluid_lbm/boundary/refuse.h"
+#include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
 
 #define MAGFSI_EFFECT(name) \
-    std::unique_ptr<SideEffect> make_##name##_effect(const SideContext&);
+    std::unique_ptr<SideEffect> make_##name##_effect(const SideContext&, int side);
 #include "fluid_lbm/effects.inc"
 #undef MAGFSI_EFFECT
 
 namespace {
 
 struct Registered {
-    std::string_view name;
+    std::string name;
     MakeSideEffect make;
 };
 
-#define MAGFSI_EFFECT(name) {#name, make_##name##_effect},
-constexpr Registered registered[] = {
-#include "fluid_lbm/effects.inc"
-    {"", nullptr}};
-#undef MAGFSI_EFFECT
-
-void check(int side, bool asked, std::string_view name) {
-    if (!asked ||
-        std::ranges::find(registered, name, &Registered::name) != std::end(registered))
-        return;
-    refuse(side_name[side], " asks for ", name,
-           ", and this program was built without it");
-}
-
-// Side by side, so that what is refused is the same on all ranks.
-void check_registered(const SideContext& in) {
-    for (int side = 0; side < 6; ++side) {
-        check(side, in.is(side, BoundaryKind::free_slip), "free_slip");
-        check(side,
-              in.is(side, BoundaryKind::no_slip) && in.wall_velocity[side] != Vec3{},
-              "moving_wall");
-        check(side, in.is(side, BoundaryKind::velocity_inlet), "velocity_inlet");
-        check(side, in.is(side, BoundaryKind::pressure_outlet), "pressure_outlet");
-    }
+// The effect that a side asks for; empty if the sweep does all.
+std::string effect_of(const Boundary& side) {
+    if (side.kind == BoundaryKind::periodic) return "";
+    if (side.kind != BoundaryKind::no_slip) return std::string(name_of(side.kind));
+    return side.wall_velocity_m_s == Vec3{} ? "" : "moving_wall";
 }
 
 }  // namespace
 
-Boundaries::Boundaries(const SideContext& in) {
-    check_registered(in);
-    for (const Registered& effect : registered) {
-        if (!effect.make) continue;
-        if (auto made = effect.make(in)) effects_.push_back(std::move(made));
+std::vector<std::unique_ptr<SideEffect>> make_side_effects(const SideContext& context) {
+#define MAGFSI_EFFECT(name) {#name, make_##name##_effect},
+    const std::vector<Registered> registered = {
+#include "fluid_lbm/effects.inc"
+    };
+#undef MAGFSI_EFFECT
+    const auto& sides = context.config.boundaries;
+    for (int side = 0; side < 6; ++side) {
+        const std::string name = effect_of(sides[side]);
+        if (!name.empty() && !std::ranges::count(registered, name, &Registered::name))
+            refuse(side_name[side], " asks for ", name,
+                   ", and this program was built without it");
     }
-}
-
-void Boundaries::before_sweep(const Populations& populations, Arrangement arrangement) {
-    for (const auto& effect : effects_) effect->before_sweep(populations, arrangement);
-}
-
-void Boundaries::enter(const Populations& populations, const RowLayout& layout,
-                       double time) {
-    for (const auto& effect : effects_) effect->enter(populations, layout, time);
-}
-
-void Boundaries::end_step(const Populations& populations, Arrangement arrangement) {
-    for (const auto& effect : effects_) effect->end_step(populations, arrangement);
+    std::vector<std::unique_ptr<SideEffect>> effects;
+    for (const Registered& effect : registered) {
+        for (int side = 0; side < 6; ++side) {
+            if (effect_of(sides[side]) != effect.name) continue;
+            if (auto made = effect.make(context, side))
+                effects.push_back(std::move(made));
+        }
+    }
+    return effects;
 }
 
 }  // namespace magfsi::fluid

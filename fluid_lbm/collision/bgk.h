@@ -14,14 +14,14 @@ struct Bgk {
     // force: read only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
-                                      const Rates<V>& rates, Watch<V>& watch) {
+                                      const Rates<V>& rates, CellCheck<V>& check) {
         const CellState<V> s = cell_state<Forced>(f, force);
-        watch.see(s.ju, s.per_density);
+        check.add(s.ju, s.per_density);
         const V source_factor = 1.0 - 0.5 * rates.even;
         V rest = f[0];
         rest += rates.even * (rest_equilibrium(s) - rest);
         if constexpr (Forced) rest += source_factor * rest_source(s);
-        f.leave(0, rest);
+        f.write(0, rest);
         for_each_pair([&]<int Q>(Pair<Q>) MAGFSI_INLINE_LAMBDA {
             const EvenOdd<V> eq = equilibrium<Q>(s);
             V first = f[Q], second = f[Q + 1];
@@ -32,8 +32,8 @@ struct Bgk {
                 first += source_factor * (source.even + source.odd);
                 second += source_factor * (source.even - source.odd);
             }
-            f.leave(Q, first);
-            f.leave(Q + 1, second);
+            f.write(Q, first);
+            f.write(Q + 1, second);
         });
     }
 };

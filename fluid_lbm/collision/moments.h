@@ -1,10 +1,26 @@
-// Moments of the populations of a cell. One pair of opposites after the other, each
-// population read once: the dozen running sums stay in registers.
+// Moments of the populations of a cell, the non-equilibrium stress, and the body force.
 #pragma once
 
-#include "fluid_lbm/collision/simd.h"
+#include "fluid_lbm/lattice/d3q19.h"
+#include "isa/simd.h"
 
 namespace magfsi::fluid {
+
+// c_q . a for the first direction of a pair, without multiplications.
+template <int Q, class V>
+MAGFSI_INLINE V along(const V (&a)[3]) {
+    static_assert(Q % 2 == 1, "the first direction of a pair");
+    constexpr const int(&c)[3] = d3q19::c[Q];
+    constexpr int first = c[0] != 0 ? 0 : c[1] != 0 ? 1 : 2;
+    constexpr int second = c[0] != 0 && c[1] != 0 ? 1 : first != 2 && c[2] != 0 ? 2 : -1;
+    if constexpr (second < 0) {
+        return a[first];
+    } else if constexpr (c[second] > 0) {
+        return a[first] + a[second];
+    } else {
+        return a[first] - a[second];
+    }
+}
 
 // Symmetric tensor; off-diagonal entries in the order xy, xz, yz.
 template <class V>
@@ -64,6 +80,79 @@ MAGFSI_INLINE MomentsToSecond<VectorOf<Populations>> moments_to_second(
 template <class Populations>
 MAGFSI_INLINE Moments<VectorOf<Populations>> moments(const Populations& f) {
     return moments_to_second(f).low;
+}
+
+// The non-equilibrium part of the second-order moment.
+
+template <class V>
+MAGFSI_INLINE Symmetric<V> outer(const V (&a)[3], const V (&b)[3]) {
+    return {a[0] * b[0], a[1] * b[1], a[2] * b[2], a[0] * b[1], a[0] * b[2], a[1] * b[2]};
+}
+
+// Half of u F + F u.
+template <class V>
+MAGFSI_INLINE Symmetric<V> half_force_stress(const V (&u)[3], const V (&force)[3]) {
+    return {u[0] * force[0],
+            u[1] * force[1],
+            u[2] * force[2],
+            0.5 * (u[0] * force[1] + u[1] * force[0]),
+            0.5 * (u[0] * force[2] + u[2] * force[0]),
+            0.5 * (u[1] * force[2] + u[2] * force[1])};
+}
+
+template <class V>
+MAGFSI_INLINE Symmetric<V> add(const Symmetric<V>& a, const Symmetric<V>& b) {
+    return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+}
+
+template <class V>
+MAGFSI_INLINE Symmetric<V> scaled(const V& s, const Symmetric<V>& a) {
+    return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
+}
+
+// Sum over all nine entries squared.
+template <class V>
+MAGFSI_INLINE V squared_norm(const Symmetric<V>& a) {
+    return (a.xx * a.xx + a.yy * a.yy + a.zz * a.zz) +
+           2.0 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
+}
+
+// Of the second moment: minus its equilibrium, rho u u + excess / 3.
+template <class V>
+MAGFSI_INLINE Symmetric<V> nonequilibrium(const MomentsToSecond<V>& m,
+                                          const Symmetric<V>& ruu) {
+    const V pressure = m.low.excess * constant<V>(d3q19::cs2);
+    const Symmetric<V>& s = m.second;
+    return {s.xx - pressure - ruu.xx,
+            s.yy - pressure - ruu.yy,
+            s.zz - pressure - ruu.zz,
+            s.xy - ruu.xy,
+            s.xz - ruu.xz,
+            s.yz - ruu.yz};
+}
+
+// Guo's body force (Guo, Zheng, Shi 2002): the velocity of the collision is
+// u = (sum c f + F / 2) / rho and the source, before its factor (1 - omega / 2), is
+//   S_q = w_q [3 (c - u) . F + 9 (c . u)(c . F)],
+// with moments 0, F and u F + F u. Lattice units.
+
+// Of a pair of opposite directions: even part, the same for both, and odd part.
+template <class V>
+struct EvenOdd {
+    V even, odd;
+};
+
+template <class V>
+MAGFSI_INLINE void shift_momentum(Moments<V>& m, const V (&force)[3]) {
+    for (int a = 0; a < 3; ++a) m.j[a] += 0.5 * force[a];
+}
+
+// S of a pair; uf = u . F.
+template <int Q, class V>
+MAGFSI_INLINE EvenOdd<V> guo_source(const V (&u)[3], const V (&force)[3], const V& uf) {
+    constexpr Lane<V> w3 = constant<V>(3 * d3q19::weight(Q));
+    const V cf = along<Q>(force);
+    return {w3 * (3.0 * along<Q>(u) * cf - uf), w3 * cf};
 }
 
 }  // namespace magfsi::fluid

@@ -2,11 +2,8 @@
 // and Guo's source as even and odd parts of each pair of opposite directions.
 #pragma once
 
-#include "fluid_lbm/collision/lane_cells.h"
+#include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/collision/moments.h"
-#include "fluid_lbm/collision/rates.h"
-#include "fluid_lbm/collision/watch.h"
-#include "fluid_lbm/forcing/guo.h"
 
 namespace magfsi::fluid {
 

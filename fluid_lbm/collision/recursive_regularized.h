@@ -9,11 +9,8 @@
 //   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz.
 #pragma once
 
-#include "fluid_lbm/collision/lane_cells.h"
-#include "fluid_lbm/collision/rates.h"
-#include "fluid_lbm/collision/stress.h"
-#include "fluid_lbm/collision/watch.h"
-#include "fluid_lbm/forcing/guo.h"
+#include "fluid_lbm/collision/cells.h"
+#include "fluid_lbm/collision/moments.h"
 #include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
@@ -24,7 +21,7 @@ struct RecursiveRegularized {
     // force: read only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
-                                      const Rates<V>& rates, Watch<V>& watch);
+                                      const Rates<V>& rates, CellCheck<V>& check);
 };
 
 // The third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz;
@@ -50,8 +47,8 @@ template <int Q, class V, class Real>
 MAGFSI_INLINE void rebuild_pair(const LaneCells<V, Real>& f, const V& even,
                                 const V& odd) {
     constexpr Lane<V> w = constant<V>(d3q19::weight(Q));
-    f.leave(Q, w * (even + odd));
-    f.leave(Q + 1, w * (even - odd));
+    f.write(Q, w * (even + odd));
+    f.write(Q + 1, w * (even - odd));
 }
 
 // f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a') + (H - H')
@@ -61,7 +58,7 @@ MAGFSI_INLINE void rebuild(const LaneCells<V, Real>& f, const V& excess, const V
                            const Symmetric<V>& a, const ThirdOrder<V>& t) {
     const V base = excess - 1.5 * (a.xx + a.yy + a.zz);
     const V x = 3.0 * j[0], y = 3.0 * j[1], z = 3.0 * j[2];
-    f.leave(0, constant<V>(d3q19::weight_rest) * base);
+    f.write(0, constant<V>(d3q19::weight_rest) * base);
     rebuild_pair<1>(f, base + 4.5 * a.xx, x - 9.0 * t.sum[0]);
     rebuild_pair<3>(f, base + 4.5 * a.yy, y - 9.0 * t.sum[1]);
     rebuild_pair<5>(f, base + 4.5 * a.zz, z - 9.0 * t.sum[2]);
@@ -84,7 +81,8 @@ MAGFSI_INLINE void rebuild(const LaneCells<V, Real>& f, const V& excess, const V
 template <bool Forced, class V, class Real>
 MAGFSI_INLINE void RecursiveRegularized::collide(const LaneCells<V, Real>& f,
                                                  const V (&force)[3],
-                                                 const Rates<V>& rates, Watch<V>& watch) {
+                                                 const Rates<V>& rates,
+                                                 CellCheck<V>& check) {
     MomentsToSecond<V> all = moments_to_second(f);
     Moments<V>& m = all.low;
     if constexpr (Forced) shift_momentum(m, force);
@@ -92,7 +90,7 @@ MAGFSI_INLINE void RecursiveRegularized::collide(const LaneCells<V, Real>& f,
     const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
     const V keep = 1.0 - rates.even;
     const Symmetric<V> ruu = outer(m.j, u);
-    watch.see(ruu.xx + ruu.yy + ruu.zz, per_density);
+    check.add(ruu.xx + ruu.yy + ruu.zz, per_density);
     Symmetric<V> n = nonequilibrium(all, ruu);
     if constexpr (Forced) {
         // Guo: the second moment becomes eq + (1 - omega) n + (1 - omega/2)(uF + Fu) with

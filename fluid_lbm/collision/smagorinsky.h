@@ -6,11 +6,8 @@
 // |Pi| the square root of the sum over all entries squared, filter width one cell.
 #pragma once
 
-#include "fluid_lbm/collision/lane_cells.h"
-#include "fluid_lbm/collision/rates.h"
-#include "fluid_lbm/collision/stress.h"
-#include "fluid_lbm/collision/watch.h"
-#include "fluid_lbm/forcing/guo.h"
+#include "fluid_lbm/collision/cells.h"
+#include "fluid_lbm/collision/moments.h"
 
 namespace magfsi::fluid {
 
@@ -47,7 +44,7 @@ struct Smagorinsky {
     // force: read only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
-                                      const Rates<V>& rates, Watch<V>& watch) {
+                                      const Rates<V>& rates, CellCheck<V>& check) {
         constexpr double sqrt_2 = 1.4142135623730951;
         V per_density;
         const Symmetric<V> stress = viscous_stress<Forced>(f, force, per_density);
@@ -57,7 +54,9 @@ struct Smagorinsky {
             square_root<V>(1.0 + constant<V>(18 * sqrt_2) * c2 * rates.even * rates.even *
                                      per_density * square_root(squared_norm(stress)));
         const V even = 2.0 * rates.even / (1.0 + root);
-        Base::template collide<Forced>(f, force, with_even_rate(rates, even), watch);
+        const Rates<V> raised{even, odd_rate(even, rates.magic), rates.magic,
+                              rates.eddy_constant};
+        Base::template collide<Forced>(f, force, raised, check);
     }
 };
 

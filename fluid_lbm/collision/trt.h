@@ -15,14 +15,14 @@ struct TwoRelaxationTimes {
     // force: read only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
-                                      const Rates<V>& rates, Watch<V>& watch) {
+                                      const Rates<V>& rates, CellCheck<V>& check) {
         const CellState<V> s = cell_state<Forced>(f, force);
-        watch.see(s.ju, s.per_density);
+        check.add(s.ju, s.per_density);
         const V half_even = 0.5 * rates.even, half_odd = 0.5 * rates.odd;
         V rest = f[0];
         rest += rates.even * (rest_equilibrium(s) - rest);
         if constexpr (Forced) rest += (1.0 - half_even) * rest_source(s);
-        f.leave(0, rest);
+        f.write(0, rest);
         for_each_pair([&]<int Q>(Pair<Q>) MAGFSI_INLINE_LAMBDA {
             const EvenOdd<V> eq = equilibrium<Q>(s);
             const V first = f[Q], second = f[Q + 1];
@@ -34,8 +34,8 @@ struct TwoRelaxationTimes {
                 even += (1.0 - half_even) * source.even;
                 odd += (1.0 - half_odd) * source.odd;
             }
-            f.leave(Q, first + (even + odd));
-            f.leave(Q + 1, second + (even - odd));
+            f.write(Q, first + (even + odd));
+            f.write(Q + 1, second + (even - odd));
         });
     }
 };

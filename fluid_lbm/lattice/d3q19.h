@@ -32,4 +32,14 @@ constexpr int opposite(int q) {
     return q == 0 ? 0 : q % 2 == 1 ? q + 1 : q - 1;
 }
 
+// The direction with these components, -1 if the lattice has none.
+constexpr int direction(int cx, int cy, int cz) {
+    for (int q = 0; q < directions; ++q) {
+        if (c[q][0] == cx && c[q][1] == cy && c[q][2] == cz) {
+            return q;
+        }
+    }
+    return -1;
+}
+
 }  // namespace magfsi::fluid::d3q19

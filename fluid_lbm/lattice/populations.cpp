@@ -39,6 +39,20 @@ void advise(char* memory, std::ptrdiff_t bytes) {
     madvise(memory + whole, bytes - whole, MADV_NOHUGEPAGE);
 }
 
+int margin(const std::array<Beyond, 2>& sides) {
+    return sides[0] == Beyond::neighbour || sides[1] == Beyond::neighbour ? 1 : 0;
+}
+
+// The partner of population q's ghost, or null if q has none: no velocity along x, or
+// bounced at a wall along y or z.
+template <class Real>
+Real* x_end_partner(const RowPointers<Real>& p, const RowLayout& layout, int q) {
+    if (d3q19::c[q][0] == 0 || p.bounced[q]) return nullptr;
+    const bool low = d3q19::c[q][0] > 0;  // enters at the low end
+    if (layout.beyond_x == Beyond::wall) return p.own[q] + (low ? 0 : layout.nx - 1);
+    return p.at[q] + (low ? layout.nx : -1);
+}
+
 }  // namespace
 
 std::size_t Populations::bytes_of(int row_length, int row_count, Storage storage) {
@@ -74,5 +88,59 @@ Populations::Populations(int row_length, int row_count, Storage storage)
         }
     }
 }
+
+int RowLayout::margin_y() const {
+    return margin(beyond_y);
+}
+int RowLayout::margin_z() const {
+    return margin(beyond_z);
+}
+
+Crossing cross(int index, int count, const std::array<Beyond, 2>& sides) {
+    if (index >= 0 && index < count) return {index, false};
+    const Beyond side = index < 0 ? sides[0] : sides[1];
+    if (side == Beyond::wall) return {index, true};
+    if (side == Beyond::wrap) return {index < 0 ? index + count : index - count, false};
+    return {index, false};
+}
+
+UpstreamRows RowLayout::upstream(int y, int z) const {
+    UpstreamRows rows{};
+    Crossing across_y[3], across_z[3];
+    for (int c = -1; c <= 1; ++c) {
+        across_y[c + 1] = cross(y - c, ny, beyond_y);
+        across_z[c + 1] = cross(z - c, nz, beyond_z);
+    }
+    for (int cy = 0; cy < 3; ++cy) {
+        for (int cz = 0; cz < 3; ++cz) {
+            const bool wall = across_y[cy].wall || across_z[cz].wall;
+            rows.at[cy][cz] = wall ? -1 : row(across_y[cy].index, across_z[cz].index);
+        }
+    }
+    return rows;
+}
+
+template <class Real>
+void open_x_ends(const RowPointers<Real>& p, const RowLayout& layout) {
+    for (int q = 1; q < d3q19::directions; ++q) {
+        const Real* partner = x_end_partner(p, layout, q);
+        if (partner != nullptr)
+            p.at[q][d3q19::c[q][0] > 0 ? 0 : layout.nx - 1] = *partner;
+    }
+}
+
+template <class Real>
+void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout) {
+    for (int q = 1; q < d3q19::directions; ++q) {
+        Real* partner = x_end_partner(p, layout, q);
+        if (partner != nullptr)
+            *partner = p.at[q][d3q19::c[q][0] > 0 ? 0 : layout.nx - 1];
+    }
+}
+
+template void open_x_ends(const RowPointers<double>&, const RowLayout&);
+template void open_x_ends(const RowPointers<float>&, const RowLayout&);
+template void close_x_ends(const RowPointers<double>&, const RowLayout&);
+template void close_x_ends(const RowPointers<float>&, const RowLayout&);
 
 }  // namespace magfsi::fluid

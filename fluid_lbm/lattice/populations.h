@@ -1,10 +1,10 @@
 // Storage of the 19 distribution functions of one rank, as f - w (the deviation from
 // rest): about three digits more than f itself at low speeds.
 //
-// Full structure of arrays: one array a direction, each made of padded rows. One element
-// of padding serves as the ghost on both ends of a row, because a direction needs a ghost
-// on one end only. Arrays start a few cache lines apart modulo the page, or the 19
-// streams of a kernel would fall into the same cache sets.
+// Full structure of arrays: one array per direction, each made of padded rows. One
+// element of padding serves as the ghost on both ends of a row, because a direction needs
+// a ghost on one end only. Arrays start a few cache lines apart modulo the page, or the
+// 19 streams of a kernel would fall into the same cache sets.
 //
 // In-place streaming (the AA pattern: Bailey et al., 2009) alternates two arrangements:
 //   natural: slot q of cell x holds the population q that has arrived at x;
@@ -13,16 +13,62 @@
 // Both are complete states before collision.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
 #include "fluid_lbm/lattice/d3q19.h"
-#include "fluid_lbm/lattice/row_layout.h"
 
 namespace magfsi::fluid {
 
+// What lies beyond a side of one rank's box.
+enum class Beyond {
+    wrap,       // periodic, and both ends are on this rank
+    wall,       // half-way bounce-back
+    neighbour,  // ghost rows, filled by the halo exchange
+};
+
+// Rows upstream of a row: at[cy + 1][cz + 1] is the row that a population with velocity
+// (., cy, cz) comes from, -1 if that lies behind a wall.
+struct UpstreamRows {
+    int at[3][3];
+};
+
+// Where the rows of one rank's box lie and what is upstream of each. A row is a line of
+// cells along x; rows are never cut between ranks.
+struct RowLayout {
+    int nx = 0, ny = 0, nz = 0;                    // owned cells
+    Beyond beyond_x = Beyond::wrap;                // both ends alike, never neighbour
+    std::array<Beyond, 2> beyond_y{}, beyond_z{};  // low and high side
+
+    // Ghost rows on each side.
+    int margin_y() const;
+    int margin_z() const;
+
+    int row_count() const { return (ny + 2 * margin_y()) * (nz + 2 * margin_z()); }
+    // y in [-margin_y, ny + margin_y), z alike.
+    int row(int y, int z) const {
+        return (z + margin_z()) * (ny + 2 * margin_y()) + y + margin_y();
+    }
+    UpstreamRows upstream(int y, int z) const;
+};
+
+// Where an index along a cut axis leads: the same inside the box and in ghost rows, the
+// other end if periodic; meaningless if `wall`.
+struct Crossing {
+    int index = 0;
+    bool wall = false;
+};
+Crossing cross(int index, int count, const std::array<Beyond, 2>& sides);
+
 enum class Arrangement { natural, swapped };
+// The arrangement after a number of steps from rest.
+inline Arrangement arrangement_after(std::int64_t steps) {
+    return steps % 2 == 0 ? Arrangement::natural : Arrangement::swapped;
+}
+
 enum class Storage { double_, float_ };
 
 // The rows of populations as numbers of one type. A view on memory: const does not reach
@@ -132,6 +178,61 @@ RowPointers<Real> pointers(const PopulationRows<Real>& rows, const RowLayout& la
                            Arrangement arrangement, int y, int z) {
     return arrangement == Arrangement::natural ? natural_pointers(rows, layout, y, z)
                                                : swapped_pointers(rows, layout, y, z);
+}
+
+// The two ends of a row in the swapped arrangement. Populations with a velocity along x
+// that enter the row there are read and written by the kernel in a ghost element; its
+// partner is the other end of the same array (periodic) or the row's own slot (half-way
+// bounce-back). Walls along y and z need nothing of the kind: they are a substitution of
+// the row's pointer, in swapped_pointers().
+// The partner's value into the ghost element, before the kernel.
+template <class Real>
+void open_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
+// Prefetches what the next row's open_x_ends will read, shift elements further: one cache
+// line per population at the far end of a row, which nothing else has read by then.
+template <class Real>
+void prefetch_x_ends(const RowPointers<Real>& p, const RowLayout& layout,
+                     std::ptrdiff_t shift) {
+    for (int q = 1; q < d3q19::directions; ++q) {
+        if (d3q19::c[q][0] == 0) continue;
+        __builtin_prefetch(p.at[q] + shift + (d3q19::c[q][0] > 0 ? layout.nx : -1), 1, 3);
+    }
+}
+// The ghost element's value back to its partner, after the kernel.
+template <class Real>
+void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
+
+// Where the population that has arrived in a cell is stored, cell by cell: for boundaries
+// and obstacles, which touch few cells and keep lists of slots.
+//
+// Two facts carry all boundary code. After the sweep and the exchange
+//   - population q that arrived in a cell is at slot(q) of the new arrangement; behind a
+//     wall side that is the cell's own array q in both arrangements, and it holds the
+//     cell's outgoing population opposite(q): half-way bounce-back;
+//   - the outgoing population q of a cell is still at slot(opposite(q)) of the old
+//     arrangement, as long as nothing has overwritten what arrived at its goal.
+
+// Element offsets from rows.row(0, 0), by q.
+using CellSlots = std::array<std::ptrdiff_t, d3q19::directions>;
+
+template <class Real>
+CellSlots cell_slots(const PopulationRows<Real>& rows, const RowLayout& layout,
+                     Arrangement arrangement, const std::array<int, 3>& cell) {
+    const RowPointers<Real> p = pointers(rows, layout, arrangement, cell[1], cell[2]);
+    const Real* const base = rows.row(0, 0);
+    CellSlots slots;
+    for (int q = 0; q < d3q19::directions; ++q) {
+        const Real* at = p.at[q] + cell[0];
+        const int from = cell[0] - d3q19::c[q][0];
+        const bool beyond = from < 0 || from >= layout.nx;
+        if (arrangement == Arrangement::swapped && beyond && !p.bounced[q]) {
+            at = layout.beyond_x == Beyond::wall
+                     ? p.own[q] + cell[0]
+                     : at + (from < 0 ? layout.nx : -layout.nx);
+        }
+        slots[q] = at - base;
+    }
+    return slots;
 }
 
 }  // namespace magfsi::fluid

@@ -1,15 +1,189 @@
 #include "fluid_lbm/obstacle/obstacles.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
 
-Obstacles::Obstacles(const Solids& solids, const CellBox& owned,
-                     const std::array<int, 3>& box_cells,
-                     const std::array<bool, 3>& periodic, const LinkOptions& options,
-                     const Populations& populations, const RowLayout& layout)
-    : map_(solids, owned, box_cells, periodic),
-      links_(cut_links(map_, solids, options, populations, layout)),
+SolidMap::SolidMap(const FluidConfig& config, const Solids& solids, const CellBox& owned)
+    : origin_(owned.lo), box_cells_(config.cells), periodic_(periodic_axes(config)) {
+    for (int a = 0; a < 3; ++a) size_[a] = owned.hi[a] - owned.lo[a];
+    const std::size_t rows = static_cast<std::size_t>(size_[1] + 2) * (size_[2] + 2);
+    of_cell_.assign(rows * (size_[0] + 2), fluid);
+    row_has_solid_.assign(rows, 0);
+    for (std::size_t i = 0; i < solids.size(); ++i) mark(*solids[i], static_cast<int>(i));
+    cell_counts_.resize(solids.size());
+    for_each_cell({{0, 0, 0}, size_}, [&](const Cell& cell) {
+        if (solid(cell)) ++cell_counts_[obstacle(cell)];
+    });
+}
+
+Cell SolidMap::global(const Cell& local) const {
+    Cell cell;
+    for (int a = 0; a < 3; ++a) {
+        cell[a] = origin_[a] + local[a];
+        if (periodic_[a]) cell[a] = (cell[a] + box_cells_[a]) % box_cells_[a];
+    }
+    return cell;
+}
+
+bool SolidMap::in_box(const Cell& local) const {
+    const Cell cell = global(local);
+    for (int a = 0; a < 3; ++a) {
+        if (cell[a] < 0 || cell[a] >= box_cells_[a]) return false;
+    }
+    return true;
+}
+
+void SolidMap::mark(const Solid& solid, int number) {
+    const Bounds bounds = solid.bounds();
+    std::vector<char> inside(box_cells_[0]);
+    for (int z = -1; z <= size_[2]; ++z) {
+        for (int y = -1; y <= size_[1]; ++y) {
+            const Cell row = global({0, y, z});
+            const bool reached = in_box({0, y, z}) && row[1] + 1 > bounds.low[1] &&
+                                 row[1] < bounds.high[1] && row[2] + 1 > bounds.low[2] &&
+                                 row[2] < bounds.high[2];
+            if (!reached) continue;
+            inside.assign(inside.size(), 0);
+            solid.mark_row(row[1] + 0.5, row[2] + 0.5, 0, inside);
+            for (int x = -1; x <= size_[0]; ++x) {
+                if (!in_box({x, y, z}) || !inside[global({x, y, z})[0]]) continue;
+                short& owner = of_cell_[index({x, y, z})];
+                if (owner == fluid) owner = static_cast<short>(number);
+                row_has_solid_[index({-1, y, z}) / (size_[0] + 2)] = 1;
+            }
+        }
+    }
+}
+
+bool SolidMap::near_solid(int y, int z) const {
+    for (int dz = -1; dz <= 1; ++dz) {
+        for (int dy = -1; dy <= 1; ++dy) {
+            if (row_has_solid_[index({-1, y + dy, z + dz}) / (size_[0] + 2)]) return true;
+        }
+    }
+    return false;
+}
+
+namespace {
+
+using namespace d3q19;
+
+Cell neighbour(const Cell& cell, int q, int steps) {
+    return {cell[0] + steps * c[q][0], cell[1] + steps * c[q][1],
+            cell[2] + steps * c[q][2]};
+}
+
+// Of the way from the fluid cell along q, one link long. Measured from the solid cell's
+// place in the box, so that links through a periodic side find the body.
+double wall_distance(const SolidMap& map, const Solid& solid, const Cell& cell, int q) {
+    const Cell end = map.global(neighbour(cell, q, 1));
+    Vec3 inside, outside;
+    for (int a = 0; a < 3; ++a) {
+        inside[a] = end[a] + 0.5;
+        outside[a] = inside[a] - c[q][a];
+    }
+    return solid.entry(outside, inside);
+}
+
+// Interpolation reads the cell behind the fluid cell.
+bool has_fluid_behind(const SolidMap& map, const Cell& cell, int q) {
+    const Cell behind = neighbour(cell, q, -1);
+    return map.in_box(behind) && !map.solid(behind);
+}
+
+class LinkList {
+  public:
+    LinkList(const Populations& populations, const RowLayout& layout)
+        : populations_(populations), layout_(layout) {}
+
+    // from_wall: the population that comes from the obstacle.
+    void add(const Cell& cell, int from_wall, const int (&push)[3], double distance,
+             int obstacle) {
+        CutLink link;
+        for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
+            const int i = static_cast<int>(a);
+            const CellSlots slots = populations_.visit(
+                [&](const auto& rows) { return cell_slots(rows, layout_, a, cell); });
+            link.from_wall[i] = slots[from_wall];
+            link.to_wall[i] = slots[opposite(from_wall)];
+        }
+        for (int a = 0; a < 3; ++a) link.push[a] = static_cast<signed char>(push[a]);
+        link.distance = distance;
+        link.obstacle = static_cast<short>(obstacle);
+        links_.push_back(link);
+    }
+
+    std::vector<CutLink> take() { return std::move(links_); }
+
+  private:
+    const Populations& populations_;
+    const RowLayout& layout_;
+    std::vector<CutLink> links_;
+};
+
+void add_direct(const SolidMap& map, const Solids& solids, const Cell& cell,
+                LinkList& links) {
+    for (int q = 1; q < directions; ++q) {
+        const int hit = map.obstacle(neighbour(cell, q, 1));
+        if (hit == SolidMap::fluid) continue;
+        const double distance = has_fluid_behind(map, cell, q)
+                                    ? wall_distance(map, *solids[hit], cell, q)
+                                    : 0.5;
+        links.add(cell, opposite(q), c[q], distance, hit);
+    }
+}
+
+// Links to the sides with free slip that are reflected into an obstacle.
+void add_reflected(const FluidConfig& config, const SolidMap& map, const Cell& cell,
+                   LinkList& links) {
+    for (int side = 0; side < 6; ++side) {
+        if (config.boundaries[side].kind != BoundaryKind::free_slip) continue;
+        const int axis = axis_of(side);
+        Cell beyond = cell;
+        beyond[axis] -= inward(side);
+        if (map.in_box(beyond)) continue;
+        for (int q = 1; q < directions; ++q) {
+            if (c[q][axis] != inward(side)) continue;
+            Cell partner = cell;
+            int push[3];
+            for (int a = 0; a < 3; ++a) {
+                push[a] = a == axis ? c[q][a] : -c[q][a];
+                if (a != axis) partner[a] -= c[q][a];
+            }
+            if (!map.in_box(partner) || !map.solid(partner)) continue;
+            links.add(cell, q, push, 0.5, map.obstacle(partner));
+        }
+    }
+}
+
+CutLinks cut_links(const FluidConfig& config, const SolidMap& map, const Solids& solids,
+                   const Populations& populations, const RowLayout& layout) {
+    LinkList direct(populations, layout), reflected(populations, layout);
+    for (int z = 0; z < layout.nz; ++z) {
+        for (int y = 0; y < layout.ny; ++y) {
+            if (!map.near_solid(y, z)) continue;
+            for (int x = 0; x < layout.nx; ++x) {
+                const Cell cell{x, y, z};
+                if (map.solid(cell)) continue;
+                add_direct(map, solids, cell, direct);
+                add_reflected(config, map, cell, reflected);
+            }
+        }
+    }
+    return {direct.take(), reflected.take()};
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
+                     const CellBox& owned, const Populations& populations,
+                     const RowLayout& layout)
+    : map_(config, solids, owned),
+      links_(cut_links(config, map_, solids, populations, layout)),
       impulses_(solids.size()) {
     find_runs(layout);
 }
@@ -27,13 +201,8 @@ void Obstacles::find_runs(const RowLayout& layout) {
     }
 }
 
-std::size_t Obstacles::bytes() const {
-    return (links_.direct.size() + links_.reflected.size()) * sizeof(CutLink) +
-           runs_.size() * sizeof(Run) + map_.bytes();
-}
-
 // The slots of a reflected link hold the bounced population until free slip is applied.
-void Obstacles::look(const Populations& populations, Arrangement arrangement) {
+void Obstacles::note_reflected(const Populations& populations, Arrangement arrangement) {
     sent_to_slip_.clear();
     populations.visit([&](const auto& rows) {
         const auto* const base = rows.row(0, 0);
@@ -43,7 +212,7 @@ void Obstacles::look(const Populations& populations, Arrangement arrangement) {
     });
 }
 
-void Obstacles::strike(const CutLink& link, double populations) {
+void Obstacles::add_impulse(const CutLink& link, double populations) {
     for (int a = 0; a < 3; ++a) {
         impulses_[link.obstacle][a] += link.push[a] * populations;
     }
@@ -69,18 +238,18 @@ void Obstacles::bounce(const Populations& populations, Arrangement arrangement) 
             }
             const Real stored = static_cast<Real>(returned);
             base[link.from_wall[now]] = stored;
-            strike(link, sent + stored);
+            add_impulse(link, sent + stored);
         }
         for (std::size_t i = 0; i < links_.reflected.size(); ++i) {
             const CutLink& link = links_.reflected[i];
             base[link.from_wall[now]] = static_cast<Real>(sent_to_slip_[i]);
-            strike(link, 2 * sent_to_slip_[i]);
+            add_impulse(link, 2 * sent_to_slip_[i]);
         }
     });
 }
 
-void Obstacles::settle(const Populations& populations, const RowLayout& layout,
-                       Arrangement arrangement) const {
+void Obstacles::reset_solid_cells(const Populations& populations, const RowLayout& layout,
+                                  Arrangement arrangement) const {
     populations.visit([&](const auto& rows) {
         auto* const base = rows.row(0, 0);
         for (const Run& run : runs_) {
@@ -100,6 +269,18 @@ void Obstacles::settle(const Populations& populations, const RowLayout& layout,
             }
         }
     });
+}
+
+void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map) {
+    std::vector<long long> cells = map.cell_counts();
+    MPI_Allreduce(MPI_IN_PLACE, cells.data(), static_cast<int>(cells.size()),
+                  MPI_LONG_LONG, MPI_SUM, comm);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] > 0) continue;
+        refuse("fluid obstacle \"", config.obstacles[i].name,
+               "\" holds the centre of no cell; make the spacing, now ", config.spacing_m,
+               " m, finer");
+    }
 }
 
 }  // namespace magfsi::fluid

@@ -6,25 +6,85 @@
 // by those that the wall returns, and the solid cells are set back to rest.
 #pragma once
 
+#include <mpi.h>
+
 #include <vector>
 
-#include "fluid_lbm/obstacle/cut_links.h"
+#include "fluid_lbm/boundary/sides.h"
+#include "fluid_lbm/lattice/populations.h"
+#include "fluid_lbm/obstacle/solid.h"
 
 namespace magfsi::fluid {
+
+// Which cells of this rank, and of the layer around it, lie in which obstacle. Computed
+// from the geometry alone: ranks need not ask each other.
+class SolidMap {
+  public:
+    static constexpr int fluid = -1;
+
+    // A cell belongs to the first obstacle that holds its centre. Cells beyond a periodic
+    // side are those of the opposite end; cells beyond another side count as fluid.
+    SolidMap(const FluidConfig& config, const Solids& solids, const CellBox& owned);
+
+    // Local indices from -1 to the number of owned cells: the obstacle, or `fluid`.
+    int obstacle(const Cell& local) const { return of_cell_[index(local)]; }
+    bool solid(const Cell& local) const { return obstacle(local) != fluid; }
+
+    // Global indices of a cell, wrapped around periodic axes.
+    Cell global(const Cell& local) const;
+    // Whether the cell lies in the box, after wrapping.
+    bool in_box(const Cell& local) const;
+    // This rank's cells in each obstacle.
+    const std::vector<long long>& cell_counts() const { return cell_counts_; }
+    // Whether a row of this rank, or one beside it, has a solid cell.
+    bool near_solid(int y, int z) const;
+
+  private:
+    std::size_t index(const Cell& local) const {
+        return (static_cast<std::size_t>(local[2] + 1) * (size_[1] + 2) + local[1] + 1) *
+                   (size_[0] + 2) +
+               local[0] + 1;
+    }
+    void mark(const Solid& solid, int number);
+
+    std::array<int, 3> origin_, size_, box_cells_;
+    std::array<bool, 3> periodic_;
+    std::vector<short> of_cell_;
+    std::vector<char> row_has_solid_;
+    std::vector<long long> cell_counts_;
+};
+
+// A lattice link from a fluid cell into an obstacle.
+struct CutLink {
+    // By arrangement: slots of the fluid cell for the population that comes from the
+    // obstacle and for its opposite.
+    std::ptrdiff_t from_wall[2] = {}, to_wall[2] = {};
+    // Distance of the wall from the cell over the link's length; exactly 1/2 where the
+    // interpolation lacks its second fluid cell.
+    double distance = 0.5;
+    signed char push[3] = {};  // direction in which the population strikes
+    short obstacle = 0;
+};
+
+struct CutLinks {
+    std::vector<CutLink> direct;
+    // Those that strike an obstacle after their reflection by a side with free slip: the
+    // population that a cell sent to the side comes back, half-way. It strikes along its
+    // mirror image.
+    std::vector<CutLink> reflected;
+};
 
 class Obstacles {
   public:
     // owned: this rank's box.
-    Obstacles(const Solids& solids, const CellBox& owned,
-              const std::array<int, 3>& box_cells, const std::array<bool, 3>& periodic,
-              const LinkOptions& options, const Populations& populations,
-              const RowLayout& layout);
+    Obstacles(const FluidConfig& config, const Solids& solids, const CellBox& owned,
+              const Populations& populations, const RowLayout& layout);
 
     const SolidMap& map() const { return map_; }
-    std::size_t bytes() const;
 
-    // After the exchange and before sides with free slip exchange what they reflect.
-    void look(const Populations& populations, Arrangement arrangement);
+    // After the exchange and before sides with free slip exchange what they reflect:
+    // notes it.
+    void note_reflected(const Populations& populations, Arrangement arrangement);
     // After the sides, before outlets; arrangement: the new one. With d the wall's
     // distance over the link, f*_i what the cell sent to the wall, f*_o what it sent the
     // other way and f_i what has now arrived from there, the wall returns (Bouzidi et al.
@@ -36,19 +96,21 @@ class Obstacles {
     // the fluid loses.
     void bounce(const Populations& populations, Arrangement arrangement);
     // Solid cells back to rest. After bounce(), which reads what has arrived there.
-    void settle(const Populations& populations, const RowLayout& layout,
-                Arrangement arrangement) const;
+    void reset_solid_cells(const Populations& populations, const RowLayout& layout,
+                           Arrangement arrangement) const;
 
     // Impulse of the last step on this rank's links, by obstacle.
     const std::vector<Vec3>& impulses() const { return impulses_; }
 
-  private:
+    // Solid cells x_begin <= x < x_end of a row; local indices.
     struct Run {
         int x_begin, x_end, y, z;
     };
+    const std::vector<Run>& runs() const { return runs_; }
 
+  private:
     void find_runs(const RowLayout& layout);
-    void strike(const CutLink& link, double populations);
+    void add_impulse(const CutLink& link, double populations);
 
     SolidMap map_;
     CutLinks links_;
@@ -56,5 +118,9 @@ class Obstacles {
     std::vector<Run> runs_;
     std::vector<Vec3> impulses_;
 };
+
+// Throws std::invalid_argument on all ranks if an obstacle holds the centre of no cell.
+// Collective.
+void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map);
 
 }  // namespace magfsi::fluid

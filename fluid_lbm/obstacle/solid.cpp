@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "fluid_lbm/obstacle/triangulated_solid.h"
+#include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
 
@@ -46,12 +46,18 @@ class LevelSetSolid final : public Solid {
     std::function<double(const Vec3&)> level_;
 };
 
+// A size that a shape needs to be one. Written so that NaN is refused, too.
+void need(const char* what, double size_m) {
+    if (!(size_m > 0)) refuse("has the ", what, " ", size_m, " m; it must be above 0");
+}
+
 Vec3 in_cells(const Vec3& metres, double spacing_m) {
     return {metres[0] / spacing_m, metres[1] / spacing_m, metres[2] / spacing_m};
 }
 
 std::shared_ptr<const Solid> make(const Sphere& sphere, double dx,
                                   const std::array<int, 3>&) {
+    need("diameter", sphere.diameter_m);
     const Vec3 centre = in_cells(sphere.centre_m, dx);
     const double radius = sphere.diameter_m / (2 * dx);
     Bounds bounds;
@@ -67,6 +73,8 @@ std::shared_ptr<const Solid> make(const Sphere& sphere, double dx,
 
 std::shared_ptr<const Solid> make(const Cylinder& cylinder, double dx,
                                   const std::array<int, 3>& box_cells) {
+    need("diameter", cylinder.diameter_m);
+    if (cylinder.length_m) need("length", *cylinder.length_m);
     const int axis = cylinder.axis;
     Vec3 centre = in_cells(cylinder.centre_m, dx);
     const double radius = cylinder.diameter_m / (2 * dx);
@@ -96,6 +104,9 @@ std::shared_ptr<const Solid> make(const Cylinder& cylinder, double dx,
 
 std::shared_ptr<const Solid> make(const Block& block, double dx,
                                   const std::array<int, 3>&) {
+    constexpr const char* lengths[3] = {"length along x", "length along y",
+                                        "length along z"};
+    for (int a = 0; a < 3; ++a) need(lengths[a], block.high_m[a] - block.low_m[a]);
     const Bounds bounds{in_cells(block.low_m, dx), in_cells(block.high_m, dx)};
     return std::make_shared<LevelSetSolid>(bounds, [bounds](const Vec3& x) {
         double level = bounds.low[0] - x[0];
@@ -108,8 +119,19 @@ std::shared_ptr<const Solid> make(const Block& block, double dx,
 
 std::shared_ptr<const Solid> make(const StlSurface& surface, double dx,
                                   const std::array<int, 3>&) {
-    return std::make_shared<TriangulatedSolid>(surface.file, surface.unit_m / dx,
-                                               in_cells(surface.shift_m, dx));
+    need("scale", surface.unit_m);
+    return make_stl_solid(surface, dx);
+}
+
+// Written so that a position that is not a number is refused, too.
+void check_place(const Bounds& bounds, const FluidConfig& config) {
+    for (int a = 0; a < 3; ++a) {
+        if (bounds.high[a] > 0 && bounds.low[a] < config.cells[a]) continue;
+        refuse("reaches from ", bounds.low[a] * config.spacing_m, " to ",
+               bounds.high[a] * config.spacing_m, " m along ", axis_name[a],
+               "; it lies outside the box, which reaches from 0 to ",
+               config.cells[a] * config.spacing_m, " m");
+    }
 }
 
 }  // namespace
@@ -118,6 +140,19 @@ std::shared_ptr<const Solid> make_solid(const ObstacleShape& shape, double spaci
                                         const std::array<int, 3>& box_cells) {
     return std::visit([&](const auto& s) { return make(s, spacing_m, box_cells); },
                       shape);
+}
+
+Solids make_solids(const FluidConfig& config) {
+    Solids solids;
+    for (const Obstacle& obstacle : config.obstacles) {
+        try {
+            solids.push_back(make_solid(obstacle.shape, config.spacing_m, config.cells));
+            check_place(solids.back()->bounds(), config);
+        } catch (const std::invalid_argument& fault) {
+            refuse("fluid obstacle \"", obstacle.name, "\" ", fault.what());
+        }
+    }
+    return solids;
 }
 
 }  // namespace magfsi::fluid

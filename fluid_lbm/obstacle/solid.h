@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "fluid_lbm/options.h"
+#include "fluid_lbm/config.h"
 
 namespace magfsi::fluid {
 
@@ -33,9 +33,16 @@ class Solid {
 
 using Solids = std::vector<std::shared_ptr<const Solid>>;
 
-// Throws std::invalid_argument if an STL file cannot be read or is not closed. Bodies
-// without a length go through the box.
+// Throws std::invalid_argument if the shape has no size. Bodies without a length go
+// through the box.
 std::shared_ptr<const Solid> make_solid(const ObstacleShape& shape, double spacing_m,
                                         const std::array<int, 3>& box_cells);
+// Throws std::invalid_argument with the file's name if it cannot be read, is cut short,
+// has no triangle or is not closed.
+std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m);
+
+// In the order of the configuration. Throws std::invalid_argument with a sentence on the
+// first obstacle that cannot be.
+Solids make_solids(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

@@ -1,11 +1,11 @@
-// The box cut along y and z into one block a rank; rows along x stay whole.
+// The box cut along y and z into one block per rank; rows along x stay whole.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "fluid_lbm/fluid.h"
-#include "fluid_lbm/lattice/row_layout.h"
+#include "fluid_lbm/config.h"
+#include "fluid_lbm/lattice/populations.h"
 
 namespace magfsi::fluid {
 
@@ -19,7 +19,7 @@ struct Decomposition {
 
     // The rank beyond a side of a rank's box (axis 1 y, 2 z; side 0 low, 1 high), no_rank
     // if there is the domain's wall or the axis is not cut.
-    int neighbor(int rank, int axis, int side) const;
+    int neighbour(int rank, int axis, int side) const;
     RowLayout layout(int rank) const;
 };
 
@@ -29,5 +29,19 @@ struct Decomposition {
 // than any cut can give a row to.
 Decomposition decompose(const std::array<int, 3>& cells,
                         const std::array<bool, 3>& periodic, int ranks);
+
+// A rank's rows in the order of a step: those at cut sides first, so that their
+// populations travel while the rest is computed.
+
+// Rows y_begin <= y < y_end, z alike.
+struct RowBox {
+    int y_begin = 0, y_end = 0, z_begin = 0, z_end = 0;
+    int size() const { return (y_end - y_begin) * (z_end - z_begin); }
+};
+
+// Disjoint boxes that cover the rows with a neighbour's ghost row beside them.
+std::vector<RowBox> rows_at_cuts(const RowLayout& layout);
+// All others, in two halves: one for each axis of the exchange. May be empty.
+std::vector<RowBox> inner_rows(const RowLayout& layout);
 
 }  // namespace magfsi::fluid

@@ -1,5 +1,5 @@
 // Exchange of populations between ranks. In-place streaming needs it in the swapped
-// arrangement only: a rank borrows the 5 populations a face whose slots lie in its
+// arrangement only: a rank borrows the 5 populations per face whose slots lie in its
 // neighbours' rows but belong to its own (fill), steps, and returns them (give_back).
 //
 // Faces along y go first when filling and last when returning; those along z include the
@@ -14,9 +14,28 @@
 
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/parallel/decomposition.h"
-#include "fluid_lbm/parallel/slots_type.h"
 
 namespace magfsi::fluid {
+
+// The slots that travel over one face, as an MPI datatype on the populations' memory: MPI
+// moves them from one rank's arrays into the other's, and no buffer of ours lies between.
+class SlotsType {
+  public:
+    // Slots with velocity component `sign` along the axis (1: y, 2: z) in the rows at
+    // index `row` of it, limited to those whose user (the row at -c_q from the slot) lies
+    // across the face.
+    SlotsType(const RowLayout& layout, const Populations& populations, int axis, int sign,
+              int row);
+    ~SlotsType();
+    SlotsType(SlotsType&& other) noexcept;
+    SlotsType(const SlotsType&) = delete;
+    SlotsType& operator=(const SlotsType&) = delete;
+
+    MPI_Datatype get() const { return type_; }  // relative to populations.memory()
+
+  private:
+    MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
 
 enum class Exchange { fill, give_back };
 

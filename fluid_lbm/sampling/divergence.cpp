@@ -1,9 +1,8 @@
-#include "fluid_lbm/sampling/divergence.h"
-
+// The cell that went wrong: where it is and why.
 #include <cmath>
 #include <sstream>
 
-#include "fluid_lbm/units.h"
+#include "fluid_lbm/state.h"
 
 namespace magfsi::fluid {
 
@@ -13,7 +12,7 @@ namespace {
 // resolved flow.
 constexpr double hard_push = lattice_speed_limit / 4;
 
-// Below this, collisions that keep ghost modes damp them by less than a tenth a step.
+// Below this, collisions that keep ghost modes damp them by less than a tenth per step.
 constexpr double low_relaxation_time = 0.51;
 
 DivergenceCause likely_cause(const Divergence& d) {
@@ -39,8 +38,7 @@ std::string advice(const Divergence& d) {
                     "shorter time step";
             break;
         case DivergenceCause::not_finite:
-            text << "a value was not finite when it entered: look at the initial flow, "
-                    "the "
+            text << "a value was not finite when it entered: check the initial flow, the "
                     "boundaries and the forces";
             break;
         case DivergenceCause::relaxation_time:
@@ -58,40 +56,21 @@ std::string advice(const Divergence& d) {
 
 }  // namespace
 
-Divergence describe(const Unsound& unsound, const Solver& solver,
-                    const FluidConfig& config) {
-    const CellBox& box = solver.owned();
-    const UnsoundCell& cell = unsound.cell;
+std::optional<Divergence> Fluid::diverged() const {
+    const State& s = *state_;
+    if (!s.invalid) return {};
+    const InvalidCell& cell = *s.invalid;
+    const auto& first = s.owned().lo;
     Divergence d;
-    d.cell = {box.lo[0] + cell.x, box.lo[1] + cell.y, box.lo[2] + cell.z};
-    for (int a = 0; a < 3; ++a) d.position_m[a] = (d.cell[a] + 0.5) * config.spacing_m;
+    d.cell = {first[0] + cell.x, first[1] + cell.y, first[2] + cell.z};
+    for (int a = 0; a < 3; ++a) d.position_m[a] = (d.cell[a] + 0.5) * s.config.spacing_m;
     d.lattice_speed = cell.speed;
     d.density = cell.density;
     d.lattice_force = cell.force;
-    d.relaxation_time = relaxation_time(config);
-    d.step = unsound.step;
+    d.relaxation_time = relaxation_time(s.config);
+    d.step = s.invalid_step;
     d.cause = likely_cause(d);
     return d;
-}
-
-std::optional<Divergence> find_divergence(const Solver& solver,
-                                          const FluidConfig& config) {
-    const RowLayout& layout = solver.layout();
-    RowMoments m;
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            row_moments(solver.view(), y, z, 0, layout.nx, m);
-            for (int x = 0; x < layout.nx; ++x) {
-                const double density = 1 + m.excess[x];
-                const double speed =
-                    std::hypot(m.j[0][x], m.j[1][x], m.j[2][x]) / density;
-                if (is_sound(density, speed)) continue;
-                const Unsound unsound{{z, y, x, density, speed, 0}, solver.steps_done()};
-                return describe(unsound, solver, config);
-            }
-        }
-    }
-    return std::nullopt;
 }
 
 std::string to_string(const Divergence& d) {

@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "fluid_lbm/lattice/d3q19.h"
-#include "fluid_lbm/units.h"
+#include "fluid_lbm/lattice/equilibrium.h"
 
 namespace magfsi::fluid {
 
@@ -11,34 +10,26 @@ namespace {
 
 using Stress = std::array<std::array<double, 3>, 3>;
 
-struct Flow {
-    double density_excess = 0;
-    std::array<double, 3> velocity{};
-    Stress stress{};  // second moment beyond its equilibrium
-};
-
-Flow flow_of(std::span<const double> f) {
-    Flow flow;
+// Second moment beyond its equilibrium.
+Stress stress_of(std::span<const double> f, const LocalFlow& flow) {
+    Stress stress{};
     for (int q = 0; q < d3q19::directions; ++q) {
-        flow.density_excess += f[q];
         for (int a = 0; a < 3; ++a) {
-            flow.velocity[a] += d3q19::c[q][a] * f[q];
             for (int b = 0; b < 3; ++b)
-                flow.stress[a][b] += d3q19::c[q][a] * d3q19::c[q][b] * f[q];
+                stress[a][b] += d3q19::c[q][a] * d3q19::c[q][b] * f[q];
         }
     }
     const double density = 1 + flow.density_excess;
-    for (double& u : flow.velocity) u /= density;
     for (int a = 0; a < 3; ++a) {
-        flow.stress[a][a] -= d3q19::cs2 * flow.density_excess;
+        stress[a][a] -= d3q19::cs2 * flow.density_excess;
         for (int b = 0; b < 3; ++b)
-            flow.stress[a][b] -= density * flow.velocity[a] * flow.velocity[b];
+            stress[a][b] -= density * flow.velocity[a] * flow.velocity[b];
     }
-    return flow;
+    return stress;
 }
 
 // w [excess + 3 rho c.u + 4.5 (c c - I/3) : (rho u u + stress)]
-void rebuild(const Flow& flow, std::span<double> f) {
+void rebuild(const LocalFlow& flow, const Stress& stress, std::span<double> f) {
     const double density = 1 + flow.density_excess;
     for (int q = 0; q < d3q19::directions; ++q) {
         double sum = flow.density_excess;
@@ -48,7 +39,7 @@ void rebuild(const Flow& flow, std::span<double> f) {
                 const double cc =
                     d3q19::c[q][a] * d3q19::c[q][b] - (a == b ? d3q19::cs2 : 0);
                 const double flux =
-                    density * flow.velocity[a] * flow.velocity[b] + flow.stress[a][b];
+                    density * flow.velocity[a] * flow.velocity[b] + stress[a][b];
                 sum += 4.5 * cc * flux;
             }
         }
@@ -74,16 +65,18 @@ StepChange step_change(const FluidConfig& config, double old_step_s) {
 void change_step(const StepChange& change, std::span<double> values) {
     constexpr std::size_t width = d3q19::directions;
     for (std::size_t cell = 0; cell + width <= values.size(); cell += width) {
-        Flow flow = flow_of(values.subspan(cell, width));
+        const std::span<double> f = values.subspan(cell, width);
+        LocalFlow flow = flow_of(f);
+        Stress stress = stress_of(f, flow);
         const double before = 1 + flow.density_excess;
         flow.density_excess *= change.velocity * change.velocity;
         const double denser = (1 + flow.density_excess) / before;
         for (int a = 0; a < 3; ++a) {
             flow.velocity[a] = flow.velocity[a] * change.velocity +
                                change.momentum[a] / (1 + flow.density_excess);
-            for (int b = 0; b < 3; ++b) flow.stress[a][b] *= denser * change.stress;
+            for (int b = 0; b < 3; ++b) stress[a][b] *= denser * change.stress;
         }
-        rebuild(flow, values.subspan(cell, width));
+        rebuild(flow, stress, f);
     }
 }
 

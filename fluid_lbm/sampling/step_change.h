@@ -13,7 +13,7 @@
 #include <array>
 #include <span>
 
-#include "fluid_lbm/fluid.h"
+#include "fluid_lbm/config.h"
 
 namespace magfsi::fluid {
 
@@ -28,7 +28,7 @@ struct StepChange {
 // settles within a few steps.
 StepChange step_change(const FluidConfig& config, double old_step_s);
 
-// values: 19 a cell, those that have arrived, as deviations from rest.
+// values: 19 per cell, those that have arrived, as deviations from rest.
 void change_step(const StepChange& change, std::span<double> values);
 
 }  // namespace magfsi::fluid

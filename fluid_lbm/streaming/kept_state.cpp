@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "fluid_lbm/boundary/x_ends.h"
-
 namespace magfsi::fluid {
 
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "fluid_lbm/parallel/row_boxes.h"
-#include "fluid_lbm/sampling/macroscopic.h"
+#include "fluid_lbm/parallel/decomposition.h"
+#include "fluid_lbm/sampling/moments.h"
 
 namespace magfsi::fluid {
 
@@ -30,7 +30,6 @@ class KeptState {
     bool by_rows() const { return rows_suffice_; }
     std::span<const RowBox> rows() const { return rows_; }
     bool has(int y, int z) const;
-    std::size_t bytes() const { return whole_.size() + values_.size() * sizeof(double); }
 
   private:
     bool rows_suffice_;

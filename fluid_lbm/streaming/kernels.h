@@ -4,13 +4,13 @@
 
 #include <cstddef>
 
-#include "fluid_lbm/collision/rates.h"
-#include "fluid_lbm/collision/registered.h"
+#include "fluid_lbm/collision/cells.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 
 // See collide_row in row_kernel.h. Real: what populations are stored as. False if a cell
-// is no longer sound (collision/watch.h).
+// fails CellCheck.
 template <class Real>
 using RowKernel = bool (*)(Real* const* at, const Real* const* force,
                            std::ptrdiff_t length, const CollisionParameters& parameters);
@@ -21,32 +21,30 @@ template <class Real>
 using MomentsKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
                                double* const* moments);
 
-// The kernels that a run uses: rows that carry a force, and all others.
+// The kernels that a run uses.
 template <class Real>
 struct RowKernels {
     RowKernel<Real> plain = nullptr;
-    RowKernel<Real> forced = nullptr;
+    RowKernel<Real> forced = nullptr;  // for rows that carry a force
+    MomentsKernel<Real> moments = nullptr;
 };
 
 template <class Real>
 struct CollisionKernels {
     Collision kind = Collision::automatic;
-    RowKernels<Real> laminar, with_eddy_viscosity;
+    RowKernels<Real> eddy_viscosity[2];  // without, with
 };
 
-// One precision.
 template <class Real>
 struct KernelTable {
-    CollisionKernels<Real> collisions[RegisteredCollisions::count];
-    MomentsKernel<Real> moments = nullptr;
+    CollisionKernels<Real> collisions[8];  // those at the end that are unused: automatic
 };
 
 // One instruction set.
 struct KernelSet {
-    const KernelTable<double>* on_double = nullptr;
-    const KernelTable<float>* on_float = nullptr;
-    const KernelTable<float>* on_float_in_double =
-        nullptr;  // float stored, double computed
+    KernelTable<double> on_double;
+    KernelTable<float> on_float;
+    KernelTable<float> on_float_in_double;  // float stored, double computed
 };
 
 }  // namespace magfsi::fluid

@@ -1,13 +1,79 @@
 #include "fluid_lbm/streaming/sweep.h"
 
-#include "fluid_lbm/boundary/x_ends.h"
-#include "fluid_lbm/streaming/row_walk.h"
+#include <cmath>
 
 namespace magfsi::fluid {
 
 namespace {
 
-void keep_first(std::optional<UnsoundCell>& kept, const UnsoundCell& found) {
+// The pointers of row after row. Away from the box's sides they move in step, so that one
+// pattern, shifted, serves all inner rows: building each from the layout took 5 % of a
+// step in float.
+template <class Real>
+class RowWalk {
+  public:
+    explicit RowWalk(const View& now)
+        : rows_(now.populations.rows<Real>()),
+          layout_(now.layout),
+          arrangement_(now.arrangement),
+          row_stride_(now.populations.row_stride()),
+          pattern_row_(now.layout.row(1, 1)) {
+        if (layout_.ny > 2 && layout_.nz > 2) {
+            pattern_ = pointers(rows_, layout_, arrangement_, 1, 1);
+        }
+    }
+
+    RowPointers<Real> at(int y, int z) const {
+        const bool inner = y > 0 && y < layout_.ny - 1 && z > 0 && z < layout_.nz - 1;
+        if (!inner) return pointers(rows_, layout_, arrangement_, y, z);
+        const std::ptrdiff_t shift = (layout_.row(y, z) - pattern_row_) * row_stride_;
+        RowPointers<Real> p = pattern_;
+        for (int q = 0; q < d3q19::directions; ++q) {
+            p.at[q] += shift;
+            p.own[q] += shift;
+        }
+        return p;
+    }
+
+  private:
+    PopulationRows<Real> rows_;
+    const RowLayout& layout_;
+    Arrangement arrangement_;
+    std::ptrdiff_t row_stride_;
+    int pattern_row_;
+    RowPointers<Real> pattern_{};
+};
+
+// The first cell of a row that fails the check (or the fastest, should rounding hide it),
+// from the populations that its collision left: it has kept the density and added the
+// force to the momentum.
+template <class Real>
+InvalidCell find_invalid(const RowPointers<Real>& p, const ForcePointers<Real>& force,
+                         int length, MomentsKernel<Real> moments, int y, int z) {
+    std::vector<double> values(4 * static_cast<std::size_t>(length));
+    double* const out[4] = {&values[0], &values[length], &values[2 * length],
+                            &values[3 * length]};
+    const Real* outgoing[d3q19::directions];
+    for (int q = 0; q < d3q19::directions; ++q) outgoing[q] = p.at[d3q19::opposite(q)];
+    moments(outgoing, length, out);
+    InvalidCell worst;
+    for (int x = 0; x < length; ++x) {
+        InvalidCell cell{z, y, x, 1 + out[0][x], 0, 0};
+        for (int a = 0; a < 3; ++a) {
+            const double local = force.at[a] != nullptr ? force.at[a][x] : 0;
+            const double u = (out[1 + a][x] - 0.5 * local) / cell.density;
+            cell.speed += u * u;
+            cell.force += local * local;
+        }
+        cell.speed = std::sqrt(cell.speed);
+        cell.force = std::sqrt(cell.force);
+        if (!is_valid(cell.density, cell.speed)) return cell;
+        if (x == 0 || cell.speed > worst.speed) worst = cell;
+    }
+    return worst;
+}
+
+void keep_first(std::optional<InvalidCell>& kept, const InvalidCell& found) {
     if (!kept || found.before(*kept)) kept = found;
 }
 
@@ -23,61 +89,65 @@ ForcePointers<Real> force_of(const ForcedRows& forces, int y, int z) {
     return forces.row<Real>(y, z);
 }
 
-// Forces: ForcedRows or NoForces.
+// What the rows of one step share. Forces: ForcedRows or NoForces.
 template <class Forces, class Real>
-std::optional<UnsoundCell> step_row(const SweepInput& in,
-                                    const ChosenKernels<Real>& kernels,
-                                    const RowWalk<Real>& walk, const Forces& forces,
-                                    int y, int z) {
-    const bool swapped = in.arrangement == Arrangement::swapped;
-    const RowPointers<Real> p = walk.at(y, z);
-    const auto force = force_of<Real>(forces, y, z);
-    const auto kernel = force.at[0] != nullptr ? kernels.rows.forced : kernels.rows.plain;
-    if (swapped) {
-        prefetch_x_ends(p, in.layout, in.populations.row_stride());
-        open_x_ends(p, in.layout);
-    }
-    const bool sound = kernel(p.at, force.at, in.layout.nx, in.parameters);
-    std::optional<UnsoundCell> unsound;
-    if (!sound) unsound = find_unsound(p, force, in.layout.nx, kernels.moments, y, z);
-    if (swapped) close_x_ends(p, in.layout);
-    return unsound;
-}
+struct SweepRows {
+    const View& now;
+    const CollisionParameters& parameters;
+    const RowKernels<Real>& kernels;
+    const Forces& forces;
+    RowWalk<Real> walk{now};
 
-template <class Forces, class Real>
-std::optional<UnsoundCell> sweep_rows(const SweepInput& in,
-                                      const ChosenKernels<Real>& kernels,
-                                      const Forces& forces, const RowBox& box) {
-    const int count = box.size(), length = box.y_end - box.y_begin;
-    const PopulationRows<Real> rows = in.populations.rows<Real>();
-    const RowWalk<Real> walk(rows, in.layout, in.arrangement,
-                             in.populations.row_stride());
-    std::optional<UnsoundCell> first;
-#pragma omp parallel
-    {
-        std::optional<UnsoundCell> mine;
-#pragma omp for schedule(static)
-        for (int i = 0; i < count; ++i) {
-            const auto found =
-                step_row(in, kernels, walk, forces, box.y_begin + i % length,
-                         box.z_begin + i / length);
-            if (found) keep_first(mine, *found);
+    std::optional<InvalidCell> step_row(int y, int z) const {
+        const RowLayout& layout = now.layout;
+        const bool swapped = now.arrangement == Arrangement::swapped;
+        const RowPointers<Real> p = walk.at(y, z);
+        const auto force = force_of<Real>(forces, y, z);
+        const auto kernel = force.at[0] != nullptr ? kernels.forced : kernels.plain;
+        if (swapped) {
+            prefetch_x_ends(p, layout, now.populations.row_stride());
+            open_x_ends(p, layout);
         }
-#pragma omp critical
-        if (mine) keep_first(first, *mine);
+        const bool valid = kernel(p.at, force.at, layout.nx, parameters);
+        std::optional<InvalidCell> invalid;
+        if (!valid) invalid = find_invalid(p, force, layout.nx, kernels.moments, y, z);
+        if (swapped) close_x_ends(p, layout);
+        return invalid;
     }
-    return first;
-}
+
+    std::optional<InvalidCell> step(const RowBox& box) const {
+        const int count = box.size(), length = box.y_end - box.y_begin;
+        std::optional<InvalidCell> first;
+#pragma omp parallel
+        {
+            std::optional<InvalidCell> mine;
+#pragma omp for schedule(static)
+            for (int i = 0; i < count; ++i) {
+                const auto found =
+                    step_row(box.y_begin + i % length, box.z_begin + i / length);
+                if (found) keep_first(mine, *found);
+            }
+#pragma omp critical
+            if (mine) keep_first(first, *mine);
+        }
+        return first;
+    }
+};
 
 }  // namespace
 
-std::optional<UnsoundCell> sweep(const SweepInput& in, const RowBox& box) {
+std::optional<InvalidCell> sweep(const View& now, const ForcedRows* forces,
+                                 const CollisionParameters& parameters,
+                                 const RowBox& box) {
     return std::visit(
-        [&](const auto& kernels) {
-            return in.forces ? sweep_rows(in, kernels, *in.forces, box)
-                             : sweep_rows(in, kernels, NoForces{}, box);
+        [&]<class Real>(const RowKernels<Real>& kernels) {
+            if (forces) {
+                return SweepRows<ForcedRows, Real>{now, parameters, kernels, *forces}
+                    .step(box);
+            }
+            return SweepRows<NoForces, Real>{now, parameters, kernels, {}}.step(box);
         },
-        in.kernels);
+        now.kernels);
 }
 
 }  // namespace magfsi::fluid

@@ -57,7 +57,7 @@ Course run(const FluidConfig& config, double end_s, int intervals) {
     const Totals start = fluid.totals();
     const int steps = static_cast<int>(std::lround(end_s / config.time_step_s));
     Course course;
-    course.collision = fluid.collision();
+    course.collision = choose_collision(config);
     double before = 1;
     for (int i = 0; i < intervals; ++i) {
         for (int step = 0; step < steps / intervals; ++step) {
@@ -76,7 +76,7 @@ Course run(const FluidConfig& config, double end_s, int intervals) {
 }
 
 void print(const char* flow, const Course& course) {
-    std::printf("%s, %s: %s\n", flow, to_string(course.collision).c_str(),
+    std::printf("%s, %s: %s\n", flow, name_of(course.collision).data(),
                 course.end ? to_string(*course.end).c_str() : "right");
     if (!course.end)
         std::printf("  energy left %.3f, most gained %.1e, fastest %.2f, mass %.1e\n",

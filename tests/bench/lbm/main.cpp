@@ -11,7 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "fluid_lbm/streaming/kernel_choice.h"
+#include "isa/instruction_set.h"
 #include "tests/bench/lbm/measure.h"
 #include "tests/bench/lbm/peer.h"
 
@@ -122,7 +122,7 @@ void run(const Options& o) {
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     const bool talk = rank == 0 && !o.json;
     const auto& n = o.settings.cells;
-    const std::string kernel = fluid::choose_kernels().name;
+    const std::string kernel = name(choose_instruction_set());
     nlohmann::json report{{"cells", n},
                           {"ranks", ranks},
                           {"threads", omp_get_max_threads()},

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fluid_lbm/solver.h"
+#include "fluid_lbm/parallel/halo.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
 #include "tests/bench/lbm/copy_bandwidth.h"
 
 namespace magfsi::bench {
@@ -12,51 +13,41 @@ namespace {
 
 using namespace fluid;
 
-SolverConfig lattice_config(const Settings& settings, const Variant& variant) {
-    SolverConfig config;
+// A slow flow: populations that are no zeros, which some machines move faster.
+FluidConfig lattice_config(const Settings& settings, const Variant& variant) {
+    FluidConfig config;
     config.cells = settings.cells;
-    config.periodic = {true, true, true};
-    config.collision.omega = 1 / 0.6;
-    config.kernels = run_kernels(choose_kernels().kernels, variant.precision,
-                                 variant.collision, false);
+    config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
+    config.viscosity_m2_s = 0.1 / 3;
+    config.collision = variant.collision;
+    config.precision = variant.precision;
+    config.initial_velocity = [](const Vec3& x) {
+        return Vec3{0.01 * std::sin(0.1 * x[1]), 0, 0};
+    };
     return config;
 }
 
-// A slow flow: populations that are no zeros, which some machines move faster.
-template <class Real>
-void set_flow(const PopulationRows<Real>& rows, const RowLayout& layout) {
-    for (int z = 0; z < layout.nz; ++z) {
-        for (int y = 0; y < layout.ny; ++y) {
-            const double u = 0.01 * std::sin(0.1 * y);
-            for (int q = 0; q < d3q19::directions; ++q) {
-                std::fill_n(rows.row(q, layout.row(y, z)), layout.nx,
-                            static_cast<Real>(3 * d3q19::weight(q) * d3q19::c[q][0] * u));
-            }
-        }
-    }
-}
-
 // Forces in a square column of rows, as around a body.
-void set_forces(Solver& solver, double share) {
+void set_forces(Fluid& fluid, double share) {
     if (share <= 0) return;
-    const RowLayout& layout = solver.layout();
-    const std::vector<double> force(3 * static_cast<std::size_t>(layout.nx), 1e-9);
+    const CellBox box = fluid.owned();
     const double side = std::sqrt(share);
-    for (int z = 0; z < std::lround(side * layout.nz); ++z) {
-        for (int y = 0; y < std::lround(side * layout.ny); ++y) {
-            solver.forces().add(y, z, 0, force, 1);
-        }
+    std::vector<CellRow> rows;
+    for (int z = 0; z < std::lround(side * (box.hi[2] - box.lo[2])); ++z) {
+        for (int y = 0; y < std::lround(side * (box.hi[1] - box.lo[1])); ++y)
+            rows.push_back({box.lo[1] + y, box.lo[2] + z, 0, box.hi[0]});
     }
+    fluid.set_force(rows, std::vector<double>(3 * rows.size() * box.hi[0], 1e-9));
 }
 
 // Seconds of `steps` steps, that of the slowest rank; forces are set outside the time.
-double step_seconds(MPI_Comm comm, Solver& solver, double share, int steps) {
+double step_seconds(MPI_Comm comm, Fluid& fluid, double share, int steps) {
     double elapsed = 0;
     for (int i = 0; i < steps; ++i) {
-        set_forces(solver, share);
+        set_forces(fluid, share);
         MPI_Barrier(comm);
         const double start = MPI_Wtime();
-        solver.step();
+        fluid.step();
         elapsed += MPI_Wtime() - start;
     }
     MPI_Allreduce(MPI_IN_PLACE, &elapsed, 1, MPI_DOUBLE, MPI_MAX, comm);
@@ -64,10 +55,9 @@ double step_seconds(MPI_Comm comm, Solver& solver, double share, int steps) {
 }
 
 // Seconds of one halo exchange with nothing between its parts.
-double exchange_seconds(MPI_Comm comm, const Solver& solver, double seconds) {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    Halo halo(comm, solver.decomposition(), rank, solver.populations());
+double exchange_seconds(MPI_Comm comm, const Decomposition& parts, int rank,
+                        const Populations& populations, double seconds) {
+    Halo halo(comm, parts, rank, populations);
     int exchanges = 0, enough = 0;
     MPI_Barrier(comm);
     const double start = MPI_Wtime();
@@ -91,30 +81,38 @@ Spread spread(std::vector<double> values) {
 }
 
 Result measure(MPI_Comm comm, const Settings& settings, const Variant& variant) {
-    Solver solver(comm, lattice_config(settings, variant));
-    solver.populations().visit(
-        [&](const auto& rows) { set_flow(rows, solver.layout()); });
-    InPlaceCopy copy(comm, solver.populations().bytes());
+    Fluid fluid(comm, lattice_config(settings, variant));
+    int rank = 0, ranks = 1;
+    MPI_Comm_rank(comm, &rank);
+    MPI_Comm_size(comm, &ranks);
+    const Decomposition parts = decompose(settings.cells, {true, true, true}, ranks);
+    const RowLayout layout = parts.layout(rank);
+    // For the exchange alone, as large as the fluid's own.
+    const Populations populations(layout.nx, layout.row_count(),
+                                  storage_of(variant.precision));
+    InPlaceCopy copy(comm, populations.bytes());
     const double cells =
         static_cast<double>(settings.cells[0]) * settings.cells[1] * settings.cells[2];
-    const double bytes_a_cell = 2.0 * d3q19::directions *
-                                static_cast<double>(solver.populations().element_bytes());
+    const double bytes_a_cell =
+        2.0 * d3q19::directions * static_cast<double>(populations.element_bytes());
 
-    const double two = step_seconds(comm, solver, variant.forced_share, 2);
+    const double two = step_seconds(comm, fluid, variant.forced_share, 2);
     const int steps = 2 * std::max(1, static_cast<int>(settings.seconds / two));
     std::vector<double> mlups, copies, shares, exchanges;
     copy.bytes_per_second(0);
     for (int i = 0; i < settings.repetitions; ++i) {
         const double before = copy.bytes_per_second(settings.seconds / 2);
         const double step =
-            step_seconds(comm, solver, variant.forced_share, steps) / steps;
+            step_seconds(comm, fluid, variant.forced_share, steps) / steps;
         const double rate = cells / step;
         const double after = copy.bytes_per_second(settings.seconds / 2);
         const double limit = (before + after) / 2;
         mlups.push_back(1e-6 * rate);
         copies.push_back(1e-9 * limit);
         shares.push_back(rate * bytes_a_cell / limit);
-        exchanges.push_back(exchange_seconds(comm, solver, settings.seconds / 10) / step);
+        exchanges.push_back(
+            exchange_seconds(comm, parts, rank, populations, settings.seconds / 10) /
+            step);
     }
     return {variant, spread(mlups), spread(copies), spread(shares), spread(exchanges)};
 }

@@ -120,7 +120,7 @@ TEST_P(TaylorGreen, IsSecondOrderInEnergyAndDissipation) {
         peak = peak_loss(course.energy) / peak_loss(exact.energy) - 1;
         std::printf("%d^3: peak of -dE/dt off by %.2e\n", n, peak);
     }
-    const std::string name = to_string(GetParam());
+    const std::string name(name_of(GetParam()));
     EXPECT_GE(observed_order((name + " energy").c_str(), energy), 1.9);
     EXPECT_GE(observed_order((name + " -dE/dt").c_str(), loss_rate), 1.9);
     // The sampled enstrophy falls short by the central differences' (k dx)^2 / 3 of its
@@ -140,7 +140,7 @@ TEST_P(TaylorGreen, DiffersLittleInFloat) {
     for (const Precision precision : {Precision::float_, Precision::float_double}) {
         const Errors e = compare(run(n, steps, GetParam(), precision), exact);
         std::printf("%s %s against double, 32^3: energy %.1e, -dE/dt %.1e\n",
-                    to_string(GetParam()).c_str(), to_string(precision).c_str(), e.energy,
+                    name_of(GetParam()).data(), name_of(precision).data(), e.energy,
                     e.loss);
         // The error of the discretisation is 2e-3 and 1e-2 here. Roundings of 1e-9 a step
         // add up along the conserved moments, most with one relaxation time: 2e-5.

@@ -47,7 +47,7 @@ TEST_P(TaylorGreen1600, StaysStableThroughItsPeak) {
         MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
         ASSERT_EQ(bad, 0) << "after t = " << (i + 1) * interval;
     }
-    std::ofstream csv("taylor_green_1600_" + to_string(GetParam()) + ".csv");
+    std::ofstream csv("taylor_green_1600_" + std::string(name_of(GetParam())) + ".csv");
     csv << "t,energy,minus_dE_dt,two_nu_enstrophy\n";
     double peak = 0, when = 0;
     for (int i = 1; i + 1 < samples; ++i) {
@@ -60,7 +60,7 @@ TEST_P(TaylorGreen1600, StaysStableThroughItsPeak) {
         }
     }
     std::printf("%s: peak of -dE/dt %.5f at t = %.2f; spectral 0.01286 at 8.97\n",
-                to_string(GetParam()).c_str(), peak, when);
+                name_of(GetParam()).data(), peak, when);
     // Not resolved: the grid ends at wave number 64, the flow's dissipation well beyond.
     // The bounds only tell the right course from a wrong one.
     EXPECT_NEAR(peak, 0.01286, 0.15 * 0.01286);

@@ -1,0 +1,209 @@
+#include "fluid_lbm/boundary/sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fluid_lbm/collision/cells.h"
+#include "fluid_lbm/refuse.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+bool is(const FluidConfig& config, int side, BoundaryKind kind) {
+    return config.boundaries[side].kind == kind;
+}
+
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+double falloff(InletProfile profile, double s) {
+    if (profile == InletProfile::uniform) return 1;
+    return std::max(0.0, 1 - std::pow(s, profile == InletProfile::parabolic ? 2 : 8));
+}
+
+bool is_wall(const FluidConfig& config, int side) {
+    return config.boundaries[side].kind == BoundaryKind::no_slip;
+}
+
+// Profile of an opening that is the whole side, along one axis of it. A plane of symmetry
+// at one end doubles the width.
+double falloff_between_sides(const FluidConfig& config, InletProfile profile, int axis,
+                             double at) {
+    const bool low = is_wall(config, 2 * axis), high = is_wall(config, 2 * axis + 1);
+    if (!low && !high) return 1;
+    const double width = config.cells[axis];
+    if (low && high) return falloff(profile, std::abs(2 * at / width - 1));
+    return falloff(profile, low ? 1 - at / width : at / width);
+}
+
+// Of the cell whose face lies at `at`, in-plane coordinates in cells; not yet scaled.
+double shape_of(const FluidConfig& config, int side, const std::array<double, 2>& at) {
+    const Boundary& boundary = config.boundaries[side];
+    const InletProfile profile = boundary.inlet.profile;
+    const std::array<int, 2> axes = in_plane(side);
+    if (!boundary.patch) {
+        return falloff_between_sides(config, profile, axes[0], at[0]) *
+               falloff_between_sides(config, profile, axes[1], at[1]);
+    }
+    const double dx = config.spacing_m;
+    if (const auto* disc = std::get_if<Disc>(&*boundary.patch)) {
+        return falloff(profile, 2 *
+                                    std::hypot(at[0] * dx - disc->centre_m[0],
+                                               at[1] * dx - disc->centre_m[1]) /
+                                    disc->diameter_m);
+    }
+    const Rectangle& r = std::get<Rectangle>(*boundary.patch);
+    double product = 1;
+    for (int i = 0; i < 2; ++i) {
+        product *=
+            falloff(profile, std::abs(at[i] * dx - r.centre_m[i]) * 2 / r.size_m[i]);
+    }
+    return product;
+}
+
+std::array<double, 2> face_centre(int side, const Cell& cell) {
+    const std::array<int, 2> axes = in_plane(side);
+    return {cell[axes[0]] + 0.5, cell[axes[1]] + 0.5};
+}
+
+CellBox whole_side(const FluidConfig& config, int side) {
+    return *cells_at_side({{0, 0, 0}, config.cells}, config.cells, side);
+}
+
+int open_cells(const FluidConfig& config, int side) {
+    int open = 0;
+    for_each_cell(whole_side(config, side),
+                  [&](const Cell& c) { open += is_open(config, side, c); });
+    return open;
+}
+
+void check_lattice_speed(const FluidConfig& config, double speed_m_s, const char* what,
+                         int side) {
+    const double lattice_speed = speed_m_s / units(config).velocity_m_s();
+    if (lattice_speed > lattice_speed_limit) {
+        refuse("fluid ", what, " at ", side_name[side], " is ", lattice_speed,
+               " cells a step; it must stay below ", lattice_speed_limit,
+               ": use a shorter time step");
+    }
+}
+
+void check_patch(const FluidConfig& config, int side) {
+    const Boundary& boundary = config.boundaries[side];
+    if (!boundary.patch) return;
+    const auto* disc = std::get_if<Disc>(&*boundary.patch);
+    const auto* rectangle = std::get_if<Rectangle>(&*boundary.patch);
+    const auto centre = disc ? disc->centre_m : rectangle->centre_m;
+    const std::array<int, 2> axes = in_plane(side);
+    for (int i = 0; i < 2; ++i) {
+        const double width = disc ? disc->diameter_m : rectangle->size_m[i];
+        const double end = config.cells[axes[i]] * config.spacing_m;
+        const double low = centre[i] - width / 2, high = centre[i] + width / 2;
+        const double slack = 1e-9 * end;  // a patch up to the edge, typed in decimals
+        if (!(width > 0) || !(low >= -slack) || !(high <= end + slack)) {
+            refuse("fluid patch on ", side_name[side], " reaches from ", low, " to ",
+                   high, " m along ", axis_name[axes[i]], "; the side reaches from 0 to ",
+                   end, " m");
+        }
+    }
+    if (open_cells(config, side) == 0) {
+        refuse("fluid patch on ", side_name[side],
+               " holds the centre of no cell; make it larger or the spacing finer");
+    }
+}
+
+void check_inlet(const FluidConfig& config, int side) {
+    if (!is(config, side, BoundaryKind::velocity_inlet)) return;
+    const auto velocity = inlet_velocity(config, side);
+    double peak = 0;
+    for_each_cell(whole_side(config, side), [&](const Cell& c) {
+        if (is_open(config, side, c)) peak = std::max(peak, length(velocity(c)));
+    });
+    check_lattice_speed(config, peak * units(config).velocity_m_s(), "inlet speed", side);
+}
+
+// Volume per time into the box.
+double inflow_m3_s(const FluidConfig& config, int side) {
+    const Boundary& boundary = config.boundaries[side];
+    if (boundary.kind != BoundaryKind::velocity_inlet) return 0;
+    return inward(side) * boundary.inlet.velocity_m_s[side / 2] *
+           open_cells(config, side) * config.spacing_m * config.spacing_m;
+}
+
+// Without an outlet the pressure grows without limit unless the inlets balance.
+void check_balance(const FluidConfig& config) {
+    double sum = 0, largest = 0;
+    for (int side = 0; side < 6; ++side) {
+        if (is(config, side, BoundaryKind::pressure_outlet)) return;
+        const double flow = inflow_m3_s(config, side);
+        sum += flow;
+        largest = std::max(largest, std::abs(flow));
+    }
+    if (std::abs(sum) > 1e-9 * largest) {
+        refuse("fluid inlets bring ", sum,
+               " m3/s and there is no pressure outlet; make a side an outlet or let the "
+               "inlets balance");
+    }
+}
+
+void check_outlets(const FluidConfig& config) {
+    for (int side = 0; side < 6; ++side) {
+        if (!is(config, side, BoundaryKind::pressure_outlet)) continue;
+        for (int other = 0; other < side; ++other) {
+            const bool meet = axis_of(other) != axis_of(side) &&
+                              is(config, other, BoundaryKind::pressure_outlet) &&
+                              !config.boundaries[side].patch &&
+                              !config.boundaries[other].patch;
+            if (!meet) continue;
+            refuse("fluid sides ", side_name[other], " and ", side_name[side],
+                   " are pressure outlets that share an edge, where neither knows what "
+                   "enters; only opposite sides may both be, or make one a patch");
+        }
+    }
+}
+
+}  // namespace
+
+bool is_open(const FluidConfig& config, int side, const Cell& cell) {
+    const auto& patch = config.boundaries[side].patch;
+    if (!patch) return true;
+    const std::array<double, 2> at = face_centre(side, cell);
+    const double dx = config.spacing_m;
+    if (const auto* disc = std::get_if<Disc>(&*patch)) {
+        return std::hypot(at[0] * dx - disc->centre_m[0],
+                          at[1] * dx - disc->centre_m[1]) < disc->diameter_m / 2;
+    }
+    const Rectangle& r = std::get<Rectangle>(*patch);
+    return std::abs(at[0] * dx - r.centre_m[0]) < r.size_m[0] / 2 &&
+           std::abs(at[1] * dx - r.centre_m[1]) < r.size_m[1] / 2;
+}
+
+std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int side) {
+    double sum = 0;
+    int count = 0;
+    for_each_cell(whole_side(config, side), [&](const Cell& cell) {
+        if (!is_open(config, side, cell)) return;
+        sum += shape_of(config, side, face_centre(side, cell));
+        ++count;
+    });
+    Vec3 peak = config.boundaries[side].inlet.velocity_m_s;
+    for (double& u : peak) u *= count / sum / units(config).velocity_m_s();
+    return [&config, side, peak](const Cell& cell) {
+        const double shape = shape_of(config, side, face_centre(side, cell));
+        return Vec3{peak[0] * shape, peak[1] * shape, peak[2] * shape};
+    };
+}
+
+void check_sides(const FluidConfig& config) {
+    for (int side = 0; side < 6; ++side) {
+        check_lattice_speed(config, length(config.boundaries[side].wall_velocity_m_s),
+                            "wall speed", side);
+        check_patch(config, side);
+        check_inlet(config, side);
+    }
+    check_balance(config);
+    check_outlets(config);
+}
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,83 @@
+// Walls that move along themselves: half-way bounce-back gains 6 w rho0 c.u_w on each
+// population that leaves the wall (Ladd 1994), rho0 = 1.
+#include "fluid_lbm/boundary/boundaries.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+using namespace d3q19;
+
+// Whether the link that brings q to a cell goes through an edge, where another wall
+// begins along `axis`.
+bool through_edge(const RowLayout& layout, int axis, int q, int index) {
+    if (c[q][axis] == 0) return false;
+    const int from = index - c[q][axis];
+    if (axis == 1) return cross(from, layout.ny, layout.beyond_y).wall;
+    if (axis == 2) return cross(from, layout.nz, layout.beyond_z).wall;
+    return layout.beyond_x == Beyond::wall && (from < 0 || from >= layout.nx);
+}
+
+// Adds the wall's term to the slots that hold bounced populations: in both arrangements
+// these are the natural slots of the cells at the wall. A link through an edge takes the
+// mean velocity of the two walls that meet there (in a lid-driven cavity that halves the
+// error against a converged solution); what the box gains at one end of a wall it loses
+// at the other.
+class MovingWall final : public SideEffect {
+  public:
+    // velocity: lattice units, tangential.
+    MovingWall(int side, const CellBox& cells, const Vec3& velocity)
+        : side_(side), cells_(cells), velocity_(velocity) {}
+
+    void after_exchange(const Populations& populations, const RowLayout& layout,
+                        double) override {
+        for (int q = 1; q < directions; ++q) {
+            if (c[q][axis_of(side_)] != inward(side_)) continue;
+            const double cu =
+                c[q][0] * velocity_[0] + c[q][1] * velocity_[1] + c[q][2] * velocity_[2];
+            if (cu == 0) continue;
+            populations.visit([&](const auto& rows) {
+                add_to_cells(rows, layout, q, 6 * weight(q) * cu);
+            });
+        }
+    }
+
+  private:
+    // term: of links through the wall; those through an edge take half, the mean of two
+    // walls of which the other one adds its own half.
+    template <class Real>
+    void add_to_cells(const PopulationRows<Real>& rows, const RowLayout& layout, int q,
+                      double term) const {
+        const auto at_edge = [&](int axis, int index) {
+            return axis != axis_of(side_) && through_edge(layout, axis, q, index);
+        };
+        for (int z = cells_.lo[2]; z < cells_.hi[2]; ++z) {
+            for (int y = cells_.lo[1]; y < cells_.hi[1]; ++y) {
+                Real* row = rows.row(q, layout.row(y, z));
+                const bool edge = at_edge(1, y) || at_edge(2, z);
+                const auto add = [&](int x, double share) {
+                    row[x] = static_cast<Real>(row[x] + share * term);
+                };
+                // Only the ends of a row touch a wall along x.
+                const int first = cells_.lo[0], last = cells_.hi[0] - 1;
+                add(first, edge || at_edge(0, first) ? 0.5 : 1);
+                for (int x = first + 1; x < last; ++x) add(x, edge ? 0.5 : 1);
+                if (last > first) add(last, edge || at_edge(0, last) ? 0.5 : 1);
+            }
+        }
+    }
+
+    int side_;
+    CellBox cells_;  // at the wall, local indices
+    Vec3 velocity_;
+};
+
+}  // namespace
+
+std::unique_ptr<SideEffect> make_moving_wall_effect(const SideContext& in, int side) {
+    const auto cells = in.cells_at(side);
+    if (!cells) return nullptr;
+    return std::make_unique<MovingWall>(side, *cells, wall_velocity(in.config, side));
+}
+
+}  // namespace magfsi::fluid

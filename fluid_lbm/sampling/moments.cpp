@@ -1,0 +1,67 @@
+#include "fluid_lbm/sampling/moments.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+template <class Real>
+RowPointers<Real> readable_row(const View& view, int y, int z) {
+    const auto p =
+        pointers(view.populations.rows<Real>(), view.layout, view.arrangement, y, z);
+    if (view.arrangement == Arrangement::swapped) open_x_ends(p, view.layout);
+    return p;
+}
+
+// use(p, first): the pointers of each row of the plane and the index of its first value.
+template <class Real, class Use>
+void each_row(const View& view, const PopulationRows<Real>& rows, int z, Use&& use) {
+    const std::size_t row_values = d3q19::directions * view.layout.nx;
+    for (int y = 0; y < view.layout.ny; ++y)
+        use(pointers(rows, view.layout, view.arrangement, y, z), y * row_values);
+}
+
+}  // namespace
+
+void row_moments(const View& view, int y, int z, int x_begin, int x_end,
+                 RowMoments& moments) {
+    const int count = x_end - x_begin;
+    moments.excess.resize(count);
+    for (auto& component : moments.j) component.resize(count);
+    double* const out[4] = {moments.excess.data(), moments.j[0].data(),
+                            moments.j[1].data(), moments.j[2].data()};
+    std::visit(
+        [&]<class Real>(const RowKernels<Real>& kernels) {
+            const RowPointers<Real> p = readable_row<Real>(view, y, z);
+            const Real* at[d3q19::directions];
+            for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + x_begin;
+            kernels.moments(at, count, out);
+        },
+        view.kernels);
+}
+
+void read_plane(const View& view, int z, std::span<double> values) {
+    const bool swapped = view.arrangement == Arrangement::swapped;
+    view.populations.visit([&](const auto& rows) {
+        each_row(view, rows, z, [&](const auto& p, std::size_t at) {
+            if (swapped) open_x_ends(p, view.layout);
+            for (int x = 0; x < view.layout.nx; ++x) {
+                for (int q = 0; q < d3q19::directions; ++q) values[at++] = p.at[q][x];
+            }
+        });
+    });
+}
+
+void write_plane(const View& view, int z, std::span<const double> values) {
+    const bool swapped = view.arrangement == Arrangement::swapped;
+    view.populations.visit([&]<class Real>(const PopulationRows<Real>& rows) {
+        each_row(view, rows, z, [&](const auto& p, std::size_t at) {
+            for (int x = 0; x < view.layout.nx; ++x) {
+                for (int q = 0; q < d3q19::directions; ++q)
+                    p.at[q][x] = static_cast<Real>(values[at++]);
+            }
+            if (swapped) close_x_ends(p, view.layout);
+        });
+    });
+}
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,40 @@
+// Density and momentum, and the populations themselves, of rows in either arrangement;
+// lattice units.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "fluid_lbm/lattice/populations.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
+
+namespace magfsi::fluid {
+
+// Of some cells of one row.
+struct RowMoments {
+    std::vector<double> excess;            // density - 1
+    std::array<std::vector<double>, 3> j;  // sum of c f
+};
+
+// What all sampling reads.
+struct View {
+    const Populations& populations;
+    const RowLayout& layout;
+    Arrangement arrangement;
+    const AnyKernels& kernels;
+};
+
+// Cells x_begin <= x < x_end of an owned row. In the swapped arrangement the ghost rows
+// must be filled. Writes the ghost elements at the row's ends, which are free between
+// steps.
+void row_moments(const View& view, int y, int z, int x_begin, int x_end,
+                 RowMoments& moments);
+
+// All populations of a plane of cells, for a state that is saved and restored. z: local
+// index; values: [y][x][19] of the rank's cells, those that have arrived, as deviations
+// from rest.
+void read_plane(const View& view, int z, std::span<double> values);
+void write_plane(const View& view, int z, std::span<const double> values);
+
+}  // namespace magfsi::fluid

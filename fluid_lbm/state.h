@@ -1,0 +1,75 @@
+// One rank's fluid in lattice units: for the files that implement Fluid (fluid.cpp,
+// step.cpp, sampling/).
+#pragma once
+
+#include "fluid_lbm/boundary/boundaries.h"
+#include "fluid_lbm/fluid.h"
+#include "fluid_lbm/obstacle/obstacles.h"
+#include "fluid_lbm/parallel/halo.h"
+#include "fluid_lbm/sampling/moments.h"
+#include "fluid_lbm/streaming/forced_rows.h"
+#include "fluid_lbm/streaming/kept_state.h"
+#include "fluid_lbm/streaming/sweep.h"
+
+namespace magfsi::fluid {
+
+// A communicator of the fluid's own: its messages cannot meet those of its user.
+class OwnedComm {
+  public:
+    explicit OwnedComm(MPI_Comm comm);
+    ~OwnedComm();
+    OwnedComm(const OwnedComm&) = delete;
+    OwnedComm& operator=(const OwnedComm&) = delete;
+    operator MPI_Comm() const { return comm_; }
+    int rank() const;
+    int size() const;
+
+  private:
+    MPI_Comm comm_ = MPI_COMM_NULL;
+};
+
+struct Fluid::State {
+    // In the configured flow.
+    State(MPI_Comm parent, const FluidConfig& fluid_config);
+
+    const FluidConfig config;
+    const Units unit;
+    const CollisionParameters parameters;
+    const AnyKernels kernels;  // decide what populations are stored as
+    const OwnedComm comm;
+    const int rank;
+    const Decomposition decomposition;
+    const RowLayout layout;
+    Populations populations;
+    Arrangement arrangement = Arrangement::natural;
+    std::int64_t steps_done = 0;
+    Halo halo;
+    const std::vector<RowBox> rows_at_cuts, inner_rows;
+    std::optional<ForcedRows> forces;    // of the next step; empty until one is set
+    std::optional<Obstacles> obstacles;  // empty without any
+    std::vector<std::unique_ptr<SideEffect>> side_effects;
+    // The first cell that a step found invalid, and the steps done before that one.
+    std::optional<InvalidCell> invalid;
+    std::int64_t invalid_step = 0;
+    std::optional<KeptState> kept;  // only where steps are taken again
+    bool again = false;             // the coming step is one that is taken again
+
+    const CellBox& owned() const { return decomposition.boxes[rank]; }
+    // The state before collision, complete between steps whatever its arrangement: ghost
+    // rows filled, walls applied.
+    View view() const { return {populations, layout, arrangement, kernels}; }
+    std::size_t cells() const {  // of this rank
+        return static_cast<std::size_t>(layout.nx) * layout.ny * layout.nz;
+    }
+    std::size_t fluid_cells() const;  // of those, outside obstacles
+    // Local indices.
+    bool is_solid(const Cell& cell) const {
+        return obstacles && obstacles->map().solid(cell);
+    }
+    void need_forces(const std::optional<Vec3>& body_force);
+    void set_initial_flow();
+    // After the populations have been changed: solid cells back to rest.
+    void reset_solid_cells();
+};
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,49 @@
+// The row kernels of all collisions and precisions. Compiled once for each instruction
+// set (cmake/IsaVariants.cmake).
+#include "fluid_lbm/collision/bgk.h"
+#include "fluid_lbm/collision/recursive_regularized.h"
+#include "fluid_lbm/collision/smagorinsky.h"
+#include "fluid_lbm/collision/trt.h"
+#include "fluid_lbm/streaming/row_kernel.h"
+
+namespace magfsi::fluid::MAGFSI_ISA {
+namespace {
+
+// Real is stored, T computed with.
+template <class Real, class T, class C, bool Forced>
+bool collide(Real* const* at, const Real* const* force, std::ptrdiff_t length,
+             const CollisionParameters& parameters) {
+    using V = typename Simd<T, vector_bytes / sizeof(T)>::Vector;
+    return collide_row<C, Forced, V>(at, force, length, parameters,
+                                     collide<Real, T, C, Forced>);
+}
+
+template <class Real>
+void sample(const Real* const* at, std::ptrdiff_t length, double* const* moments) {
+    sample_row<vector_bytes / sizeof(double)>(at, length, moments);
+}
+
+template <class Real, class T, class C>
+constexpr CollisionKernels<Real> kernels_of() {
+    using WithEddies = Smagorinsky<C>;
+    return {C::kind,
+            {{collide<Real, T, C, false>, collide<Real, T, C, true>, sample<Real>},
+             {collide<Real, T, WithEddies, false>, collide<Real, T, WithEddies, true>,
+              sample<Real>}}};
+}
+
+// A new collision is a header like bgk.h, an enumerator with its word in options.h, and
+// its name in this list.
+template <class Real, class T>
+constexpr KernelTable<Real> table() {
+    return {{kernels_of<Real, T, Bgk>(), kernels_of<Real, T, TwoRelaxationTimes>(),
+             kernels_of<Real, T, RecursiveRegularized>()}};
+}
+
+}  // namespace
+
+extern const KernelSet kernels;
+constinit const KernelSet kernels = {table<double, double>(), table<float, float>(),
+                                     table<float, double>()};
+
+}  // namespace magfsi::fluid::MAGFSI_ISA
