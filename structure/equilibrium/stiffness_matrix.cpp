@@ -1,7 +1,8 @@
 #include "structure/equilibrium/stiffness_matrix.h"
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
+#include <omp.h>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <stdexcept>
@@ -27,6 +28,19 @@ std::vector<std::vector<int>> later_neighbours(const Mesh& mesh) {
     return out;
 }
 
+// CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says; they take longer than
+// one.
+class OneThread {
+  public:
+    OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+    ~OneThread() { omp_set_max_active_levels(levels_); }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+  private:
+    int levels_;
+};
+
 }  // namespace
 
 StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> held,
@@ -43,6 +57,7 @@ StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> hel
     index_elements(mesh, neighbours);
     set_zero();
     factor_.cholmod().print = 0;
+    const OneThread one_thread;
     factor_.analyzePattern(matrix_);
     throw_if_out_of_memory();
 }
@@ -97,7 +112,8 @@ void StiffnessMatrix::add_element(std::size_t element, const Matrix24& tangent) 
     for (int b = 0; b < 8; ++b) {
         for (int d = 0; d < 3; ++d) {
             if (held_[nodes[b]][d]) continue;
-            // The first row of the column is the diagonal: d rows of the node are above it.
+            // The first row of the column is the diagonal: d rows of the node are above
+            // it.
             double* column =
                 matrix_.valuePtr() + matrix_.outerIndexPtr()[3 * nodes[b] + d] - d;
             for (int a = 0; a < 8; ++a) {
@@ -127,6 +143,7 @@ void StiffnessMatrix::throw_if_out_of_memory() {
 }
 
 bool StiffnessMatrix::factorize() {
+    const OneThread one_thread;
     factor_.factorize(matrix_);
     throw_if_out_of_memory();
     return factor_.info() == Eigen::Success;
@@ -136,6 +153,7 @@ Eigen::VectorXd StiffnessMatrix::solve(Eigen::VectorXd right_side) const {
     for (Eigen::Index q = 0; q < right_side.size(); ++q) {
         if (held_[q / 3][q % 3]) right_side[q] = 0;
     }
+    const OneThread one_thread;
     return factor_.solve(right_side);
 }
 
@@ -143,7 +161,8 @@ int StiffnessMatrix::negative_eigenvalues() {
     if (factorize()) return 0;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor;
     factor.analyzePattern(matrix_);
-    // A pivot of exactly zero stops the factorisation: move it by less than rounding does.
+    // A pivot of exactly zero stops the factorisation: move it by less than rounding
+    // does.
     double shift = 0;
     for (factor.factorize(matrix_); factor.info() != Eigen::Success;
          factor.factorize(matrix_)) {
