@@ -5,10 +5,9 @@
 #include <stdexcept>
 
 #include "adapters/bodies/converted_mesh.h"
-#include "structure/mesh/bounds.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
-#include "structure/mesh/oblique_mesh.h"
 
 namespace magfsi::bodies {
 

@@ -8,9 +8,8 @@
 
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/marker_area.h"
-#include "structure/mesh/depth.h"
+#include "structure/mesh/body_points.h"
 #include "structure/mesh/sheet.h"
-#include "structure/mesh/volume_points.h"
 
 namespace magfsi::bodies {
 

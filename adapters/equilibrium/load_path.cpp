@@ -3,7 +3,7 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "structure/lammps/placement.h"
 #include "structure/lattice/lattice.h"
-#include "structure/magnetics/nodal_charge.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::equilibrium {
 
@@ -29,7 +29,7 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
     field_ = scene.magnetic_field;
     const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
     placed_m_ = structure::placed_nodes(body_, body.initial, plane);
-    mass_kg_ = structure::node_masses(structure::build_lattice(body_));
+    mass_kg_ = structure::build_lattice(body_).node_mass_kg;
     charge_a_m_ = structure::nodal_charges(body_.mesh.nodes, body_.mesh.elements,
                                            body_.magnetization_a_m);
     const structure::StaticLoads start = loads_at(0);

@@ -13,7 +13,7 @@ std::vector<double> contact_areas(const std::vector<Vec3>& nodes_m,
     mesh.elements = elements;
     std::vector<Vec3> share(nodes_m.size(), Vec3{});
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(nodes_m, quad);
+        const Vec3 area = quad_area_vector(corners(nodes_m, quad.node));
         for (int node : quad.node) {
             for (std::size_t d = 0; d < 3; ++d) {
                 share[static_cast<std::size_t>(node)][d] += 0.25 * area[d];

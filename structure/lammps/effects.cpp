@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 #include "structure/lammps/effect.h"
-#include "structure/materials.h"
 
 namespace magfsi::structure {
 

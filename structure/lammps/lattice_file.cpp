@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "structure/mesh/numbered_lines.h"
+#include "structure/mesh/mesh_file.h"
 
 namespace magfsi::structure {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 #include "structure/lammps/script.h"
 
 namespace magfsi::structure {

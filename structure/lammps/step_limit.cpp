@@ -15,7 +15,7 @@ double step_limit_s(const Body& body, double stiffness_pa_m) {
     // From the definition of the body's own step.
     const double damping = 2 / own - 0.5 * own * frequency * frequency;
     const auto area = contact_areas(body.mesh.nodes, body.mesh.elements);
-    const auto mass = node_masses(build_lattice(body));
+    const auto mass = build_lattice(body).node_mass_kg;
     double most = 0;
     for (std::size_t a = 0; a < area.size(); ++a) {
         most = std::max(most, stiffness_pa_m * area[a] / mass[a]);

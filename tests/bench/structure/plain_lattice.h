@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "structure/lammps/lattice_file.h"
-#include "structure/lattice/element_energy.h"
+#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure::bench {
 

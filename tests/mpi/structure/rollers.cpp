@@ -1,7 +1,7 @@
 // Rollers in real LAMMPS: held along one axis, free along the others.
 #include <gtest/gtest.h>
 
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

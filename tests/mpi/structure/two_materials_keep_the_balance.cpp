@@ -16,7 +16,7 @@ TEST(TwoMaterials, KeepTheBalanceOfEnergy) {
     test::LammpsRun run(MPI_COMM_WORLD, folder.write(input).setup);
     run.command("run 0");
     run.command("run 2000 pre no post no");
-    const auto mass = node_masses(build_lattice(body));
+    const auto mass = build_lattice(body).node_mass_kg;
     const auto x = run.gather("x");
     const auto v = run.gather("v");
     double kinetic = 0;

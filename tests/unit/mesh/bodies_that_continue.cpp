@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "structure/mesh/box_mesh.h"
-#include "structure/mesh/mesh_ends.h"
+#include "structure/mesh/block_mesh.h"
 #include "structure/mesh/sheet.h"
 
 namespace magfsi::structure {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "structure/mesh/oblique_mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "tests/unit/mesh/meshes.h"
 
 namespace magfsi::structure {
@@ -99,7 +99,7 @@ TEST(Locate, PointsJustOutsideAreFoundWithATolerance) {
     const PointLocator locator(mesh);
     int moved = 0;
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(mesh.nodes, quad);
+        const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
         const double norm = quad_area(mesh.nodes, quad);
         Vec3 at{};
         for (int d = 0; d < 3; ++d) {

@@ -1,4 +1,4 @@
-#include "structure/magnetics/magnetization_table.h"
+#include "structure/magnetics/magnetization.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,7 @@
 
 #include <fstream>
 
-#include "structure/magnetics/magnetization.h"
-#include "structure/mesh/oblique_mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "tests/unit/mesh/meshes.h"
 
 namespace magfsi::structure {

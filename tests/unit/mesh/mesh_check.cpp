@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "structure/mesh/orientation.h"
 #include "tests/unit/mesh/meshes.h"
 
 namespace magfsi::structure {

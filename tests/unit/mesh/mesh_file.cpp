@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "structure/mesh/oblique_mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "tests/unit/mesh/meshes.h"
 
 namespace magfsi::structure {

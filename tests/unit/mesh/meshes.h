@@ -5,7 +5,7 @@
 #include <random>
 
 #include "structure/lattice/hexahedron.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace magfsi::structure::test {
 

@@ -1,4 +1,4 @@
-#include "structure/mesh/oblique_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 #include <gtest/gtest.h>
 

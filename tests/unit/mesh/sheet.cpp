@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "structure/mesh/oblique_mesh.h"
-#include "structure/mesh/orientation.h"
+#include "structure/mesh/block_mesh.h"
+#include "structure/mesh/mesh_check.h"
 #include "tests/unit/mesh/meshes.h"
 
 namespace magfsi::structure {

@@ -25,7 +25,7 @@ TEST(Surface, BlockHasItsQuadsAndIsClosed) {
 TEST(Surface, QuadsLookOutward) {
     const Mesh mesh = box_mesh(box);
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(mesh.nodes, quad);
+        const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
         const int d = quad.face / 2;
         EXPECT_GT((quad.face % 2 == 1 ? 1 : -1) * area[d], 0);
         // The vector of a plane quad has its area.
@@ -37,7 +37,7 @@ TEST(Surface, AreaVectorsOfADistortedBlockSumToZero) {
     const Mesh mesh = test::distorted_block(box, 2e-5, 3);
     Vec3 sum{};
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(mesh.nodes, quad);
+        const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
         for (int d = 0; d < 3; ++d) sum[d] += area[d];
     }
     for (double s : sum) EXPECT_NEAR(s, 0, 1e-20);  // rounding of areas of 8e-6 m2

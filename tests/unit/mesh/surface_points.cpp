@@ -1,4 +1,4 @@
-#include "structure/mesh/surface_points.h"
+#include "structure/mesh/body_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Points through the volume of a body and their depth below its surface.
-#include "structure/mesh/volume_points.h"
+#include "structure/mesh/body_points.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "structure/mesh/box_mesh.h"
-#include "structure/mesh/depth.h"
+#include "structure/mesh/block_mesh.h"
 #include "structure/mesh/sheet.h"
 
 namespace magfsi::structure {

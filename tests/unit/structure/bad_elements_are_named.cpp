@@ -8,7 +8,7 @@ namespace {
 
 std::string message(const Mesh& mesh, ElementVariant variant) {
     try {
-        build_lattice(mesh.nodes, mesh.elements, test::soft_material(), variant);
+        build_lattice(mesh.nodes, mesh.elements, {test::soft_material()}, {}, variant);
     } catch (const std::invalid_argument& error) {
         return error.what();
     }

@@ -1,4 +1,4 @@
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "structure/lattice/current_step.h"
+#include "structure/lattice/stable_step.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {

@@ -7,7 +7,7 @@
 
 #include "structure/body.h"
 #include "structure/lattice/hexahedron.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace magfsi::structure::test {
 

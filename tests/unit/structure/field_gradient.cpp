@@ -1,9 +1,8 @@
-#include "structure/magnetics/field_gradient.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 #include <gtest/gtest.h>
 
 #include "structure/magnetics/magnetization.h"
-#include "structure/magnetics/nodal_charge.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {

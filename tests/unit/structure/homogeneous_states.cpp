@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "structure/lattice/element_energy.h"
 #include "tests/unit/structure/elements.h"
+#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "structure/lattice/element_kernel.h"
 #include "tests/unit/structure/elements.h"
+#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure {
 namespace {
@@ -48,7 +49,7 @@ Sums plain(const Mesh& mesh, ElementVariant variant, const std::vector<double>& 
 void expect_same(InstructionSet set, const Mesh& mesh, ElementVariant variant,
                  bool bricks) {
     const Lattice lattice =
-        build_lattice(mesh.nodes, mesh.elements, test::soft_material(), variant);
+        build_lattice(mesh.nodes, mesh.elements, {test::soft_material()}, {}, variant);
     ASSERT_EQ(lattice.bricks, bricks);
     const auto x = random_state(mesh);
     const Sums expected = plain(mesh, variant, x);
@@ -91,8 +92,8 @@ TEST_P(Kernel, MatchesThePlainElementOnDistortedElements) {
 
 TEST_P(Kernel, NamesTheElementThatIsInvertedOrNotANumber) {
     const Mesh mesh = box_mesh(box);
-    const Lattice lattice = build_lattice(mesh.nodes, mesh.elements,
-                                          test::soft_material(), ElementVariant::full);
+    const Lattice lattice = build_lattice(
+        mesh.nodes, mesh.elements, {test::soft_material()}, {}, ElementVariant::full);
     ElementKernel kernel(GetParam());
     const std::vector<int> some{3, 40, 44};
     kernel.assign(lattice, some,

@@ -1,4 +1,4 @@
-#include "structure/magnetics/nodal_charge.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 #include <gtest/gtest.h>
 

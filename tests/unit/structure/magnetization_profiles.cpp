@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace magfsi::structure {
 namespace {

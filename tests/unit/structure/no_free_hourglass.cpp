@@ -2,7 +2,7 @@
 // hourglass mode is left without stiffness.
 #include <gtest/gtest.h>
 
-#include "structure/lattice/rest_stiffness.h"
+#include "structure/lattice/element.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "structure/magnetics/magnetization.h"
-#include "structure/magnetics/nodal_charge.h"
-#include "structure/mesh/oblique_mesh.h"
+#include "structure/magnetics/magnetic_forces.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace magfsi::structure {
 namespace {

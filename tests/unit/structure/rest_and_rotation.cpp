@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "structure/lattice/element_energy.h"
 #include "tests/unit/structure/elements.h"
+#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure {
 namespace {

@@ -40,7 +40,7 @@ TEST(StableStep, IsThatOfMeasuredPlates) {
 // Largest displacement after 4000 velocity-Verlet steps from a tiny random velocity.
 double growth(const Body& body, double dt) {
     const Lattice lattice = build_lattice(body);
-    const auto mass = node_masses(lattice);
+    const auto mass = lattice.node_mass_kg;
     ElementKernel kernel;
     kernel.assign(lattice);
     test::Random random(18);

@@ -4,10 +4,9 @@
 
 #include <cstdlib>
 
+#include "structure/lattice/element.h"
+#include "structure/lattice/element_advice.h"
 #include "structure/lattice/element_kernel.h"
-#include "structure/lattice/plate_stiffness.h"
-#include "structure/lattice/viscosity.h"
-#include "structure/lattice/viscous_element.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
@@ -130,7 +129,7 @@ class ViscousIsa : public ::testing::TestWithParam<InstructionSet> {};
 void expect_same(InstructionSet set, const Mesh& mesh, bool bricks) {
     const Material material = rubber();
     const Lattice lattice =
-        build_lattice(mesh.nodes, mesh.elements, material, ElementVariant::full);
+        build_lattice(mesh.nodes, mesh.elements, {material}, {}, ElementVariant::full);
     ASSERT_EQ(lattice.bricks, bricks);
     test::Random random(34);
     std::vector<double> x, v;
@@ -190,7 +189,7 @@ TEST(ViscousForces, RefuseANegativeViscosity) {
     Material material = rubber();
     material.viscosity_pa_s = -1;
     const Lattice lattice =
-        build_lattice(mesh.nodes, mesh.elements, material, ElementVariant::full);
+        build_lattice(mesh.nodes, mesh.elements, {material}, {}, ElementVariant::full);
     ViscousKernel kernel;
     EXPECT_THROW(kernel.assign(lattice), std::invalid_argument);
 }

@@ -9,7 +9,6 @@
 
 #include "structure/lattice/element_kernel.h"
 #include "structure/lattice/stable_step.h"
-#include "structure/lattice/viscosity.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
@@ -31,7 +30,7 @@ class Oscillation {
   public:
     Oscillation(const Body& body, double amplitude_m) : nodes_(body.mesh.nodes) {
         const Lattice lattice = build_lattice(body);
-        mass_ = node_masses(lattice);
+        mass_ = lattice.node_mass_kg;
         elastic_.assign(lattice);
         viscous_.assign(lattice);
         for (const Vec3& node : nodes_) {

@@ -7,7 +7,7 @@
 
 #include "structure/lammps/contact_area.h"
 #include "structure/lammps/step_limit.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 #include "structure/mesh/surface.h"
 
 namespace magfsi::structure {

@@ -4,7 +4,7 @@
 
 #include "structure/lammps/body_force.h"
 #include "structure/lammps/register_styles.h"
-#include "structure/magnetics/field_gradient.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::structure {
 

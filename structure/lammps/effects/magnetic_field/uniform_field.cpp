@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "structure/lammps/failure.h"
-#include "structure/magnetics/nodal_charge.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::structure {
 

@@ -4,7 +4,7 @@
 
 #include "structure/lammps/effect.h"
 #include "structure/lammps/effects/platform/platform_law.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "structure/lammps/effect.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 

@@ -7,7 +7,7 @@
 #include "structure/lammps/body_force.h"
 #include "structure/lammps/failure.h"
 #include "structure/lammps/register_styles.h"
-#include "structure/lattice/viscosity.h"
+#include "structure/lattice/element_kernel.h"
 
 namespace magfsi::structure {
 

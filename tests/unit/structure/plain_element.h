@@ -1,31 +1,21 @@
-#include "structure/lattice/element_energy.h"
+// One element's energy and forces in the plainest form: what the fast kernels are held to
+// and measured against.
+#pragma once
 
 #include <cmath>
 
-#include "structure/lattice/springs.h"
+#include "structure/lattice/element.h"
 
 namespace magfsi::structure {
 
-ElementReference element_reference(const Positions8& nodes_m, ElementVariant variant,
-                                   int element_number) {
-    const HexahedronIntegrals integrals = integrate_hexahedron(nodes_m, element_number);
-    return {variant,
-            spring_matrix(nodes_m, integrals, variant),
-            integrals.gradient,
-            integrals.volume,
-            integrals.node_volume,
-            hourglass_reference(nodes_m, integrals)};
-}
+struct ElementState {
+    double energy_j = 0;      // zero at rest
+    double volume_ratio = 0;  // J
+    Positions8 force_n;       // -dE/dx_a
+};
 
-VolumeAndGradient element_volume(const ElementReference& reference,
-                                 const Positions8& x_m) {
-    return reference.variant == ElementVariant::full
-               ? exact_volume(x_m)
-               : mean_volume(x_m, reference.gradient, reference.volume);
-}
-
-ElementState element_energy(const ElementReference& reference, const Material& material,
-                            const Positions8& x_m) {
+inline ElementState element_energy(const ElementReference& reference,
+                                   const Material& material, const Positions8& x_m) {
     const double g = material.shear_modulus_pa;
     const double k = material.lame_lambda_pa;
     const double v0 = reference.volume;

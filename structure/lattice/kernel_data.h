@@ -1,5 +1,5 @@
-// What the fast kernel reads: elements in batches of eight, lane by lane. Plain pointers
-// only, because this header is compiled for several instruction sets (cmake/IsaVariants).
+// What the kernels read: elements in batches of eight, lane by lane. Plain pointers only,
+// because this header is compiled for several instruction sets (cmake/IsaVariants.cmake).
 #pragma once
 
 namespace magfsi::structure {
@@ -20,7 +20,7 @@ constexpr bool is_brick(KernelKind kind) {
            kind == KernelKind::brick_assumed_strain;
 }
 
-// Entries an element of ElementBatches::gradient and ::hourglass.
+// Entries per element of ElementBatches::gradient and ::hourglass.
 constexpr int gradient_entries(KernelKind kind) {
     return is_brick(kind) || kind == KernelKind::general_full ? 0 : 21;
 }
@@ -48,25 +48,47 @@ struct ElementBatches {
 
 struct KernelResult {
     double energy_j = 0;    // zero where it was not asked for
-    double smallest_j = 1;  // minus infinity stands for a J that is not a number
-    int element = -1;       // where: position among the batches' elements
+    double smallest_j = 1;  // minus infinity where J is NaN
+    int element = -1;       // of smallest J: its position among the batches' elements
 };
 
-// Adds the forces [N] on the nodes to f, three values a node as in x [m]. With
+// Adds the forces [N] on the nodes to f, three values per node as in x [m]. With
 // want_energy also sums the elements' energies. Element order is fixed, and so is every
 // rounding.
 using ElementKernelFunction = KernelResult (*)(const ElementBatches& batches,
                                                const double* x, double* f,
                                                bool want_energy);
 
-namespace sse2 {
-KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool energy);
+// Entries per element of ViscousBatches::data: V0, then for bricks the three mean
+// gradients B_x, B_y, B_z [1/m] and the inverse squares of the half edges; in general the
+// 21 gradients, 9 metrics and 12 offsets of ElementModes.
+constexpr int viscous_entries(bool bricks) {
+    return bricks ? 7 : 43;
 }
-namespace avx2 {
-KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool energy);
-}
-namespace avx512 {
-KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool energy);
-}
+
+// Layout as ElementBatches.
+struct ViscousBatches {
+    bool bricks = true;
+    int element_count = 0;
+    const int* node = nullptr;
+    const double* data = nullptr;
+    double viscosity_pa_s = 0;
+    double plate_lambda_pa_s = 0;
+};
+
+// Adds the forces and returns the dissipation [W].
+using ViscousKernelFunction = double (*)(const ViscousBatches& batches, const double* x,
+                                         const double* v, double* f);
+
+#define MAGFSI_KERNELS_OF(isa)                                                          \
+    namespace isa {                                                                     \
+    KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool); \
+    double run_viscous(const ViscousBatches&, const double* x, const double* v,         \
+                       double* f);                                                      \
+    }
+MAGFSI_KERNELS_OF(sse2)
+MAGFSI_KERNELS_OF(avx2)
+MAGFSI_KERNELS_OF(avx512)
+#undef MAGFSI_KERNELS_OF
 
 }  // namespace magfsi::structure

@@ -1,12 +1,21 @@
-#include "structure/magnetics/field_gradient.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <stdexcept>
 
 namespace magfsi::structure {
 namespace {
+
+void check_count(std::size_t vectors, std::size_t elements) {
+    if (vectors == elements) return;
+    throw std::invalid_argument(
+        fmt::format("{} magnetisation vectors for {} elements found, one per element is "
+                    "needed",
+                    vectors, elements));
+}
 
 // Gradients are typed with a few digits; what is left of the trace acts like a source.
 constexpr double allowed_defect = 1e-6;
@@ -55,6 +64,24 @@ Matrix8 coupling(const Positions8& nodes_m, const Eigen::Vector3d& magnetization
 
 }  // namespace
 
+std::vector<double> nodal_charges(const std::vector<Vec3>& nodes_m,
+                                  const std::vector<Hexahedron>& elements,
+                                  const std::vector<Vec3>& magnetization_a_m) {
+    std::vector<double> charges(nodes_m.size(), 0.0);
+    if (magnetization_a_m.empty()) return charges;
+    check_count(magnetization_a_m.size(), elements.size());
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const Eigen::Vector3d m(magnetization_a_m[e][0], magnetization_a_m[e][1],
+                                magnetization_a_m[e][2]);
+        const HexahedronIntegrals integrals =
+            integrate_hexahedron(gather(nodes_m, elements[e]), static_cast<int>(e));
+        for (int a = 0; a < 8; ++a) {
+            charges[elements[e][a]] += integrals.gradient.row(a).dot(m);
+        }
+    }
+    return charges;
+}
+
 FieldGradient::FieldGradient(const Eigen::Matrix3d& tesla_per_m, const Vec3& origin_m)
     : tesla_per_m_(tesla_per_m), origin_m_(origin_m) {
     check(tesla_per_m);
@@ -63,12 +90,7 @@ FieldGradient::FieldGradient(const Eigen::Matrix3d& tesla_per_m, const Vec3& ori
 std::vector<GradientElement> gradient_elements(
     const std::vector<Vec3>& nodes_m, const std::vector<Hexahedron>& elements,
     const std::vector<Vec3>& magnetization_a_m) {
-    if (magnetization_a_m.size() != elements.size()) {
-        throw std::invalid_argument(
-            fmt::format("{} magnetisation vectors for {} elements found, one an element "
-                        "is allowed",
-                        magnetization_a_m.size(), elements.size()));
-    }
+    check_count(magnetization_a_m.size(), elements.size());
     std::vector<GradientElement> out(elements.size());
     for (std::size_t e = 0; e < elements.size(); ++e) {
         const Vec3& m = magnetization_a_m[e];

@@ -1,7 +1,8 @@
-// Magnetic forces in a field that varies linearly in space.
+// Magnetic forces on the nodes of a lattice with fixed magnetisation: in a uniform field
+// and in one that varies linearly in space.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <span>
 #include <vector>
@@ -9,6 +10,15 @@
 #include "structure/lattice/hexahedron.h"
 
 namespace magfsi::structure {
+
+// q_a = sum over elements of M_e . b_a(e) [A m], b_a = integral of grad N_a. In a uniform
+// field B the energy -integral of (F M) . B gives the node the force q_a B, whatever the
+// deformation. The sum over a body is zero. One value a node; zeros where the
+// magnetisation (one vector an element [A/m]) is empty. Throws std::invalid_argument if
+// the number of vectors is neither zero nor that of the elements.
+std::vector<double> nodal_charges(const std::vector<Vec3>& nodes_m,
+                                  const std::vector<Hexahedron>& elements,
+                                  const std::vector<Vec3>& magnetization_a_m);
 
 // B(x) = B0 + A (x - origin). Outside its sources a static field has no divergence and no
 // curl, so A is symmetric and traceless. A(d, e) = dB_d / dx_e [T/m].
@@ -41,7 +51,7 @@ std::vector<GradientElement> gradient_elements(
 // Adds to f the forces of the gradient alone, A sum_b S_ab (x_b - origin) on node a [N],
 // and returns their energy -1/2 sum_ab S_ab (x_a - origin) . A (x_b - origin) [J]. They
 // are -d/dx_a of -integral of (F M) . A (x - origin); the uniform part B0 adds q_a B0 and
-// the energy -B0 . sum q_a x_a (nodal_charge.h). Not a dead load: it follows the shape.
+// the energy -B0 . sum q_a x_a (nodal_charges). Not a dead load: it follows the shape.
 // nodes: for each element the eight indices of its nodes in x and f, three values a node.
 double add_gradient_forces(std::span<const GradientElement> elements,
                            std::span<const std::array<int, 8>> nodes,

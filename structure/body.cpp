@@ -1,4 +1,4 @@
-#include "structure/materials.h"
+#include "structure/body.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,17 @@
 #include <stdexcept>
 
 namespace magfsi::structure {
+namespace {
+
+const std::vector<int>& face_nodes(const Body& body, const std::string& face,
+                                   const char* how) {
+    const auto found = body.mesh.faces.find(face);
+    if (found != body.mesh.faces.end()) return found->second;
+    throw std::invalid_argument(fmt::format(
+        "body {} is {} at {}, a face that its mesh lacks", body.name, how, face));
+}
+
+}  // namespace
 
 std::vector<Material> all_materials(const Body& body) {
     std::vector<Material> out{body.material};
@@ -47,6 +58,22 @@ void check_materials(const std::vector<int>& element_material, std::size_t eleme
             fmt::format("element {} is of material {}, but the materials are 0 to {}", e,
                         number, others));
     }
+}
+
+std::vector<HeldAxes> held_axes(const Body& body) {
+    std::vector<HeldAxes> held(body.mesh.nodes.size());
+    for (const std::string& face : body.clamps) {
+        for (const int node : face_nodes(body, face, "clamped"))
+            held[static_cast<std::size_t>(node)] = {true, true, true};
+    }
+    for (const Roller& roller : body.rollers) {
+        const auto axis = static_cast<std::size_t>(roller.axis);
+        for (const std::string& face : roller.faces) {
+            for (const int node : face_nodes(body, face, "on rollers"))
+                held[static_cast<std::size_t>(node)][axis] = true;
+        }
+    }
+    return held;
 }
 
 }  // namespace magfsi::structure
