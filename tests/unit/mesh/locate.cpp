@@ -100,7 +100,7 @@ TEST(Locate, PointsJustOutsideAreFoundWithATolerance) {
     int moved = 0;
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
         const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
-        const double norm = quad_area(mesh.nodes, quad);
+        const double norm = quad_area(corners(mesh.nodes, quad.node));
         Vec3 at{};
         for (int d = 0; d < 3; ++d) {
             for (const int node : quad.node) at[d] += 0.25 * mesh.nodes[node][d];

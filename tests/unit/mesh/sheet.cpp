@@ -35,8 +35,8 @@ void expect_strip(const Mesh& mesh, const Sheet& sheet) {
     std::set<int> elements;
     for (const SheetColumn& column : sheet.columns) {
         elements.insert(column.elements.begin(), column.elements.end());
-        EXPECT_GT(quad_area_vector(mesh.nodes, column.top)[2], 0);
-        EXPECT_LT(quad_area_vector(mesh.nodes, column.bottom)[2], 0);
+        EXPECT_GT(quad_area_vector(corners(mesh.nodes, column.top.node))[2], 0);
+        EXPECT_LT(quad_area_vector(corners(mesh.nodes, column.bottom.node))[2], 0);
         for (int a = 0; a < 4; ++a) {
             for (int level = 0; level < 4; ++level) {
                 const Vec3& x = mesh.nodes[column.levels[level][a]];
@@ -118,9 +118,9 @@ TEST(Sheet, OnARingTheOuterSideIsTheTop) {
     const auto sheet = find_sheet(tube);
     ASSERT_TRUE(sheet);
     double top = 0, bottom = 0;
-    for (const SurfaceQuad& quad : top_of(*sheet)) top += quad_area(tube.nodes, quad);
+    for (const SurfaceQuad& quad : top_of(*sheet)) top += quad_area(corners(tube.nodes, quad.node));
     for (const SurfaceQuad& quad : bottom_of(*sheet))
-        bottom += quad_area(tube.nodes, quad);
+        bottom += quad_area(corners(tube.nodes, quad.node));
     EXPECT_NEAR(top / bottom, 6.0 / 5, 1e-12);  // rounding of 144 areas
 }
 

@@ -29,7 +29,7 @@ TEST(Surface, QuadsLookOutward) {
         const int d = quad.face / 2;
         EXPECT_GT((quad.face % 2 == 1 ? 1 : -1) * area[d], 0);
         // The vector of a plane quad has its area.
-        EXPECT_NEAR(std::abs(area[d]) / quad_area(mesh.nodes, quad), 1, 1e-14);
+        EXPECT_NEAR(std::abs(area[d]) / quad_area(corners(mesh.nodes, quad.node)), 1, 1e-14);
     }
 }
 
@@ -49,7 +49,7 @@ TEST(Surface, NodeAreasSumToTheSurface) {
     const Mesh distorted = test::distorted_block(box, 2e-5, 3);
     double area = 0;
     for (const SurfaceQuad& quad : boundary_quads(distorted)) {
-        area += quad_area(distorted.nodes, quad);
+        area += quad_area(corners(distorted.nodes, quad.node));
     }
     EXPECT_NEAR(total(surface_node_area(distorted)) / area, 1, 1e-14);
 }

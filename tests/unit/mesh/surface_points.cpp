@@ -19,7 +19,7 @@ TEST(SurfacePoints, AreasSumToTheSurfaceAtAnySpacing) {
     const Mesh mesh = test::distorted_block(box, 2e-5, 5);
     const auto surface = boundary_quads(mesh);
     double expected = 0;
-    for (const SurfaceQuad& quad : surface) expected += quad_area(mesh.nodes, quad);
+    for (const SurfaceQuad& quad : surface) expected += quad_area(corners(mesh.nodes, quad.node));
     for (const double spacing : {1.0, 3e-4, 1e-4, 3e-5}) {
         // Rounding of some ten thousand areas.
         EXPECT_NEAR(area(surface_points(mesh, surface, spacing)) / expected, 1, 1e-12);
