@@ -12,8 +12,12 @@ const std::vector<int>& face_nodes(const Body& body, const std::string& face,
                                    const char* how) {
     const auto found = body.mesh.faces.find(face);
     if (found != body.mesh.faces.end()) return found->second;
-    throw std::invalid_argument(fmt::format(
-        "body {} is {} at {}, a face that its mesh lacks", body.name, how, face));
+    std::string known;
+    for (const auto& [name, nodes] : body.mesh.faces)
+        known += (known.empty() ? "" : ", ") + name;
+    throw std::invalid_argument(
+        fmt::format("body {} is {} at {}, but its faces are {}", body.name, how, face,
+                    known.empty() ? "none" : known));
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "structure/mesh/block_mesh.h"
-#include "tests/unit/mesh/meshes.h"
+#include "structure/mesh/body_points.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
 namespace {
@@ -51,7 +52,7 @@ TEST(Locate, NodesOfABlockAndEveryBorderGoToTheSameElementAsTheBlocksOwn) {
 TEST(Locate, FindsPointsOfADistortedMesh) {
     // Corners off by up to a fifth of the thickness of an element.
     const Mesh mesh = test::distorted_block(box, 2e-5, 8);
-    ASSERT_GT(test::volume(mesh), 0);
+    ASSERT_GT(volume_m3(mesh), 0);
     const PointLocator locator(mesh);
     test::Random random(9);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

@@ -1,5 +1,5 @@
 // The forces q_a B on the nodes of a body with fixed magnetisation in a uniform field
-// (structure/magnetics/nodal_charge.h), whose components are numbers or variables of
+// (structure/magnetics/magnetic_forces.h), whose components are numbers or variables of
 // LAMMPS.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Kelvin-Voigt damping (structure/lattice/viscous_element.h).
+// Kelvin-Voigt damping (structure/lattice/element.h).
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
