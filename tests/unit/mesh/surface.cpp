@@ -123,9 +123,9 @@ TEST(VolumePoints, share_out_the_body) {
 }
 
 TEST(VolumePoints, are_spaced_by_at_most_what_is_asked) {
-    const auto points = volume_points(thick_mesh(thick), 0.25e-3);
+    const auto points = volume_points(box_mesh(thick), 0.25e-3);
     EXPECT_EQ(points.size(), 6U * 4 * 2 * 3);  // 1 mm, 0.5 mm, 0.6 mm in 4, 2, 3 parts
-    EXPECT_THROW(volume_points(thick_mesh(thick), 0), std::invalid_argument);
+    EXPECT_THROW(volume_points(box_mesh(thick), 0), std::invalid_argument);
 }
 
 TEST(Depths, of_points_in_a_block) {
