@@ -24,7 +24,7 @@ struct Box {
 };
 
 // Plate of parallelogram cells: the flat crease pattern of Miura-ori (zigzag), or a
-// sheared block (mesh/oblique_mesh.h).
+// sheared block (mesh/block_mesh.h).
 struct ObliquePlate {
     std::array<int, 2> cells{};  // along x (columns) and y (rows)
     double length_a_m = 0;       // a cell's side along x
@@ -51,7 +51,7 @@ struct Material {
     double lame_lambda_pa = 0;  // K of eq. (1)
     // Inertia; in a fluid this is rho_solid - rho_fluid (enclosed fluid counted once).
     double density_kg_m3 = 0;
-    double viscosity_pa_s = 0;  // Kelvin-Voigt (lattice/viscous_element.h); 0: none
+    double viscosity_pa_s = 0;  // Kelvin-Voigt (lattice/element.h); 0: none
 };
 
 // Of the elements of these regions of the mesh, in place of the body's material.
@@ -64,7 +64,7 @@ struct RegionMaterial {
 // mean_f: J from the mean deformation gradient and hourglass coefficients 3
 // min(l_i,l_j)^2: accurate in bending with few layers.
 // assumed_strain: all of the energy from the mean deformation gradient, and a hourglass
-// energy that is exact for linear bending and twist (lattice/hourglass.h): accurate in
+// energy that is exact for linear bending and twist (lattice/element.h): accurate in
 // every mode with one layer, for edges of any ratio.
 enum class ElementVariant { full, mean_f, assumed_strain };
 constexpr auto words_of(ElementVariant) {
@@ -107,7 +107,7 @@ struct RegionMagnetization {
     std::vector<RegionVector> regions;
 };
 
-// A CSV file of points and vectors (magnetics/magnetization_table.h).
+// A CSV file of points and vectors (magnetics/magnetization.h).
 struct TableMagnetization {
     std::string file;
 };
@@ -141,7 +141,7 @@ struct FieldProgram {
 };
 
 // Of the flux density; symmetric and traceless, as Maxwell's equations ask without
-// currents (magnetics/field_gradient.h). Constant in time, it adds to the course.
+// currents (magnetics/magnetic_forces.h). Constant in time, it adds to the course.
 struct GradientInput {
     std::array<Vec3, 3> matrix_t_m{};  // row i, column j: dB_i / dx_j
     Vec3 origin_m{};                   // where the course's field is the whole field

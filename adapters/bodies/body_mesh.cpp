@@ -15,11 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "structure/mesh/bounds.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
 #include "structure/mesh/mesh_file.h"
-#include "structure/mesh/oblique_mesh.h"
 
 namespace magfsi::bodies {
 

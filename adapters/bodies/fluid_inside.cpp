@@ -5,7 +5,7 @@
 
 #include "adapters/bodies/scene_to_body.h"
 #include "structure/lattice/lattice.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 
 namespace magfsi::bodies {
 
@@ -16,7 +16,7 @@ namespace {
 constexpr double largest_part = 2.0 / 3;
 
 void add_masses(std::vector<double>& all, const structure::Body& body) {
-    const auto masses = structure::node_masses(structure::build_lattice(body));
+    const auto masses = structure::build_lattice(body).node_mass_kg;
     all.insert(all.end(), masses.begin(), masses.end());
 }
 

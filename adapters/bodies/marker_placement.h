@@ -6,7 +6,7 @@
 
 #include "adapters/scene/scene.h"
 #include "structure/mesh/mesh.h"
-#include "structure/mesh/mesh_ends.h"
+#include "structure/mesh/sheet.h"
 
 namespace magfsi::bodies {
 

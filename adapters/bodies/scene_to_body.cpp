@@ -11,7 +11,6 @@
 #include "adapters/scene/fault.h"
 #include "adapters/scene/suggestion.h"
 #include "structure/magnetics/magnetization.h"
-#include "structure/magnetics/magnetization_table.h"
 
 namespace magfsi::bodies {
 

@@ -24,7 +24,7 @@
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
 #include "structure/lattice/lattice.h"
-#include "structure/magnetics/nodal_charge.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::equilibrium {
 namespace {
@@ -80,7 +80,7 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
       solver_(body_, to_options(*scene.time.equilibrium)) {
     const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
     placed_m_ = structure::placed_nodes(body_, body.initial, plane);
-    mass_kg_ = structure::node_masses(structure::build_lattice(body_));
+    mass_kg_ = structure::build_lattice(body_).node_mass_kg;
     charge_a_m_ = structure::nodal_charges(body_.mesh.nodes, body_.mesh.elements,
                                            body_.magnetization_a_m);
     const structure::StaticLoads start = loads_at(0);

@@ -41,7 +41,7 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
         const scene::Body& body = scene.bodies[b];
-        const auto mass = structure::node_masses(structure::build_lattice(solids[b]));
+        const auto mass = structure::build_lattice(solids[b]).node_mass_kg;
         std::vector<double> drag(mass.size());
         for (const auto& m :
              bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0,

@@ -9,7 +9,7 @@
 #include "adapters/bodies/nodal_state.h"
 #include "adapters/scene/scene.h"
 #include "structure/body.h"
-#include "structure/lattice/current_step.h"
+#include "structure/lattice/stable_step.h"
 
 namespace magfsi::lammps {
 

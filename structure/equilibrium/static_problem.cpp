@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "structure/magnetics/nodal_charge.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::structure {
 namespace {

@@ -8,7 +8,6 @@
 #include "structure/body.h"
 #include "structure/equilibrium/stiffness_matrix.h"
 #include "structure/lattice/element_kernel.h"
-#include "structure/materials.h"
 
 namespace magfsi::structure {
 

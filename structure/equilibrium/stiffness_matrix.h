@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "structure/equilibrium/tangent.h"
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "structure/lattice/element_energy.h"
+#include "structure/lattice/element.h"
 
 namespace magfsi::structure {
 

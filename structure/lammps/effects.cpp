@@ -12,10 +12,9 @@
 #include <string_view>
 #include <utility>
 
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 #include "structure/lammps/fix_magttice.h"
 #include "structure/lammps/register_styles.h"
-#include "structure/materials.h"
 
 namespace magfsi::structure {
 

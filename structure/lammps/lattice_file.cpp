@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "structure/mesh/numbered_lines.h"
+#include "structure/mesh/mesh_file.h"
 
 namespace magfsi::structure {
 

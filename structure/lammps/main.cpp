@@ -15,7 +15,7 @@
 #include "structure/lattice/lattice.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace magfsi::structure {
 namespace {
@@ -48,7 +48,7 @@ void write(const Wanted& wanted) {
     body.mesh = box_mesh(wanted.box);
     body.material = wanted.material;
     body.element = parse_element_name(wanted.element);
-    const auto masses = node_masses(build_lattice(body));
+    const auto masses = build_lattice(body).node_mass_kg;
     std::vector<DataAtom> atoms;
     for (std::size_t a = 0; a < masses.size(); ++a) {
         atoms.push_back({body.mesh.nodes[a], masses[a]});

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 #include "structure/lammps/script.h"
 
 namespace magfsi::structure {

@@ -10,7 +10,7 @@
 #include "structure/lammps/effect.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/names.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 namespace {
@@ -63,7 +63,7 @@ double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
 
 void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
     all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
-    const auto masses = node_masses(build_lattice(body));
+    const auto masses = build_lattice(body).node_mass_kg;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         all.atoms.push_back({nodes[a], masses[a]});
     }

@@ -16,7 +16,7 @@ std::vector<double> surface_areas(const std::vector<Vec3>& nodes_m,
     mesh.elements = elements;
     std::vector<Vec3> share(nodes_m.size(), Vec3{});
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(nodes_m, quad);
+        const Vec3 area = quad_area_vector(corners(nodes_m, quad.node));
         for (int node : quad.node) {
             for (std::size_t d = 0; d < 3; ++d) {
                 share[static_cast<std::size_t>(node)][d] += 0.25 * area[d];
@@ -35,7 +35,7 @@ double step_limit_s(const Body& body, double stiffness_pa_m) {
     // From the definition of the body's own step.
     const double damping = 2 / own - 0.5 * own * frequency * frequency;
     const auto area = surface_areas(body.mesh.nodes, body.mesh.elements);
-    const auto mass = node_masses(build_lattice(body));
+    const auto mass = build_lattice(body).node_mass_kg;
     double largest = 0;
     for (std::size_t a = 0; a < area.size(); ++a) {
         largest = std::max(largest, stiffness_pa_m * area[a] / mass[a]);

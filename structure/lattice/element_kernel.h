@@ -1,5 +1,5 @@
-// The fast kernel: forces and energy of many elements of one lattice, in the instruction
-// set of the machine.
+// The fast kernels: forces, energy and damping of many elements of one lattice, in the
+// instruction set of the machine.
 #pragma once
 
 #include <array>
@@ -7,12 +7,18 @@
 #include <vector>
 
 #include "isa/instruction_set.h"
-#include "structure/lattice/element_batches.h"
-#include "structure/lattice/lane_packing.h"
+#include "structure/lattice/kernel_data.h"
 #include "structure/lattice/lattice.h"
-#include "structure/lattice/material_parts.h"
 
 namespace magfsi::structure {
+
+// Memory of batches: eight elements per row of lanes, 64-byte aligned.
+struct alignas(64) Lanes {
+    double lane[batch_lanes];
+};
+struct alignas(64) NodeLanes {
+    int lane[2 * batch_lanes];  // two nodes
+};
 
 class ElementKernel {
   public:
@@ -25,8 +31,9 @@ class ElementKernel {
     // All elements, nodes numbered as in the mesh.
     void assign(const Lattice& lattice);
 
-    // Adds the forces [N] at positions x [m], three values a node. KernelResult::element
-    // is the lattice's number of the element of smallest J (-1 if there are no elements).
+    // Adds the forces [N] at positions x [m], three values per node.
+    // KernelResult::element is the lattice's number of the element of smallest J (-1 if
+    // there are no elements).
     KernelResult add_forces(const double* x, double* f) const { return run(x, f, false); }
     KernelResult add_forces_and_energy(const double* x, double* f) const {
         return run(x, f, true);
@@ -49,6 +56,37 @@ class ElementKernel {
     ElementKernelFunction function_ = nullptr;
     KernelKind kind_ = KernelKind::brick_full;
     std::size_t size_ = 0;
+    std::vector<Part> parts_;
+};
+
+// Kelvin-Voigt damping, viscous_element of many elements of any variant.
+class ViscousKernel {
+  public:
+    explicit ViscousKernel(InstructionSet set = choose_instruction_set());
+
+    // As ElementKernel; packs those elements whose material is viscous. Throws
+    // std::invalid_argument on a viscosity that is negative or not finite.
+    void assign(const Lattice& lattice, std::span<const int> elements,
+                std::span<const std::array<int, 8>> nodes);
+    void assign(const Lattice& lattice);
+
+    // Adds the forces [N] at positions x [m] and velocities v [m/s], three values per
+    // node; returns the dissipation [W], minus the power of the forces, never negative.
+    // The step must respect stable_step_s(body): explicit damping shortens it.
+    double add_forces(const double* x, const double* v, double* f) const;
+
+    bool empty() const { return parts_.empty(); }
+
+  private:
+    // The elements of one material.
+    struct Part {
+        double viscosity_pa_s = 0, plate_lambda_pa_s = 0;
+        int element_count = 0;
+        std::vector<NodeLanes> nodes;
+        std::vector<Lanes> data;
+    };
+    ViscousKernelFunction function_ = nullptr;
+    bool bricks_ = true;
     std::vector<Part> parts_;
 };
 

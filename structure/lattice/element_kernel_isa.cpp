@@ -1,9 +1,6 @@
 // The element of eqs. (2) to (6) in Hadamard mode space, `width` elements at a time. See
-// element_modes.h for the coefficients and element_energy.cpp for the same in plain form.
-#include "structure/lattice/element_batches.h"
-#include "structure/lattice/hourglass_lanes.h"
-#include "structure/lattice/mean_gradient_lanes.h"
-#include "structure/lattice/simd_lanes.h"
+// ElementModes for the coefficients and element.h for the energy.
+#include "structure/lattice/element_lanes.h"
 
 namespace magfsi::structure::MAGFSI_ISA {
 namespace {

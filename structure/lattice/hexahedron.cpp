@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 
@@ -72,12 +73,25 @@ HexahedronIntegrals integrate_hexahedron(const Positions8& nodes_m, int element_
     return out;
 }
 
-Positions8 gather(const std::vector<Vec3>& nodes_m, const Hexahedron& element) {
+Positions8 gather(std::span<const Vec3> nodes_m, const Hexahedron& element) {
     Positions8 out;
     for (int a = 0; a < 8; ++a) {
         for (int d = 0; d < 3; ++d) out(a, d) = nodes_m[element[a]][d];
     }
     return out;
+}
+
+ElementEdges element_edges(const Positions8& nodes_m) {
+    ElementEdges edges;
+    for (int d = 0; d < 3; ++d) {
+        Eigen::Vector3d edge = Eigen::Vector3d::Zero();
+        for (int a = 0; a < 8; ++a) {
+            edge += 0.25 * node_sign(a, d) * nodes_m.row(a).transpose();
+        }
+        edges.length_m[d] = edge.norm();
+        edges.direction[d] = edge.normalized();
+    }
+    return edges;
 }
 
 }  // namespace magfsi::structure

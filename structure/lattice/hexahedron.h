@@ -1,9 +1,10 @@
-// Trilinear hexahedron: shape functions and the integrals over its reference state that
-// the lattice model is made of.
+// Trilinear hexahedron: shape functions, edges, and the integrals over its reference
+// state that the lattice model is made of.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
+#include <span>
 
 #include "structure/mesh/mesh.h"
 
@@ -41,6 +42,13 @@ struct HexahedronIntegrals {
 // from local to reference coordinates is not right-handed.
 HexahedronIntegrals integrate_hexahedron(const Positions8& nodes_m, int element_number);
 
-Positions8 gather(const std::vector<Vec3>& nodes_m, const Hexahedron& element);
+Positions8 gather(std::span<const Vec3> nodes_m, const Hexahedron& element);
+
+// Mean length of the four edges along each local direction [m], and their mean direction.
+struct ElementEdges {
+    Vec3 length_m{};
+    std::array<Eigen::Vector3d, 3> direction;
+};
+ElementEdges element_edges(const Positions8& nodes_m);
 
 }  // namespace magfsi::structure

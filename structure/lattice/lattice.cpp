@@ -3,13 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
-
-#include "structure/lattice/hexahedron.h"
-#include "structure/materials.h"
 
 namespace magfsi::structure {
 namespace {
+
+// Rounding leaves off-diagonals of about 1e-16 of the largest entry in bricks; a mesh
+// that is distorted on purpose has them far above this.
+constexpr double brick_tolerance = 1e-12;
+
+// With an in-plane edge of 0.9 h the coefficient of mean_f is 2.4 h^2, still above the
+// 2 h^2 that the full element has at r = 1: meshes with uneven edges need not be refused
+// before that.
+constexpr double shortest_edge = 0.9;
+
+bool gradient_of_brick(const std::array<double, 21>& gradient) {
+    double largest = 0;
+    double other = 0;
+    for (int m = 1; m < 8; ++m) {
+        const bool linear = m == 1 || m == 2 || m == 4;
+        for (int d = 0; d < 3; ++d) {
+            double& slot = linear ? largest : other;
+            slot = std::max(slot, std::abs(gradient[3 * (m - 1) + d]));
+        }
+    }
+    return other <= brick_tolerance * largest;
+}
+
+ElementModes element_modes(const ElementReference& reference, double shear_modulus_pa) {
+    Matrix8 h;
+    for (int a = 0; a < 8; ++a) {
+        for (int m = 0; m < 8; ++m) h(a, m) = mode_sign(m, a);
+    }
+    ElementModes out;
+    out.volume = reference.volume;
+    const Matrix8 spring =
+        h.transpose() * reference.spring_matrix * h * (shear_modulus_pa / 8);
+    const Positions8 gradient = h.transpose() * reference.gradient / reference.volume;
+    const double scale = spring.diagonal().maxCoeff();
+    out.brick = true;
+    int k = 0;
+    for (int m = 1; m < 8; ++m) {
+        for (int n = m; n < 8; ++n) {
+            out.spring[k++] = spring(m, n);
+            if (n != m && std::abs(spring(m, n)) > brick_tolerance * scale) {
+                out.brick = false;
+            }
+        }
+        for (int d = 0; d < 3; ++d) out.gradient[3 * (m - 1) + d] = gradient(m, d);
+    }
+    out.brick = out.brick && gradient_of_brick(out.gradient);
+    for (int d = 0; d < 3; ++d) {
+        const Eigen::Matrix2d& metric = reference.hourglass.metric[d];
+        out.metric[3 * d] = metric(0, 0);
+        out.metric[3 * d + 1] = metric(1, 1);
+        out.metric[3 * d + 2] = metric(0, 1);
+        for (int j = 0; j < 4; ++j) {
+            out.offset[3 * j + d] = reference.hourglass.offset_m(j, d);
+        }
+    }
+    return out;
+}
 
 double longest_diagonal(const Positions8& x) {
     double longest = 0;
@@ -39,43 +94,56 @@ void check_material(const Material& material) {
     }
 }
 
-// Volumes first and density last, material by material: the rounding of a body of one
-// material does not depend on how many there could be.
-class NodeMasses {
-  public:
-    NodeMasses(const std::vector<Material>& materials, std::size_t nodes)
-        : materials_(materials),
-          volume_(materials.size(), std::vector<double>(nodes, 0.0)) {}
-
-    void add(std::size_t material, int node, double volume_m3) {
-        volume_[material][static_cast<std::size_t>(node)] += volume_m3;
-    }
-    std::vector<double> masses_kg() const {
-        std::vector<double> out(volume_.front().size(), 0.0);
-        for (std::size_t m = 0; m < volume_.size(); ++m) {
-            for (std::size_t n = 0; n < out.size(); ++n) {
-                out[n] += volume_[m][n] * materials_[m].density_kg_m3;
-            }
+// Local direction of the element that lies closest to a body axis.
+int edge_along(const ElementEdges& edges, int axis) {
+    int best = 0;
+    for (int d = 1; d < 3; ++d) {
+        if (std::abs(edges.direction[d](axis)) > std::abs(edges.direction[best](axis))) {
+            best = d;
         }
-        return out;
     }
+    return best;
+}
 
-  private:
-    const std::vector<Material>& materials_;
-    std::vector<std::vector<double>> volume_;
-};
+// Of the extents that tie for the smallest (a rod of square section), the one along which
+// this element is shortest.
+int thickness_edge(const ElementEdges& edges, const Vec3& extent_m) {
+    const double smallest = *std::ranges::min_element(extent_m);
+    int best = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (extent_m[axis] > smallest * (1 + 1e-6)) continue;
+        const int edge = edge_along(edges, axis);
+        if (best < 0 || edges.length_m[edge] < edges.length_m[best]) best = edge;
+    }
+    return best;
+}
+
+// mean_f takes the bending stiffness from 3 min(l_i, l_j)^2, which is that of the
+// thickness only where the thickness edge is the shortest one; with a shorter in-plane
+// edge a plate bends up to four times too easily. The thickness is the direction of the
+// body's smallest extent.
+void refuse_soft_bending(const std::vector<Vec3>& nodes_m,
+                         const std::vector<Hexahedron>& elements) {
+    const Vec3 extent_m = bounds(nodes_m).extent_m();
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const ElementEdges edges = element_edges(gather(nodes_m, elements[e]));
+        const double thickness = edges.length_m[thickness_edge(edges, extent_m)];
+        const double shortest = *std::ranges::min_element(edges.length_m);
+        if (shortest < shortest_edge * thickness) {
+            throw std::invalid_argument(fmt::format(
+                "element {} has an in-plane edge of {:.4g} m, shorter than its thickness "
+                "of {:.4g} m, where the element mean_f bends too softly: use element "
+                "assumed_strain, more layers or fewer elements in the plane",
+                e, shortest, thickness));
+        }
+    }
+}
 
 }  // namespace
 
 Lattice build_lattice(const Body& body) {
     return build_lattice(body.mesh.nodes, body.mesh.elements, all_materials(body),
                          body.element_material, body.element);
-}
-
-Lattice build_lattice(const std::vector<Vec3>& nodes_m,
-                      const std::vector<Hexahedron>& elements, const Material& material,
-                      ElementVariant variant) {
-    return build_lattice(nodes_m, elements, std::vector<Material>{material}, {}, variant);
 }
 
 Lattice build_lattice(const std::vector<Vec3>& nodes_m,
@@ -91,26 +159,48 @@ Lattice build_lattice(const std::vector<Vec3>& nodes_m,
     out.elements = elements;
     out.modes.reserve(elements.size());
     out.node_volume_m3.assign(nodes_m.size(), 0.0);
-    NodeMasses masses(out.materials, nodes_m.size());
+    out.node_mass_kg.assign(nodes_m.size(), 0.0);
+    // Volumes first and density last, material by material: the rounding of a body of one
+    // material does not depend on how many there could be.
+    std::vector volume_m3(materials.size(), out.node_volume_m3);
     out.bricks = true;
     for (std::size_t e = 0; e < elements.size(); ++e) {
         const int number = static_cast<int>(e);
         check_nodes(elements[e], number, nodes_m.size());
         const Positions8 x = gather(nodes_m, elements[e]);
         const ElementReference reference = element_reference(x, variant, number);
-        const auto material =
-            static_cast<std::size_t>(element_material.empty() ? 0 : element_material[e]);
+        const int material = element_material.empty() ? 0 : element_material[e];
         out.modes.push_back(
             element_modes(reference, materials[material].shear_modulus_pa));
         out.bricks = out.bricks && out.modes.back().brick;
         out.longest_diagonal_m = std::max(out.longest_diagonal_m, longest_diagonal(x));
         for (int a = 0; a < 8; ++a) {
             out.node_volume_m3[elements[e][a]] += reference.node_volume[a];
-            masses.add(material, elements[e][a], reference.node_volume[a]);
+            volume_m3[material][elements[e][a]] += reference.node_volume[a];
         }
     }
-    out.node_mass_kg = masses.masses_kg();
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+        for (std::size_t n = 0; n < nodes_m.size(); ++n) {
+            out.node_mass_kg[n] += volume_m3[m][n] * materials[m].density_kg_m3;
+        }
+    }
     if (variant == ElementVariant::mean_f) refuse_soft_bending(nodes_m, elements);
+    return out;
+}
+
+std::vector<MaterialPart> material_parts(const Lattice& lattice,
+                                         std::span<const int> elements,
+                                         std::span<const std::array<int, 8>> nodes) {
+    std::vector<MaterialPart> out(lattice.materials.size());
+    for (std::size_t m = 0; m < out.size(); ++m) out[m].material = lattice.materials[m];
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        MaterialPart& part =
+            out[lattice.element_material.empty() ? 0
+                                                 : lattice.element_material[elements[i]]];
+        part.elements.push_back(elements[i]);
+        part.nodes.push_back(nodes[i]);
+    }
+    std::erase_if(out, [](const MaterialPart& part) { return part.elements.empty(); });
     return out;
 }
 

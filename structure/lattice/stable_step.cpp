@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "structure/lattice/rest_stiffness.h"
-#include "structure/lattice/viscous_element.h"
-#include "structure/materials.h"
+#include "structure/lattice/element.h"
 
 namespace magfsi::structure {
 namespace {
@@ -54,6 +53,13 @@ void check(const Body& body, const Material& material) {
     }
 }
 
+// From the element's first node, so that a body far from the origin loses no digits.
+Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& element) {
+    Positions8 x = gather(nodes_m, element);
+    x.rowwise() -= x.row(0).eval();
+    return x;
+}
+
 }  // namespace
 
 double stable_step_s(const Body& body) {
@@ -64,8 +70,7 @@ double stable_step_s(const Body& body) {
     Positions8 solved = Positions8::Zero();  // shape of the element solved last
     const Material* of = nullptr;            // and its material
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
-        Positions8 x = gather(body.mesh.nodes, body.mesh.elements[e]);
-        x.rowwise() -= x.row(0).eval();
+        const Positions8 x = local_positions(body.mesh.nodes, body.mesh.elements[e]);
         const Material& material = material_of(body, e);
         // Neighbours of one shape, as in a block of bricks, need only one solution.
         if (of == &material && (x - solved).norm() <= 1e-9 * x.norm()) continue;
@@ -81,6 +86,56 @@ double stable_elastic_step_s(Body body) {
     body.material.viscosity_pa_s = 0;
     for (Material& material : body.other_materials) material.viscosity_pa_s = 0;
     return stable_step_s(body);
+}
+
+CurrentStep::CurrentStep(const Body& body) {
+    elements_.reserve(body.mesh.elements.size());
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        const Material& material = material_of(body, e);
+        Element& element = elements_.emplace_back();
+        element.nodes = body.mesh.elements[e];
+        const Positions8 x = local_positions(body.mesh.nodes, element.nodes);
+        const auto reference = element_reference(x, body.element, static_cast<int>(e));
+        element.exact = body.element == ElementVariant::full;
+        element.gradient_m2 = reference.gradient;
+        element.volume_m3 = reference.volume;
+        for (std::size_t a = 0; a < 8; ++a) {
+            element.inverse_mass[a] =
+                1 / (material.density_kg_m3 * reference.node_volume[a]);
+        }
+        element.lame_pa = material.lame_lambda_pa;
+        element.shear_pa = material.shear_modulus_pa;
+        element.at_rest_1_s2 = volume_term_1_s2(element, x);
+    }
+}
+
+double CurrentStep::volume_term_1_s2(const Element& element, const Positions8& x_m) {
+    const VolumeAndGradient now =
+        element.exact ? exact_volume(x_m)
+                      : mean_volume(x_m, element.gradient_m2, element.volume_m3);
+    const double j = now.volume_m3 / element.volume_m3;
+    if (!(j > 0)) return INFINITY;
+    double slope = 0;
+    for (int a = 0; a < 8; ++a) {
+        slope += now.gradient_m2.row(a).squaredNorm() *
+                 element.inverse_mass[static_cast<std::size_t>(a)];
+    }
+    const double modulus =
+        (element.lame_pa * (1 - std::log(j)) + element.shear_pa) / (j * j);
+    return modulus / element.volume_m3 * slope;
+}
+
+double CurrentStep::rise_1_s2(std::span<const Vec3> nodes_m) const {
+    double largest = 0;
+    for (const Element& element : elements_) {
+        const Positions8 x = local_positions(nodes_m, element.nodes);
+        largest = std::max(largest, volume_term_1_s2(element, x) - element.at_rest_1_s2);
+    }
+    return largest;
+}
+
+double CurrentStep::step_s(double step_at_rest_s, double rise_1_s2) {
+    return 2 / std::sqrt(4 / (step_at_rest_s * step_at_rest_s) + rise_1_s2);
 }
 
 }  // namespace magfsi::structure

@@ -1,8 +1,6 @@
 // Kelvin-Voigt forces in Hadamard mode space, `width` elements at a time; see
-// viscous_element.cpp for the same in plain form.
-#include "structure/lattice/hourglass_lanes.h"
-#include "structure/lattice/mean_gradient_lanes.h"
-#include "structure/lattice/viscous_batches.h"
+// viscous_element for the same in plain form.
+#include "structure/lattice/element_lanes.h"
 
 namespace magfsi::structure::MAGFSI_ISA {
 namespace {

@@ -1,11 +1,16 @@
 #include "structure/magnetics/magnetization.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace magfsi::structure {
 namespace {
@@ -42,6 +47,206 @@ void check(const HarmonicMagnetization& profile) {
             "wavelength must be positive and the axes two different ones of 0, 1, 2",
             profile.wavelength_m, profile.along, profile.into));
     }
+}
+
+constexpr std::array<std::string_view, 6> names{"x", "y", "z", "Mx", "My", "Mz"};
+
+struct Column {
+    std::size_t name = 0;  // place in names
+    double unit = 1;
+};
+
+struct Row {
+    Vec3 point_m{};
+    Vec3 vector_a_m{};
+};
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+    std::vector<std::string_view> out;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(',', begin), line.size());
+        out.push_back(trimmed(line.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return out;
+}
+
+class TableReader {
+  public:
+    explicit TableReader(const std::filesystem::path& file) : file_(file), stream_(file) {
+        if (!stream_) {
+            throw std::invalid_argument(
+                fmt::format("cannot open the magnetisation table {}", file.string()));
+        }
+    }
+
+    std::vector<Row> rows() {
+        std::string line;
+        if (!next(line)) fail("no header found, \"Mx[A/m],My[A/m],Mz[A/m]\" is allowed");
+        read_header(line);
+        std::vector<Row> rows;
+        while (next(line)) rows.push_back(read_row(line));
+        if (rows.empty()) fail("no row found, at least one is needed");
+        return rows;
+    }
+    bool has_points() const { return columns_.size() == 6; }
+
+  private:
+    bool next(std::string& line) {
+        while (std::getline(stream_, line)) {
+            ++number_;
+            const std::string_view text = trimmed(line);
+            if (!text.empty() && text[0] != '#') return true;
+        }
+        return false;
+    }
+
+    void read_header(std::string_view line) {
+        for (const std::string_view field : fields_of(line)) {
+            const Column column = read_column(field);
+            for (const Column& other : columns_) {
+                if (other.name == column.name) {
+                    fail(fmt::format("column {} found twice", names[column.name]));
+                }
+            }
+            columns_.push_back(column);
+        }
+        const auto vectors =
+            std::ranges::count_if(columns_, [](const Column& c) { return c.name >= 3; });
+        if (vectors != 3 || (columns_.size() != 3 && columns_.size() != 6)) {
+            fail(
+                fmt::format("header \"{}\" found; the columns Mx, My, Mz are needed, and "
+                            "all or none of x, y, z",
+                            line));
+        }
+    }
+
+    Column read_column(std::string_view field) const {
+        const auto bracket = field.find('[');
+        const auto name = std::ranges::find(names, field.substr(0, bracket));
+        if (name == names.end()) {
+            fail(
+                fmt::format("column \"{}\" found, {} are allowed, each with its unit, "
+                            "like x[m] or Mx[A/m]",
+                            field, fmt::join(names, ", ")));
+        }
+        const auto place = static_cast<std::size_t>(name - names.begin());
+        const std::string_view unit =
+            bracket == std::string_view::npos ? "" : field.substr(bracket);
+        using Units = std::vector<std::pair<std::string_view, double>>;
+        static const Units lengths{{"[m]", 1}, {"[mm]", 1e-3}, {"[um]", 1e-6}};
+        static const Units strengths{{"[A/m]", 1}, {"[kA/m]", 1e3}};
+        for (const auto& [text, value] : place < 3 ? lengths : strengths) {
+            if (unit == text) return {place, value};
+        }
+        fail(fmt::format("column \"{}\" found with the unit \"{}\"; {} are allowed",
+                         field, unit, place < 3 ? "[m], [mm], [um]" : "[A/m], [kA/m]"));
+    }
+
+    Row read_row(std::string_view line) const {
+        const auto fields = fields_of(line);
+        if (fields.size() != columns_.size()) {
+            fail(fmt::format("{} values found, {} are needed", fields.size(),
+                             columns_.size()));
+        }
+        Row row;
+        for (std::size_t c = 0; c < fields.size(); ++c) {
+            const auto [name, unit] = columns_[c];
+            (name < 3 ? row.point_m[name] : row.vector_a_m[name - 3]) =
+                unit * number(fields[c]);
+        }
+        return row;
+    }
+
+    double number(std::string_view text) const {
+        double value = 0;
+        const char* end = text.data() + text.size();
+        const auto [last, error] = std::from_chars(text.data(), end, value);
+        if (error != std::errc{} || last != end || !std::isfinite(value)) {
+            fail(fmt::format("\"{}\" found, a finite number is needed", text));
+        }
+        return value;
+    }
+
+    [[noreturn]] void fail(const std::string& why) const {
+        throw std::invalid_argument(fmt::format("magnetisation table {}, line {}: {}",
+                                                file_.string(), number_, why));
+    }
+
+    std::filesystem::path file_;
+    std::ifstream stream_;
+    int number_ = 0;
+    std::vector<Column> columns_;
+};
+
+double squared_distance(const Vec3& a, const Vec3& b) {
+    double sum = 0;
+    for (int d = 0; d < 3; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
+    return sum;
+}
+
+// Rows in the order of x: the search runs outwards from the centre's x and stops where x
+// alone is further away than the best.
+class NearestRow {
+  public:
+    explicit NearestRow(const std::vector<Row>& rows) : rows_(rows) {
+        for (std::size_t r = 0; r < rows.size(); ++r) by_x_.push_back(r);
+        std::ranges::stable_sort(by_x_, {}, [&](std::size_t r) { return x_of(r); });
+    }
+
+    std::size_t operator()(const Vec3& point) const {
+        auto up = std::ranges::lower_bound(by_x_, point[0], {},
+                                           [&](std::size_t r) { return x_of(r); });
+        auto down = up;
+        std::size_t best = by_x_.front();
+        double least = INFINITY;
+        const auto gap = [&](std::size_t r) {
+            return (x_of(r) - point[0]) * (x_of(r) - point[0]);
+        };
+        const auto try_row = [&](std::size_t r) {
+            const double away = squared_distance(rows_[r].point_m, point);
+            if (away < least || (away == least && r < best)) {
+                least = away;
+                best = r;
+            }
+        };
+        for (; up != by_x_.end() && gap(*up) <= least; ++up) try_row(*up);
+        while (down != by_x_.begin() && gap(*std::prev(down)) <= least) try_row(*--down);
+        return best;
+    }
+
+  private:
+    double x_of(std::size_t row) const { return rows_[row].point_m[0]; }
+
+    const std::vector<Row>& rows_;
+    std::vector<std::size_t> by_x_;
+};
+
+std::vector<Vec3> nearest_vectors(const Mesh& mesh, const std::vector<Row>& rows,
+                                  const std::filesystem::path& file) {
+    const NearestRow nearest(rows);
+    const double far_m = 0.5 * bounds(mesh.nodes).diagonal_m();
+    std::vector<Vec3> out;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Vec3 centre = element_centre(mesh, e);
+        const Row& row = rows[nearest(centre)];
+        const double away = std::sqrt(squared_distance(row.point_m, centre));
+        if (away > far_m) {
+            throw std::invalid_argument(fmt::format(
+                "magnetisation table {}: its point nearest to element {} with the centre "
+                "({:.6g}, {:.6g}, {:.6g}) m is {:.3g} m away, at most {:.3g} m, half the "
+                "body's diagonal, is allowed; see that unit and frame are the body's",
+                file.string(), e, centre[0], centre[1], centre[2], away, far_m));
+        }
+        out.push_back(row.vector_a_m);
+    }
+    return out;
 }
 
 }  // namespace
@@ -117,6 +322,22 @@ std::vector<Vec3> region_magnetization(const Mesh& mesh,
     for (std::size_t e = 0; e < out.size(); ++e) {
         out[e] = vector_a_m.at(names[mesh.region[e]]);
     }
+    return out;
+}
+
+std::vector<Vec3> table_magnetization(const Mesh& mesh,
+                                      const std::filesystem::path& file) {
+    TableReader table(file);
+    const std::vector<Row> rows = table.rows();
+    if (table.has_points()) return nearest_vectors(mesh, rows, file);
+    if (rows.size() != mesh.elements.size()) {
+        throw std::invalid_argument(
+            fmt::format("magnetisation table {}: {} rows found for {} elements; without "
+                        "the columns x, y, z one row per element is needed",
+                        file.string(), rows.size(), mesh.elements.size()));
+    }
+    std::vector<Vec3> out;
+    for (const Row& row : rows) out.push_back(row.vector_a_m);
     return out;
 }
 

@@ -1,6 +1,7 @@
 // Magnetisation profiles, evaluated at the centres of the undeformed elements.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
@@ -24,6 +25,21 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
 // regions there are where the mesh has none, one has no vector or a name is not one.
 std::vector<Vec3> region_magnetization(const Mesh& mesh,
                                        const std::map<std::string, Vec3>& vector_a_m);
+
+// Reads a CSV file with a header of names and units and one row a vector; lines that are
+// empty or begin with # are skipped. Columns, in any order:
+//
+//   Mx[A/m],My[A/m],Mz[A/m]                   one row an element, in the mesh's order
+//   x[m],y[m],z[m],Mx[A/m],My[A/m],Mz[A/m]    points in the body's frame: each element
+//                                             takes the vector of the point nearest to
+//                                             its centre, the first of equals
+//
+// Lengths may be in m, mm or um, magnetisations in A/m or kA/m. Throws
+// std::invalid_argument that names file and line on a column, unit or number that is not
+// allowed; on a number of rows that is not that of the elements; and on points further
+// from an element than half the body's diagonal (a table of another body or unit).
+std::vector<Vec3> table_magnetization(const Mesh& mesh,
+                                      const std::filesystem::path& file);
 
 Vec3 element_centre(const Mesh& mesh, std::size_t element);
 

@@ -10,9 +10,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "structure/mesh/centre_line.h"
 #include "structure/mesh/mesh_check.h"
-#include "structure/mesh/orientation.h"
+#include "structure/mesh/mesh_file.h"
 
 namespace magfsi::structure {
 namespace {

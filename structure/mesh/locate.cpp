@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "structure/mesh/bounds.h"
-#include "structure/mesh/inverse_map.h"
-
 namespace magfsi::structure {
 namespace {
+
+using Eigen::Vector3d;
+
+Vector3d mapped(const Positions8& nodes_m, const Vec3& xi) {
+    const auto shape = shape_values(xi);
+    return nodes_m.transpose() * Eigen::Map<const Eigen::Vector<double, 8>>(shape.data());
+}
 
 // A bin a dozen elements at most: about one an element, and never flat.
 std::array<int, 3> bin_counts(const Vec3& extent_m, std::size_t elements) {
@@ -51,6 +56,39 @@ double margin_m(const Bounds& box) {
 }
 
 }  // namespace
+
+std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) {
+    const Vector3d target = Vector3d(point_m.data());
+    // Below the rounding of coordinates of the element's size and position.
+    const double done_m = 1e-15 * nodes_m.cwiseAbs().maxCoeff() +
+                          1e-14 * (nodes_m.row(7) - nodes_m.row(0)).norm();
+    Vec3 xi{};
+    Vector3d gap = target - mapped(nodes_m, xi);
+    for (int step = 0; step < 50 && gap.norm() > done_m; ++step) {
+        const Eigen::Matrix3d jacobian = nodes_m.transpose() * shape_gradients(xi);
+        const Vector3d change = jacobian.partialPivLu().solve(gap);
+        if (!change.allFinite()) return std::nullopt;
+        // Far outside, the trilinear map may fold: no step over more than an element.
+        double scale = std::min(1.0, 2 / change.cwiseAbs().maxCoeff());
+        bool better = false;
+        for (int halving = 0; halving < 8 && !better; ++halving, scale *= 0.5) {
+            Vec3 trial = xi;
+            for (int d = 0; d < 3; ++d) trial[d] += scale * change[d];
+            const Vector3d left = target - mapped(nodes_m, trial);
+            if (left.norm() >= gap.norm()) continue;
+            xi = trial;
+            gap = left;
+            better = true;
+        }
+        if (!better) break;
+    }
+    // Rounding can end the search above `done_m`; a thousandth of a billionth of the
+    // element is as good as found.
+    if (gap.norm() > 1e-12 * (nodes_m.row(7) - nodes_m.row(0)).norm() + done_m) {
+        return std::nullopt;
+    }
+    return xi;
+}
 
 PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
     if (mesh.elements.empty()) {
@@ -142,9 +180,8 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
     for (const SurfaceQuad& quad : surface_) {
         // Strictly farther only: on a border the last element wins, as inside.
         if (bounds(mesh_.nodes, quad.node).distance_m(point_m) > least) continue;
-        Corners4 corners;
-        for (int a = 0; a < 4; ++a) corners[a] = mesh_.nodes[quad.node[a]];
-        const auto [u, v] = nearest_on_quad(corners, point_m);
+        const Corners4 x = corners(mesh_.nodes, quad.node);
+        const auto [u, v] = nearest_on_quad(x, point_m);
         const auto shape = quad_shape(u, v);
         Vec3 foot{};
         MaterialPoint trial;
@@ -153,7 +190,7 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
         const auto local = face_corners(quad.face);
         for (int a = 0; a < 4; ++a) {
             trial.weight[local[a]] = shape[a];
-            for (int d = 0; d < 3; ++d) foot[d] += shape[a] * corners[a][d];
+            for (int d = 0; d < 3; ++d) foot[d] += shape[a] * x[a][d];
         }
         const double away =
             std::hypot(foot[0] - point_m[0], foot[1] - point_m[1], foot[2] - point_m[2]);

@@ -4,10 +4,16 @@
 #include <optional>
 #include <vector>
 
+#include "structure/lattice/hexahedron.h"
 #include "structure/mesh/mesh.h"
 #include "structure/mesh/surface.h"
 
 namespace magfsi::structure {
+
+// Local coordinates xi of a point: the root of sum N_a(xi) x_a = point by Newton's method
+// with step halving, from the centre. Empty where it finds none, which for a valid
+// element means that the point is outside. The root may lie outside [-1, 1]^3.
+std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m);
 
 // Keeps a reference to the mesh, which must outlive it and stay as it is.
 class PointLocator {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -42,6 +43,18 @@ void keep_only(std::map<std::string, std::vector<int>>& groups,
 int root_of(std::vector<int>& parent, int node) {
     while (parent[node] != node) node = parent[node] = parent[parent[node]];
     return node;
+}
+
+// New local axis d is the old axis `axis[d]`, turned round where bit d of `flips` is set.
+Hexahedron renumbered(const Hexahedron& element, const std::array<int, 3>& axis,
+                      int flips) {
+    Hexahedron out{};
+    for (int a = 0; a < 8; ++a) {
+        int old = 0;
+        for (int d = 0; d < 3; ++d) old |= (((a ^ flips) >> d) & 1) << axis[d];
+        out[a] = element[old];
+    }
+    return out;
 }
 
 }  // namespace
@@ -164,6 +177,32 @@ void refuse_broken_mesh(const Mesh& mesh) {
             "leave a gap between them",
             (*pair)[0], (*pair)[1], x[0], x[1], x[2]));
     }
+}
+
+Hexahedron lexicographic(const Hexahedron& round) {
+    return {round[0], round[1], round[3], round[2],
+            round[4], round[5], round[7], round[6]};
+}
+
+Hexahedron oriented(const std::vector<Vec3>& nodes_m, const Hexahedron& element) {
+    const Eigen::Matrix3d old_axes =
+        gather(nodes_m, element).transpose() * shape_gradients({0, 0, 0});
+    Hexahedron best = element;
+    double closest = -4;  // below the least sum of three cosines
+    std::array<int, 3> axis{0, 1, 2};
+    do {
+        for (int flips = 0; flips < 8; ++flips) {
+            Eigen::Matrix3d axes;
+            for (int d = 0; d < 3; ++d) {
+                axes.col(d) = (((flips >> d) & 1) != 0 ? -1 : 1) *
+                              old_axes.col(axis[d]).stableNormalized();
+            }
+            if (!(axes.determinant() > 0) || axes.trace() <= closest) continue;
+            closest = axes.trace();
+            best = renumbered(element, axis, flips);
+        }
+    } while (std::next_permutation(axis.begin(), axis.end()));
+    return best;
 }
 
 }  // namespace magfsi::structure

@@ -1,4 +1,5 @@
-// What can be wrong with a mesh that another program made.
+// Meshes that another program made: what can be wrong with them, and the numbering of
+// their elements' corners.
 #pragma once
 
 #include <array>
@@ -28,5 +29,13 @@ std::vector<int> connected_parts(const Mesh& mesh);
 // Throws std::invalid_argument with advice on a mesh without elements, an inverted
 // element, elements given twice, or nodes within a thousandth of the shortest edge.
 void refuse_broken_mesh(const Mesh& mesh);
+
+// From the order of VTK and Gmsh (round the bottom, then round the top) to ours.
+Hexahedron lexicographic(const Hexahedron& round);
+
+// The right-handed one of the 48 numberings of the same hexahedron (in lexicographic
+// order, of any handedness) whose local axes lie closest to x, y and z: a block gets the
+// numbering of box_mesh, however its elements were turned or mirrored.
+Hexahedron oriented(const std::vector<Vec3>& nodes_m, const Hexahedron& element);
 
 }  // namespace magfsi::structure

@@ -4,12 +4,9 @@
 #include <fmt/os.h>
 #include <fmt/ranges.h>
 
-#include <sstream>
+#include <algorithm>
 #include <stdexcept>
-#include <string>
-
-#include "structure/mesh/centre_line.h"
-#include "structure/mesh/numbered_lines.h"
+#include <utility>
 
 namespace magfsi::structure {
 namespace {
@@ -107,6 +104,82 @@ Mesh read_mesh_file(const std::filesystem::path& file) {
         mesh.centre_line = line_through(mesh, line->second);
     }
     return mesh;
+}
+
+std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> nodes) {
+    const Vec3 extent_m = bounds(mesh.nodes, nodes).extent_m();
+    const auto along = std::ranges::max_element(extent_m) - extent_m.begin();
+    std::vector<MaterialPoint> of_node(mesh.nodes.size());
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        for (int a = 0; a < 8; ++a) {
+            MaterialPoint& point = of_node[mesh.elements[e][a]];
+            if (point.element >= 0) continue;
+            point.node = mesh.elements[e];
+            point.weight[a] = 1;
+            point.element = static_cast<int>(e);
+        }
+    }
+    std::vector<int> ordered(nodes.begin(), nodes.end());
+    std::ranges::stable_sort(ordered, {},
+                             [&](int node) { return mesh.nodes[node][along]; });
+    std::vector<MaterialPoint> line;
+    for (const int node : ordered) {
+        if (of_node[node].element < 0) {
+            throw std::invalid_argument(fmt::format(
+                "node {} of a line belongs to no element; a line runs through the body",
+                node));
+        }
+        line.push_back(of_node[node]);
+    }
+    return line;
+}
+
+NumberedLines::NumberedLines(std::string kind, const std::filesystem::path& file)
+    : kind_(std::move(kind)), file_(file), stream_(file) {
+    if (!stream_) {
+        throw std::runtime_error(
+            fmt::format("cannot open the {} {}", kind_, file.string()));
+    }
+}
+
+std::istringstream NumberedLines::next(const std::string& expected) {
+    std::string text;
+    while (std::getline(stream_, text)) {
+        ++number_;
+        const auto first = text.find_first_not_of(" \t\r");
+        if (first != std::string::npos && text[first] != '#') {
+            return std::istringstream(text);
+        }
+    }
+    fail(expected);
+}
+
+std::size_t NumberedLines::count(const std::string& keyword, std::size_t least) {
+    const std::string expected =
+        fmt::format("\"{} N\" with N of at least {}", keyword, least);
+    std::istringstream fields = next(expected);
+    std::string found;
+    long long value = -1;
+    if (!(fields >> found >> value) || found != keyword || value < 0 ||
+        static_cast<std::size_t>(value) < least) {
+        fail(expected);
+    }
+    return static_cast<std::size_t>(value);
+}
+
+std::vector<Vec3> NumberedLines::nodes(std::size_t least) {
+    std::vector<Vec3> nodes_m(count("nodes", least));
+    const char* expected = "three coordinates of a node";
+    for (Vec3& x : nodes_m) {
+        std::istringstream fields = next(expected);
+        if (!(fields >> x[0] >> x[1] >> x[2])) fail(expected);
+    }
+    return nodes_m;
+}
+
+void NumberedLines::fail(const std::string& expected) const {
+    throw std::runtime_error(fmt::format("{} {}, line {}: expected {}", kind_,
+                                         file_.string(), number_, expected));
 }
 
 }  // namespace magfsi::structure

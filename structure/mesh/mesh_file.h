@@ -1,5 +1,5 @@
 // A mesh as text, as the solvers read it: numbers read back exactly. Meshes of other
-// programs are turned into it once, so that no solver loads their libraries.
+// programs are converted to it once, so that no solver loads their libraries.
 //
 //   # magfsi mesh [m]
 //   nodes N                 N lines: x y z
@@ -9,16 +9,52 @@
 //   points P                the same for named points and lines
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "structure/mesh/mesh.h"
 
 namespace magfsi::structure {
 
 // Writes all but the centre line; reading takes it from the line named "centre_line",
-// where there is one (centre_line.h). Both throw std::runtime_error that names the file;
-// reading also the line and what was expected in it.
+// where there is one. Both throw std::runtime_error that names the file; reading also the
+// line and what was expected in it.
 void write_mesh_file(const Mesh& mesh, const std::filesystem::path& file);
 Mesh read_mesh_file(const std::filesystem::path& file);
+
+// Nodes as material points, in the order of the coordinate in which they extend farthest
+// (x before y before z): the centre line, which does not turn back. Throws
+// std::invalid_argument for a node of no element.
+std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> nodes);
+
+// Text files of nodes and elements, line by line, without comments and blank lines. Every
+// error is a std::runtime_error with the kind of file, its name, the line and what was
+// expected there.
+class NumberedLines {
+  public:
+    // kind: for the errors, such as "mesh file".
+    NumberedLines(std::string kind, const std::filesystem::path& file);
+
+    std::istringstream next(const std::string& expected);
+
+    // The N of a line "keyword N", at least `least`.
+    std::size_t count(const std::string& keyword, std::size_t least);
+
+    // A line "nodes N", N at least `least`, and three coordinates [m] on each of N lines.
+    std::vector<Vec3> nodes(std::size_t least);
+
+    [[noreturn]] void fail(const std::string& expected) const;
+
+  private:
+    std::string kind_;
+    std::filesystem::path file_;
+    std::ifstream stream_;
+    int number_ = 0;
+};
 
 }  // namespace magfsi::structure

@@ -8,8 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "structure/mesh/inverse_map.h"
-
 namespace magfsi::structure {
 namespace {
 
@@ -119,13 +117,6 @@ std::vector<int> columns_across(const Chords& chords) {
     return columns;
 }
 
-SurfaceQuad outer_quad(const Mesh& mesh, const FaceOfElement& at) {
-    SurfaceQuad quad{{}, at.element, at.face};
-    const auto corners = face_corners(at.face);
-    for (int a = 0; a < 4; ++a) quad.node[a] = mesh.elements[at.element][corners[a]];
-    return quad;
-}
-
 int root_of(std::vector<int>& parent, int n) {
     while (parent[n] != n) n = parent[n] = parent[parent[n]];
     return n;
@@ -167,9 +158,9 @@ bool first_is_top(const Mesh& mesh, const std::vector<SurfaceQuad>& ends,
     Vec3 vector{};
     double area[2] = {0, 0};
     for (std::size_t q = 0; q < ends.size(); ++q) {
-        area[side[q]] += quad_area(mesh.nodes, ends[q]);
+        area[side[q]] += quad_area(corners(mesh.nodes, ends[q].node));
         if (side[q] == 1) continue;
-        const Vec3 its = quad_area_vector(mesh.nodes, ends[q]);
+        const Vec3 its = quad_area_vector(corners(mesh.nodes, ends[q].node));
         for (int d = 0; d < 3; ++d) vector[d] += its[d];
     }
     for (int d = 2; d >= 0; --d) {
@@ -197,7 +188,80 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
     return column;
 }
 
+Eigen::Vector3d on_level(const Mesh& mesh, const std::array<int, 4>& level,
+                         const std::array<double, 4>& shape) {
+    Eigen::Vector3d out = Eigen::Vector3d::Zero();
+    for (int a = 0; a < 4; ++a) {
+        out += shape[a] * Eigen::Vector3d(mesh.nodes[level[a]].data());
+    }
+    return out;
+}
+
+// Between two levels: the layer and how far up in it, 0 to 1.
+struct Height {
+    std::size_t layer = 0;
+    double share = 0;
+};
+
+// At `depth_m` below one end of the column at one place of it, but no deeper than half
+// the way, along the line through its levels.
+Height height_at(const Mesh& mesh, const SheetColumn& column, SheetSide side,
+                 double depth_m, const std::array<double, 4>& shape) {
+    std::vector<double> up{0};
+    for (std::size_t l = 0; l + 1 < column.levels.size(); ++l) {
+        up.push_back(up.back() + (on_level(mesh, column.levels[l + 1], shape) -
+                                  on_level(mesh, column.levels[l], shape))
+                                     .norm());
+    }
+    const double depth = std::min(depth_m, 0.5 * up.back());
+    const double height = side == SheetSide::bottom ? depth : up.back() - depth;
+    // A height on a level, but for rounding, belongs to the layer above, as in locate.
+    const auto above =
+        std::upper_bound(up.begin() + 1, up.end() - 1, height * (1 + 1e-12));
+    const auto layer = static_cast<std::size_t>(above - up.begin()) - 1;
+    return {layer, std::max(0.0, (height - up[layer]) / (*above - up[layer]))};
+}
+
+MaterialPoint point_in(const Mesh& mesh, const SheetColumn& column, SheetSide side,
+                       double depth_m, double u, double v) {
+    const auto shape = quad_shape(u, v);
+    const auto [layer, share] = height_at(mesh, column, side, depth_m, shape);
+    MaterialPoint out;
+    out.element = column.elements[layer];
+    out.node = mesh.elements[out.element];
+    for (int a = 0; a < 4; ++a) {
+        const auto place = [&](std::size_t level) {
+            return std::ranges::find(out.node, column.levels[level][a]) -
+                   out.node.begin();
+        };
+        out.weight[place(layer)] = shape[a] * (1 - share);
+        out.weight[place(layer + 1)] = shape[a] * share;
+    }
+    return out;
+}
+
 }  // namespace
+
+MeshEnds::MeshEnds(const Mesh& mesh, const Continues& continues)
+    : mesh_(mesh), continues_(continues) {
+    const Bounds box = bounds(mesh.nodes);
+    low_m_ = box.low_m;
+    high_m_ = box.high_m;
+    slack_m_ = 1e-9 * box.diagonal_m();  // rounding of nodes
+}
+
+bool MeshEnds::hold(const SurfaceQuad& quad) const {
+    const auto all_at = [&](std::size_t d, double plane_m) {
+        return std::ranges::all_of(quad.node, [&](int node) {
+            const Vec3& x = mesh_.nodes[static_cast<std::size_t>(node)];
+            return std::abs(x[d] - plane_m) <= slack_m_;
+        });
+    };
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (continues_[d] && (all_at(d, low_m_[d]) || all_at(d, high_m_[d]))) return true;
+    }
+    return false;
+}
 
 std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues) {
     const Neighbours behind = face_neighbours(mesh);
@@ -230,18 +294,6 @@ std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues) {
     return sheet;
 }
 
-std::vector<SurfaceQuad> bottom_of(const Sheet& sheet) {
-    std::vector<SurfaceQuad> out;
-    for (const SheetColumn& column : sheet.columns) out.push_back(column.bottom);
-    return out;
-}
-
-std::vector<SurfaceQuad> top_of(const Sheet& sheet) {
-    std::vector<SurfaceQuad> out;
-    for (const SheetColumn& column : sheet.columns) out.push_back(column.top);
-    return out;
-}
-
 std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet) {
     std::set<std::pair<int, int>> sides;  // element and face
     for (const SheetColumn& column : sheet.columns) {
@@ -253,6 +305,29 @@ std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet) {
         return sides.contains({quad.element, quad.face});
     });
     return rim;
+}
+
+std::vector<SurfacePoint> points_below_face(const Mesh& mesh, const Sheet& sheet,
+                                            SheetSide side, double depth_m,
+                                            double spacing_m) {
+    std::vector<SurfacePoint> points;
+    for (const SheetColumn& column : sheet.columns) {
+        const auto at = [&](double u, double v) {
+            return point_in(mesh, column, side, depth_m, u, v);
+        };
+        const std::array<Vec3, 4> corners_m{
+            position(mesh, at(0, 0)), position(mesh, at(1, 0)), position(mesh, at(1, 1)),
+            position(mesh, at(0, 1))};
+        for (const QuadCell& cell : cut_quad(corners_m, spacing_m))
+            points.push_back({at(cell.u, cell.v), cell.area_m2, cell.normal});
+    }
+    return points;
+}
+
+std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,
+                                             double spacing_m) {
+    return points_below_face(mesh, sheet, SheetSide::top,
+                             std::numeric_limits<double>::infinity(), spacing_m);
 }
 
 }  // namespace magfsi::structure

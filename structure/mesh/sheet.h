@@ -3,15 +3,31 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "structure/mesh/body_points.h"
 #include "structure/mesh/mesh.h"
-#include "structure/mesh/mesh_ends.h"
 #include "structure/mesh/surface.h"
-#include "structure/mesh/surface_points.h"
 
 namespace magfsi::structure {
+
+// Bodies that go on beyond their mesh: one that spans a periodic box has no surface at
+// its two ends there. Along which axes of the mesh a body continues:
+using Continues = std::array<bool, 3>;
+
+class MeshEnds {
+  public:
+    MeshEnds(const Mesh& mesh, const Continues& continues);
+
+    // Whether all nodes of the quad lie on one end of an axis along which it continues.
+    bool hold(const SurfaceQuad& quad) const;
+
+  private:
+    const Mesh& mesh_;
+    Continues continues_;
+    Vec3 low_m_{}, high_m_{};
+    double slack_m_ = 0;
+};
 
 // One column across the thickness: its elements from bottom to top, and the four nodes of
 // each level (one level more than elements), in the cyclic order that seen from the top
@@ -35,10 +51,6 @@ struct Sheet {
 // towards +z (+y, +x where that vanishes, as on a closed shell). A body is never thin
 // along an axis on which it continues.
 std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues = {});
-
-// Quads of one side, outward, for surface_points.
-std::vector<SurfaceQuad> bottom_of(const Sheet& sheet);
-std::vector<SurfaceQuad> top_of(const Sheet& sheet);
 
 // The boundary of the sheet between its two sides.
 std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet);

@@ -12,6 +12,8 @@
 namespace magfsi::structure {
 namespace {
 
+using Eigen::Vector3d;
+
 struct Face {
     std::array<int, 4> sorted;
     int element, face;
@@ -43,36 +45,58 @@ std::vector<Face> sorted_faces(const Mesh& mesh) {
                     a.sorted[2], a.sorted[3]));
 }
 
-SurfaceQuad outward_quad(const Mesh& mesh, int element, int face) {
-    SurfaceQuad quad{{}, element, face};
-    const auto corners = face_corners(face);
-    for (int a = 0; a < 4; ++a) quad.node[a] = mesh.elements[element][corners[a]];
-    return quad;
+Vector3d vector(const Vec3& x) {
+    return Vector3d(x[0], x[1], x[2]);
 }
 
-Eigen::Vector3d at(const std::vector<Vec3>& nodes_m, int node) {
-    return Eigen::Vector3d(nodes_m[node].data());
+using Corners = std::array<Vector3d, 4>;
+
+Corners vectors(const Corners4& corners_m) {
+    return {vector(corners_m[0]), vector(corners_m[1]), vector(corners_m[2]),
+            vector(corners_m[3])};
 }
 
-// Integrals of the four bilinear shape functions over the quad, 2x2 Gauss points: exact
-// for plane parallelograms, and of fourth order in the edge for others.
-std::array<double, 4> corner_areas(const std::vector<Vec3>& nodes_m,
-                                   const SurfaceQuad& quad) {
-    std::array<Eigen::Vector3d, 4> x;
-    for (int a = 0; a < 4; ++a) x[a] = at(nodes_m, quad.node[a]);
-    std::array<double, 4> areas{};
-    const double q = 0.5 / std::sqrt(3.0);
-    for (const double u : {0.5 - q, 0.5 + q}) {
-        for (const double v : {0.5 - q, 0.5 + q}) {
-            const Eigen::Vector3d along_u = (1 - v) * (x[1] - x[0]) + v * (x[2] - x[3]);
-            const Eigen::Vector3d along_v = (1 - u) * (x[3] - x[0]) + u * (x[2] - x[1]);
-            const double area = 0.25 * along_u.cross(along_v).norm();
-            const std::array<double, 4> shape{(1 - u) * (1 - v), u * (1 - v), u * v,
-                                              (1 - u) * v};
-            for (int a = 0; a < 4; ++a) areas[a] += shape[a] * area;
-        }
+// Normal times area, per unit of u and v.
+Vector3d area_per_uv(const Corners& x, double u, double v) {
+    const Vector3d along_u = (1 - v) * (x[1] - x[0]) + v * (x[2] - x[3]);
+    const Vector3d along_v = (1 - u) * (x[3] - x[0]) + u * (x[2] - x[1]);
+    return along_u.cross(along_v);
+}
+
+// Rounding of the quotient does not add a part.
+int parts(double length_m, double spacing_m) {
+    return std::max(1, static_cast<int>(std::ceil(length_m / spacing_m - 1e-9)));
+}
+
+Vector3d on_quad(const Corners4& x, double u, double v) {
+    const auto shape = quad_shape(u, v);
+    Vector3d out = Vector3d::Zero();
+    for (int a = 0; a < 4; ++a) out += shape[a] * vector(x[a]);
+    return out;
+}
+
+// Gauss-Newton on the distance, from the middle; may end outside the unit square.
+std::array<double, 2> foot_of_perpendicular(const Corners4& x, const Vector3d& point) {
+    double u = 0.5, v = 0.5;
+    for (int step = 0; step < 20; ++step) {
+        Eigen::Matrix<double, 3, 2> tangents;
+        tangents.col(0) = (1 - v) * vector(x[1]) + v * vector(x[2]) -
+                          (1 - v) * vector(x[0]) - v * vector(x[3]);
+        tangents.col(1) = (1 - u) * vector(x[3]) + u * vector(x[2]) -
+                          (1 - u) * vector(x[0]) - u * vector(x[1]);
+        const Vector3d gap = point - on_quad(x, u, v);
+        const Eigen::Vector2d change =
+            (tangents.transpose() * tangents).ldlt().solve(tangents.transpose() * gap);
+        if (!change.allFinite()) break;
+        u = std::clamp(u + change[0], -1.0, 2.0);
+        v = std::clamp(v + change[1], -1.0, 2.0);
+        if (change.norm() < 1e-13) break;
     }
-    return areas;
+    return {u, v};
+}
+
+double nearest_on_edge(const Vector3d& a, const Vector3d& b, const Vector3d& point) {
+    return std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
 }
 
 }  // namespace
@@ -110,50 +134,98 @@ std::vector<SurfaceQuad> boundary_quads(const Mesh& mesh) {
     for (std::size_t e = 0; e < behind.size(); ++e) {
         for (int f = 0; f < 6; ++f) {
             if (behind[e][f].element >= 0) continue;
-            surface.push_back(outward_quad(mesh, static_cast<int>(e), f));
+            surface.push_back(outer_quad(mesh, {static_cast<int>(e), f}));
         }
     }
     return surface;
 }
 
-double quad_area(const std::vector<Vec3>& nodes_m, const SurfaceQuad& quad) {
-    const auto areas = corner_areas(nodes_m, quad);
+SurfaceQuad outer_quad(const Mesh& mesh, const FaceOfElement& at) {
+    SurfaceQuad quad{{}, at.element, at.face};
+    const auto corners = face_corners(at.face);
+    for (int a = 0; a < 4; ++a) quad.node[a] = mesh.elements[at.element][corners[a]];
+    return quad;
+}
+
+Corners4 corners(const std::vector<Vec3>& nodes_m, const std::array<int, 4>& nodes) {
+    return {nodes_m[nodes[0]], nodes_m[nodes[1]], nodes_m[nodes[2]], nodes_m[nodes[3]]};
+}
+
+std::array<double, 4> quad_shape(double u, double v) {
+    return {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+}
+
+// 2x2 Gauss points: exact for plane parallelograms, and of fourth order in the edge for
+// others.
+double quad_area(const Corners4& corners_m) {
+    const Corners x = vectors(corners_m);
+    std::array<double, 4> areas{};  // integrals of the four shape functions
+    const double q = 0.5 / std::sqrt(3.0);
+    for (const double u : {0.5 - q, 0.5 + q}) {
+        for (const double v : {0.5 - q, 0.5 + q}) {
+            const double area = 0.25 * area_per_uv(x, u, v).norm();
+            const auto shape = quad_shape(u, v);
+            for (int a = 0; a < 4; ++a) areas[a] += shape[a] * area;
+        }
+    }
     return areas[0] + areas[1] + areas[2] + areas[3];
 }
 
-Vec3 quad_area_vector(const std::vector<Vec3>& nodes_m, const SurfaceQuad& quad) {
-    const Eigen::Vector3d first = at(nodes_m, quad.node[2]) - at(nodes_m, quad.node[0]);
-    const Eigen::Vector3d second = at(nodes_m, quad.node[3]) - at(nodes_m, quad.node[1]);
-    const Eigen::Vector3d area = 0.5 * first.cross(second);
+Vec3 quad_area_vector(const Corners4& corners_m) {
+    const Corners x = vectors(corners_m);
+    const Vector3d first = x[2] - x[0];
+    const Vector3d second = x[3] - x[1];
+    const Vector3d area = 0.5 * first.cross(second);
     return {area[0], area[1], area[2]};
 }
 
-std::vector<double> surface_node_area(const Mesh& mesh) {
-    std::vector<double> areas(mesh.nodes.size(), 0.0);
-    for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const auto corners = corner_areas(mesh.nodes, quad);
-        for (int a = 0; a < 4; ++a) areas[quad.node[a]] += corners[a];
-    }
-    return areas;
-}
-
-std::vector<std::array<int, 2>> irregular_edges(std::span<const SurfaceQuad> surface) {
-    std::vector<std::array<int, 2>> edges;
-    for (const SurfaceQuad& quad : surface) {
-        for (int a = 0; a < 4; ++a) {
-            const auto ends = std::minmax(quad.node[a], quad.node[(a + 1) % 4]);
-            edges.push_back({ends.first, ends.second});
+std::array<double, 2> nearest_on_quad(const Corners4& corners_m, const Vec3& point_m) {
+    const Vector3d point = vector(point_m);
+    const auto [u, v] = foot_of_perpendicular(corners_m, point);
+    if (u >= 0 && u <= 1 && v >= 0 && v <= 1) return {u, v};
+    static constexpr std::array<std::array<double, 2>, 4> at{
+        {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    std::array<double, 2> best{};
+    double least = INFINITY;
+    for (int a = 0; a < 4; ++a) {
+        const int b = (a + 1) % 4;
+        const double t =
+            nearest_on_edge(vector(corners_m[a]), vector(corners_m[b]), point);
+        const double pu = (1 - t) * at[a][0] + t * at[b][0];
+        const double pv = (1 - t) * at[a][1] + t * at[b][1];
+        const double away = (on_quad(corners_m, pu, pv) - point).norm();
+        if (away < least) {
+            least = away;
+            best = {pu, pv};
         }
     }
-    std::ranges::sort(edges);
-    std::vector<std::array<int, 2>> irregular;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i;
-        while (end < edges.size() && edges[end] == edges[i]) ++end;
-        if (end - i != 2) irregular.push_back(edges[i]);
-        i = end;
+    return best;
+}
+
+std::vector<QuadCell> cut_quad(const Corners4& corners_m, double spacing_m) {
+    if (!(spacing_m > 0)) {
+        throw std::invalid_argument(fmt::format(
+            "points {:g} m apart on a surface found, the spacing must be positive",
+            spacing_m));
     }
-    return irregular;
+    const Corners x = vectors(corners_m);
+    const int nu = parts(std::max((x[1] - x[0]).norm(), (x[2] - x[3]).norm()), spacing_m);
+    const int nv = parts(std::max((x[3] - x[0]).norm(), (x[2] - x[1]).norm()), spacing_m);
+    std::vector<QuadCell> cells;
+    double sum = 0;
+    for (int j = 0; j < nv; ++j) {
+        for (int i = 0; i < nu; ++i) {
+            const double u = (i + 0.5) / nu, v = (j + 0.5) / nv;
+            const Vector3d area = area_per_uv(x, u, v);
+            const Vector3d normal = area.normalized();
+            cells.push_back({u, v, area.norm(), {normal[0], normal[1], normal[2]}});
+            sum += area.norm();
+        }
+    }
+    // The midpoint rule, scaled so that the quad keeps its area.
+    const double scale = quad_area(corners_m) / sum;
+    for (QuadCell& cell : cells) cell.area_m2 *= scale;
+    return cells;
 }
 
 }  // namespace magfsi::structure

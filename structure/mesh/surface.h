@@ -1,9 +1,9 @@
-// The boundary of a hexahedral mesh: its outer quadrilaterals and their areas. Works on
-// any positions of the nodes: pass a mesh with moved nodes for the deformed surface.
+// The boundary of a hexahedral mesh: its outer quadrilaterals, their areas and points on
+// them. Works on any positions of the nodes: pass a mesh with moved nodes for the
+// deformed surface.
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "structure/mesh/mesh.h"
@@ -34,17 +34,33 @@ struct FaceOfElement {
 // it, none at the boundary. Throws as boundary_quads does.
 std::vector<std::array<FaceOfElement, 6>> face_neighbours(const Mesh& mesh);
 
+// One face of an element, as SurfaceQuad.
+SurfaceQuad outer_quad(const Mesh& mesh, const FaceOfElement& at);
+
+using Corners4 = std::array<Vec3, 4>;  // in cyclic order
+Corners4 corners(const std::vector<Vec3>& nodes_m, const std::array<int, 4>& nodes);
+
 // Area [m2] of the bilinear quadrilateral and its vector area, half the cross product of
 // the diagonals (exact: it depends on the outline alone).
-double quad_area(const std::vector<Vec3>& nodes_m, const SurfaceQuad& quad);
-Vec3 quad_area_vector(const std::vector<Vec3>& nodes_m, const SurfaceQuad& quad);
+double quad_area(const Corners4& corners_m);
+Vec3 quad_area_vector(const Corners4& corners_m);
 
-// Tributary area of each node [m2]: integral of its shape function over the boundary;
-// sums to the surface's area. One value a node, zero for inner nodes.
-std::vector<double> surface_node_area(const Mesh& mesh);
+// Weights of the four corners at (u, v) in [0, 1]^2, corner 0 at (0, 0), 1 at (1, 0).
+std::array<double, 4> quad_shape(double u, double v);
 
-// Edges of the surface that are not shared by exactly two quads: empty for a closed
-// surface without contact along an edge (two parts that meet in one edge only).
-std::vector<std::array<int, 2>> irregular_edges(std::span<const SurfaceQuad> surface);
+// (u, v) of the point on the quadrilateral nearest to `point_m`: the foot of the
+// perpendicular, or the nearest point of the four edges. Exact for plane parallelograms.
+std::array<double, 2> nearest_on_quad(const Corners4& corners_m, const Vec3& point_m);
+
+// A cell of a quadrilateral: its middle (u, v), its area and unit normal.
+struct QuadCell {
+    double u = 0, v = 0;
+    double area_m2 = 0;
+    Vec3 normal{};
+};
+
+// Cuts a quadrilateral into cells of at most `spacing_m` along its edges; areas sum to
+// quad_area. Throws std::invalid_argument for a spacing that is not positive.
+std::vector<QuadCell> cut_quad(const Corners4& corners_m, double spacing_m);
 
 }  // namespace magfsi::structure

@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "structure/lammps/effect.h"
-#include "structure/magnetics/field_gradient.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::structure {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "structure/lammps/effect.h"
 #include "structure/lammps/field_program.h"
-#include "structure/magnetics/nodal_charge.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::structure {
 namespace {

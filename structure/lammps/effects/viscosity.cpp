@@ -1,4 +1,4 @@
-// Kelvin-Voigt damping (structure/lattice/viscosity.h), within fix magttice.
+// Kelvin-Voigt damping (structure/lattice/element_kernel.h), within fix magttice.
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "structure/lammps/effect.h"
-#include "structure/lattice/viscosity.h"
-#include "structure/materials.h"
+#include "structure/lattice/element_kernel.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 namespace {

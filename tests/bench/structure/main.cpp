@@ -21,7 +21,7 @@
 #include "structure/lammps/register_styles.h"
 #include "structure/lammps/script.h"
 #include "structure/lattice/stable_step.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "tests/bench/structure/plain_lattice.h"
 
 namespace {

@@ -11,7 +11,7 @@
 
 #include "structure/equilibrium/newton.h"
 #include "structure/magnetics/magnetization.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // fix ID group bench/plain FILE G K ELEMENT: the forces of fix magttice, element by
-// element in the plainest form (lattice/element_energy.h). What the fast kernel is
+// element in the plainest form (tests/unit/structure/plain_element.h). What the fast kernel is
 // measured against.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "structure/lammps/lattice_file.h"
-#include "structure/lattice/element_energy.h"
+#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure::bench {
 

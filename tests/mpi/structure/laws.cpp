@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "structure/held_nodes.h"
+#include "structure/body.h"
 #include "structure/lammps/field_program.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
@@ -84,7 +84,7 @@ TEST(TwoMaterials, KeepTheBalanceOfEnergy) {
     const Body& body = input.bodies[0];
     test::Run run(input);
     run.steps(2000);
-    const auto mass = node_masses(build_lattice(body));
+    const auto mass = build_lattice(body).node_mass_kg;
     const auto x = run.gather("x");
     const double kinetic = test::kinetic_energy(body, run.gather("v"));
     double weight = 0;

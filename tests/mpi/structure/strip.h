@@ -8,7 +8,7 @@
 #include "structure/lattice/lattice.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 #include "tests/unit/structure/two_materials.h"
 
 namespace magfsi::structure::test {
@@ -68,7 +68,7 @@ inline LammpsInput bending_bar() {
 // Sum of mass times v [kg m/s] of a body whose node 0 has the given place in v.
 inline Vec3 momentum(const Body& body, const std::vector<double>& velocity,
                      std::size_t first = 0) {
-    const auto mass = node_masses(build_lattice(body));
+    const auto mass = build_lattice(body).node_mass_kg;
     Vec3 out{};
     for (std::size_t a = 0; a < mass.size(); ++a) {
         for (std::size_t d = 0; d < 3; ++d) {
@@ -81,7 +81,7 @@ inline Vec3 momentum(const Body& body, const std::vector<double>& velocity,
 // Kinetic energy [J] of such a body.
 inline double kinetic_energy(const Body& body, const std::vector<double>& velocity,
                              std::size_t first = 0) {
-    const auto mass = node_masses(build_lattice(body));
+    const auto mass = build_lattice(body).node_mass_kg;
     double out = 0;
     for (std::size_t q = 0; q < 3 * mass.size(); ++q) {
         const double v = velocity[3 * first + q];

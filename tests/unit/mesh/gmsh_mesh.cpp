@@ -1,20 +1,76 @@
+// Meshes that Gmsh itself makes and saves, read back.
 #include "structure/mesh/gmsh_mesh.h"
 
+#include <gmsh.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
 
+#include "structure/mesh/block_mesh.h"
+#include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
-#include "tests/unit/mesh/gmsh_files.h"
-#include "tests/unit/mesh/meshes.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
 namespace {
 
+struct Format {
+    double version = 4.1;
+    bool binary = false;
+};
+
+std::filesystem::path file_in_folder(const std::string& name) {
+    const auto folder = std::filesystem::temp_directory_path() / "magfsi_gmsh_tests";
+    std::filesystem::create_directories(folder);
+    return folder / name;
+}
+
+// Runs `build` in an empty model of Gmsh, meshes and saves it.
+std::filesystem::path gmsh_file(const std::string& name, const Format& format,
+                                const std::function<void()>& build, int dimension = 3) {
+    const auto file = file_in_folder(name);
+    gmsh::initialize(0, nullptr, false);
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::option::setNumber("Mesh.MshFileVersion", format.version);
+    gmsh::option::setNumber("Mesh.Binary", format.binary ? 1 : 0);
+    build();
+    gmsh::model::mesh::generate(dimension);
+    gmsh::write(file.string());
+    gmsh::finalize();
+    return file;
+}
+
+// Block of hexahedra by extrusion, sizes in the mesh's unit. Returns the volume's tag;
+// gives the tags of its top and of its point at (x, y, 0).
+struct Block {
+    int volume = 0, top = 0, bottom = 0, corner = 0;
+};
+Block add_block(double x, double y, double z, double lx, double ly, double lz, int nx,
+                int ny, int nz) {
+    const int p0 = gmsh::model::geo::addPoint(x, y, z);
+    const int p1 = gmsh::model::geo::addPoint(x + lx, y, z);
+    const int l = gmsh::model::geo::addLine(p0, p1);
+    gmsh::model::geo::mesh::setTransfiniteCurve(l, nx + 1);
+    gmsh::vectorpair face, body;
+    gmsh::model::geo::extrude({{1, l}}, 0, ly, 0, face, {ny}, {}, true);
+    gmsh::model::geo::extrude({face[1]}, 0, 0, lz, body, {nz}, {}, true);
+    return {body[1].second, body[0].second, face[1].second, p0};
+}
+
+std::filesystem::path text_file(const std::string& name, const std::string& text) {
+    const auto file = file_in_folder(name);
+    std::ofstream(file) << text;
+    return file;
+}
+
 // 3 x 1 x 0.2 mm in millimetres, two volumes side by side, with names.
 void named_block() {
-    const test::Block left = test::add_block(0, 0, 0, 1, 1, 0.2, 2, 3, 2);
-    const test::Block right = test::add_block(1, 0, 0, 2, 1, 0.2, 4, 3, 2);
+    const Block left = add_block(0, 0, 0, 1, 1, 0.2, 2, 3, 2);
+    const Block right = add_block(1, 0, 0, 2, 1, 0.2, 4, 3, 2);
     gmsh::model::geo::removeAllDuplicates();
     gmsh::model::geo::synchronize();
     const auto name = [](int dimension, std::vector<int> tags, const char* text) {
@@ -27,10 +83,10 @@ void named_block() {
     name(0, {left.corner}, "tip");
 }
 
-class EveryFormat : public testing::TestWithParam<test::Format> {};
+class EveryFormat : public testing::TestWithParam<Format> {};
 
 TEST_P(EveryFormat, GivesTheBlockWithItsNames) {
-    const auto file = test::gmsh_file("named.msh", GetParam(), named_block);
+    const auto file = gmsh_file("named.msh", GetParam(), named_block);
     const GmshMesh read = read_gmsh_mesh(file, 1e-3);
     const Mesh& mesh = read.mesh;
     const Mesh block = box_mesh({{3e-3, 1e-3, 0.2e-3}, {6, 3, 2}});
@@ -63,14 +119,12 @@ TEST_P(EveryFormat, GivesTheBlockWithItsNames) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gmsh, EveryFormat,
-                         testing::Values(test::Format{2.2, false},
-                                         test::Format{2.2, true},
-                                         test::Format{4.1, false},
-                                         test::Format{4.1, true}));
+                         testing::Values(Format{2.2, false}, Format{2.2, true},
+                                         Format{4.1, false}, Format{4.1, true}));
 
 TEST(GmshMesh, WithoutGroupsIsOnePieceWithoutRegions) {
-    const auto file = test::gmsh_file("plain.msh", {}, [] {
-        test::add_block(0, 0, 0, 1, 1, 1, 2, 2, 2);
+    const auto file = gmsh_file("plain.msh", {}, [] {
+        add_block(0, 0, 0, 1, 1, 1, 2, 2, 2);
         gmsh::model::geo::synchronize();
     });
     const Mesh mesh = read_gmsh_mesh(file, 1).mesh;
@@ -79,9 +133,9 @@ TEST(GmshMesh, WithoutGroupsIsOnePieceWithoutRegions) {
 }
 
 TEST(GmshMesh, NodesOfNoHexahedronAreDroppedAndPartsCounted) {
-    const auto file = test::gmsh_file("parts.msh", {}, [] {
-        test::add_block(0, 0, 0, 1, 1, 1, 2, 2, 2);
-        test::add_block(2, 0, 0, 1, 1, 1, 3, 1, 1);
+    const auto file = gmsh_file("parts.msh", {}, [] {
+        add_block(0, 0, 0, 1, 1, 1, 2, 2, 2);
+        add_block(2, 0, 0, 1, 1, 1, 3, 1, 1);
         gmsh::model::geo::addPoint(5, 5, 5);
         gmsh::model::geo::synchronize();
     });
@@ -92,8 +146,8 @@ TEST(GmshMesh, NodesOfNoHexahedronAreDroppedAndPartsCounted) {
 }
 
 TEST(GmshMesh, TheCurveCentreLineBecomesTheCentreLine) {
-    const auto file = test::gmsh_file("line.msh", {}, [] {
-        const auto lower = test::add_block(0, 0, 0, 3, 1, 1, 3, 1, 1);
+    const auto file = gmsh_file("line.msh", {}, [] {
+        const auto lower = add_block(0, 0, 0, 3, 1, 1, 3, 1, 1);
         gmsh::model::geo::synchronize();
         gmsh::vectorpair curves;
         gmsh::model::getBoundary({{2, lower.bottom}}, curves, false, false);
@@ -108,6 +162,129 @@ TEST(GmshMesh, TheCurveCentreLineBecomesTheCentreLine) {
         EXPECT_NEAR(position(mesh, mesh.centre_line[i])[0], i, 1e-10);
     }
     EXPECT_EQ(mesh.region_names, std::vector<std::string>{"1"});  // no name: its number
+}
+
+// What the error says; it must name the file, and the test fails where there is none.
+std::string refusal(const std::filesystem::path& file) {
+    try {
+        read_gmsh_mesh(file, 1);
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos);
+        return error.what();
+    }
+    ADD_FAILURE() << file << " was not refused";
+    return "";
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        EXPECT_NE(text.find(word), std::string::npos)
+            << "\"" << word << "\" in: " << text;
+    }
+}
+
+void cube() {
+    add_block(0, 0, 0, 1, 1, 1, 2, 2, 2);
+    gmsh::model::geo::synchronize();
+}
+
+// One cube in version 2.2: the corners' numbers in Gmsh's order.
+std::string one_cube(const std::string& corners) {
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
+           "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
+           "$EndNodes\n$Elements\n1\n1 5 2 0 1 " +
+           corners + "\n$EndElements\n";
+}
+
+TEST(GmshRefusals, Tetrahedra) {
+    const auto file = gmsh_file("tets.msh", {}, [] {
+        gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
+        gmsh::model::occ::synchronize();
+    });
+    expect_words(refusal(file), {"Tetrahedron 4", "hexahedra of 8 nodes", "Recombine"});
+}
+
+TEST(GmshRefusals, SecondOrder) {
+    const auto file = gmsh_file("second.msh", {}, [] {
+        gmsh::option::setNumber("Mesh.ElementOrder", 2);
+        cube();
+    });
+    expect_words(refusal(file), {"Hexahedron 27", "Mesh.ElementOrder = 1"});
+}
+
+TEST(GmshRefusals, SurfaceOnly) {
+    const auto file = gmsh_file("surface.msh", {}, cube, 2);
+    expect_words(refusal(file), {"(none) found", "mesh in 3D"});
+}
+
+TEST(GmshRefusals, PartsThatTouchWithoutBeingJoined) {
+    const auto file = gmsh_file("touch.msh", {}, [] {
+        gmsh::option::setNumber("Geometry.AutoCoherence", 0);
+        cube();
+        add_block(1, 0, 0, 1, 1, 1, 2, 2, 2);
+        gmsh::model::geo::synchronize();
+    });
+    expect_words(refusal(file), {"coincide at (1, ", "Coherence"});
+}
+
+TEST(GmshRefusals, AVolumeInTwoGroups) {
+    const auto file = gmsh_file("twice.msh", {}, [] {
+        const int volume = add_block(0, 0, 0, 1, 1, 1, 2, 2, 2).volume;
+        gmsh::model::geo::synchronize();
+        for (const char* name : {"all", "left"}) {
+            gmsh::model::setPhysicalName(3, gmsh::model::addPhysicalGroup(3, {volume}),
+                                         name);
+        }
+    });
+    expect_words(refusal(file), {"\"all\"", "\"left\"", "it may be in one"});
+}
+
+TEST(GmshRefusals, AFaceAwayFromTheBody) {
+    const auto file = gmsh_file("away.msh", {}, [] {
+        const int volume = add_block(0, 0, 0, 1, 1, 1, 2, 2, 2).volume;
+        const int away = gmsh::model::geo::addPoint(5, 5, 5);
+        gmsh::model::geo::synchronize();
+        gmsh::model::addPhysicalGroup(3, {volume});
+        gmsh::model::setPhysicalName(0, gmsh::model::addPhysicalGroup(0, {away}), "far");
+    });
+    expect_words(refusal(file), {"\"far\" has no node of a hexahedron"});
+}
+
+TEST(GmshRefusals, AnInsideOutElement) {
+    expect_words(refusal(text_file("bowtie.msh", one_cube("1 2 3 4 6 5 7 8"))),
+                 {"element 0", "inverted or flat"});
+}
+
+TEST(GmshRefusals, AMirroredElementIsTurnedInstead) {
+    const auto file = text_file("mirrored.msh", one_cube("5 6 7 8 1 2 3 4"));
+    const Mesh mesh = read_gmsh_mesh(file, 1).mesh;
+    EXPECT_EQ(mesh.elements.at(0), (Hexahedron{0, 1, 3, 2, 4, 5, 7, 6}));
+    EXPECT_NEAR(volume_m3(mesh), 1, 1e-15);
+}
+
+TEST(GmshRefusals, OtherFilesAndVersions) {
+    expect_words(refusal(text_file("a.geo", "Point(1) = {0, 0, 0};\n")), {"$MeshFormat"});
+    expect_words(refusal(text_file("old.msh", "$MeshFormat\n4 0 8\n")),
+                 {"version 4 of", "2.2 and 4.1"});
+    expect_words(refusal(file_in_folder("absent.msh")), {"cannot be opened"});
+}
+
+TEST(GmshRefusals, AFileCutOffAtAnyPlace) {
+    for (const bool binary : {false, true}) {
+        const auto whole = gmsh_file("whole.msh", {4.1, binary}, cube);
+        std::ifstream stream(whole, std::ios::binary);
+        const std::string text((std::istreambuf_iterator<char>(stream)), {});
+        for (const double share : {0.02, 0.3, 0.5, 0.7, 0.9}) {
+            const auto size = static_cast<std::size_t>(share * double(text.size()));
+            const auto cut = text_file("cut.msh", text.substr(0, size));
+            SCOPED_TRACE(share);
+            EXPECT_NE(refusal(cut), "");
+        }
+    }
+}
+
+TEST(GmshRefusals, AUnitOfNoLength) {
+    EXPECT_THROW(read_gmsh_mesh("any.msh", 0), std::invalid_argument);
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "structure/mesh/oblique_mesh.h"
-#include "tests/unit/mesh/meshes.h"
+#include "structure/mesh/block_mesh.h"
+#include "structure/mesh/body_points.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
 namespace {
@@ -51,7 +52,7 @@ TEST(Locate, NodesOfABlockAndEveryBorderGoToTheSameElementAsTheBlocksOwn) {
 TEST(Locate, FindsPointsOfADistortedMesh) {
     // Corners off by up to a fifth of the thickness of an element.
     const Mesh mesh = test::distorted_block(box, 2e-5, 8);
-    ASSERT_GT(test::volume(mesh), 0);
+    ASSERT_GT(volume_m3(mesh), 0);
     const PointLocator locator(mesh);
     test::Random random(9);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -99,8 +100,8 @@ TEST(Locate, PointsJustOutsideAreFoundWithATolerance) {
     const PointLocator locator(mesh);
     int moved = 0;
     for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-        const Vec3 area = quad_area_vector(mesh.nodes, quad);
-        const double norm = quad_area(mesh.nodes, quad);
+        const Vec3 area = quad_area_vector(corners(mesh.nodes, quad.node));
+        const double norm = quad_area(corners(mesh.nodes, quad.node));
         Vec3 at{};
         for (int d = 0; d < 3; ++d) {
             for (const int node : quad.node) at[d] += 0.25 * mesh.nodes[node][d];

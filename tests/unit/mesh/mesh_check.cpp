@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "structure/mesh/orientation.h"
-#include "tests/unit/mesh/meshes.h"
+#include "structure/mesh/block_mesh.h"
+#include "structure/mesh/body_points.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
 namespace {
@@ -19,7 +20,7 @@ TEST(MeshCheck, UnusedNodesGoAndNamesFollow) {
     EXPECT_EQ(mesh.nodes.size(), 12U);
     EXPECT_TRUE(mesh.faces.at("x_min").empty());
     EXPECT_EQ(mesh.nodes[mesh.points.at("end")[0]], (Vec3{3, 0, 0}));
-    EXPECT_NEAR(test::volume(mesh), 2, 1e-14);
+    EXPECT_NEAR(volume_m3(mesh), 2, 1e-14);
 }
 
 TEST(MeshCheck, CoincidentNodesAreFoundAcrossCellsOfTheSearch) {
@@ -48,10 +49,6 @@ TEST(MeshCheck, PartsAndTwinsAreCounted) {
     mesh.elements.push_back(mesh.elements[1]);
     EXPECT_EQ(*duplicate_elements(mesh), (std::array{1, 4}));
     EXPECT_THROW(refuse_broken_mesh(mesh), std::invalid_argument);
-}
-
-TEST(MeshCheck, ShortestEdge) {
-    EXPECT_NEAR(shortest_edge_m(box_mesh({{6, 2, 1}, {3, 4, 5}})), 0.2, 1e-15);
 }
 
 // All 48 numberings of a distorted brick, mirrored ones too, lead to the same one.

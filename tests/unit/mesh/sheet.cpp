@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "structure/mesh/oblique_mesh.h"
-#include "structure/mesh/orientation.h"
-#include "tests/unit/mesh/meshes.h"
+#include "structure/mesh/mesh_check.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
 namespace {
@@ -35,8 +35,8 @@ void expect_strip(const Mesh& mesh, const Sheet& sheet) {
     std::set<int> elements;
     for (const SheetColumn& column : sheet.columns) {
         elements.insert(column.elements.begin(), column.elements.end());
-        EXPECT_GT(quad_area_vector(mesh.nodes, column.top)[2], 0);
-        EXPECT_LT(quad_area_vector(mesh.nodes, column.bottom)[2], 0);
+        EXPECT_GT(quad_area_vector(corners(mesh.nodes, column.top.node))[2], 0);
+        EXPECT_LT(quad_area_vector(corners(mesh.nodes, column.bottom.node))[2], 0);
         for (int a = 0; a < 4; ++a) {
             for (int level = 0; level < 4; ++level) {
                 const Vec3& x = mesh.nodes[column.levels[level][a]];
@@ -114,13 +114,14 @@ TEST(Sheet, OnARingTheOuterSideIsTheTop) {
         for (int& node : element) node = number[node];
         element = oriented(tube.nodes, element);
     }
-    ASSERT_GT(test::volume(tube), 0);
+    ASSERT_GT(volume_m3(tube), 0);
     const auto sheet = find_sheet(tube);
     ASSERT_TRUE(sheet);
     double top = 0, bottom = 0;
-    for (const SurfaceQuad& quad : top_of(*sheet)) top += quad_area(tube.nodes, quad);
-    for (const SurfaceQuad& quad : bottom_of(*sheet))
-        bottom += quad_area(tube.nodes, quad);
+    for (const SheetColumn& column : sheet->columns) {
+        top += quad_area(corners(tube.nodes, column.top.node));
+        bottom += quad_area(corners(tube.nodes, column.bottom.node));
+    }
     EXPECT_NEAR(top / bottom, 6.0 / 5, 1e-12);  // rounding of 144 areas
 }
 
@@ -132,6 +133,58 @@ TEST(Sheet, CubesAndTwoSheetsAreNot) {
         return two.nodes[element[0]][0] == 2;  // a gap between x = 2 and 3
     });
     EXPECT_FALSE(find_sheet(two));
+}
+
+TEST(Sheet, points_below_a_face_end_at_the_middle) {
+    const Mesh mesh = box_mesh({{3e-3, 1e-3, 0.2e-3}, {6, 3, 3}});
+    const auto sheet = find_sheet(mesh);
+    ASSERT_TRUE(sheet);
+    const auto height = [&](SheetSide side, double depth) {
+        const auto points = points_below_face(mesh, *sheet, side, depth, 1e-3);
+        return position(mesh, points.front().point)[2];
+    };
+    EXPECT_NEAR(height(SheetSide::top, 0), 0.2e-3, 1e-18);
+    EXPECT_NEAR(height(SheetSide::bottom, 0), 0, 1e-18);
+    EXPECT_NEAR(height(SheetSide::top, 0.03e-3), 0.17e-3, 1e-18);
+    EXPECT_NEAR(height(SheetSide::bottom, 0.08e-3), 0.08e-3, 1e-18);
+    EXPECT_NEAR(height(SheetSide::top, 1), 0.1e-3, 1e-18);
+    EXPECT_EQ(rim_of(mesh, *sheet).size(), 3U * 2 * (6 + 3));
+}
+
+// A body that spans a periodic box has no surface at its two ends there.
+constexpr Continues across_z{false, false, true};
+
+TEST(BodyThatContinues, is_a_sheet_by_its_other_sides) {
+    // Thinnest along z, where it goes on; a sheet along y.
+    const Mesh flag = box_mesh({{35e-2, 2e-2, 1e-2}, {35, 2, 1}});
+    const auto alone = find_sheet(flag);
+    const auto sheet = find_sheet(flag, across_z);
+    ASSERT_TRUE(alone);
+    ASSERT_TRUE(sheet);
+    EXPECT_EQ(alone->layers, 1);
+    EXPECT_EQ(sheet->layers, 2);
+    EXPECT_EQ(sheet->columns.size(), 35u);
+    for (const SheetColumn& column : sheet->columns) {
+        for (const int node : column.top.node) EXPECT_EQ(flag.nodes[node][1], 2e-2);
+    }
+}
+
+TEST(BodyThatContinues, has_no_surface_at_its_ends) {
+    const Mesh mesh = box_mesh({{3e-2, 2e-2, 1e-2}, {3, 2, 2}});
+    const MeshEnds ends(mesh, across_z);
+    const auto all = boundary_quads(mesh);
+    const auto at_ends =
+        std::ranges::count_if(all, [&](const auto& q) { return ends.hold(q); });
+    EXPECT_EQ(all.size(), 2u * (6 + 6 + 4));
+    EXPECT_EQ(at_ends, 2 * 6);
+    const MeshEnds none(mesh, {});
+    EXPECT_FALSE(std::ranges::any_of(all, [&](const auto& q) { return none.hold(q); }));
+}
+
+TEST(BodyThatContinues, is_no_sheet_with_a_square_section) {
+    const Mesh mesh = box_mesh({{2e-2, 2e-2, 1e-3}, {4, 4, 1}});
+    EXPECT_TRUE(find_sheet(mesh));
+    EXPECT_FALSE(find_sheet(mesh, across_z));
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "structure/body.h"
 #include "structure/lattice/hexahedron.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 namespace magfsi::structure::test {
 
@@ -31,6 +32,9 @@ class Random {
   public:
     explicit Random(unsigned seed) : engine_(seed) {}
     double uniform() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
+    double within(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
     // Every coordinate moved by up to `amplitude_m`.
     Positions8 moved(Positions8 x, double amplitude_m) {
         for (int a = 0; a < 8; ++a) {
@@ -60,6 +64,10 @@ inline Mesh distorted_block(const Box& box, double amplitude_m, unsigned seed) {
         for (double& coordinate : node) coordinate += amplitude_m * random.uniform();
     }
     return mesh;
+}
+
+inline double distance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 }  // namespace magfsi::structure::test

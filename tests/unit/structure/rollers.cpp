@@ -1,8 +1,8 @@
 // Faces on rollers keep one coordinate: plane strain, and planes of symmetry.
 #include <gtest/gtest.h>
 
+#include "structure/body.h"
 #include "structure/equilibrium/newton.h"
-#include "structure/held_nodes.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {

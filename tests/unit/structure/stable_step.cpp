@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "structure/lattice/element_kernel.h"
 #include "tests/unit/structure/elements.h"
@@ -40,7 +41,7 @@ TEST(StableStep, IsThatOfMeasuredPlates) {
 // Largest displacement after 4000 velocity-Verlet steps from a tiny random velocity.
 double growth(const Body& body, double dt) {
     const Lattice lattice = build_lattice(body);
-    const auto mass = node_masses(lattice);
+    const auto mass = lattice.node_mass_kg;
     ElementKernel kernel;
     kernel.assign(lattice);
     test::Random random(18);
@@ -81,6 +82,164 @@ TEST(StableStep, RefusesABodyWithoutMass) {
     Body body = block({{1e-4, 1e-4, 1e-4}, {1, 1, 1}}, ElementVariant::full);
     body.material.density_kg_m3 = -100;
     EXPECT_THROW(stable_step_s(body), std::invalid_argument);
+}
+
+constexpr double edge_m = 1e-3;
+
+// A cube of one element.
+Body cube(ElementVariant variant) {
+    Body body;
+    body.name = "cube";
+    body.mesh = box_mesh({{edge_m, edge_m, edge_m}, {1, 1, 1}});
+    body.material = test::soft_material();
+    body.element = variant;
+    return body;
+}
+
+std::vector<Vec3> stretched(const Body& body, const Vec3& by) {
+    std::vector<Vec3> nodes = body.mesh.nodes;
+    for (Vec3& x : nodes) {
+        for (std::size_t d = 0; d < 3; ++d) x[d] *= by[d];
+    }
+    return nodes;
+}
+
+// r at rest: |dV/dx_a|^2 is 3 l^4 / 16 at each of eight nodes of an eighth of the mass.
+double at_rest_1_s2(const Material& m) {
+    return 12 * (m.lame_lambda_pa + m.shear_modulus_pa) /
+           (m.density_kg_m3 * edge_m * edge_m);
+}
+
+TEST(CurrentStep, rises_as_the_faces_of_an_element_grow_and_with_its_pressure) {
+    for (const auto variant : {ElementVariant::full, ElementVariant::assumed_strain}) {
+        const Body body = cube(variant);
+        const Material& m = body.material;
+        const CurrentStep step(body);
+        const double rest = at_rest_1_s2(m);
+        EXPECT_NEAR(step.rise_1_s2(body.mesh.nodes) / rest, 0, 1e-12);
+        // Flat at its volume: faces of 2, 0.71 and 0.71.
+        const double r2 = std::sqrt(2.0);
+        EXPECT_NEAR(step.rise_1_s2(stretched(body, {0.5, r2, r2})) / rest, 5.0 / 3 - 1,
+                    1e-12);
+        // Held at its sides: J = 1/2, faces of 1, 1/2 and 1/2.
+        const double modulus =
+            4 * (m.lame_lambda_pa * (1 + std::log(2.0)) + m.shear_modulus_pa);
+        EXPECT_NEAR(step.rise_1_s2(stretched(body, {0.5, 1, 1})) / rest,
+                    0.5 * modulus / (m.lame_lambda_pa + m.shear_modulus_pa) - 1, 1e-12);
+        // Drawn apart it is softer.
+        EXPECT_EQ(step.rise_1_s2(stretched(body, {1.2, 1.2, 1.2})), 0);
+        EXPECT_TRUE(std::isinf(step.rise_1_s2(stretched(body, {-1, 1, 1}))));
+    }
+}
+
+TEST(CurrentStep, falls_with_the_frequency) {
+    EXPECT_DOUBLE_EQ(CurrentStep::step_s(1e-5, 0), 1e-5);
+    // omega^2 four times as large.
+    EXPECT_DOUBLE_EQ(CurrentStep::step_s(1e-5, 3 * 4 / 1e-10), 0.5e-5);
+}
+
+// Axial oscillation of a confined Kelvin-Voigt rod, fixed at one end: rho u_tt = (K + 2
+// G) u_xx + 2 eta u_xxt. Mode k: frequency omega^2 = (K + 2 G) k^2 / rho, decay rate eta
+// k^2 / rho.
+constexpr int elements = 20;
+constexpr double length_m = 2e-3;
+
+Body rod() {
+    Body body;
+    body.name = "rod";
+    body.mesh = box_mesh({{length_m, 1e-4, 1e-4}, {elements, 1, 1}});
+    body.material = test::soft_material();
+    body.element = ElementVariant::assumed_strain;
+    return body;
+}
+
+class Oscillation {
+  public:
+    Oscillation(const Body& body, double amplitude_m) : nodes_(body.mesh.nodes) {
+        const Lattice lattice = build_lattice(body);
+        mass_ = lattice.node_mass_kg;
+        elastic_.assign(lattice);
+        viscous_.assign(lattice);
+        for (const Vec3& node : nodes_) {
+            x_.insert(x_.end(), {node[0] + amplitude_m * shape(node), node[1], node[2]});
+        }
+        v_.assign(x_.size(), 0.0);
+    }
+    // One step of LAMMPS's velocity Verlet seen at the half steps; sides are confined.
+    void advance(double dt) {
+        std::vector<double> f(x_.size(), 0.0);
+        elastic_.add_forces(x_.data(), f.data());
+        viscous_.add_forces(x_.data(), v_.data(), f.data());
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            if (nodes_[n][0] == 0) continue;
+            v_[3 * n] += dt * f[3 * n] / mass_[n];
+            x_[3 * n] += dt * v_[3 * n];
+        }
+    }
+    // Share of the first mode.
+    double amplitude() const {
+        double product = 0;
+        double norm = 0;
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            const double s = shape(nodes_[n]);
+            product += mass_[n] * s * (x_[3 * n] - nodes_[n][0]);
+            norm += mass_[n] * s * s;
+        }
+        return product / norm;
+    }
+
+  private:
+    static double shape(const Vec3& node) {
+        return std::sin(0.5 * std::numbers::pi * node[0] / length_m);
+    }
+    std::vector<Vec3> nodes_;
+    std::vector<double> mass_, x_, v_;
+    ElementKernel elastic_;
+    ViscousKernel viscous_;
+};
+
+TEST(ViscousRod, DecaysAsTheClosedForm) {
+    Body body = rod();
+    const Material& m = body.material;
+    const double k = 0.5 * std::numbers::pi / length_m;
+    const double modulus = m.lame_lambda_pa + 2 * m.shear_modulus_pa;
+    const double omega = k * std::sqrt(modulus / m.density_kg_m3);
+    for (double ratio : {0.02, 0.1, 0.3}) {  // of critical damping
+        const double eta = ratio * omega * m.density_kg_m3 / (k * k);
+        body.material.viscosity_pa_s = eta;
+        const double decay = ratio * omega;
+        const double damped = omega * std::sqrt(1 - ratio * ratio);
+        const double dt = 0.25 * stable_step_s(body);
+        const double amplitude = 1e-7;  // strain 1e-4: linear to that
+        Oscillation oscillation(body, amplitude);
+        double worst = 0;
+        const int steps = static_cast<int>(3 * 2 * std::numbers::pi / omega / dt);
+        for (int step = 1; step <= steps; ++step) {
+            oscillation.advance(dt);
+            const double t = step * dt;
+            const double exact =
+                std::exp(-decay * t) *
+                (std::cos(damped * t) + decay / damped * std::sin(damped * t));
+            worst =
+                std::max(worst, std::abs(oscillation.amplitude() / amplitude - exact));
+        }
+        // Lumped masses: a phase of (k h)^2 / 24 = 2.6e-4 of 3 periods, 0.0048. The start
+        // and the lag of the damping by half a step: below omega dt / 2 of it, 0.004,
+        // which decays with the motion.
+        EXPECT_LT(worst, 0.006) << ratio;
+    }
+}
+
+TEST(ViscousRod, KeepsToItsStableStep) {
+    Body body = rod();
+    for (double eta : {1.0, 100.0}) {  // the stiffness limits the step, then the damping
+        body.material.viscosity_pa_s = eta;
+        const double dt = stable_step_s(body);
+        EXPECT_LT(dt, stable_elastic_step_s(body));
+        Oscillation safe(body, 1e-9);
+        for (int step = 0; step < 3000; ++step) safe.advance(0.99 * dt);
+        EXPECT_LT(std::abs(safe.amplitude()), 1.1e-9);
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "structure/equilibrium/static_problem.h"
+#include "tests/unit/structure/plain_element.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {

@@ -5,7 +5,7 @@
 #include "structure/lammps/script.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
-#include "structure/mesh/box_mesh.h"
+#include "structure/mesh/block_mesh.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi::structure;

@@ -8,7 +8,6 @@
 #include <cstdio>
 
 #include "structure/lattice/element_advice.h"
-#include "structure/lattice/plate_stiffness.h"
 
 namespace magfsi::structure {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "structure/lammps/step_limit.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 #include "structure/mesh/surface.h"
 
 namespace magfsi::structure {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "structure/materials.h"
+#include "structure/body.h"
 
 namespace magfsi::structure {
 namespace {

@@ -1,0 +1,83 @@
+#include "structure/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace magfsi::structure {
+namespace {
+
+const std::vector<int>& face_nodes(const Body& body, const std::string& face,
+                                   const char* how) {
+    const auto found = body.mesh.faces.find(face);
+    if (found != body.mesh.faces.end()) return found->second;
+    std::string known;
+    for (const auto& [name, nodes] : body.mesh.faces)
+        known += (known.empty() ? "" : ", ") + name;
+    throw std::invalid_argument(
+        fmt::format("body {} is {} at {}, but its faces are {}", body.name, how, face,
+                    known.empty() ? "none" : known));
+}
+
+}  // namespace
+
+std::vector<Material> all_materials(const Body& body) {
+    std::vector<Material> out{body.material};
+    out.insert(out.end(), body.other_materials.begin(), body.other_materials.end());
+    return out;
+}
+
+std::vector<Material> used_materials(const Body& body) {
+    const std::vector<Material> all = all_materials(body);
+    if (body.element_material.empty()) return {body.material};
+    std::vector<bool> used(all.size(), false);
+    for (int number : body.element_material)
+        used[static_cast<std::size_t>(number)] = true;
+    std::vector<Material> out;
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        if (used[m]) out.push_back(all[m]);
+    }
+    return out;
+}
+
+bool is_viscous(const Body& body) {
+    return std::ranges::any_of(all_materials(body),
+                               [](const Material& m) { return m.viscosity_pa_s != 0; });
+}
+
+void check_materials(const std::vector<int>& element_material, std::size_t elements,
+                     std::size_t others) {
+    if (element_material.empty() && others == 0) return;
+    if (element_material.size() != elements) {
+        throw std::invalid_argument(
+            fmt::format("{} material numbers found for {} elements, one an element is "
+                        "needed where there are {} materials",
+                        element_material.size(), elements, others + 1));
+    }
+    for (std::size_t e = 0; e < elements; ++e) {
+        const int number = element_material[e];
+        if (number >= 0 && static_cast<std::size_t>(number) <= others) continue;
+        throw std::invalid_argument(
+            fmt::format("element {} is of material {}, but the materials are 0 to {}", e,
+                        number, others));
+    }
+}
+
+std::vector<HeldAxes> held_axes(const Body& body) {
+    std::vector<HeldAxes> held(body.mesh.nodes.size());
+    for (const std::string& face : body.clamps) {
+        for (const int node : face_nodes(body, face, "clamped"))
+            held[static_cast<std::size_t>(node)] = {true, true, true};
+    }
+    for (const Roller& roller : body.rollers) {
+        const auto axis = static_cast<std::size_t>(roller.axis);
+        for (const std::string& face : roller.faces) {
+            for (const int node : face_nodes(body, face, "on rollers"))
+                held[static_cast<std::size_t>(node)][axis] = true;
+        }
+    }
+    return held;
+}
+
+}  // namespace magfsi::structure

@@ -1,0 +1,375 @@
+#include "structure/lattice/element.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace magfsi::structure {
+namespace {
+
+using Hourglass = Eigen::Matrix<double, 8, 4>;
+constexpr std::array<int, 4> hourglass_modes{3, 6, 5, 7};  // xy, yz, xz, xyz
+constexpr std::array<std::array<int, 2>, 3> mode_axes{{{0, 1}, {1, 2}, {0, 2}}};
+
+// Hourglass vectors made blind to linear fields: gamma = h - b (X^T h) / V0.
+Hourglass hourglass_vectors(const Positions8& nodes_m, const HexahedronIntegrals& in) {
+    Hourglass gamma;
+    for (int k = 0; k < 4; ++k) {
+        Eigen::Matrix<double, 8, 1> h;
+        for (int a = 0; a < 8; ++a) h(a) = mode_sign(hourglass_modes[k], a);
+        gamma.col(k) = h - in.gradient * (nodes_m.transpose() * h) / in.volume;
+    }
+    return gamma;
+}
+
+// Square roots of the factors on the entries of C of the element full.
+Eigen::Vector4d hourglass_scale(const Vec3& length, ElementVariant variant) {
+    Eigen::Vector4d scale = Eigen::Vector4d::Ones();
+    double smallest = INFINITY;
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double li = length[mode_axes[k][0]];
+        const double lj = length[mode_axes[k][1]];
+        const double shorter = std::min(li, lj);
+        scale(k) = std::sqrt(3 * shorter * shorter / (li * li + lj * lj));
+        smallest = std::min(smallest, li * li * lj * lj);
+        sum += li * li * lj * lj;
+    }
+    if (variant == ElementVariant::mean_f) return scale;
+    return {0, 0, 0, std::sqrt(3 * smallest / sum)};
+}
+
+// Which products make a group's strain (E_11, E_22, 2 E_12). Row j of a hourglass vector:
+// 0 xy, 1 xz, 2 yz.
+struct Group {
+    int first_normal, second_normal;
+    std::array<int, 2> shear;
+};
+constexpr std::array<Group, 3> groups{{
+    {3 * 1 + 0, 3 * 2 + 1, {3 * 1 + 1, 3 * 2 + 0}},  // varies along x: y.xy, z.xz
+    {3 * 0 + 0, 3 * 2 + 2, {3 * 0 + 2, 3 * 2 + 0}},  // along y: x.xy, z.yz
+    {3 * 0 + 1, 3 * 1 + 2, {3 * 0 + 2, 3 * 1 + 1}},  // along z: x.xz, y.yz
+}};
+
+struct Vectors {
+    Eigen::Matrix3d edge;  // one a column
+    Eigen::Matrix<double, 3, 4> hourglass;
+    HourglassProducts product;
+};
+
+Vectors vectors(const HourglassReference& reference, const Positions8& x) {
+    Vectors out;
+    out.edge = x.transpose() * reference.edge;
+    out.hourglass = x.transpose() * reference.hourglass;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            out.product(3 * i + j) = out.edge.col(i).dot(out.hourglass.col(j));
+        }
+    }
+    return out;
+}
+
+using Vector24 = Eigen::Matrix<double, 24, 1>;
+
+Vector24 flat(const Positions8& p) {
+    Vector24 out;
+    for (int a = 0; a < 8; ++a) {
+        for (int d = 0; d < 3; ++d) out(3 * a + d) = p(a, d);
+    }
+    return out;
+}
+
+// d2V / dx dx. The gradient is quadratic in x, so a central difference is exact.
+Matrix24 volume_curvature(const ElementReference& reference, const Positions8& x) {
+    const double h = std::cbrt(reference.volume);
+    Matrix24 out;
+    for (int q = 0; q < 24; ++q) {
+        Positions8 plus = x;
+        Positions8 minus = x;
+        plus(q / 3, q % 3) += h;
+        minus(q / 3, q % 3) -= h;
+        const Positions8 change = element_volume(reference, plus).gradient_m2 -
+                                  element_volume(reference, minus).gradient_m2;
+        out.col(q) = flat(change) / (2 * h);
+    }
+    return out;
+}
+
+// sum_ij s_ij d(u_i . v_j)/dx_a.
+Positions8 products_gradient(const HourglassReference& reference,
+                             const HourglassProducts& s, const Vectors& v) {
+    Positions8 out = Positions8::Zero();
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const double factor = s(3 * i + j);
+            out += factor * reference.edge.col(i) * v.hourglass.col(j).transpose();
+            out += factor * reference.hourglass.col(j) * v.edge.col(i).transpose();
+        }
+    }
+    return out;
+}
+
+void add_hourglass(const ElementReference& element, const Material& material,
+                   const Positions8& x, const Positions8& v, ViscousState& out) {
+    const double viscosity = material.viscosity_pa_s;
+    const HourglassReference& reference = element.hourglass;
+    const Vectors at = vectors(reference, x);
+    const Vectors change = vectors(reference, v);
+    const Eigen::Matrix<double, 3, 4> rate =
+        change.edge.transpose() * at.hourglass + at.edge.transpose() * change.hourglass;
+    HourglassProducts products;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) products(3 * i + j) = rate(i, j);
+    }
+    const HourglassProducts stress = hourglass_stress(
+        reference, viscosity, viscous_plate_lambda_pa_s(material), products);
+    out.dissipation_w += stress.dot(products);
+    out.force_n -= products_gradient(reference, stress, at);
+
+    const Eigen::Vector3d p(reference.metric[1](0, 0), reference.metric[0](0, 0),
+                            reference.metric[0](1, 1));
+    const Eigen::Vector3d last =
+        element.volume / 3 * viscosity * p.minCoeff() * p.cwiseProduct(rate.col(3));
+    out.dissipation_w += last.dot(rate.col(3));
+    out.force_n -= reference.edge * last * at.hourglass.col(3).transpose();
+    out.force_n -= reference.hourglass.col(3) * (at.edge * last).transpose();
+}
+
+}  // namespace
+
+Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& in,
+                      ElementVariant variant) {
+    if (variant == ElementVariant::full) return in.laplacian;
+    const Matrix8 mean = in.gradient * in.gradient.transpose() / in.volume;
+    const Hourglass gamma = hourglass_vectors(nodes_m, in);
+    // in.laplacian - mean = Gamma C Gamma^T, solved for C.
+    const Eigen::Matrix4d inverse = (gamma.transpose() * gamma).inverse();
+    Eigen::Matrix4d c =
+        inverse * (gamma.transpose() * (in.laplacian - mean) * gamma) * inverse;
+    const Eigen::Vector4d scale =
+        hourglass_scale(element_edges(nodes_m).length_m, variant);
+    c = scale.asDiagonal() * c * scale.asDiagonal();
+    return mean + gamma * c * gamma.transpose();
+}
+
+// x(xi) = sum_m u_m xi^m with the Hadamard modes u_m = 1/8 sum_a h_m(a) x_a. The integral
+// of det(dx/dxi) over [-1, 1]^3 leaves the terms that are even in each direction: V = 8
+// [r1.(r2 x r3) + (r1.(s12 x s31) + r2.(s23 x s12) + r3.(s31 x s23)) / 3].
+VolumeAndGradient exact_volume(const Positions8& x_m) {
+    std::array<Eigen::Vector3d, 8> u;
+    for (int m = 0; m < 8; ++m) {
+        u[m].setZero();
+        for (int a = 0; a < 8; ++a) {
+            u[m] += 0.125 * mode_sign(m, a) * x_m.row(a).transpose();
+        }
+    }
+    const auto &r1 = u[1], &r2 = u[2], &r3 = u[4], &s12 = u[3], &s23 = u[6], &s31 = u[5];
+    std::array<Eigen::Vector3d, 7> d;  // dV/du_m / 8
+    d[0].setZero();
+    d[1] = r2.cross(r3) + s12.cross(s31) / 3;
+    d[2] = r3.cross(r1) + s23.cross(s12) / 3;
+    d[4] = r1.cross(r2) + s31.cross(s23) / 3;
+    d[3] = (s31.cross(r1) + r2.cross(s23)) / 3;
+    d[6] = (s12.cross(r2) + r3.cross(s31)) / 3;
+    d[5] = (r1.cross(s12) + s23.cross(r3)) / 3;
+    VolumeAndGradient out;
+    out.volume_m3 =
+        8 *
+        (r1.dot(r2.cross(r3)) +
+         (r1.dot(s12.cross(s31)) + r2.dot(s23.cross(s12)) + r3.dot(s31.cross(s23))) / 3);
+    for (int a = 0; a < 8; ++a) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (int m = 1; m < 7; ++m) sum += mode_sign(m, a) * d[m];
+        out.gradient_m2.row(a) = sum.transpose();
+    }
+    return out;
+}
+
+VolumeAndGradient mean_volume(const Positions8& x_m,
+                              const Positions8& reference_gradient_m2,
+                              double reference_volume_m3) {
+    const Eigen::Matrix3d f =
+        x_m.transpose() * reference_gradient_m2 / reference_volume_m3;
+    Eigen::Matrix3d cofactor;
+    cofactor.col(0) = f.col(1).cross(f.col(2));
+    cofactor.col(1) = f.col(2).cross(f.col(0));
+    cofactor.col(2) = f.col(0).cross(f.col(1));
+    VolumeAndGradient out;
+    out.volume_m3 = reference_volume_m3 * f.determinant();
+    out.gradient_m2 = reference_gradient_m2 * cofactor.transpose();
+    return out;
+}
+
+// With E = [[a, s/2], [s/2, b]] covariant and the inverse metric M the stress is
+// 2 G M E M + lambda' tr(M E) M.
+HourglassProducts hourglass_stress(const HourglassReference& reference, double g,
+                                   double lambda, const HourglassProducts& t) {
+    HourglassProducts out = HourglassProducts::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const Group& group = groups[k];
+        const double half_shear = 0.5 * (t(group.shear[0]) + t(group.shear[1]));
+        Eigen::Matrix2d strain;
+        strain << t(group.first_normal), half_shear, half_shear, t(group.second_normal);
+        const Eigen::Matrix2d& metric = reference.metric[k];
+        const Eigen::Matrix2d mixed = metric * strain;
+        const Eigen::Matrix2d stress =
+            reference.volume_m3 / 3 *
+            (2 * g * mixed * metric + lambda * mixed.trace() * metric);
+        out(group.first_normal) += stress(0, 0);
+        out(group.second_normal) += stress(1, 1);
+        for (int shear : group.shear) out(shear) += stress(0, 1);
+    }
+    return out;
+}
+
+HourglassReference hourglass_reference(const Positions8& nodes_m,
+                                       const HexahedronIntegrals& integrals) {
+    HourglassReference out;
+    out.volume_m3 = integrals.volume;
+    for (int a = 0; a < 8; ++a) {
+        for (int d = 0; d < 3; ++d) {
+            out.edge(a, d) = 0.125 * node_sign(a, d);
+        }
+        for (int j = 0; j < 4; ++j) {
+            out.hourglass(a, j) = 0.125 * mode_sign(hourglass_vector_modes[j], a);
+        }
+    }
+    out.offset_m = out.hourglass.transpose() * nodes_m;
+    out.hourglass -= integrals.gradient * out.offset_m.transpose() / integrals.volume;
+    const Eigen::Matrix3d half_edges = nodes_m.transpose() * out.edge;
+    constexpr int others[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+    for (int k = 0; k < 3; ++k) {
+        Eigen::Matrix<double, 3, 2> plane;
+        plane << half_edges.col(others[k][0]), half_edges.col(others[k][1]);
+        out.metric[k] = (plane.transpose() * plane).inverse();
+    }
+    return out;
+}
+
+double plane_stress_lambda_pa(const Material& material) {
+    const double g = material.shear_modulus_pa;
+    const double k = material.lame_lambda_pa;
+    return 2 * g * k / (k + 2 * g);
+}
+
+HourglassState hourglass_energy(const HourglassReference& reference,
+                                const Material& material, const Positions8& x_m) {
+    const Vectors v = vectors(reference, x_m);
+    const HourglassProducts slope =
+        hourglass_stress(reference, material.shear_modulus_pa,
+                         plane_stress_lambda_pa(material), v.product);
+    HourglassState out;
+    out.energy_j = 0.5 * slope.dot(v.product);
+    out.gradient_n = products_gradient(reference, slope, v);
+    return out;
+}
+
+// dt^T C dt with dt_ij = du_i . v_j + u_i . dv_j, and dE/dt . 2 du_i . dv_j.
+Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& material,
+                           const Positions8& x_m) {
+    const Vectors v = vectors(reference, x_m);
+    const HourglassProducts slope =
+        hourglass_stress(reference, material.shear_modulus_pa,
+                         plane_stress_lambda_pa(material), v.product);
+    Eigen::Matrix<double, 9, 24> change;
+    Matrix8 pairs = Matrix8::Zero();
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const auto edge = reference.edge.col(i);
+            const auto hourglass = reference.hourglass.col(j);
+            for (int a = 0; a < 8; ++a) {
+                for (int d = 0; d < 3; ++d) {
+                    change(3 * i + j, 3 * a + d) =
+                        edge(a) * v.hourglass(d, j) + hourglass(a) * v.edge(d, i);
+                }
+            }
+            pairs += slope(3 * i + j) *
+                     (edge * hourglass.transpose() + hourglass * edge.transpose());
+        }
+    }
+    Eigen::Matrix<double, 9, 24> stress;
+    for (int q = 0; q < 24; ++q) {
+        stress.col(q) = hourglass_stress(reference, material.shear_modulus_pa,
+                                         plane_stress_lambda_pa(material), change.col(q));
+    }
+    Matrix24 out = change.transpose() * stress;
+    for (int a = 0; a < 8; ++a) {
+        for (int b = 0; b < 8; ++b) {
+            for (int d = 0; d < 3; ++d) out(3 * a + d, 3 * b + d) += pairs(a, b);
+        }
+    }
+    return out;
+}
+
+ElementReference element_reference(const Positions8& nodes_m, ElementVariant variant,
+                                   int element_number) {
+    const HexahedronIntegrals integrals = integrate_hexahedron(nodes_m, element_number);
+    return {variant,
+            spring_matrix(nodes_m, integrals, variant),
+            integrals.gradient,
+            integrals.volume,
+            integrals.node_volume,
+            hourglass_reference(nodes_m, integrals)};
+}
+
+VolumeAndGradient element_volume(const ElementReference& reference,
+                                 const Positions8& x_m) {
+    return reference.variant == ElementVariant::full
+               ? exact_volume(x_m)
+               : mean_volume(x_m, reference.gradient, reference.volume);
+}
+
+Matrix24 stiffness_at_rest(const ElementReference& reference, const Material& material,
+                           const Positions8& nodes_m) {
+    const double g = material.shear_modulus_pa;
+    const Vector24 slope = flat(element_volume(reference, nodes_m).gradient_m2);
+    Matrix24 out =
+        (material.lame_lambda_pa + g) / reference.volume * slope * slope.transpose() -
+        g * volume_curvature(reference, nodes_m);
+    for (int a = 0; a < 8; ++a) {
+        for (int b = 0; b < 8; ++b) {
+            for (int d = 0; d < 3; ++d) {
+                out(3 * a + d, 3 * b + d) += g * reference.spring_matrix(a, b);
+            }
+        }
+    }
+    if (reference.variant == ElementVariant::assumed_strain) {
+        out += hourglass_tangent(reference.hourglass, material, nodes_m);
+    }
+    return out;
+}
+
+double viscous_plate_lambda_pa_s(const Material& material) {
+    const double thinning = material.lame_lambda_pa /
+                            (material.lame_lambda_pa + 2 * material.shear_modulus_pa);
+    return 2 * material.viscosity_pa_s * thinning * thinning;
+}
+
+ViscousState viscous_element(const ElementReference& reference, const Material& material,
+                             const Positions8& x_m, const Positions8& v_m_s) {
+    const double viscosity = material.viscosity_pa_s;
+    const Eigen::Matrix3d f = x_m.transpose() * reference.gradient / reference.volume;
+    const Eigen::Matrix3d rate =
+        v_m_s.transpose() * reference.gradient / reference.volume;
+    const Eigen::Matrix3d product = f.transpose() * rate;
+    const Eigen::Matrix3d strain_rate = 0.5 * (product + product.transpose());
+    ViscousState out;
+    out.dissipation_w = 2 * viscosity * reference.volume * strain_rate.squaredNorm();
+    out.force_n = -2 * viscosity * reference.gradient * strain_rate * f.transpose();
+    add_hourglass(reference, material, x_m, v_m_s, out);
+    return out;
+}
+
+Matrix24 viscous_damping_at_rest(const ElementReference& reference,
+                                 const Material& material, const Positions8& nodes_m) {
+    Matrix24 out;
+    for (int q = 0; q < 24; ++q) {
+        Positions8 v = Positions8::Zero();
+        v(q / 3, q % 3) = 1;
+        const Positions8 force = viscous_element(reference, material, nodes_m, v).force_n;
+        for (int p = 0; p < 24; ++p) out(p, q) = -force(p / 3, p % 3);
+    }
+    return out;
+}
+
+}  // namespace magfsi::structure

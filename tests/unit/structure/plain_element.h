@@ -1,0 +1,43 @@
+// One element's energy and forces in the plainest form: what the fast kernels are held to
+// and measured against.
+#pragma once
+
+#include <cmath>
+
+#include "structure/lattice/element.h"
+
+namespace magfsi::structure {
+
+struct ElementState {
+    double energy_j = 0;      // zero at rest
+    double volume_ratio = 0;  // J
+    Positions8 force_n;       // -dE/dx_a
+};
+
+inline ElementState element_energy(const ElementReference& reference,
+                                   const Material& material, const Positions8& x_m) {
+    const double g = material.shear_modulus_pa;
+    const double k = material.lame_lambda_pa;
+    const double v0 = reference.volume;
+    // Springs see differences only; taking the mean off keeps the rounding of a body that
+    // is far from the origin out of them.
+    const Positions8 x = x_m.rowwise() - x_m.colwise().mean();
+    const Positions8 spring_force = -g * reference.spring_matrix * x;
+    const VolumeAndGradient v = element_volume(reference, x);
+    ElementState out;
+    out.volume_ratio = v.volume_m3 / v0;
+    const double log_j = std::log(out.volume_ratio);
+    const double pressure = (k * log_j - g) / out.volume_ratio;  // dU/dJ [Pa]
+    out.energy_j = -0.5 * spring_force.cwiseProduct(x).sum() - 1.5 * g * v0 +
+                   v0 * log_j * (0.5 * k * log_j - g);
+    out.force_n = spring_force - pressure * v.gradient_m2;
+    if (reference.variant == ElementVariant::assumed_strain) {
+        const HourglassState hourglass =
+            hourglass_energy(reference.hourglass, material, x);
+        out.energy_j += hourglass.energy_j;
+        out.force_n -= hourglass.gradient_n;
+    }
+    return out;
+}
+
+}  // namespace magfsi::structure
