@@ -12,7 +12,6 @@
 #include "adapters/bodies/structure_files.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/probe_columns.h"
 #include "adapters/scene/scene.h"
 #include "coupler/output/probe_file.h"
 #include "coupler/output/log.h"
