@@ -5,7 +5,7 @@
 
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/explain_parts.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 
 namespace magfsi::launch {
 
