@@ -3,11 +3,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "adapters/lammps/all_finite.h"
-#include "adapters/lammps/fix_fluid_force.h"
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
 #include "comm.h"
+#include "coupler/participants/errors.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -36,7 +35,6 @@ Engine::Engine(MPI_Comm comm, const std::filesystem::path& log) : comm_(comm) {
     const InsideLammps inside;
     lammps_ = make_lammps(comm, log.string());
     structure::register_styles(*lammps_);
-    (*lammps_->modify->fix_map)["magfsi/fluid"] = &FixFluidForce::create;
 }
 
 Engine::~Engine() = default;
@@ -50,15 +48,15 @@ void Engine::set_up() {
     command("run 0");
 }
 
-void Engine::advance(int substeps) {
+void Engine::take_steps(int steps) {
     // pre no: forces and layout of the step before are still valid.
-    command("run " + std::to_string(substeps) + " pre no post no");
+    command("run " + std::to_string(steps) + " pre no post no");
 }
 
 void Engine::divide_step(int factor) {
     LAMMPS_NS::Update& update = *lammps_->update;
-    // The commands for both look for what depends on time, or leave the fixes as they
-    // are.
+    // LAMMPS's commands for both search for what depends on time, or leave the fixes as
+    // they are.
     update.ntimestep *= factor;
     update.dt /= factor;
     for (int i = 0; i < lammps_->modify->nfix; ++i) lammps_->modify->fix[i]->reset_dt();
@@ -76,16 +74,6 @@ bool Engine::owns(int atom_id) const {
 const double* Engine::positions() const {
     return lammps_->atom->x[0];
 }
-int Engine::atom_without_place() const {
-    const LAMMPS_NS::Atom& atom = *lammps_->atom;
-    if (atom.nlocal == 0) return 0;
-    const std::span<const double> all(atom.x[0],
-                                      3 * static_cast<std::size_t>(atom.nlocal));
-    if (all_finite(all)) return 0;
-    int i = 0;
-    while (all_finite(all.subspan(3 * static_cast<std::size_t>(i), 3))) ++i;
-    return static_cast<int>(atom.tag[i]);
-}
 const double* Engine::velocities() const {
     return lammps_->atom->v[0];
 }
@@ -95,11 +83,19 @@ void Engine::renew_ghost_velocities() {
     lammps_->comm->forward_comm();
 }
 
-void Engine::attach_fluid_force(NodalForce force) {
-    command("fix fluid all magfsi/fluid");
-    const int at = lammps_->modify->find_fix("fluid");
-    static_cast<FixFluidForce*>(lammps_->modify->fix[at])->attach(std::move(force));
-    lammps_->init();  // fixes added between two runs are taken into the step's lists here
+void Engine::check_finite(std::int64_t step) const {
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    if (atom.nlocal == 0) return;
+    const std::span<const double> all(atom.x[0],
+                                      3 * static_cast<std::size_t>(atom.nlocal));
+    if (all_finite(all)) return;
+    int i = 0;
+    while (all_finite(all.subspan(3 * static_cast<std::size_t>(i), 3))) ++i;
+    throw coupler::Diverged("the structure diverged: node " +
+                            std::to_string(atom.tag[i]) +
+                            " has no finite position at step " + std::to_string(step) +
+                            "; take more coupling.substeps, a finer mesh or a weaker "
+                            "field");
 }
 
 NodalState Engine::gather(int atoms) const {

@@ -1,19 +1,22 @@
 // The LAMMPS library as the structure solver: commands in, steps, nodal arrays out. Hides
 // LAMMPS's headers.
+//   engine.cpp        commands, steps, nodes
+//   engine_state.cpp  what a checkpoint and a repeated step keep
+//   engine_fixes.cpp  our fixes in LAMMPS's step: the fluid's force, the energy audit
 #pragma once
 
 #include <mpi.h>
 
-#include <array>
+#include <bit>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "adapters/bodies/nodal_state.h"
+#include "coupler/scheme/structure_solver.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -24,10 +27,22 @@ namespace magfsi::lammps {
 using bodies::NodalState;
 using bodies::Vec3;
 
-class Engine {
+// Whether there is no NaN and no infinity, at the price of reading the values. Those have
+// all bits of their exponent set: one more there carries into the sign, which is else
+// clear once the number's own is masked. Bits can be put together in any order, unlike
+// sums, so that the compiler takes many at once.
+inline bool all_finite(std::span<const double> values) {
+    constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
+    std::uint64_t carried = 0;
+    for (const double value : values)
+        carried |= (std::bit_cast<std::uint64_t>(value) & exponent) + one;
+    return (carried >> 63) == 0;
+}
+
+class Engine final : public coupler::StructureSolver {
   public:
     Engine(MPI_Comm comm, const std::filesystem::path& log);
-    ~Engine();
+    ~Engine() override;
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
@@ -35,7 +50,10 @@ class Engine {
 
     // First forces and the parallel layout; nodes keep their local indices from here on.
     void set_up();
-    void advance(int substeps);
+    // How many of its steps make a coupled one.
+    void set_substeps(int substeps) { substeps_ = substeps; }
+    void advance() override { take_steps(substeps_); }
+    void take_steps(int steps);
     // Steps of a whole part of those so far; the time, their number times the step,
     // stays.
     void divide_step(int factor);
@@ -43,17 +61,13 @@ class Engine {
     // Local index of an atom on this rank, owned or ghost; -1 if it is neither.
     int local_index(int atom_id) const;
     bool owns(int atom_id) const;
-    const double* positions() const;  // three values a local or ghost atom
-    // An owned one with a position that is no finite number; 0: none.
-    int atom_without_place() const;
-    // Those of ghosts are of LAMMPS's last half step until they are renewed. Collective.
-    const double* velocities() const;
-    void renew_ghost_velocities();
-
-    // Called in every substep with the velocities and the force array.
-    using NodalForce =
-        std::function<void(const double* velocity, double* force, double step_s)>;
-    void attach_fluid_force(NodalForce force);
+    const double* positions() const override;
+    const double* velocities() const override;
+    void renew_ghost_velocities() override;
+    void attach_fluid_force(NodalForce force) override;
+    // A NaN in one node reaches its neighbours in the next substep: one check in a
+    // coupled step is enough to name the place.
+    void check_finite(std::int64_t step) const override;
 
     // In the order of the atoms' ids; empty but on the root. Collective.
     NodalState gather(int atoms) const;
@@ -62,12 +76,12 @@ class Engine {
     double fix_vector(const std::string& fix_id, int n) const;
     double fix_scalar(const std::string& fix_id) const;  // collective
 
-    // Only for the energy audit (audit/engine_audit.cpp). moved: groups in prescribed
-    // motion. The scalar of a compute is collective.
+    // Only for the energy audit. moved: groups in prescribed motion. The scalar of a
+    // compute is collective.
     void attach_audit(double drag_rate_1_s, const std::vector<std::string>& moved);
     double compute_scalar(const std::string& compute_id) const;
 
-    // What a checkpoint keeps (engine_state.cpp). Of each atom position, velocity, force
+    // What a checkpoint keeps. Of each atom position, velocity, force
     // and what fixes keep with it: rows of node_values() numbers in the order of the
     // atoms' ids, on the root only. Collective.
     std::size_t node_values() const;
@@ -77,17 +91,10 @@ class Engine {
     // This rank's shares of the sums over time that fixes keep, and back.
     std::vector<double> fix_sums() const;
     void put_fix_sums(std::span<const double> sums);
-    // The same in memory and by place, for a coupled step that is done again: between the
-    // two, atoms keep their ranks and places there (no contact). Of the fixes' sums and
-    // what they keep with atoms, too (engine_snapshot.cpp). go_back is collective.
-    struct Snapshot {
-        std::int64_t step = 0;
-        std::vector<double> position, velocity;  // of local and ghost atoms
-        std::vector<double> force, kept;         // of local atoms
-        std::vector<double> sums;
-    };
-    void keep(Snapshot& snapshot) const;
-    void go_back(const Snapshot& snapshot);
+    // The same in memory and by local index, for a coupled step that is done again:
+    // between the two, atoms keep their ranks and indices (no contact).
+    void keep() override;
+    void go_back() override;
 
     // The number of the step that comes first; before set_up.
     void start_at(std::int64_t lammps_step);
@@ -96,12 +103,19 @@ class Engine {
     void renew_neighbours();
 
   private:
-    void look_again();
+    void evaluate_again();
     std::vector<double*> sums_in_fixes() const;
     int fix_number(const std::string& fix_id) const;
 
     MPI_Comm comm_;
     std::unique_ptr<LAMMPS_NS::LAMMPS> lammps_;
+    int substeps_ = 1;
+    struct Kept {
+        std::int64_t step = 0;
+        std::vector<double> position, velocity;  // of local and ghost atoms
+        std::vector<double> force, of_fixes;     // of local atoms
+        std::vector<double> sums;
+    } kept_;
 };
 
 }  // namespace magfsi::lammps

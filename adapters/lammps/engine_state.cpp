@@ -1,21 +1,41 @@
-// The motion's state, taken out of LAMMPS and put back by the atoms' ids.
+// The motion's state: taken out of LAMMPS and put back by the atoms' ids, or noted in
+// memory.
 #include <algorithm>
 #include <string>
 
 #include "adapters/lammps/engine.h"
-#include "adapters/lammps/keeping_fixes.h"
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
 #include "comm.h"
 #include "coupler/checkpoint/gather.h"
+#include "fix.h"
 #include "lammps.h"
 #include "modify.h"
+#include "update.h"
 
 namespace magfsi::lammps {
 
 namespace {
 
 constexpr std::size_t motion_values = 9;  // position, velocity, force
+
+// Fixes that keep something with their atoms, over restarts too.
+std::vector<LAMMPS_NS::Fix*> keeping_fixes(const LAMMPS_NS::Modify& modify) {
+    std::vector<LAMMPS_NS::Fix*> found;
+    for (int i = 0; i < modify.nfix; ++i) {
+        if (modify.fix[i]->restart_peratom != 0) found.push_back(modify.fix[i]);
+    }
+    return found;
+}
+
+// Numbers an atom. LAMMPS counts the length of the record in.
+std::size_t kept_values(LAMMPS_NS::Fix& fix) {
+    return static_cast<std::size_t>(fix.maxsize_restart() - 1);
+}
+
+void copy_out(const double* from, int atoms, std::vector<double>& to) {
+    to.assign(from, from + 3 * static_cast<std::ptrdiff_t>(atoms));
+}
 
 }  // namespace
 
@@ -61,7 +81,7 @@ void Engine::put_nodes(std::span<const double> rows) {
             at += fix->unpack_exchange(i, at);
     }
     lammps_->comm->forward_comm();
-    look_again();
+    evaluate_again();
     // Forces hold velocities of a half step and of the fluid that nobody can evaluate
     // again: those are put back as they were.
     for (int i = 0; i < atom.nlocal; ++i) std::copy_n(row_of(i) + 6, 3, atom.f[i]);
@@ -69,7 +89,7 @@ void Engine::put_nodes(std::span<const double> rows) {
 
 // What fixes remember of the last evaluation (field, energies) becomes that of the
 // places just set.
-void Engine::look_again() {
+void Engine::evaluate_again() {
     // One by one: Modify calls them within a run only.
     for (int i = 0; i < lammps_->modify->nfix; ++i)
         lammps_->modify->fix[i]->setup_pre_reverse(0, 0);
@@ -106,6 +126,43 @@ void Engine::renew_neighbours() {
     // Moves nothing, but ends by sending every atom to its rank, however far that is.
     command("displace_atoms all move 0 0 0 units box");
     set_up();
+}
+
+void Engine::keep() {
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    const int all = atom.nlocal + atom.nghost;
+    kept_.step = lammps_->update->ntimestep;
+    copy_out(atom.x[0], all, kept_.position);
+    copy_out(atom.v[0], all, kept_.velocity);
+    copy_out(atom.f[0], atom.nlocal, kept_.force);
+    const auto fixes = keeping_fixes(*lammps_->modify);
+    std::size_t width = 0;
+    for (LAMMPS_NS::Fix* fix : fixes) width += kept_values(*fix);
+    kept_.of_fixes.resize(width * static_cast<std::size_t>(atom.nlocal));
+    double* at = kept_.of_fixes.data();
+    for (int i = 0; i < atom.nlocal; ++i) {
+        for (LAMMPS_NS::Fix* fix : fixes) at += fix->pack_exchange(i, at);
+    }
+    kept_.sums = fix_sums();
+}
+
+void Engine::go_back() {
+    const InsideLammps inside;
+    LAMMPS_NS::Atom& atom = *lammps_->atom;
+    // LAMMPS's commands that change the step search for what depends on time; here
+    // nothing may change but the number.
+    lammps_->update->ntimestep = kept_.step;
+    std::ranges::copy(kept_.position, atom.x[0]);
+    std::ranges::copy(kept_.velocity, atom.v[0]);
+    const auto fixes = keeping_fixes(*lammps_->modify);
+    std::vector<double> kept = kept_.of_fixes;  // fixes read from memory they may write
+    double* at = kept.data();
+    for (int i = 0; i < atom.nlocal; ++i) {
+        for (LAMMPS_NS::Fix* fix : fixes) at += fix->unpack_exchange(i, at);
+    }
+    evaluate_again();
+    std::ranges::copy(kept_.force, atom.f[0]);
+    put_fix_sums(kept_.sums);
 }
 
 }  // namespace magfsi::lammps

@@ -134,11 +134,9 @@ std::span<const Vec3> IteratedForcing::correct(std::span<const Vec3> before_m,
     return last_;
 }
 
-std::vector<Vec3> IteratedForcing::added_to(std::span<const Vec3> of_drag) const {
-    std::vector<Vec3> all(of_drag.begin(), of_drag.end());
-    for (std::size_t m = 0; m < all.size(); ++m)
-        for (std::size_t d = 0; d < 3; ++d) all[m][d] += impulse_[m][d];
-    return all;
+void IteratedForcing::add_to(std::span<Vec3> of_drag) const {
+    for (std::size_t m = 0; m < of_drag.size(); ++m)
+        for (std::size_t d = 0; d < 3; ++d) of_drag[m][d] += impulse_[m][d];
 }
 
 }  // namespace magfsi::coupler

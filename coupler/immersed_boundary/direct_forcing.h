@@ -193,8 +193,8 @@ class IteratedForcing {
     // Of all iterations since begin_step, what each marker gave besides the drag [N s].
     std::span<Vec3> impulse() { return impulse_; }
     std::span<const Vec3> impulse() const { return impulse_; }
-    // What each marker gave in all, with that of the drag [N s].
-    std::vector<Vec3> added_to(std::span<const Vec3> of_drag) const;
+    // To the impulses of the drag [N s]: then what each marker gave in all.
+    void add_to(std::span<Vec3> of_drag) const;
 
   private:
     double coupled_step_s_;

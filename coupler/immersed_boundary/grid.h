@@ -11,6 +11,12 @@ namespace magfsi::coupler {
 
 using Vec3 = std::array<double, 3>;
 
+// The numbers of a container of Vec3, one after the other.
+template <class Vectors>
+auto flat(Vectors&& v) {
+    return std::span(v.empty() ? nullptr : v.front().data(), 3 * v.size());
+}
+
 // Half-open box of cells in global indices.
 struct CellBox {
     std::array<int, 3> lo{}, hi{};

@@ -15,13 +15,6 @@ namespace {
 
 constexpr int convergence_tag = 75;
 
-std::span<double> flat(std::span<Vec3> v) {
-    return {v.empty() ? nullptr : v.front().data(), 3 * v.size()};
-}
-std::span<const double> flat(std::span<const Vec3> v) {
-    return {v.empty() ? nullptr : v.front().data(), 3 * v.size()};
-}
-
 // The norm of as many velocities of this size in the markers of all ranks.
 double norm_of_all(MPI_Comm comm, double size, std::size_t markers) {
     double count = static_cast<double>(markers);
@@ -91,7 +84,7 @@ void FixedPoint::begin_step(std::span<const Vec3> now, std::span<const Vec3> bef
 }
 
 double FixedPoint::measure(std::span<const double> answer) const {
-    const auto guess = flat(std::span<const Vec3>(guess_));
+    const auto guess = flat(guess_);
     std::vector<double> residual(answer.begin(), answer.end());
     for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= guess[i];
     return norm(world_.local(), residual) /
@@ -130,11 +123,11 @@ bool FixedPoint::repeat(std::int64_t step, std::span<const Vec3> answer) {
     }
     convergence_.send({step, iteration_}, again);
     if (again) {
-        acceleration_->improve(flat(std::span<Vec3>(guess_)), answered);
+        acceleration_->improve(flat(guess_), answered);
         ++iteration_;
         return true;
     }
-    acceleration_->end_step(flat(std::span<const Vec3>(guess_)), answered);
+    acceleration_->end_step(flat(guess_), answered);
     count(residual, converged);
     return false;
 }

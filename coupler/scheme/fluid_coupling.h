@@ -1,9 +1,8 @@
-// The fluid's half of a coupled step, whatever the fluid: exchange, immersed boundary,
-// audit, and the order of its tasks in the scene's scheme. A fluid participant makes one
-// when it has a partner, and adds its own checks and outputs behind these tasks.
+// The fluid's half of a coupled step, whatever solves it: exchange, spreading and
+// sampling, audit. The order of its tasks is in schemes.cpp. A fluid participant makes
+// one when it has a partner, and adds its own checks and outputs behind these tasks.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "coupler/exchange/exchange.h"
@@ -31,35 +30,41 @@ class FluidCoupling {
     // Of the fluid so far, repeated ones, too.
     std::int64_t advances() const { return advances_; }
 
-    // Null unless the scene asks for it.
+    // Null unless the run audits the interface.
     BalanceRecord* balance() const { return balance_.get(); }
 
   private:
-    void add_turn(TaskList& tasks);
-    void add_meeting(TaskList& tasks);
-    void add_repeated_turn(TaskList& tasks);
-    void add_advance(TaskList& tasks);
-    void add_count(TaskList& tasks);
-    void add_reception(TaskList& tasks);
-    void add_sampling(TaskList& tasks);
-    void add_iterations(TaskList& tasks);
-    void add_audit(TaskList& tasks, std::function<InterfaceBalance()> received);
+    void add_serial(TaskList& tasks);
+    void add_parallel(TaskList& tasks);
+    void add_implicit(TaskList& tasks);
+
+    void receive_markers();
+    void spread_impulses();
     void iterate_forcing();
-    std::span<const Vec3> sample_forced(std::span<const Vec3> points_m);
+    void audit(const InterfaceBalance& received) { balance_->add(received); }
+    void advance();
+    void sample_velocities();
+    void sample_forced_velocities();
+    void send_velocities();
+
+    // Of the implicit scheme.
     void keep_state();
     void check_convergence();
 
     Session& session_;
     GridFluid& fluid_;
+    const scene::Coupling& options_;
     FluidExchange exchange_;
-    FluidSide immersed_boundary_;
+    FluidSide boundary_;
     std::unique_ptr<BalanceRecord> balance_;
+    Occasion when_ = -1;  // of batch_
     const MarkerBatch* batch_ = nullptr;
     std::span<const Vec3> sampled_;  // velocities at batch_->now_m
     std::int64_t advances_ = 0;
-    // Of the implicit scheme:
+
+    // Of the implicit scheme.
     int iteration_ = 0;
-    bool again_ = false;
+    bool again_ = false;        // the step is repeated
     std::vector<double> felt_;  // the cells' velocities at t(n); only for the audit
 };
 

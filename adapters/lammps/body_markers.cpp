@@ -1,0 +1,120 @@
+#include "adapters/lammps/body_markers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/fluid_inside.h"
+#include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/probes.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "coupler/immersed_boundary/kernel_choice.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+using Placed = std::vector<bodies::PlacedMarker>;
+
+Placed place_all(const scene::Scene& scene) {
+    Placed all;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const auto markers = bodies::place_markers(
+            scene.bodies[b], scene.coupling->immersed_boundary, scene.fluid->spacing_m,
+            static_cast<int>(b), bodies::spans_fluid(*scene.fluid, scene.bodies[b]));
+        all.insert(all.end(), markers.begin(), markers.end());
+    }
+    return all;
+}
+
+// By the atoms of this rank. first_atom: of the marker's body.
+coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
+                          const Engine& engine) {
+    coupler::Marker marker;
+    for (std::size_t a = 0; a < 8; ++a) {
+        const int atom = placed.point.node[a] + first_atom;
+        marker.node[a] = engine.local_index(atom);
+        if (marker.node[a] < 0) {
+            throw std::logic_error(
+                fmt::format("atom {} of a marker's element is not on this rank "
+                            "(ghost cutoff too small)",
+                            atom));
+        }
+    }
+    marker.weight = placed.point.weight;
+    marker.volume_m3 = placed.volume_m3;
+    marker.displaced_m3 = placed.displaced_m3;
+    marker.body = placed.body;
+    return marker;
+}
+
+// What came off the nodes is no force of the markers any more.
+void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
+    mine.measures_force = bodies::wants_fluid_force(scene);
+    std::vector<double> off_kg_m3;
+    for (const scene::Body& body : scene.bodies)
+        off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, bodies::to_body(body)));
+    for (coupler::Marker& m : mine.markers) {
+        const double off = off_kg_m3[static_cast<std::size_t>(m.body)];
+        if (mine.measures_force) mine.off_nodes_kg.push_back(off * m.displaced_m3);
+        m.displaced_m3 *= 1 - off / scene.fluid->density_kg_m3;
+    }
+}
+
+void find_parts(const scene::Scene& scene, const Placed& placed,
+                coupler::BodyMarkers& mine) {
+    if (!scene.probes) return;
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (!part) continue;
+        const auto body = std::ranges::find(scene.bodies, part->body, &scene::Body::name);
+        const auto b = static_cast<int>(body - scene.bodies.begin());
+        const auto in = bodies::elements_of(*part, bodies::to_mesh(*body));
+        auto& markers = mine.parts.emplace_back();
+        for (std::size_t m = 0; m < mine.placed_index.size(); ++m) {
+            const auto& p = placed[static_cast<std::size_t>(mine.placed_index[m])];
+            if (p.body == b && in[static_cast<std::size_t>(p.point.element)])
+                markers.push_back(m);
+        }
+    }
+}
+
+}  // namespace
+
+coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine,
+                                 const std::vector<int>& first_node,
+                                 const coupler::Grid& grid, const coupler::Clock& clock) {
+    const coupler::SolidCells solid(grid);
+    const auto kernel = coupler::to_kernel(scene.coupling->immersed_boundary.kernel);
+    const Placed placed = place_all(scene);
+    coupler::BodyMarkers mine;
+    mine.placed = placed.size();
+    mine.bodies = scene.bodies.size();
+    for (const bodies::PlacedMarker& p : placed) {
+        const int first_atom = first_node[static_cast<std::size_t>(p.body)];
+        if (!engine.owns(p.point.node[0] + first_atom)) continue;
+        const coupler::Marker marker = to_marker(p, first_atom, engine);
+        const auto stencil = coupler::marker_stencil(
+            grid, kernel, coupler::at_marker(marker, engine.positions()));
+        if (solid.fluid_share(stencil) < coupler::least_fluid_share) continue;
+        if (p.first_edge != std::array<double, 8>{}) {
+            mine.areas.push_back(
+                {static_cast<int>(mine.markers.size()), p.first_edge, p.second_edge});
+        }
+        mine.markers.push_back(marker);
+        mine.placed_index.push_back(static_cast<int>(&p - placed.data()));
+    }
+    mine.gravity_m_s2 = bodies::to_gravity(scene).value_or(coupler::Vec3{});
+    mine.measures_work = scene.probes && scene.probes->energy_audit;
+    // With the probe rows, or a hundred times in a run without.
+    mine.steps_between_slip_samples =
+        scene.probes ? clock.every(scene.probes->every_s)
+                     : std::max<std::int64_t>(1, clock.steps() / 100);
+    share_fluid_inside(scene, mine);
+    find_parts(scene, placed, mine);
+    return mine;
+}
+
+}  // namespace magfsi::lammps

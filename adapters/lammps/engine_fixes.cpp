@@ -1,0 +1,167 @@
+// Our fixes in LAMMPS's step.
+#include <cstring>
+#include <iomanip>
+#include <sstream>
+
+#include "adapters/lammps/engine.h"
+#include "atom.h"
+#include "compute.h"
+#include "fix.h"
+#include "group.h"
+#include "lammps.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+
+namespace magfsi::lammps {
+
+namespace {
+
+using NodalForce = coupler::StructureSolver::NodalForce;
+
+// fix ID group magfsi/fluid: the fluid's force on the nodes, evaluated in every time step
+// of LAMMPS by the coupler's immersed boundary.
+class FixFluidForce : public LAMMPS_NS::Fix {
+  public:
+    using Fix::Fix;
+
+    int setmask() override { return LAMMPS_NS::FixConst::PRE_REVERSE; }
+    // After LAMMPS has cleared and computed forces and before it sums those of ghost
+    // atoms: forces put on ghosts reach their owners.
+    void pre_reverse(int, int) override {
+        if (nodal_force_ && atom->nlocal > 0)
+            nodal_force_(atom->v[0], atom->f[0], update->dt);
+    }
+
+    void attach(NodalForce nodal_force) { nodal_force_ = std::move(nodal_force); }
+
+  private:
+    NodalForce nodal_force_;
+};
+
+// fix ID group magfsi/audit RATE [MOVED_GROUP ...]: what no other fix knows of the energy
+// of a step. Used only by runs with probes.energy_audit, after all fixes that add forces.
+class FixAudit : public LAMMPS_NS::Fix {
+  public:
+    // RATE: that of fix magttice/drag, or 0; groups of fixes magttice/motion.
+    FixAudit(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
+
+    int setmask() override;
+    // Both see the velocity of the half step, (x(n+1) - x(n)) / dt: first with the forces
+    // at x(n), then with those at x(n+1), so that their sum is the work over the step.
+    void post_integrate() override;
+    void post_force(int) override;
+
+    // 1: of the nodes that are moved, the kinetic energy less the work done on them by
+    // all forces but their drive [J]; 2: lost to the drag [J].
+    double compute_vector(int i) override;
+
+    // "work_share", "lost_share": this rank's shares of the sums over time.
+    void* extract(const char* name, int& dimension) override;
+
+  private:
+    bool moved(int atom_index) const;
+    double power_on_moved_w() const;
+    double kinetic_energy_j(bool of_moved) const;
+
+    double rate_1_s_ = 0;
+    int moved_bits_ = 0;
+    double work_on_moved_j_ = 0;
+    double lost_to_drag_j_ = 0;
+};
+
+FixAudit::FixAudit(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
+    : Fix(lammps, count, words) {
+    constexpr int first_value = 3;  // after ID, group and style
+    rate_1_s_ = LAMMPS_NS::utils::numeric(FLERR, words[first_value], false, lmp);
+    for (int i = first_value + 1; i < count; ++i)
+        moved_bits_ |= group->bitmask[group->find(words[i])];
+    vector_flag = 1;
+    size_vector = 2;
+    extvector = 1;
+    global_freq = 1;
+}
+
+int FixAudit::setmask() {
+    return LAMMPS_NS::FixConst::POST_INTEGRATE | LAMMPS_NS::FixConst::POST_FORCE;
+}
+
+// The drag takes RATE m v^2 of each node; its velocity of the half step is the mean.
+void FixAudit::post_integrate() {
+    if (rate_1_s_ > 0)
+        lost_to_drag_j_ += 2 * rate_1_s_ * update->dt * kinetic_energy_j(false);
+    if (moved_bits_ != 0) work_on_moved_j_ += 0.5 * update->dt * power_on_moved_w();
+}
+
+void FixAudit::post_force(int) {
+    if (moved_bits_ != 0) work_on_moved_j_ += 0.5 * update->dt * power_on_moved_w();
+}
+
+bool FixAudit::moved(int atom_index) const {
+    return (atom->mask[atom_index] & moved_bits_) != 0;
+}
+
+double FixAudit::power_on_moved_w() const {
+    double sum = 0;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!moved(i)) continue;
+        for (int d = 0; d < 3; ++d) sum += atom->f[i][d] * atom->v[i][d];
+    }
+    return sum;
+}
+
+double FixAudit::kinetic_energy_j(bool of_moved) const {
+    double sum = 0;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (moved(i) != of_moved) continue;
+        const double* v = atom->v[i];
+        sum += 0.5 * atom->rmass[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    return sum;
+}
+
+double FixAudit::compute_vector(int i) {
+    double mine = lost_to_drag_j_;
+    if (i == 0) mine = kinetic_energy_j(true) - work_on_moved_j_;
+    double all = 0;
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    return all;
+}
+
+void* FixAudit::extract(const char* name, int& dimension) {
+    dimension = 0;
+    if (std::strcmp(name, "work_share") == 0) return &work_on_moved_j_;
+    if (std::strcmp(name, "lost_share") == 0) return &lost_to_drag_j_;
+    return nullptr;
+}
+
+template <class Fix>
+LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lammps, int count, char** words) {
+    return new Fix(lammps, count, words);
+}
+
+}  // namespace
+
+void Engine::attach_fluid_force(NodalForce force) {
+    (*lammps_->modify->fix_map)["magfsi/fluid"] = &create<FixFluidForce>;
+    command("fix fluid all magfsi/fluid");
+    const int at = lammps_->modify->find_fix("fluid");
+    static_cast<FixFluidForce*>(lammps_->modify->fix[at])->attach(std::move(force));
+    lammps_->init();  // fixes added between two runs are taken into the step's lists here
+}
+
+void Engine::attach_audit(double drag_rate_1_s, const std::vector<std::string>& moved) {
+    (*lammps_->modify->fix_map)["magfsi/audit"] = &create<FixAudit>;
+    std::ostringstream line;
+    line << std::setprecision(17) << "fix audit all magfsi/audit " << drag_rate_1_s;
+    for (const std::string& group : moved) line << ' ' << group;
+    command(line.str());
+    lammps_->init();  // fixes added between two runs are taken into the step's lists here
+}
+
+double Engine::compute_scalar(const std::string& compute_id) const {
+    const int at = lammps_->modify->find_compute(compute_id);
+    return lammps_->modify->compute[at]->compute_scalar();
+}
+
+}  // namespace magfsi::lammps

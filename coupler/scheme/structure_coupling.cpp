@@ -1,0 +1,338 @@
+#include "coupler/scheme/structure_coupling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "coupler/immersed_boundary/kernel_choice.h"
+
+namespace magfsi::coupler {
+
+using scene::SampledVelocity;
+using scene::Scheme;
+
+namespace {
+
+// Cells per step: a hundred-millionth of the lattice's largest speeds is rounding.
+constexpr double rest_lattice_speed = 1e-9;
+
+// A velocity that alternates from step to step has no mean over a step: the body would
+// not feel it, the fluid not be held, and at low viscosity it grows (the small swimmer's
+// by 4 % per step at strength 1). So both ends of the straight line from U(n) to the
+// guess are drawn back by an eighth of the second difference; in the mean,
+//   (3 U(n+1) + 6 U(n) - U(n-1)) / 8,
+// half of what alternates is left, and the rest is the line's to second order. Beside a
+// body at rest that takes back s times the slip in a step, the amplification of
+//   U(n+1) - U(n) = -2 s mean(U)
+// is above -1 for s < 1 / (4 drawn_back) = 2.
+constexpr double drawn_back = 0.125;
+
+struct Line {
+    std::vector<Vec3> start, end;
+};
+
+Line line_to(std::span<const Vec3> guess, std::span<const Vec3> now,
+             std::span<const Vec3> before) {
+    Line line{{now.begin(), now.end()}, {guess.begin(), guess.end()}};
+    for (std::size_t m = 0; m < now.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double back = drawn_back * (guess[m][d] - 2 * now[m][d] + before[m][d]);
+            line.start[m][d] -= back;
+            line.end[m][d] -= back;
+        }
+    }
+    return line;
+}
+
+std::vector<Vec3> mean(std::span<const Vec3> a, std::span<const Vec3> b) {
+    std::vector<Vec3> all(a.size());
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d) all[m][d] = 0.5 * (a[m][d] + b[m][d]);
+    }
+    return all;
+}
+
+std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
+                  MPI_SUM, comm);
+    return sum;
+}
+
+void add_to(Vec3& sum, const Vec3& force) {
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += force[d];
+}
+
+PenaltyScale penalty_scale(const Session& session) {
+    const RunPlan& plan = session.plan();
+    PenaltyScale scale{plan.coupling->immersed_boundary.strength,
+                       plan.fluid_density_kg_m3, session.clock().step_s()};
+    if (plan.coupling->scheme == Scheme::implicit) scale.enclosed_follow = 1;
+    return scale;
+}
+
+}  // namespace
+
+StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver,
+                                     Grid grid, BodyMarkers markers)
+    : session_(session),
+      solver_(solver),
+      grid_(std::move(grid)),
+      options_(*session.plan().coupling),
+      markers_(std::move(markers)),
+      force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
+      exchange_(session.world(), grid_, to_kernel(options_.immersed_boundary.kernel),
+                session.timeout_s()),
+      slip_(std::move(markers_.areas)) {
+    const std::size_t count = force_.markers().size();
+    if (options_.immersed_boundary.iterations > 1) {
+        iterated_ =
+            std::make_unique<IteratedForcing>(force_.markers(), penalty_scale(session));
+    }
+    if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
+    if (markers_.measures_work) work_ = std::make_unique<MarkerWork>(count);
+    fluid_velocity_.resize(count);
+    start_velocity_.resize(markers_.off_nodes_kg.size());
+    if (options_.scheme != Scheme::serial ||
+        options_.sampled_velocity == SampledVelocity::linear)
+        last_velocity_.resize(count);
+    if (options_.scheme == Scheme::parallel) {
+        before_m_.resize(count);
+        under_way_.resize(count);
+    }
+    if (options_.scheme == Scheme::implicit) {
+        const double rest_m_s =
+            rest_lattice_speed * grid_.spacing_m / session.clock().step_s();
+        fixed_point_ = std::make_unique<FixedPoint>(
+            session.world(),
+            FixedPoint::Setting{*options_.iteration, rest_m_s, session.timeout_s()},
+            count);
+        answer_.resize(count);
+    }
+    solver_.attach_fluid_force(
+        [this](const double* velocity, double* force, double substep_s) {
+            force_.apply(velocity, force, substep_s);
+            if (work_) work_->add_substep(force_, velocity, substep_s);
+        });
+}
+
+std::vector<Vec3> StructureCoupling::marker_positions() const {
+    std::vector<Vec3> positions;
+    positions.reserve(force_.markers().size());
+    for (const Marker& marker : force_.markers())
+        positions.push_back(at_marker(marker, solver_.positions()));
+    return positions;
+}
+
+void StructureCoupling::begin() {
+    now_m_ = marker_positions();
+    if (session_.restart() && !under_way_.empty())
+        exchange_.send(-1, before_m_, under_way_, now_m_);
+    else
+        exchange_.send(-1, now_m_, std::vector<Vec3>(now_m_.size()), now_m_);
+    if (session_.restart()) {
+        // The checkpoint has them already, to the last bit.
+        std::vector<Vec3> again(fluid_velocity_.size());
+        return exchange_.receive(-1, again);
+    }
+    exchange_.receive(-1, fluid_velocity_);
+    force_.enclosed().start(fluid_velocity_);
+    if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
+}
+
+void StructureCoupling::begin_force(std::span<const Vec3> fluid_velocity,
+                                    std::span<const Vec3> owed) {
+    if (work_) work_->begin_step();
+    if (markers_.measures_force) {
+        solver_.renew_ghost_velocities();
+        for (std::size_t m = 0; m < start_velocity_.size(); ++m)
+            start_velocity_[m] = at_marker(force_.markers()[m], solver_.velocities());
+    }
+    force_.begin_step(fluid_velocity, owed);
+}
+
+bool StructureCoupling::extrapolates() const {
+    return options_.sampled_velocity == SampledVelocity::linear;
+}
+
+void StructureCoupling::hold_velocity() {
+    if (!iterated_) return begin_force(fluid_velocity_);
+    begin_force(fluid_velocity_, iterated_->impulse());
+    iterated_->begin_step();
+}
+
+void StructureCoupling::extrapolate_velocity() {
+    std::vector<Vec3> end = fluid_velocity_;
+    for (std::size_t m = 0; m < end.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            end[m][d] += fluid_velocity_[m][d] - last_velocity_[m][d];
+    }
+    hold_velocity();
+    force_.let_change(fluid_velocity_, end);
+    last_velocity_ = fluid_velocity_;
+}
+
+void StructureCoupling::take_mean_velocity() {
+    begin_force(mean(last_velocity_, fluid_velocity_));
+    last_velocity_ = fluid_velocity_;
+}
+
+void StructureCoupling::send_impulses() {
+    before_m_ = std::move(now_m_);
+    now_m_ = marker_positions();
+    exchange_.send({session_.clock().step(), iteration()}, before_m_, force_.impulse(),
+                   now_m_);
+}
+
+// The fluid's slip under these impulses, answered until all iterations are done.
+void StructureCoupling::iterate_forcing() {
+    const std::int64_t step = session_.clock().step();
+    std::vector<Vec3> velocity(force_.markers().size());
+    for (int i = 1; i < options_.immersed_boundary.iterations; ++i) {
+        exchange_.receive({step, i}, velocity);
+        exchange_.send({step, i}, before_m_,
+                       iterated_->correct(before_m_, now_m_, velocity), now_m_);
+    }
+}
+
+void StructureCoupling::audit() {
+    std::vector<Vec3> impulse(force_.impulse().begin(), force_.impulse().end());
+    if (iterated_) iterated_->add_to(impulse);
+    InterfaceBalance given;
+    for (std::size_t m = 0; m < impulse.size(); ++m)
+        add_marker(given, impulse[m], fluid_velocity_[m]);
+    balance_->add(given);
+}
+
+void StructureCoupling::receive_velocities() {
+    exchange_.receive({session_.clock().step(), iteration()},
+                      fixed_point_ ? answer_ : fluid_velocity_);
+}
+
+void StructureCoupling::measure_slip() {
+    if ((session_.clock().step() + 1) % markers_.steps_between_slip_samples != 0) return;
+    solver_.renew_ghost_velocities();
+    slip_.add(force_.markers(), fluid_velocity_, solver_.positions(),
+              solver_.velocities());
+}
+
+void StructureCoupling::keep_state() {
+    solver_.keep();
+    kept_.enclosed = force_.enclosed();
+    if (work_) kept_.work = *work_;
+    kept_.markers_m = now_m_;
+    fixed_point_->begin_step(fluid_velocity_, last_velocity_);
+}
+
+void StructureCoupling::guess_velocity() {
+    const auto guess = fixed_point_->guess();
+    begin_force(guess);
+    const Line line = line_to(guess, fluid_velocity_, last_velocity_);
+    // Held at its end the fluid would lead the body by half a step, which is a negative
+    // added mass of kappa dt / 2 per marker, as large as the fluid that it moves: light
+    // sheets diverge.
+    if (extrapolates())
+        force_.let_change(line.start, line.end);
+    else
+        force_.hold(mean(line.start, line.end));
+}
+
+void StructureCoupling::check_convergence() {
+    again_ = fixed_point_->repeat(session_.clock().step(), answer_);
+    if (!again_) return;
+    solver_.go_back();
+    force_.enclosed() = *kept_.enclosed;
+    if (work_) *work_ = *kept_.work;
+    now_m_ = kept_.markers_m;
+}
+
+void StructureCoupling::accept_answer() {
+    last_velocity_ = fluid_velocity_;
+    fluid_velocity_ = answer_;
+    // It took the guess for the velocity at the step's end.
+    std::ranges::copy(fluid_velocity_, force_.enclosed().last_velocity().begin());
+}
+
+std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
+    std::vector<MarkerArray> all{
+        {"fluid_velocity", flat(fluid_velocity_)},
+        {"enclosed_velocity", flat(force_.enclosed().last_velocity())},
+        {"enclosed_acceleration", flat(force_.enclosed().acceleration())}};
+    if (!last_velocity_.empty()) all.push_back({"last_velocity", flat(last_velocity_)});
+    if (!under_way_.empty()) {
+        std::ranges::copy(force_.impulse(), under_way_.begin());
+        all.push_back({"before", flat(before_m_)});
+        all.push_back({"impulse", flat(under_way_)});
+    }
+    if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
+    if (work_) {
+        all.push_back({"works", flat(work_->works())});
+        all.push_back({"fluid_force", flat(work_->last_fluid_force())});
+        all.push_back({"enclosed_force", flat(work_->last_enclosed_force())});
+    }
+    if (!fixed_point_) return all;
+    int number = 0;
+    for (const auto& vector : fixed_point_->acceleration().vectors())
+        all.push_back({fmt::format("iteration_{:03d}", number++), vector});
+    return all;
+}
+
+void StructureCoupling::shorten_last_step(double part) {
+    const auto closer = [&](std::span<Vec3> last) {
+        for (std::size_t m = 0; m < last.size(); ++m) {
+            for (std::size_t d = 0; d < 3; ++d)
+                last[m][d] =
+                    fluid_velocity_[m][d] + part * (last[m][d] - fluid_velocity_[m][d]);
+        }
+    };
+    closer(force_.enclosed().last_velocity());
+    closer(last_velocity_);
+}
+
+std::vector<double> StructureCoupling::carried_numbers() const {
+    if (!fixed_point_) return {};
+    return fixed_point_->acceleration().numbers();
+}
+
+void StructureCoupling::make_room(std::span<const double> numbers) {
+    fixed_point_->acceleration().make_room(numbers, 3 * force_.markers().size());
+}
+
+Vec3 StructureCoupling::force_on(std::size_t marker) const {
+    const double step_s = session_.clock().step_s();
+    const Vec3 velocity = at_marker(force_.markers()[marker], solver_.velocities());
+    Vec3 force = force_.constant_force()[marker];
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double acceleration = (velocity[d] - start_velocity_[marker][d]) / step_s -
+                                    markers_.gravity_m_s2[d];
+        force[d] += markers_.off_nodes_kg[marker] * acceleration -
+                    force_.impulse()[marker][d] / step_s;
+    }
+    return force;
+}
+
+std::vector<Vec3> StructureCoupling::force_on_bodies() {
+    solver_.renew_ghost_velocities();
+    std::vector<Vec3> sum(markers_.bodies);
+    for (std::size_t m = 0; m < force_.markers().size(); ++m)
+        add_to(sum[static_cast<std::size_t>(force_.markers()[m].body)], force_on(m));
+    return over_ranks(std::move(sum), session_.world().local());
+}
+
+std::vector<Vec3> StructureCoupling::force_on_parts() {
+    solver_.renew_ghost_velocities();
+    std::vector<Vec3> sum(markers_.parts.size());
+    for (std::size_t p = 0; p < sum.size(); ++p) {
+        for (const std::size_t m : markers_.parts[p]) add_to(sum[p], force_on(m));
+    }
+    return over_ranks(std::move(sum), session_.world().local());
+}
+
+const output::IterationSummary* StructureCoupling::iterations() const {
+    return fixed_point_ ? &fixed_point_->record() : nullptr;
+}
+
+SlipReport StructureCoupling::slip() const {
+    return slip_.collect(session_.world().local());
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,156 @@
+// The structure's half of a coupled step, whatever solves it: markers, the force within
+// its substeps, exchange, audits. The order of its tasks is in schemes.cpp.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/balance.h"
+#include "coupler/immersed_boundary/direct_forcing.h"
+#include "coupler/immersed_boundary/slip.h"
+#include "coupler/participants/session.h"
+#include "coupler/scheme/fixed_point.h"
+#include "coupler/scheme/structure_solver.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::coupler {
+
+// Names of tasks of the structure, in every scheme.
+inline constexpr const char* advance_structure = "advance structure";
+inline constexpr const char* check_finite = "check finite";
+
+// The markers of this rank and what is measured at them, made where the meshes are known.
+struct BodyMarkers {
+    std::vector<Marker> markers;
+    std::vector<int> placed_index;  // of each marker its number among those of all ranks,
+    std::size_t placed = 0;         // so many, in the order of their placement
+    std::vector<MarkerArea> areas;
+    std::size_t bodies = 0;
+    std::vector<std::vector<std::size_t>> parts;  // of bodies: the markers in each
+    Vec3 gravity_m_s2{};
+    // Where probes ask for forces: of each marker the mass of the fluid inside the body
+    // that came off the nodes.
+    bool measures_force = false;
+    std::vector<double> off_nodes_kg;
+    bool measures_work = false;  // for the energy audit
+    std::int64_t steps_between_slip_samples = 1;
+};
+
+class StructureCoupling {
+  public:
+    // Attaches the fluid's force to the solver, which outlives this.
+    StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
+                      BodyMarkers markers);
+
+    // The coupled step up to its count.
+    void add_tasks(TaskList& tasks);
+
+    // Velocities for the first step; after a checkpoint's arrays are in their places.
+    void begin();
+
+    // Of the structure so far, repeated ones, too.
+    std::int64_t advances() const { return advances_; }
+
+    // What this rank's markers carry from step to step, kept in checkpoints under its
+    // name; each has three numbers per marker.
+    struct MarkerArray {
+        std::string name;
+        std::span<double> values;
+    };
+    std::vector<MarkerArray> carried();
+    // After they are back: the last coupled step was this part of what it was (a retry),
+    // and the fluid's velocity then that much closer to the present one.
+    void shorten_last_step(double part);
+    // Numbers that are the same on all ranks; with them, after a restart, a fresh object
+    // makes room for what is carried. Empty but in the implicit scheme.
+    std::vector<double> carried_numbers() const;
+    void make_room(std::span<const double> numbers);
+    std::span<const int> placed_index() const { return markers_.placed_index; }
+    std::size_t placed() const { return markers_.placed; }
+    const Grid& grid() const { return grid_; }
+
+    // What the markers of this rank sent to the fluid last and what it answered.
+    struct Exchanged {
+        std::span<const Vec3> position_m, impulse, velocity;
+    };
+    Exchanged exchanged() const { return {now_m_, force_.impulse(), fluid_velocity_}; }
+
+    // Sum over the ranks of the force on each body in the last step [N], and on each of
+    // the parts. Collective.
+    std::vector<Vec3> force_on_bodies();
+    std::vector<Vec3> force_on_parts();
+
+    // Null unless the run measures them.
+    BalanceRecord* balance() const { return balance_.get(); }
+    const MarkerWork* work() const { return work_.get(); }
+    // Null but in the implicit scheme.
+    const output::IterationSummary* iterations() const;
+    SlipReport slip() const;  // collective
+
+  private:
+    void add_serial(TaskList& tasks);
+    void add_parallel(TaskList& tasks);
+    void add_implicit(TaskList& tasks);
+    void add_advance(TaskList& tasks);
+
+    // At the start of a step: the fluid's velocity over it is the one sampled last, held;
+    // or goes in a straight line through the last two; or is their mean, in which a
+    // response of the fluid that alternates from step to step cancels.
+    void hold_velocity();
+    void extrapolate_velocity();
+    void take_mean_velocity();
+    bool extrapolates() const;
+
+    void send_impulses();  // given in the step, where and where the markers are now
+    void iterate_forcing();
+    void audit();
+    void receive_velocities();
+    void measure_slip();
+
+    // Of the implicit scheme.
+    void keep_state();
+    void guess_velocity();
+    void check_convergence();
+    void accept_answer();
+
+    void begin_force(std::span<const Vec3> fluid_velocity,
+                     std::span<const Vec3> owed = {});
+    std::vector<Vec3> marker_positions() const;
+    Vec3 force_on(std::size_t marker) const;
+    int iteration() const { return fixed_point_ ? fixed_point_->iteration() : 0; }
+
+    Session& session_;
+    StructureSolver& solver_;
+    Grid grid_;
+    const scene::Coupling& options_;
+    BodyMarkers markers_;  // those of the force are its own
+    PenaltyForce force_;
+    std::unique_ptr<IteratedForcing> iterated_;
+    StructureExchange exchange_;
+    SlipRecord slip_;
+    std::unique_ptr<BalanceRecord> balance_;
+    std::unique_ptr<MarkerWork> work_;
+    std::int64_t advances_ = 0;
+
+    std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
+    // A step before fluid_velocity_; empty where the scheme uses one sample only.
+    std::vector<Vec3> last_velocity_;
+    std::vector<Vec3> under_way_;       // parallel: impulses, filled for checkpoints
+    std::vector<Vec3> start_velocity_;  // of the markers, where forces are measured
+
+    // Of the implicit scheme; kept: at the start of the step.
+    std::unique_ptr<FixedPoint> fixed_point_;
+    struct Kept {
+        std::optional<EnclosedFluid> enclosed;
+        std::optional<MarkerWork> work;
+        std::vector<Vec3> markers_m;
+    } kept_;
+    std::vector<Vec3> answer_;
+    bool again_ = false;  // the step is repeated
+};
+
+}  // namespace magfsi::coupler
