@@ -1,18 +1,116 @@
 #include "adapters/bodies/body_mesh.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "adapters/bodies/converted_mesh.h"
 #include "structure/mesh/bounds.h"
 #include "structure/mesh/box_mesh.h"
 #include "structure/mesh/locate.h"
+#include "structure/mesh/mesh_file.h"
 #include "structure/mesh/oblique_mesh.h"
 
 namespace magfsi::bodies {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+// Removed with all it holds.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "magfsi-mesh-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            throw std::runtime_error("no temporary folder can be made: " + name);
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    fs::path operator/(const char* name) const { return path_ / name; }
+
+  private:
+    fs::path path_;
+};
+
+// Runs it with stdout and stderr in the file; its exit status.
+int run(std::vector<std::string> words, const std::string& messages) {
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 1, messages.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    pid_t child = 0;
+    const int failed =
+        posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    if (failed != 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
+        return -1;
+    return WEXITSTATUS(status);
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+structure::Mesh convert(const std::string& file, double unit_m) {
+    if (!fs::exists(file))
+        throw std::invalid_argument(fmt::format("no mesh file {}", file));
+    const fs::path converter =
+        fs::read_symlink("/proc/self/exe").parent_path() / "magfsi-mesh";
+    const TemporaryFolder folder;
+    const auto mesh = folder / "body.mesh", messages = folder / "messages";
+    const int status = run({converter.string(), file, mesh.string(), "--unit",
+                            fmt::format("{:.17g}", unit_m)},
+                           messages.string());
+    if (status == 0) return structure::read_mesh_file(mesh);
+    std::string message = text_of(messages);
+    while (!message.empty() && message.back() == '\n') message.pop_back();
+    throw std::invalid_argument(
+        message.empty() ? fmt::format("{} did not run; is it built?", converter.string())
+                        : message);
+}
+
+// Runs magfsi-mesh, which lies beside this program, and reads what it wrote. A process of
+// its own: Gmsh's library and the ninety that come with it stay out of the solvers.
+// Converted once for a file and unit, however often it is asked for. Throws
+// std::invalid_argument with the converter's own message.
+structure::Mesh converted_gmsh_mesh(const std::string& file, double unit_m) {
+    static std::map<std::pair<std::string, double>, structure::Mesh> done;
+    const auto [place, first] = done.try_emplace({file, unit_m});
+    if (first) {
+        try {
+            place->second = convert(file, unit_m);
+        } catch (...) {
+            done.erase(place);
+            throw;
+        }
+    }
+    return place->second;
+}
 
 structure::Mesh build(const structure::Box& mesh) {
     return structure::box_mesh(mesh);

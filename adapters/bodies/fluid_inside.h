@@ -1,7 +1,7 @@
 // The grid has fluid inside a body, too, which moves with it. Its inertia must be taken
 // away again, and its weight is the buoyancy: as much as the body's own mass bears comes
 // off the mass of its nodes, which is exact at any frequency; the rest is a force on the
-// markers that follows the fluid (coupler/immersed_boundary/enclosed_fluid.h).
+// markers that follows the fluid (coupler/immersed_boundary/direct_forcing.h).
 #pragma once
 
 #include <vector>

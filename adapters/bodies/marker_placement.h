@@ -16,8 +16,8 @@ struct PlacedMarker {
     double volume_m3 = 0;     // of fluid that it moves
     double displaced_m3 = 0;  // of the body that it stands for
     int body = 0;
-    // Of the surface that it stands for, as in MarkerArea of coupler/immersed_boundary;
-    // zero where it stands for none.
+    // Of the surface that it stands for, as in MarkerArea of
+    // coupler/immersed_boundary/slip.h; zero where it stands for none.
     std::array<double, 8> first_edge{}, second_edge{};
 };
 

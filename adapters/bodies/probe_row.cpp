@@ -1,122 +1,329 @@
 #include "adapters/bodies/probe_row.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
-#include "adapters/bodies/body_part.h"
-#include "adapters/bodies/scene_to_body.h"
+#include "structure/lattice/hexahedron.h"
 
 namespace magfsi::bodies {
 
 namespace {
 
-void add(std::vector<double>& row, const Vec3& v) {
+using Row = std::vector<double>;
+
+void add(Row& row, const Vec3& v) {
     row.insert(row.end(), v.begin(), v.end());
 }
 
-void add_quantity(std::vector<double>& row, scene::BodyQuantity quantity,
-                  const BodyNodes& body, const NodalState& state,
-                  const BodyLoads& loads) {
-    switch (quantity) {
-        case scene::BodyQuantity::com:
-            return add(row, centre_of_mass(body, state));
-        case scene::BodyQuantity::speed:
-            return add(row, mean_velocity(body, state));
-        case scene::BodyQuantity::shape: {
-            const Shape s = shape(body, state);
-            return add(row, {s.end_to_end_m, s.mid_rise_m, s.bend_rad});
-        }
-        case scene::BodyQuantity::max_displacement:
-            return row.push_back(max_displacement_m(body, state));
-        case scene::BodyQuantity::fluid_force:
-            return add(row, loads.fluid_force_n);
-        case scene::BodyQuantity::energy:
-            return add(row, {loads.energy_elastic_j, kinetic_energy_j(body, state),
-                             loads.work_magnetic_j});
+// One body of a sample.
+struct BodySample {
+    const NodalState& nodes;
+    const BodyLoads& loads;
+    std::size_t first, count;  // of its nodes
+    const std::vector<structure::MaterialPoint>& centre_line;
+    const Vec3* start_m;  // of its nodes at step 0
+};
+
+Vec3 position(const structure::MaterialPoint& point, const std::vector<Vec3>& nodes_m,
+              std::size_t first_node) {
+    Vec3 at{};
+    for (std::size_t a = 0; a < 8; ++a) {
+        const Vec3& node = nodes_m[first_node + static_cast<std::size_t>(point.node[a])];
+        for (std::size_t d = 0; d < 3; ++d) at[d] += point.weight[a] * node[d];
     }
+    return at;
+}
+
+Vec3 mass_weighted_mean(const BodySample& body, const std::vector<Vec3>& field) {
+    double mass = 0;
+    Vec3 sum{};
+    for (std::size_t i = body.first; i < body.first + body.count; ++i) {
+        mass += body.nodes.mass_kg[i];
+        for (std::size_t d = 0; d < 3; ++d) sum[d] += body.nodes.mass_kg[i] * field[i][d];
+    }
+    for (double& s : sum) s /= mass;
+    return sum;
+}
+
+double distance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double kinetic_energy_j(const BodySample& body) {
+    double energy = 0;
+    for (std::size_t i = body.first; i < body.first + body.count; ++i) {
+        const Vec3& v = body.nodes.velocity_m_s[i];
+        energy += 0.5 * body.nodes.mass_kg[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    return energy;
+}
+
+double max_displacement_m(const BodySample& body) {
+    double largest = 0;
+    for (std::size_t i = 0; i < body.count; ++i) {
+        largest = std::max(
+            largest, distance(body.nodes.position_m[body.first + i], body.start_m[i]));
+    }
+    return largest;
+}
+
+// Angle of the way from a to b in the x-z plane, from x towards z.
+double heading(const Vec3& a, const Vec3& b) {
+    return std::atan2(b[2] - a[2], b[0] - a[0]);
+}
+
+// Of the centre line: distance of its ends; height of the middle over the straight line
+// between them, along the middle's normal (positive: C, ends down; negative: V); angle of
+// the right end's tangent against the left end's, in the x-z plane (positive: ends up).
+Vec3 shape(const BodySample& body) {
+    std::vector<Vec3> line;
+    for (const auto& point : body.centre_line)
+        line.push_back(position(point, body.nodes.position_m, body.first));
+    if (line.size() < 4) return {};
+    const Vec3& left = line.front();
+    const Vec3& right = line.back();
+    const std::size_t middle = line.size() / 2;
+    const double tangent =
+        heading(line[middle - 1], line[middle + 1 < line.size() ? middle + 1 : middle]);
+    const double dx = line[middle][0] - 0.5 * (left[0] + right[0]);
+    const double dz = line[middle][2] - 0.5 * (left[2] + right[2]);
+    const double mid_rise_m = -std::sin(tangent) * dx + std::cos(tangent) * dz;
+    double bend_rad = 0;
+    double before = heading(line[0], line[1]);
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const double now = heading(line[i], line[i + 1]);
+        bend_rad += std::remainder(now - before, 2 * std::numbers::pi);
+        before = now;
+    }
+    return {distance(left, right), mid_rise_m, bend_rad};
+}
+
+// A probe of a body: a line here and its word beside scene::BodyQuantity.
+struct BodyProbe {
+    scene::BodyQuantity quantity;
+    std::vector<const char*> columns;
+    Load needs;
+    void (*values)(const BodySample& body, Row& row);
+};
+
+const BodyProbe& body_probe(scene::BodyQuantity quantity) {
+    using enum scene::BodyQuantity;
+    static const BodyProbe all[] = {
+        {com,
+         {"com_x[m]", "com_y[m]", "com_z[m]"},
+         Load::none,
+         [](const BodySample& body, Row& row) {
+             add(row, mass_weighted_mean(body, body.nodes.position_m));
+         }},
+        {speed,
+         {"speed_x[m/s]", "speed_y[m/s]", "speed_z[m/s]"},
+         Load::none,
+         [](const BodySample& body, Row& row) {
+             add(row, mass_weighted_mean(body, body.nodes.velocity_m_s));
+         }},
+        {scene::BodyQuantity::shape,
+         {"end_to_end[m]", "mid_rise[m]", "bend[rad]"},
+         Load::none,
+         [](const BodySample& body, Row& row) { add(row, bodies::shape(body)); }},
+        {max_displacement,
+         {"max_displacement[m]"},
+         Load::none,
+         [](const BodySample& body, Row& row) {
+             row.push_back(max_displacement_m(body));
+         }},
+        {fluid_force,
+         {"fluid_force_x[N]", "fluid_force_y[N]", "fluid_force_z[N]"},
+         Load::fluid_force,
+         [](const BodySample& body, Row& row) { add(row, body.loads.fluid_force_n); }},
+        {energy,
+         {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
+         Load::energies,
+         [](const BodySample& body, Row& row) {
+             add(row, {body.loads.energy_elastic_j, kinetic_energy_j(body),
+                       body.loads.work_magnetic_j});
+         }},
+    };
+    return *std::ranges::find(all, quantity, &BodyProbe::quantity);
+}
+
+bool holds(const std::array<scene::Vec3, 2>& box_m, const structure::Vec3& x) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (x[d] < box_m[0][d] || x[d] > box_m[1][d]) return false;
+    }
+    return true;
+}
+
+structure::Vec3 centre(const structure::Mesh& mesh,
+                       const structure::Hexahedron& element) {
+    structure::Vec3 sum{};
+    for (const int node : element) {
+        for (std::size_t d = 0; d < 3; ++d)
+            sum[d] += mesh.nodes[static_cast<std::size_t>(node)][d] / 8;
+    }
+    return sum;
+}
+
+// Of each node's mass the share that belongs to these elements; 1 at every node of the
+// whole body.
+std::vector<double> node_shares(const std::vector<bool>& elements,
+                                const structure::Mesh& mesh) {
+    std::vector<double> mine(mesh.nodes.size()), all(mine);
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const auto x = structure::gather(mesh.nodes, mesh.elements[e]);
+        const double volume =
+            structure::integrate_hexahedron(x, static_cast<int>(e)).volume;
+        for (const int node : mesh.elements[e]) {
+            const auto n = static_cast<std::size_t>(node);
+            all[n] += volume;
+            if (elements[e]) mine[n] += volume;
+        }
+    }
+    for (std::size_t n = 0; n < mine.size(); ++n)
+        mine[n] = all[n] > 0 ? mine[n] / all[n] : 0;
+    return mine;
 }
 
 }  // namespace
 
+bool needs(const scene::Scene& scene, Load load) {
+    if (!scene.probes) return false;
+    return std::ranges::any_of(scene.probes->bodies, [load](auto quantity) {
+        return body_probe(quantity).needs == load;
+    });
+}
+
+std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh& mesh) {
+    std::vector<bool> in(mesh.elements.size(), !part.box_m);
+    if (!part.box_m) return in;
+    for (std::size_t e = 0; e < in.size(); ++e)
+        in[e] = holds(*part.box_m, centre(mesh, mesh.elements[e]));
+    if (std::ranges::find(in, true) == in.end())
+        throw std::invalid_argument(fmt::format(
+            "probes.integrals: no element of body '{}' has its centre in the box",
+            part.body));
+    return in;
+}
+
 ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
                    const NodalState& start)
-    : scene_(scene) {
-    field_ = scene.magnetic_field;
-    std::size_t first = 0;
-    for (const structure::Body& solid : bodies) {
-        BodyNodes body;
-        body.first = first;
-        body.count = solid.mesh.nodes.size();
-        body.centre_line = solid.mesh.centre_line;
-        const auto from = start.position_m.begin() + static_cast<std::ptrdiff_t>(first);
-        body.start_m.assign(from, from + static_cast<std::ptrdiff_t>(body.count));
-        first += body.count;
-        bodies_.push_back(std::move(body));
-    }
+    : start_m_(start.position_m) {
     if (!scene.probes) return;
+    if (scene.magnetic_field) {
+        groups_.push_back(
+            {{"field[T]"},
+             [field = *scene.magnetic_field](const ProbeSample& sample, Row& row) {
+                 row.push_back(
+                     structure::polar_field_at(field, sample.time_s).magnitude_t);
+             }});
+    }
+    std::vector<std::size_t> first_node;
+    std::size_t first = 0;
+    for (const structure::Body& body : bodies) {
+        first_node.push_back(first);
+        first += body.mesh.nodes.size();
+    }
+    const auto number = [&](const std::string& name) {
+        return static_cast<std::size_t>(
+            std::ranges::find(scene.bodies, name, &scene::Body::name) -
+            scene.bodies.begin());
+    };
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        add_body(scene, b, bodies[b].mesh, first_node[b]);
     for (const scene::PointProbe& probe : scene.probes->points) {
-        const auto found =
-            std::ranges::find(scene.bodies, probe.body, &scene::Body::name);
-        const auto b = static_cast<std::size_t>(found - scene.bodies.begin());
-        Point point{locate(*found, bodies[b].mesh, probe.at_m), bodies_[b].first, {}};
-        point.start_m = position(point.at, start, point.first_node);
-        points_.push_back(point);
+        const std::size_t b = number(probe.body);
+        add_point(probe, scene.bodies[b], bodies[b].mesh, first_node[b]);
     }
     for (const scene::IntegralProbe& integral : scene.probes->integrals) {
         const auto* part = std::get_if<scene::BodyPart>(&integral.over);
         if (!part) continue;
-        const auto found =
-            std::ranges::find(scene.bodies, part->body, &scene::Body::name);
-        const auto b = static_cast<std::size_t>(found - scene.bodies.begin());
-        parts_.push_back({bodies_[b].first,
-                          node_shares(elements_of(*part, bodies[b].mesh), bodies[b].mesh),
-                          bodies_[b].start_m});
+        const std::size_t b = number(part->body);
+        add_part(integral.name, *part, bodies[b].mesh, first_node[b],
+                 scene.fluid.has_value());
     }
 }
 
-bool ProbeRow::wants(const scene::Scene& scene, scene::BodyQuantity quantity) {
-    return scene.probes && std::ranges::find(scene.probes->bodies, quantity) !=
-                               scene.probes->bodies.end();
+void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
+                        const structure::Mesh& mesh, std::size_t first_node) {
+    for (const auto quantity : scene.probes->bodies) {
+        const BodyProbe& probe = body_probe(quantity);
+        Group& group = groups_.emplace_back();
+        for (const char* column : probe.columns)
+            group.columns.push_back(scene.bodies[b].name + "." + column);
+        group.add = [this, b, first_node, count = mesh.nodes.size(),
+                     line = mesh.centre_line,
+                     values = probe.values](const ProbeSample& sample, Row& row) {
+            values({sample.nodes, sample.loads[b], first_node, count, line,
+                    start_m_.data() + first_node},
+                   row);
+        };
+    }
 }
 
-std::vector<double> ProbeRow::values(double time_s, const NodalState& state,
-                                     const std::vector<BodyLoads>& loads,
-                                     const std::vector<Vec3>& force_on_parts_n) const {
-    std::vector<double> row;
-    if (field_) row.push_back(structure::polar_field_at(*field_, time_s).magnitude_t);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        for (const auto quantity : scene_.probes->bodies)
-            add_quantity(row, quantity, bodies_[b], state, loads[b]);
-    }
-    for (const Point& point : points_) {
-        const Vec3 now = position(point.at, state, point.first_node);
+void ProbeRow::add_point(const scene::PointProbe& probe, const scene::Body& body,
+                         const structure::Mesh& mesh, std::size_t first_node) {
+    const auto point = locate(body, mesh, probe.at_m);
+    const Vec3 start_m = position(point, start_m_, first_node);
+    Group& group = groups_.emplace_back();
+    for (const char* column : {"x", "y", "z", "ux", "uy", "uz"})
+        group.columns.push_back(fmt::format("{}_{}[m]", probe.name, column));
+    group.add = [point, start_m, first_node](const ProbeSample& sample, Row& row) {
+        const Vec3 now = position(point, sample.nodes.position_m, first_node);
         add(row, now);
-        for (std::size_t d = 0; d < 3; ++d) row.push_back(now[d] - point.start_m[d]);
-    }
-    add_parts(row, state, force_on_parts_n);
-    return row;
+        for (std::size_t d = 0; d < 3; ++d) row.push_back(now[d] - start_m[d]);
+    };
 }
 
-void ProbeRow::add_parts(std::vector<double>& row, const NodalState& state,
-                         const std::vector<Vec3>& force_n) const {
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-        const Part& part = parts_[p];
+void ProbeRow::add_part(const std::string& name, const scene::BodyPart& part,
+                        const structure::Mesh& mesh, std::size_t first_node,
+                        bool in_fluid) {
+    Group& group = groups_.emplace_back();
+    for (const char* column :
+         {"ux[m]", "uy[m]", "uz[m]", "momentum_x[kg m/s]", "momentum_y[kg m/s]",
+          "momentum_z[kg m/s]", "fluid_force_x[N]", "fluid_force_y[N]",
+          "fluid_force_z[N]"})
+        group.columns.push_back(name + "." + column);
+    if (!in_fluid) group.columns.resize(6);
+    group.add = [this, first_node, in_fluid, number = parts_++,
+                 share = node_shares(elements_of(part, mesh), mesh)](
+                    const ProbeSample& sample, Row& row) {
+        const NodalState& nodes = sample.nodes;
         double mass = 0;
         Vec3 moved{}, momentum{};
-        for (std::size_t i = 0; i < part.share.size(); ++i) {
-            const std::size_t n = part.first_node + i;
-            const double m = part.share[i] * state.mass_kg[n];
+        for (std::size_t i = 0; i < share.size(); ++i) {
+            const std::size_t n = first_node + i;
+            const double m = share[i] * nodes.mass_kg[n];
             mass += m;
             for (std::size_t d = 0; d < 3; ++d) {
-                moved[d] += m * (state.position_m[n][d] - part.start_m[i][d]);
-                momentum[d] += m * state.velocity_m_s[n][d];
+                moved[d] += m * (nodes.position_m[n][d] - start_m_[n][d]);
+                momentum[d] += m * nodes.velocity_m_s[n][d];
             }
         }
         for (double& u : moved) u /= mass;
         add(row, moved);
         add(row, momentum);
-        if (scene_.fluid) add(row, force_n.at(p));
-    }
+        if (in_fluid) add(row, sample.force_on_parts_n.at(number));
+    };
+}
+
+std::vector<std::string> ProbeRow::columns() const {
+    std::vector<std::string> all;
+    for (const Group& group : groups_)
+        all.insert(all.end(), group.columns.begin(), group.columns.end());
+    return all;
+}
+
+std::vector<double> ProbeRow::values(double time_s, const NodalState& nodes,
+                                     const std::vector<BodyLoads>& loads,
+                                     const std::vector<Vec3>& force_on_parts_n) const {
+    std::vector<double> row;
+    const ProbeSample sample{time_s, nodes, loads, force_on_parts_n};
+    for (const Group& group : groups_) group.add(sample, row);
+    return row;
 }
 
 }  // namespace magfsi::bodies

@@ -1,21 +1,37 @@
-// The bodies' part of a row of probes.csv.
+// The bodies' part of probes.csv: columns and their values.
 #pragma once
 
-#include <optional>
+#include <functional>
+#include <string>
 #include <vector>
 
-#include "adapters/bodies/body_probes.h"
+#include "adapters/bodies/nodal_state.h"
 #include "adapters/scene/scene.h"
 #include "structure/body.h"
-#include "structure/lammps/field_program.h"
 
 namespace magfsi::bodies {
 
-// What the nodes alone do not tell, of one body. Zeros where the scene does not ask.
+// What the nodes alone do not tell, of one body. Zeros where no probe needs it.
 struct BodyLoads {
     Vec3 fluid_force_n{};
     double energy_elastic_j = 0;
     double work_magnetic_j = 0;
+};
+enum class Load { none, fluid_force, energies };
+// Whether a probe of the scene needs it.
+bool needs(const scene::Scene& scene, Load load);
+
+// Which elements have their centre in the part's box. Throws std::invalid_argument where
+// none has.
+std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh& mesh);
+
+// At one time: loads of each body, in their order; of a scene with a fluid also the
+// fluid's force on each part of a body in probes.integrals.
+struct ProbeSample {
+    double time_s = 0;
+    const NodalState& nodes;
+    const std::vector<BodyLoads>& loads;
+    const std::vector<Vec3>& force_on_parts_n;
 };
 
 class ProbeRow {
@@ -23,35 +39,30 @@ class ProbeRow {
     // bodies: those of the scene, in its order; start: step 0.
     ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
              const NodalState& start);
+    ProbeRow(const ProbeRow&) = delete;
+    ProbeRow& operator=(const ProbeRow&) = delete;
 
-    // Whether the scene has this column for its bodies.
-    static bool wants(const scene::Scene& scene, scene::BodyQuantity quantity);
-
-    // In the order of scene::body_columns. force_on_parts_n: the fluid's, in the order
-    // of probes.integrals, of a scene with a fluid.
-    std::vector<double> values(double time_s, const NodalState& state,
+    std::vector<std::string> columns() const;
+    std::vector<double> values(double time_s, const NodalState& nodes,
                                const std::vector<BodyLoads>& loads,
                                const std::vector<Vec3>& force_on_parts_n = {}) const;
 
   private:
-    struct Point {
-        structure::MaterialPoint at;
-        std::size_t first_node = 0;
-        Vec3 start_m{};
+    // Columns beside each other and the function that adds their values to a row.
+    struct Group {
+        std::vector<std::string> columns;
+        std::function<void(const ProbeSample& sample, std::vector<double>& row)> add;
     };
-    struct Part {
-        std::size_t first_node = 0;
-        std::vector<double> share;  // of each node's mass
-        std::vector<Vec3> start_m;
-    };
-    void add_parts(std::vector<double>& row, const NodalState& state,
-                   const std::vector<Vec3>& force_n) const;
+    void add_body(const scene::Scene& scene, std::size_t body,
+                  const structure::Mesh& mesh, std::size_t first_node);
+    void add_point(const scene::PointProbe& probe, const scene::Body& body,
+                   const structure::Mesh& mesh, std::size_t first_node);
+    void add_part(const std::string& name, const scene::BodyPart& part,
+                  const structure::Mesh& mesh, std::size_t first_node, bool in_fluid);
 
-    const scene::Scene& scene_;
-    std::optional<structure::FieldProgram> field_;
-    std::vector<BodyNodes> bodies_;
-    std::vector<Point> points_;
-    std::vector<Part> parts_;
+    std::vector<Group> groups_;
+    std::vector<Vec3> start_m_;
+    std::size_t parts_ = 0;
 };
 
 }  // namespace magfsi::bodies

@@ -8,9 +8,8 @@
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
-#include "adapters/bodies/probes.h"
+#include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
-#include "coupler/immersed_boundary/kernel_choice.h"
 
 namespace magfsi::lammps {
 
@@ -52,7 +51,8 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
 
 // What came off the nodes is no force of the markers any more.
 void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
-    mine.measures_force = bodies::wants_fluid_force(scene);
+    mine.measures_force = bodies::needs(scene, bodies::Load::fluid_force) ||
+                          (scene.probes && !scene.probes->integrals.empty());
     std::vector<double> off_kg_m3;
     for (const scene::Body& body : scene.bodies)
         off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, bodies::to_body(body)));
@@ -87,7 +87,7 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
                                  const std::vector<int>& first_node,
                                  const coupler::Grid& grid, const coupler::Clock& clock) {
     const coupler::SolidCells solid(grid);
-    const auto kernel = coupler::to_kernel(scene.coupling->immersed_boundary.kernel);
+    const auto kernel = scene.coupling->immersed_boundary.kernel;
     const Placed placed = place_all(scene);
     coupler::BodyMarkers mine;
     mine.placed = placed.size();

@@ -15,7 +15,7 @@ namespace magfsi::lammps {
 
 namespace {
 
-constexpr int steps_between_looks = 200;
+constexpr int steps_between_checks = 200;
 // Decay times of the lowest mode within which rest is expected: e^-2000 is far below any
 // tolerance; sliding and rolling on a platform may take many swings.
 constexpr double patience = 2000;
@@ -78,7 +78,7 @@ RestFinder::RestFinder(Engine& engine, const scene::Scene& scene, double step_s)
     : engine_(engine), scene_(scene) {
     std::vector<structure::Body> bodies;
     for (const scene::Body& body : scene.bodies) bodies.push_back(bodies::to_body(body));
-    most_steps_ = static_cast<std::int64_t>(
+    max_steps_ = static_cast<std::int64_t>(
         patience / (0.5 * critical_drag_rate_1_s(bodies)) / step_s);
     stiffness_load_n_ = stiffness_load_n(bodies);
 }
@@ -106,9 +106,9 @@ void RestFinder::find(double time_s) {
     engine_.set_up();
     const double tolerance = scene_.time.equilibrium->tolerance;
     double ratio = 0;
-    for (std::int64_t step = 0; step < most_steps_; step += steps_between_looks) {
-        engine_.advance(steps_between_looks);
-        steps_ += steps_between_looks;
+    for (std::int64_t step = 0; step < max_steps_; step += steps_between_checks) {
+        engine_.take_steps(steps_between_checks);
+        steps_ += steps_between_checks;
         ratio = unrest();
         if (ratio <= tolerance) return;
     }
@@ -117,7 +117,7 @@ void RestFinder::find(double time_s) {
         "the "
         "largest nodal force is {:.3g} of the largest load, {:.3g} was wanted; take a "
         "larger time.equilibrium.tolerance or another damping.rate",
-        most_steps_, time_s, ratio, tolerance));
+        max_steps_, time_s, ratio, tolerance));
 }
 
 }  // namespace magfsi::lammps

@@ -40,7 +40,7 @@ class RestFinder {
 
     Engine& engine_;
     const scene::Scene& scene_;
-    std::int64_t most_steps_ = 0;  // at one point of the path
+    std::int64_t max_steps_ = 0;  // at one point of the path
     std::int64_t steps_ = 0;
     double stiffness_load_n_ = 0;
     double largest_load_n_ = 0;  // so far

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/participants/errors.h"
+#include "fix.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"

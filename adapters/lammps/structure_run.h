@@ -1,12 +1,18 @@
-// What the structure's outputs are made from.
+// A run of the structure in LAMMPS: what its participant, outputs and checkpoint share.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "adapters/lammps/structure_state.h"
+#include "adapters/lammps/energy_audit.h"
+#include "adapters/lammps/engine.h"
+#include "adapters/lammps/substeps.h"
+#include "coupler/checkpoint/state_reader.h"
+#include "coupler/checkpoint/state_writer.h"
+#include "coupler/scheme/structure_coupling.h"
 #include "coupler/step/outputs.h"
 #include "structure/lammps/script.h"
 
@@ -15,31 +21,45 @@ namespace magfsi::lammps {
 struct StructureRun {
     const scene::Scene& scene;
     coupler::Session& session;
-    Engine& engine;
-    const structure::LammpsInput& input;
-    const std::vector<std::string>& fix_ids;  // of each body's fix magttice
+    Substeps substeps;  // of the last coupled step
+    StepCount counted{};
+    structure::LammpsInput input{};
+    std::vector<std::string> fix_ids{};  // of each body's fix magttice
     int atoms = 0;
+    std::unique_ptr<Engine> engine{};
+    // Null when the scene has none.
+    std::unique_ptr<coupler::StructureCoupling> coupling{};
+    std::unique_ptr<EnergyAudit> audit{};
+
     NodalState start{};  // step 0, on the root; only while outputs are made
     // With a fluid, on the root: the bodies' whole masses, whatever came off their nodes.
     std::vector<double> whole_mass_kg{};
     bool recorded = false;  // --record
+    // Called with what the fluid has sent for a row of probes, on the root; may be empty.
+    std::function<void(std::span<const double>)> on_fluid_values{};
 
-    // Null when the scene has none.
-    BodyCoupling* coupling = nullptr;
-    coupler::BalanceRecord* balance = nullptr;
-    EnergyAudit* audit = nullptr;
-
-    std::function<StructureParts()> state{};  // for a checkpoint, of the present step
-    // What the fluid has sent for a row of probes, on the root. Empty: nobody listens.
-    std::function<void(std::span<const double>)> heard{};
-
-    NodalState gather() const;  // with whole masses; collective
+    coupler::BalanceRecord* balance() const {
+        return coupling ? coupling->balance() : nullptr;
+    }
+    NodalState gather() const {  // with whole masses; collective
+        NodalState nodes = engine->gather(atoms);
+        if (!whole_mass_kg.empty()) nodes.mass_kg = whole_mass_kg;
+        return nodes;
+    }
 };
 
-// An output of effects.inc is an object of this type, called NAME_output.
+// An output of outputs.inc is an object of this type, called NAME_output.
 using StructureOutput = coupler::OutputKind<StructureRun>;
 
-// Those of this build, up to one without a name.
-const StructureOutput* structure_outputs();
+// The structure's half of a checkpoint: nodes, what fixes keep, what markers carry.
+// Collective; file is null but on the root. Contact's neighbour lists are renewed, as
+// they will be in a run that goes on from here, so that both add forces in one order.
+void save_structure(const StructureRun& run, coupler::StateWriter* file);
+
+// The two halves of a restart, each collective: the bodies after engine.set_up and before
+// markers are placed on ranks, the rest before the first exchange with the fluid. Throw
+// coupler::StateFault when the file is of other meshes.
+void restore_bodies(const StructureRun& run, const coupler::StateReader& file);
+void restore_coupling(const StructureRun& run, const coupler::StateReader& file);
 
 }  // namespace magfsi::lammps

@@ -1,4 +1,4 @@
-#include "adapters/lammps/structure_state.h"
+#include "adapters/lammps/structure_run.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 using coupler::StateReader;
 using coupler::StateWriter;
 
-std::string table_of(const BodyCoupling::MarkerArray& array) {
+std::string table_of(const coupler::StructureCoupling::MarkerArray& array) {
     return "marker_" + array.name;
 }
 
@@ -25,11 +25,11 @@ void save_shares(MPI_Comm comm, const char* table, std::span<const double> mine,
         file->table(table, all, {all.size() / mine.size(), mine.size()});
 }
 
-void save_markers(const StructureParts& parts, StateWriter* file) {
-    BodyCoupling& coupling = *parts.coupling;
+void save_markers(const StructureRun& run, StateWriter* file) {
+    coupler::StructureCoupling& coupling = *run.coupling;
     for (const auto& array : coupling.carried()) {
         const auto all =
-            coupler::gather_rows(parts.session.world().local(), coupling.placed_index(),
+            coupler::gather_rows(run.session.world().local(), coupling.placed_index(),
                                  array.values, 3, coupling.placed());
         if (file) file->table(table_of(array), all, {coupling.placed(), 3});
     }
@@ -61,46 +61,46 @@ std::vector<double> share(const StateReader& file, const char* table, MPI_Comm c
 
 }  // namespace
 
-void save_structure(const StructureParts& parts, StateWriter* file) {
-    const MPI_Comm comm = parts.session.world().local();
-    Engine& engine = parts.engine;
-    const auto atoms = static_cast<std::size_t>(parts.atoms);
+void save_structure(const StructureRun& run, StateWriter* file) {
+    const MPI_Comm comm = run.session.world().local();
+    Engine& engine = *run.engine;
+    const auto atoms = static_cast<std::size_t>(run.atoms);
     const std::size_t width = engine.node_values();
-    std::vector<double> nodes = engine.gather_nodes(parts.atoms);
+    std::vector<double> nodes = engine.gather_nodes(run.atoms);
     if (file) file->table("nodes", nodes, {atoms, width});
     save_shares(comm, "sums", engine.fix_sums(), file);
-    if (parts.coupling) save_markers(parts, file);
-    if (parts.balance) save_shares(comm, "balance", parts.balance->values(), file);
+    if (run.coupling) save_markers(run, file);
+    if (run.balance()) save_shares(comm, "balance", run.balance()->values(), file);
     if (file)
         file->table("substeps",
-                    parts.counted->carried(parts.session.clock().step(), parts.substeps),
+                    run.counted.carried(run.session.clock().step(), run.substeps.count),
                     {3});
-    if (parts.audit && file) {
-        const auto carried = parts.audit->carried();
+    if (run.audit && file) {
+        const auto carried = run.audit->carried();
         file->table("energy_audit", carried, {carried.size()});
     }
-    if (!parts.scene.contact) return;
+    if (!run.scene.contact) return;
     broadcast(nodes, atoms * width, comm);
     engine.renew_neighbours();
     engine.put_nodes(nodes);
 }
 
-void restore_bodies(const StructureParts& parts, const StateReader& file) {
-    Engine& engine = parts.engine;
-    const auto nodes = rows_of(file, "nodes", static_cast<std::size_t>(parts.atoms),
-                               engine.node_values());
+void restore_bodies(const StructureRun& run, const StateReader& file) {
+    Engine& engine = *run.engine;
+    const auto nodes =
+        rows_of(file, "nodes", static_cast<std::size_t>(run.atoms), engine.node_values());
     engine.put_nodes(nodes);
-    if (parts.scene.contact) {
+    if (run.scene.contact) {
         engine.renew_neighbours();
         engine.put_nodes(nodes);
     }
     if (file.has("sums"))
-        engine.put_fix_sums(share(file, "sums", parts.session.world().local()));
-    if (parts.audit) parts.audit->set(file.table("energy_audit"));
+        engine.put_fix_sums(share(file, "sums", run.session.world().local()));
+    if (run.audit) run.audit->set(file.table("energy_audit"));
 }
 
-void restore_coupling(const StructureParts& parts, const StateReader& file) {
-    BodyCoupling& coupling = *parts.coupling;
+void restore_coupling(const StructureRun& run, const StateReader& file) {
+    coupler::StructureCoupling& coupling = *run.coupling;
     if (file.has("numbers")) coupling.make_room(file.table("numbers"));
     const auto index = coupling.placed_index();
     for (const auto& array : coupling.carried()) {
@@ -110,10 +110,10 @@ void restore_coupling(const StructureParts& parts, const StateReader& file) {
             std::copy_n(row, 3, array.values.data() + 3 * m);
         }
     }
-    const auto ratio = file.header().steps_in_one(parts.session.clock().step_s());
+    const auto ratio = file.header().steps_in_one(run.session.clock().step_s());
     if (ratio > 1) coupling.shorten_last_step(1.0 / static_cast<double>(ratio));
-    if (parts.balance && file.has("balance"))
-        parts.balance->set(share(file, "balance", parts.session.world().local()));
+    if (run.balance() && file.has("balance"))
+        run.balance()->set(share(file, "balance", run.session.world().local()));
 }
 
 }  // namespace magfsi::lammps

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "adapters/bodies/fluid_inside.h"
@@ -11,6 +12,7 @@
 #include "adapters/lammps/scene_to_input.h"
 #include "adapters/scene/effective.h"
 #include "coupler/immersed_boundary/direct_forcing.h"
+#include "coupler/participants/errors.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::lammps {
@@ -21,6 +23,14 @@ namespace {
 // compressed, and the drag (explicit, limit 2 / rate) should decay without overshoot.
 constexpr double elastic_margin = 0.9;
 constexpr double drag_margin = 0.5;
+
+// Sound crosses an element in about one step, and deformations that change its stiffness
+// take many crossings.
+constexpr std::int64_t steps_between_checks = 100;
+// The step is chosen at 0.9 of the limit at rest; moderate strains stay below this.
+constexpr double allowed = 0.95;
+constexpr double chosen = 0.9;
+constexpr int max_refinement = 16;
 
 // The largest drag rate of a node: sum over its markers of N_a kappa over its mass.
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
@@ -93,6 +103,49 @@ Substeps choose_substeps(const scene::Scene& scene) {
     }
     s.lammps_step_s = s.coupled_step_s / s.count;
     return s;
+}
+
+StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps& substeps,
+                     MPI_Comm comm)
+    : comm_(comm),
+      start_(substeps),
+      every_(std::max<std::int64_t>(1, steps_between_checks / substeps.count)) {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    std::size_t first = 0;
+    for (const structure::Body& body : bodies) {
+        first_node_.push_back(first);
+        first += body.mesh.nodes.size();
+        if (rank == 0) elements_.emplace_back(body);
+    }
+    first_node_.push_back(first);
+}
+
+StepGuard::Result StepGuard::check(const bodies::NodalState& state,
+                                   const Substeps& now) const {
+    double rise = 0;
+    const std::span<const bodies::Vec3> nodes(state.position_m);
+    for (std::size_t b = 0; b < elements_.size(); ++b) {
+        const std::size_t first = first_node_[b];
+        rise = std::max(rise, elements_[b].rise_1_s2(
+                                  nodes.subspan(first, first_node_[b + 1] - first)));
+    }
+    MPI_Bcast(&rise, 1, MPI_DOUBLE, 0, comm_);
+    Result result;
+    // An inverted element ends the run in LAMMPS, which names it.
+    if (!std::isfinite(rise)) return result;
+    result.limit_s = structure::CurrentStep::step_s(start_.elastic_limit_s, rise);
+    // A step that the scene asks for may be nearer to the limit from the start.
+    const double part = std::max(allowed, start_.lammps_step_s / start_.elastic_limit_s);
+    if (rise == 0 || now.lammps_step_s <= part * result.limit_s) return result;
+    result.factor =
+        static_cast<int>(std::ceil(now.lammps_step_s / (chosen * result.limit_s)));
+    if (now.count * result.factor <= max_refinement * start_.count) return result;
+    throw coupler::Diverged(fmt::format(
+        "the bodies are so deformed that their stable step has fallen from {:.3g} to "
+        "{:.3g} us, which needs more than {} times the steps; use a finer mesh or a "
+        "weaker field",
+        start_.elastic_limit_s * 1e6, result.limit_s * 1e6, max_refinement));
 }
 
 }  // namespace magfsi::lammps

@@ -1,10 +1,15 @@
-// How many LAMMPS steps make one coupled step.
+// How many LAMMPS steps make one coupled step, at the start and as bodies deform.
 #pragma once
+
+#include <mpi.h>
 
 #include <cstdint>
 #include <vector>
 
+#include "adapters/bodies/nodal_state.h"
 #include "adapters/scene/scene.h"
+#include "structure/body.h"
+#include "structure/lattice/current_step.h"
 
 namespace magfsi::lammps {
 
@@ -40,8 +45,36 @@ struct StepCount {
 
 // Without a coupled step in the scene (no fluid, no time.step) one coupled step is one
 // LAMMPS step. For equilibria a coupled step is a point of the path, with as many LAMMPS
-// steps as it takes (count is 0). Throws scene::SceneError-like std::invalid_argument
-// when coupling.substeps asks for fewer than are stable, naming both.
+// steps as it takes (count is 0). Throws std::invalid_argument when coupling.substeps
+// asks for fewer than are stable, naming both.
 Substeps choose_substeps(const scene::Scene& scene);
+
+// Keeps LAMMPS's steps below the limit of the bodies as they are deformed: where it
+// falls, a coupled step gets more of them.
+class StepGuard {
+  public:
+    // bodies: with the inertia that their nodes have. Only the root (comm's rank 0)
+    // holds their elements.
+    StepGuard(const std::vector<structure::Body>& bodies, const Substeps& substeps,
+              MPI_Comm comm);
+
+    // A check costs about as much as a LAMMPS step: one in this many coupled steps.
+    std::int64_t every() const { return every_; }
+
+    struct Result {
+        int factor = 1;  // more steps than now
+        double limit_s = 0;
+    };
+    // state: on the root. Collective. Throws coupler::Diverged where more than 16 times
+    // the steps of the start would be needed.
+    Result check(const bodies::NodalState& state, const Substeps& now) const;
+
+  private:
+    MPI_Comm comm_;
+    Substeps start_;
+    std::int64_t every_ = 1;
+    std::vector<structure::CurrentStep> elements_;
+    std::vector<std::size_t> first_node_;
+};
 
 }  // namespace magfsi::lammps

@@ -1,6 +1,5 @@
 #include "coupler/scheme/fluid_coupling.h"
 
-#include "coupler/immersed_boundary/kernel_choice.h"
 #include "coupler/participants/wait.h"
 #include "coupler/scheme/fixed_point.h"
 
@@ -14,8 +13,7 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
       boundary_(
           fluid,
           fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
-          to_kernel(options_.immersed_boundary.kernel),
-          session.clock().step_s()) {
+          options_.immersed_boundary.kernel, session.clock().step_s()) {
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     swap_text(session.world(), to_text(fluid.grid()), startup_timeout_s,
               "description of the grid");
@@ -23,7 +21,7 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
 
 void FluidCoupling::begin() {
     batch_ = &exchange_.receive(when_);
-    if (options_.scheme == scene::Scheme::parallel && session_.restart()) {
+    if (options_.scheme == Scheme::parallel && session_.restart()) {
         // The impulses of the step before the checkpoint are still to act.
         spread_impulses();
         sample_forced_velocities();
@@ -47,8 +45,8 @@ void FluidCoupling::spread_impulses() {
 void FluidCoupling::iterate_forcing() {
     for (int i = 1; i < options_.immersed_boundary.iterations; ++i) {
         const Occasion when(when_.step, i);
-        exchange_.send(when, boundary_.sample_forced(batch_->before_m,
-                                                     session_.plan().fluid_density_kg_m3));
+        exchange_.send(when, boundary_.sample_forced(
+                                 batch_->before_m, session_.plan().fluid_density_kg_m3));
         batch_ = &exchange_.receive(when);
         boundary_.spread(batch_->before_m, batch_->impulse, true);
     }
@@ -64,7 +62,8 @@ void FluidCoupling::sample_velocities() {
 }
 
 void FluidCoupling::sample_forced_velocities() {
-    sampled_ = boundary_.sample_forced(batch_->now_m, session_.plan().fluid_density_kg_m3);
+    sampled_ =
+        boundary_.sample_forced(batch_->now_m, session_.plan().fluid_density_kg_m3);
 }
 
 void FluidCoupling::send_velocities() {

@@ -53,7 +53,7 @@ class FluidCoupling {
 
     Session& session_;
     GridFluid& fluid_;
-    const scene::Coupling& options_;
+    const Coupling& options_;
     FluidExchange exchange_;
     FluidSide boundary_;
     std::unique_ptr<BalanceRecord> balance_;

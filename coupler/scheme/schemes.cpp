@@ -5,8 +5,6 @@
 
 namespace magfsi::coupler {
 
-using scene::Scheme;
-
 // Serial: the structure's step, under the fluid's velocity at t(n); then the fluid's,
 // under the impulses of the structure's step.
 void StructureCoupling::add_serial(TaskList& tasks) {

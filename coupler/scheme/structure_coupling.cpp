@@ -4,12 +4,7 @@
 
 #include <algorithm>
 
-#include "coupler/immersed_boundary/kernel_choice.h"
-
 namespace magfsi::coupler {
-
-using scene::SampledVelocity;
-using scene::Scheme;
 
 namespace {
 
@@ -72,15 +67,15 @@ PenaltyScale penalty_scale(const Session& session) {
 
 }  // namespace
 
-StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver,
-                                     Grid grid, BodyMarkers markers)
+StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
+                                     BodyMarkers markers)
     : session_(session),
       solver_(solver),
       grid_(std::move(grid)),
       options_(*session.plan().coupling),
       markers_(std::move(markers)),
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
-      exchange_(session.world(), grid_, to_kernel(options_.immersed_boundary.kernel),
+      exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
                 session.timeout_s()),
       slip_(std::move(markers_.areas)) {
     const std::size_t count = force_.markers().size();

@@ -126,7 +126,7 @@ class StructureCoupling {
     Session& session_;
     StructureSolver& solver_;
     Grid grid_;
-    const scene::Coupling& options_;
+    const Coupling& options_;
     BodyMarkers markers_;  // those of the force are its own
     PenaltyForce force_;
     std::unique_ptr<IteratedForcing> iterated_;

@@ -24,7 +24,7 @@ class StructureSolver {
         std::function<void(const double* velocity, double* force, double substep_s)>;
     virtual void attach_fluid_force(NodalForce force) = 0;
 
-    virtual void advance() = 0;             // one coupled step
+    virtual void advance() = 0;                              // one coupled step
     virtual void check_finite(std::int64_t step) const = 0;  // throws Diverged
 
     // For schemes that repeat a step: keep() notes the state between two steps, in

@@ -1,4 +1,4 @@
-#include "adapters/lammps/all_finite.h"
+#include "adapters/lammps/engine.h"
 
 #include <gtest/gtest.h>
 

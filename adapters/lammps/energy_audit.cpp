@@ -1,8 +1,9 @@
-#include "adapters/lammps/audit/energy_audit.h"
+#include "adapters/lammps/energy_audit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,8 @@
 
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/lammps/structure_run.h"
+#include "structure/lammps/names.h"
 
 namespace magfsi::lammps {
 
@@ -64,6 +67,38 @@ double lost(const EnergyTerms& terms) {
 }
 
 }  // namespace
+
+void attach_audit(const StructureRun& run) {
+    std::vector<std::string> moved;
+    for (std::size_t m = 0; m < run.input.motions.size(); ++m)
+        moved.push_back(structure::moved_group(m));
+    run.engine->attach_audit(run.input.drag_rate_1_s.value_or(0), moved);
+}
+
+EnergyTerms collect_terms(const StructureRun& run) {
+    const Engine& engine = *run.engine;
+    EnergyTerms terms;
+    for (const std::string& fix : run.fix_ids) {
+        terms.elastic += engine.fix_vector(fix, 1);
+        terms.work_field += engine.fix_vector(fix, 3);
+        terms.lost_viscosity += engine.fix_vector(fix, 5);
+    }
+    terms.of_moved = engine.fix_vector("audit", 1);
+    terms.lost_drag = engine.fix_vector("audit", 2);
+    if (run.scene.platform) {
+        terms.platform = engine.fix_scalar("platform");
+        terms.lost_friction = engine.fix_vector("platform", 8);
+    }
+    if (run.scene.contact) terms.contact = engine.compute_scalar("contact");
+    const auto* markers = run.coupling ? run.coupling->work() : nullptr;
+    if (!markers) return terms;
+    std::array<double, 2> works{markers->by_fluid_j(), markers->by_enclosed_j()};
+    MPI_Allreduce(MPI_IN_PLACE, works.data(), 2, MPI_DOUBLE, MPI_SUM,
+                  run.session.world().local());
+    terms.by_fluid = works[0];
+    terms.by_enclosed = works[1];
+    return terms;
+}
 
 EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
     : scene_(scene),

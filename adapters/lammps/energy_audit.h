@@ -1,5 +1,5 @@
 // The energy of all bodies and what became of it, since the start (docs/energy_audit.md).
-// Exists only with probes.energy_audit; knows no solver.
+// Exists only with probes.energy_audit.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "adapters/bodies/nodal_state.h"
-#include "coupler/output/summary.h"
 #include "adapters/scene/scene.h"
+#include "coupler/output/summary.h"
 
 namespace magfsi::lammps {
 
 using bodies::NodalState;
 using bodies::Vec3;
 
-// What the solvers tell at one time, of all bodies [J]. Sums are since the start.
+// What the solvers know at one time, of all bodies [J]. Sums are since the start.
 struct EnergyTerms {
     double elastic = 0, platform = 0, contact = 0;  // stored
     double work_field = 0;
@@ -25,6 +25,13 @@ struct EnergyTerms {
     double by_fluid = 0, by_enclosed = 0;  // work on the body at the markers
     double fluid_kinetic = 0;
 };
+
+struct StructureRun;
+// Puts the sums that the audit needs into LAMMPS's steps; after all commands of the
+// script.
+void attach_audit(const StructureRun& run);
+// All but the fluid's own. Collective.
+EnergyTerms collect_terms(const StructureRun& run);
 
 class EnergyAudit {
   public:

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include "adapters/bodies/probe_row.h"
-#include "adapters/lammps/audit/collect_terms.h"
 #include "adapters/lammps/structure_run.h"
+#include "adapters/scene/probe_columns.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
-#include "adapters/scene/probe_columns.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::lammps {
@@ -44,7 +43,7 @@ Probes::Probes(StructureRun& run)
         of_bodies_ =
             std::make_unique<bodies::ProbeRow>(run.scene, run.input.bodies, run.start);
     if (!run.session.world().leads()) return;
-    std::vector<std::string> columns = scene::body_columns(run.scene);
+    std::vector<std::string> columns = of_bodies_->columns();
     for (const auto& more :
          {scene::fluid_columns(run.scene), scene::interface_columns(run.scene),
           run.audit ? run.audit->columns() : std::vector<std::string>{}}) {
@@ -54,17 +53,15 @@ Probes::Probes(StructureRun& run)
 }
 
 std::vector<bodies::BodyLoads> Probes::collect_loads() const {
-    using bodies::ProbeRow;
     std::vector<bodies::BodyLoads> loads(run_.input.bodies.size());
-    if (run_.coupling &&
-        ProbeRow::wants(run_.scene, scene::BodyQuantity::fluid_force)) {
+    if (run_.coupling && needs(run_.scene, bodies::Load::fluid_force)) {
         const auto forces = run_.coupling->force_on_bodies();
         for (std::size_t b = 0; b < loads.size(); ++b) loads[b].fluid_force_n = forces[b];
     }
-    if (ProbeRow::wants(run_.scene, scene::BodyQuantity::energy)) {
+    if (needs(run_.scene, bodies::Load::energies)) {
         for (std::size_t b = 0; b < loads.size(); ++b) {
-            loads[b].energy_elastic_j = run_.engine.fix_vector(run_.fix_ids[b], 1);
-            loads[b].work_magnetic_j = run_.engine.fix_vector(run_.fix_ids[b], 3);
+            loads[b].energy_elastic_j = run_.engine->fix_vector(run_.fix_ids[b], 1);
+            loads[b].work_magnetic_j = run_.engine->fix_vector(run_.fix_ids[b], 3);
         }
     }
     return loads;
@@ -74,18 +71,18 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
 double Probes::add_partner_values(std::vector<double>& row) {
     const coupler::Session& session = run_.session;
     const std::size_t fluid_values = scene::fluid_columns(run_.scene).size();
-    const auto given = run_.balance ? run_.balance->collect(session.world().local())
-                                    : std::vector<double>{};
-    if (!session.world().root() || (fluid_values == 0 && !run_.balance)) return 0;
+    const auto given = run_.balance() ? run_.balance()->collect(session.world().local())
+                                      : std::vector<double>{};
+    if (!session.world().root() || (fluid_values == 0 && !run_.balance())) return 0;
     std::vector<double> numbers(fluid_values + given.size());
     coupler::receive_numbers(session.world(), session.clock().step(), numbers,
                              session.timeout_s());
     const std::span<const double> all(numbers);
     const auto of_fluid = all.first(fluid_values);
-    if (run_.heard) run_.heard(of_fluid);
+    if (run_.on_fluid_values) run_.on_fluid_values(of_fluid);
     row.insert(row.end(), of_fluid.begin(), of_fluid.end());
     const double last = fluid_values > 0 ? of_fluid.back() : 0;
-    if (!run_.balance) return last;
+    if (!run_.balance()) return last;
     const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
     row.push_back(mismatch.momentum);
     row.push_back(mismatch.power);
@@ -94,10 +91,8 @@ double Probes::add_partner_values(std::vector<double>& row) {
 
 // The fluid's kinetic energy comes last of its columns. Collective.
 void Probes::add_audit(double fluid_kinetic_j, std::vector<double>& row) {
-    const NodalState nodes = run_.engine.gather(run_.atoms);
-    EnergyTerms terms = collect_terms(run_.engine, run_.scene, run_.fix_ids,
-                                      run_.coupling ? run_.coupling->work() : nullptr,
-                                      run_.session.world().local());
+    const NodalState nodes = run_.engine->gather(run_.atoms);
+    EnergyTerms terms = collect_terms(run_);
     if (!run_.session.world().root()) return;
     if (run_.coupling) terms.fluid_kinetic = fluid_kinetic_j;
     const auto values = run_.audit->row(nodes, terms);
@@ -110,7 +105,7 @@ void Probes::write() {
     const NodalState nodes = run_.gather();
     const auto loads = collect_loads();
     const auto on_parts =
-        run_.coupling ? run_.coupling->force_on_parts() : std::vector<Vec3>{};
+        run_.coupling ? run_.coupling->force_on_parts() : std::vector<bodies::Vec3>{};
     std::vector<double> row;
     if (of_bodies_) row = of_bodies_->values(time_s, nodes, loads, on_parts);
     const double fluid_j = run_.coupling ? add_partner_values(row) : 0;

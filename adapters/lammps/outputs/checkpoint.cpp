@@ -9,7 +9,7 @@ extern const StructureOutput checkpoint_output{
         if (!run.scene.checkpoint) return nullptr;
         return std::make_unique<coupler::Checkpoints>(
             run.session,
-            [&run](coupler::StateWriter* file) { save_structure(run.state(), file); });
+            [&run](coupler::StateWriter* file) { save_structure(run, file); });
     }};
 
 }  // namespace magfsi::lammps
