@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "adapters/bodies/body_mesh.h"
+#include "structure/lammps/field_program.h"
 #include "structure/lattice/hexahedron.h"
 
 namespace magfsi::bodies {

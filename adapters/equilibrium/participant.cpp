@@ -4,7 +4,6 @@
 
 #include "coupler/participants/errors.h"
 #include "coupler/step/log_head.h"
-#include "adapters/scene/probe_columns.h"
 #include "coupler/step/progress_line.h"
 #include "coupler/step/report.h"
 

@@ -1,4 +1,5 @@
-// Names of the columns of probes.csv, in the order in which both sides deliver values.
+// Names of the columns of probes.csv beside those of the bodies (adapters/bodies/probe_row.h),
+// in the order in which their values are delivered.
 #pragma once
 
 #include <string>
@@ -8,8 +9,7 @@
 
 namespace magfsi::scene {
 
-std::vector<std::string> body_columns(const Scene& scene);   // structure side
-std::vector<std::string> fluid_columns(const Scene& scene);  // fluid side
+std::vector<std::string> fluid_columns(const Scene& scene);
 std::vector<std::string> interface_columns(const Scene& scene);
 
 }  // namespace magfsi::scene

@@ -18,39 +18,6 @@ Scene robot_in_water() {
     return scene;
 }
 
-TEST(ProbeColumns, of_a_body) {
-    using Q = BodyQuantity;
-    auto scene = robot_in_water();
-    scene.probes->bodies = {Q::com,         Q::speed, Q::shape, Q::max_displacement,
-                            Q::fluid_force, Q::energy};
-    EXPECT_EQ(
-        body_columns(scene),
-        (Names{"robot.com_x[m]", "robot.com_y[m]", "robot.com_z[m]", "robot.speed_x[m/s]",
-               "robot.speed_y[m/s]", "robot.speed_z[m/s]", "robot.end_to_end[m]",
-               "robot.mid_rise[m]", "robot.bend[rad]", "robot.max_displacement[m]",
-               "robot.fluid_force_x[N]", "robot.fluid_force_y[N]",
-               "robot.fluid_force_z[N]", "robot.energy_elastic[J]",
-               "robot.energy_kinetic[J]", "robot.work_magnetic[J]"}));
-}
-
-TEST(ProbeColumns, of_a_point_after_all_bodies) {
-    auto scene = robot_in_water();
-    scene.bodies.push_back(scene.bodies[0]);
-    scene.bodies[1].name = "twin";
-    scene.probes->bodies = {BodyQuantity::max_displacement};
-    scene.probes->points = {{"tip", "robot", {}}};
-    EXPECT_EQ(body_columns(scene),
-              (Names{"robot.max_displacement[m]", "twin.max_displacement[m]", "tip_x[m]",
-                     "tip_y[m]", "tip_z[m]", "tip_ux[m]", "tip_uy[m]", "tip_uz[m]"}));
-}
-
-TEST(ProbeColumns, the_field_comes_first_and_only_where_there_is_one) {
-    auto scene = robot_in_water();
-    scene.probes->bodies = {BodyQuantity::max_displacement};
-    scene.magnetic_field.emplace();
-    EXPECT_EQ(body_columns(scene), (Names{"field[T]", "robot.max_displacement[m]"}));
-}
-
 TEST(ProbeColumns, of_the_fluid) {
     using Q = FluidQuantity;
     auto scene = robot_in_water();
@@ -61,17 +28,11 @@ TEST(ProbeColumns, of_the_fluid) {
     EXPECT_EQ(fluid_columns(scene), (Names{"max_speed[m/s]", "mass[kg]"}));
 }
 
-TEST(ProbeColumns, of_integrals_on_the_side_that_they_are_of) {
+TEST(ProbeColumns, of_a_plane) {
     auto scene = robot_in_water();
-    scene.probes->bodies.clear();
     scene.probes->fluid.clear();
     scene.probes->integrals = {{"fin", BodyPart{"robot", {}}},
                                {"gate", FluidPlane{0, 1e-3}}};
-    EXPECT_EQ(
-        body_columns(scene),
-        (Names{"fin.ux[m]", "fin.uy[m]", "fin.uz[m]", "fin.momentum_x[kg m/s]",
-               "fin.momentum_y[kg m/s]", "fin.momentum_z[kg m/s]", "fin.fluid_force_x[N]",
-               "fin.fluid_force_y[N]", "fin.fluid_force_z[N]"}));
     EXPECT_EQ(
         fluid_columns(scene),
         (Names{"gate.flow[m3/s]", "gate.momentum_flux_x[N]", "gate.momentum_flux_y[N]",
@@ -100,7 +61,6 @@ TEST(ProbeColumns, none_without_probes) {
     auto scene = robot_in_water();
     scene.magnetic_field.emplace();
     scene.probes.reset();
-    EXPECT_TRUE(body_columns(scene).empty());
     EXPECT_TRUE(fluid_columns(scene).empty());
     EXPECT_TRUE(interface_columns(scene).empty());
 }
