@@ -23,7 +23,7 @@ BOUND = 1e-3
 STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 # The lists of effects, each with the folder beside it; of outputs, by the program that writes.
 STRUCTURE_LIST, FLUID_LIST = "structure/lammps/effects.inc", "fluid_lbm/effects.inc"
-OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/effects.inc", FLUID: "adapters/fluids/effects.inc"}
+OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/outputs.inc", FLUID: "adapters/fluids/effects.inc"}
 
 # Scenes with every effect but the one that is looked at, and settings that shorten them.
 TESTS = testing.ROOT / "tests"
@@ -50,7 +50,7 @@ def case(program, registry, name, absent, files=(), coupled=False):
     """files: beside the folder, what only the effect uses."""
     scene, short = COUPLED if coupled else SCENES[program]
     folder = registry.removesuffix(".inc")
-    return Case(program, scene, Removal(name, (f"{folder}/{name}/*", *files), registry),
+    return Case(program, scene, Removal(name, (f"{folder}/{name}/*", f"{folder}/{name}.*", *files), registry),
                 {**short, **absent}, coupled)
 
 
@@ -156,7 +156,7 @@ class Removed(unittest.TestCase):
 
     def test_every_line_of_the_lists_is_an_effect_here(self):
         for registry in (STRUCTURE_LIST, FLUID_LIST, *OUTPUT_LISTS.values()):
-            names = re.findall(r"^MAGFSI_EFFECT\((\w+)\)", (testing.ROOT / registry).read_text(), re.M)
+            names = re.findall(r"^MAGFSI_(?:EFFECT|OUTPUT)\((\w+)\)", (testing.ROOT / registry).read_text(), re.M)
             self.assertTrue(names, registry)
             for name in names:
                 registries = {case.removal.registry for case in EFFECTS.get(name, ())}
