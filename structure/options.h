@@ -1,6 +1,6 @@
 // What users choose of bodies and loads. SI. The scene file describes these types
-// themselves (adapters/scene/keys_bodies.cpp, keys_loads.cpp). The words of an
-// enumeration stand beside it, in its order.
+// themselves (adapters/scene/keys_bodies.cpp). The words of an enumeration stand beside
+// it, in its order.
 #pragma once
 
 #include <array>

@@ -9,7 +9,6 @@
 
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/scene/fault.h"
-#include "adapters/scene/suggestion.h"
 #include "structure/magnetics/magnetization.h"
 
 namespace magfsi::bodies {

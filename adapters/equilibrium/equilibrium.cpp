@@ -194,7 +194,7 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
     if (scene.probes) {
         probe_row_ = std::make_unique<bodies::ProbeRow>(scene, solids, start);
         probes_ = std::make_unique<output::ProbeFile>(session.out() / "probes.csv",
-                                                      scene::body_columns(scene));
+                                                      probe_row_->columns());
     }
     if (scene.output.structure)
         files_ = std::make_unique<bodies::StructureFiles>(solids, start, session.out());

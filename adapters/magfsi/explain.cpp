@@ -13,7 +13,7 @@
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 #include "structure/lattice/element_advice.h"
 
 namespace magfsi::launch {

@@ -8,7 +8,7 @@
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 #include "adapters/scene/reader.h"
 #include "adapters/scene/schema.h"
 #include "coupler/participants/errors.h"

@@ -10,7 +10,7 @@
 #include "adapters/lbm/explain.h"
 #include "adapters/magfsi/job.h"
 #include "adapters/openfoam/explain.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 
 namespace magfsi::launch {
 

@@ -9,7 +9,7 @@
 
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/job.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 
 namespace magfsi::launch {
 

@@ -11,7 +11,7 @@
 #include "adapters/magfsi/retries.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 #include "adapters/scene/reader.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/file.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "adapters/openfoam/stock_case.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 #include "coupler/output/file.h"
 
 namespace magfsi::openfoam {

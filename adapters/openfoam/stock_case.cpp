@@ -5,7 +5,7 @@
 #include "adapters/openfoam/case_files.h"
 #include "adapters/openfoam/inlet.h"
 #include "adapters/openfoam/scene_to_mesh.h"
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 
 namespace magfsi::openfoam {
 

@@ -1,17 +1,17 @@
+// Bodies: mesh, magnetisation, faces that are held or moved, where they start.
+#include "adapters/scene/checks.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <set>
 
-#include "adapters/scene/check_motion.h"
-#include "adapters/scene/checks.h"
 #include "adapters/scene/field.h"
-#include "adapters/scene/names.h"
-#include "adapters/scene/suggestion.h"
-#include "adapters/scene/unit.h"
+#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
@@ -191,7 +191,7 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
 
 void check_face(const Body& body, const std::string& face, std::string_view list,
                 const Origin& here) {
-    const std::vector<std::string> faces = words(names<Face>);
+    const std::vector<std::string> faces(names<Face>.begin(), names<Face>.end());
     if (std::holds_alternative<MeshFile>(body.mesh)) return;
     if (std::ranges::find(faces, face) == faces.end())
         refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
@@ -210,6 +210,40 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         check_magnetization(body, marks);
         check_initial(scene, body, marks);
         if (box) check_inside(scene, body, *box, marks);
+    }
+}
+
+namespace {
+
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+double largest_speed_m_s(const PrescribedMotion& motion) {
+    constexpr double pi = std::numbers::pi;
+    if (const auto* o = std::get_if<Oscillation>(&motion.course))
+        return 2 * pi * o->frequency_hz * length(o->amplitude_m);
+    const auto& ramp = std::get<DisplacementRamp>(motion.course);
+    return pi / 2 * length(ramp.displacement_m) / ramp.duration_s;
+}
+
+void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks) {
+    std::vector<std::string> held = body.clamps;
+    for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i) {
+        const Origin& here = marks.item({"bodies", body.name, "prescribed_motion"}, i);
+        if (scene.time.equilibrium)
+            refuse(here, "a prescribed motion on a path of equilibria",
+                   "it in runs over time", "leave time.equilibrium out, or the motion");
+        for (const std::string& face : body.prescribed_motion[i].faces) {
+            check_face(body, face, "prescribed_motion", here);
+            if (std::ranges::find(held, face) != held.end())
+                refuse(here,
+                       fmt::format("the moved face {} held besides", in_quotes(face)),
+                       "each face once in clamps or prescribed_motion");
+            held.push_back(face);
+        }
     }
 }
 

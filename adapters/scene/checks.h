@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "adapters/scene/document.h"
 #include "adapters/scene/scene.h"
@@ -41,5 +42,14 @@ void check_openfoam(const Scene& scene, const Marks& marks);
 void check_step(const Scene& scene, const Marks& marks);
 void check_outputs(const Scene& scene, const Marks& marks);
 void check_retry(const Scene& scene, const Marks& marks);
+
+double largest_speed_m_s(const PrescribedMotion& motion);
+
+// Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
+// what the face stands in.
+void check_face(const Body& body, const std::string& face, std::string_view list,
+                const Origin& here);
+
+void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks);
 
 }  // namespace magfsi::scene

@@ -1,16 +1,113 @@
+// Encoding, syntax, the tree from yaml-cpp's events, and --set.
 #include "adapters/scene/document.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <charconv>
 #include <map>
 #include <sstream>
 #include <utility>
 
-#include "adapters/scene/syntax.h"
-
 namespace magfsi::scene {
+
+namespace {
+
+// Bytes of the well-formed character at the start; 0: there is none.
+std::size_t character_length(std::string_view bytes) {
+    const auto byte = [&](std::size_t i) {
+        return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
+    };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    if (first < 0xC2 || first > 0xF4) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80) return 0;
+    }
+    const unsigned second = byte(1);
+    if (first == 0xE0 && second < 0xA0) return 0;
+    if (first == 0xED && second > 0x9F) return 0;
+    if (first == 0xF0 && second < 0x90) return 0;
+    if (first == 0xF4 && second > 0x8F) return 0;
+    return length;
+}
+
+}  // namespace
+
+std::size_t first_fault_in_utf8(std::string_view bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+        const std::size_t length = character_length(bytes.substr(at));
+        if (length == 0) return at;
+        at += length;
+    }
+    return std::string_view::npos;
+}
+
+namespace {
+
+Origin at(const YAML::Mark& mark, const Origin& whole) {
+    if (whole.line == 0 || mark.is_null()) return whole;
+    return {whole.source, mark.line + 1, mark.column + 1};
+}
+
+class DocumentCounter : public YAML::EventHandler {
+  public:
+    explicit DocumentCounter(const Origin& whole) : whole_(whole) {}
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (++documents_ == 2)
+            refuse(at(mark, whole_), "a second document", "one scene a file",
+                   "remove the line \"---\"");
+    }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  const std::string&) override {}
+    void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                         YAML::EmitterStyle::value) override {}
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                    YAML::EmitterStyle::value) override {}
+    void OnMapEnd() override {}
+
+  private:
+    Origin whole_;
+    int documents_ = 0;
+};
+
+void check_encoding(const std::string& text, const Origin& whole) {
+    const std::size_t fault = first_fault_in_utf8(text);
+    if (fault == std::string::npos) return;
+    const std::string_view before = std::string_view(text).substr(0, fault);
+    Origin where = whole;
+    if (whole.line != 0) {
+        where.line = 1 + static_cast<int>(std::ranges::count(before, '\n'));
+        where.column = static_cast<int>(fault - (before.rfind('\n') + 1)) + 1;
+    }
+    refuse(where,
+           fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[fault])),
+           "text in UTF-8");
+}
+
+}  // namespace
+
+void check_syntax(const std::string& text, const Origin& whole) {
+    check_encoding(text, whole);
+    DocumentCounter counter(whole);
+    try {
+        std::istringstream stream(text);
+        YAML::Parser parser(stream);
+        while (parser.HandleNextDocument(counter)) {
+        }
+    } catch (const YAML::Exception& error) {
+        refuse(at(error.mark, whole), fmt::format("no valid YAML ({})", error.msg),
+               "YAML: \"key: value\" with indentation by spaces");
+    }
+}
 
 namespace {
 
@@ -181,6 +278,86 @@ std::string describe(const Node& node) {
     return node.children.empty() ? "an empty map"
                                  : fmt::format("a map with the key {}",
                                                in_quotes(node.children.front().key));
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+namespace {
+
+Node& list_item(Node& list, const std::string& part, const Origin& origin) {
+    std::size_t index = 0;
+    const auto [end, error] =
+        std::from_chars(part.data(), part.data() + part.size(), index);
+    if (error != std::errc{} || end != part.data() + part.size() ||
+        index >= list.children.size())
+        refuse(origin, fmt::format("item {} of {}", in_quotes(part), describe(list)),
+               fmt::format("items 0 to {}", list.children.size() - 1));
+    return list.children[index];
+}
+
+// The child of that name, created if missing. What is not a container becomes a map: the
+// reader then judges whether a map may stand there.
+Node& descend(Node& node, const std::string& part, const Origin& origin) {
+    if (node.type == Node::Type::sequence && !node.children.empty())
+        return list_item(node, part, origin);
+    if (Node* child = node.find(part)) return *child;
+    if (node.type != Node::Type::map) {
+        node.type = Node::Type::map;
+        node.origin = origin;
+        node.scalar.clear();
+    }
+    Node child;
+    child.key = part;
+    child.key_origin = child.origin = origin;
+    node.children.push_back(std::move(child));
+    return node.children.back();
+}
+
+void remove(Node& root, const std::vector<std::string>& parts, const Origin& origin) {
+    Node* node = &root;
+    for (std::size_t i = 0; i + 1 < parts.size() && node; ++i)
+        node = node->find(parts[i]);
+    if (!node || !node->find(parts.back()))
+        refuse(origin, "no such key to remove", "keys that the scene has");
+    std::erase_if(node->children,
+                  [&](const Node& child) { return child.key == parts.back(); });
+}
+
+void apply(Node& root, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::string path = text.substr(0, equals);
+    const Origin origin{fmt::format("--set {}", path)};
+    const std::vector<std::string> parts = split(path, '.');
+    if (equals == std::string::npos)
+        refuse(origin, "no \"=\"", "--set path.to.key=value");
+    for (const std::string& part : parts) {
+        if (part.empty())
+            refuse(origin, "an empty name in the path", "--set path.to.key=value");
+    }
+    Node value = parse_document(text.substr(equals + 1), origin);
+    if (value.type == Node::Type::null) return remove(root, parts, origin);
+
+    Node* target = &root;
+    for (const std::string& part : parts) target = &descend(*target, part, origin);
+    value.key = target->key;
+    value.key_origin = target->key_origin;
+    *target = std::move(value);
+}
+
+}  // namespace
+
+void apply_overrides(Node& root, const std::vector<std::string>& overrides) {
+    for (const std::string& text : overrides) apply(root, text);
 }
 
 }  // namespace magfsi::scene

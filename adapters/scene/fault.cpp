@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace magfsi::scene {
 
 namespace {
@@ -39,6 +42,56 @@ std::string in_quotes(std::string_view text) {
     // Never through the middle of a UTF-8 sequence.
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;
     return fmt::format("\"{}...\"", text.substr(0, cut));
+}
+
+namespace {
+
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+// Twice the optimal string alignment distance, so that half an edit is an integer.
+int doubled_distance(std::string_view a, std::string_view b) {
+    const std::size_t width = b.size() + 1;
+    std::vector<int> d((a.size() + 1) * width);
+    const auto at = [&](std::size_t i, std::size_t j) -> int& {
+        return d[i * width + j];
+    };
+    for (std::size_t i = 0; i <= a.size(); ++i) at(i, 0) = 2 * static_cast<int>(i);
+    for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = 2 * static_cast<int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const char x = a[i - 1], y = b[j - 1];
+            const int change = x == y ? 0 : lower(x) == lower(y) ? 1 : 2;
+            at(i, j) =
+                std::min({at(i - 1, j) + 2, at(i, j - 1) + 2, at(i - 1, j - 1) + change});
+            if (i > 1 && j > 1 && x == b[j - 2] && a[i - 2] == y)
+                at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 2);
+        }
+    }
+    return d.back();
+}
+
+}  // namespace
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+    std::string best;
+    // One edit in short words, about one in three letters in long ones.
+    int allowed = 2 * std::max<int>(1, static_cast<int>(word.size()) / 3);
+    for (const std::string& candidate : candidates) {
+        const int distance = doubled_distance(word, candidate);
+        if (distance <= allowed && distance < 2 * static_cast<int>(candidate.size())) {
+            if (best.empty() || distance < allowed) best = candidate;
+            allowed = distance;
+        }
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view word,
+                         const std::vector<std::string>& candidates) {
+    const std::string near = nearest(word, candidates);
+    return near.empty() ? "" : fmt::format("did you mean \"{}\"?", near);
 }
 
 }  // namespace magfsi::scene

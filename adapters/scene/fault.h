@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "adapters/scene/reader.h"
 
@@ -34,5 +35,13 @@ class Complaint : public std::runtime_error {
 
 // User text in quotes, shortened and without line breaks.
 std::string in_quotes(std::string_view text);
+
+// The candidate with the smallest edit distance (insertions, deletions, substitutions and
+// swapped neighbours; a difference of case only counts half), or "" when none is near.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+// "did you mean X?", or "" when nothing is near.
+std::string did_you_mean(std::string_view word,
+                         const std::vector<std::string>& candidates);
 
 }  // namespace magfsi::scene

@@ -1,24 +1,43 @@
 #include "adapters/scene/field.h"
 
-#include <utility>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
 namespace {
 
-Field make(Kind kind, std::string_view name, std::string_view doc) {
-    Field field;
-    field.kind = kind;
-    field.name = name;
-    field.doc = doc;
-    return field;
+std::string one_value(const Field& field) {
+    const std::string limits = describe(field.range, field.unit);
+    const std::string tail = limits.empty() ? "" : ", " + limits;
+    switch (field.kind) {
+        case Kind::quantity:
+            return dimension_expectation(field.unit) + tail;
+        case Kind::integer:
+            return "a whole number" + tail;
+        case Kind::boolean:
+            return "true or false";
+        case Kind::text:
+            return "one line of text";
+        case Kind::identifier:
+            return "a name of letters, digits and _, a letter first";
+        case Kind::choice:
+            return "one of " + joined(field.choices);
+        default:
+            return "";
+    }
 }
 
-Field make(Kind kind, std::string_view name, std::string_view doc,
-           std::vector<Field> children) {
-    Field field = make(kind, name, doc);
-    field.children = std::move(children);
-    return field;
+std::string container(const Field& field) {
+    std::vector<std::string> keys;
+    for (const Field& child : field.children) keys.push_back(child.name);
+    if (field.kind == Kind::named) return "a map from names to maps with " + joined(keys);
+    if (field.kind == Kind::list) return "a list of maps with " + joined(keys);
+    return "a map with the keys " + joined(keys);
 }
 
 }  // namespace
@@ -30,127 +49,60 @@ const Field* Field::find(std::string_view key) const {
     return nullptr;
 }
 
-Field Field::optional() && {
-    presence = Presence::optional;
-    return std::move(*this);
-}
-
-Field Field::alternative() && {
-    presence = Presence::alternative;
-    return std::move(*this);
-}
-
-Field Field::chosen_by_accuracy() && {
-    presence = Presence::chosen_by_accuracy;
-    return std::move(*this);
-}
-
-Field Field::optional_alternative() && {
-    presence = Presence::optional_alternative;
-    return std::move(*this);
-}
-
-Field Field::or_default(std::string_view yaml) && {
-    presence = Presence::optional;
-    fallback = yaml;
-    return std::move(*this);
-}
-
-Field Field::above(double low) && {
-    range.low = low;
-    range.low_open = true;
-    return std::move(*this);
-}
-
-Field Field::at_least(double low) && {
-    range.low = low;
-    return std::move(*this);
-}
-
-Field Field::at_most(double high) && {
-    range.high = high;
-    return std::move(*this);
-}
-
-Field Field::vector(std::size_t size) && {
-    layout = Layout::vector;
-    length = count_min = count_max = size;
-    return std::move(*this);
-}
-
-Field Field::list(std::size_t at_least) && {
-    layout = Layout::list;
-    count_min = at_least;
-    return std::move(*this);
-}
-
-Field Field::one_or_list() && {
-    layout = Layout::one_or_list;
-    count_min = 1;
-    return std::move(*this);
-}
-
-Field Field::rows(std::size_t size, std::size_t least, std::size_t most) && {
-    layout = Layout::rows;
-    length = size;
-    count_min = least;
-    count_max = most;
-    return std::move(*this);
-}
-
-Field Field::carrying(Field map) && {
-    children.push_back(std::move(map));
-    return std::move(*this);
-}
-
-Field group(std::string_view name, std::string_view doc, std::vector<Field> children) {
-    return make(Kind::group, name, doc, std::move(children));
-}
-
-Field named(std::string_view name, std::string_view doc, std::vector<Field> children) {
-    return make(Kind::named, name, doc, std::move(children));
-}
-
-Field list_of(std::string_view name, std::string_view doc, std::vector<Field> children) {
-    return make(Kind::list, name, doc, std::move(children));
-}
-
-Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc) {
-    Field field = make(Kind::quantity, name, doc);
-    field.unit = si_unit;
+Field key(std::string_view name, std::string_view doc) {
+    Field field;
+    field.name = name;
+    field.doc = doc;
     return field;
 }
 
-Field number(std::string_view name, std::string_view doc) {
-    return make(Kind::quantity, name, doc);
-}
-
-Field integer(std::string_view name, std::string_view doc) {
-    return make(Kind::integer, name, doc);
-}
-
-Field boolean(std::string_view name, std::string_view doc) {
-    return make(Kind::boolean, name, doc);
-}
-
-Field text(std::string_view name, std::string_view doc) {
-    return make(Kind::text, name, doc);
-}
-
-Field identifier(std::string_view name, std::string_view doc) {
-    return make(Kind::identifier, name, doc);
-}
-
-Field one_of(std::string_view name, std::vector<std::string> choices,
-             std::string_view doc) {
-    Field field = make(Kind::choice, name, doc);
-    field.choices = std::move(choices);
+Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc) {
+    Field field = key(name, doc);
+    field.unit = si_unit;
     return field;
 }
 
 bool is_leaf(const Field& field) {
     return field.kind != Kind::group && field.kind != Kind::named &&
            field.kind != Kind::list;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string describe(const Range& range, std::string_view unit) {
+    std::string text;
+    if (std::isfinite(range.low))
+        text = fmt::format("{} {}", range.low_open ? "above" : "at least",
+                           format_si(range.low, unit));
+    if (std::isfinite(range.high))
+        text += fmt::format("{}at most {}", text.empty() ? "" : " and ",
+                            format_si(range.high, unit));
+    return text;
+}
+
+std::string expectation(const Field& field) {
+    if (!is_leaf(field)) return container(field);
+    const std::string value = one_value(field);
+    switch (field.layout) {
+        case Layout::vector:
+            return fmt::format("a list of {} values, each {}", field.length, value);
+        case Layout::list:
+            return field.count_min > 1
+                       ? fmt::format("a list of at least {} values, each {}",
+                                     field.count_min, value)
+                       : fmt::format("a list, each {}", value);
+        case Layout::one_or_list:
+            return fmt::format("{}, or a list of such", value);
+        case Layout::rows:
+            return fmt::format("a list of {}{} lists of {} values, each {}",
+                               field.count_min == field.count_max ? "" : "at least ",
+                               field.count_min, field.length, value);
+        case Layout::single:
+            break;
+    }
+    return value;
 }
 
 }  // namespace magfsi::scene

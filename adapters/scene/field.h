@@ -1,5 +1,6 @@
-// One key of the scene file: what may stand there, its unit, range, default and doc line.
-// The table made of these (fields.h) drives reading, errors, schema and reference page.
+// A key of the scene file as a table entry: what may stand there, its unit, range,
+// default and doc line. keys.h makes the table from the keys_*.cpp; reading, errors,
+// schema and reference page follow from it.
 #pragma once
 
 #include <limits>
@@ -7,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "adapters/scene/names.h"
+#include "adapters/scene/document.h"
 
 namespace magfsi::scene {
 
@@ -33,15 +34,8 @@ enum class Layout {
 };
 
 // alternative: exactly one of the alternatives of a group must be there;
-// optional_alternative: at most one; chosen_by_accuracy: required unless the scene has
-// the key accuracy.
-enum class Presence {
-    required,
-    optional,
-    alternative,
-    optional_alternative,
-    chosen_by_accuracy
-};
+// optional_alternative: at most one.
+enum class Presence { required, optional, alternative, optional_alternative };
 
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
@@ -53,66 +47,65 @@ struct Range {
 };
 
 struct Field {
+    static constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+
     std::string name;
-    Kind kind = Kind::group;
     std::string doc;
     std::string unit;  // SI
+    Kind kind = Kind::group;
     std::vector<std::string> choices;
     std::vector<Field> children;
 
     Layout layout = Layout::single;
     std::size_t length = 0;
-    std::size_t count_min = 0;
-    std::size_t count_max = std::numeric_limits<std::size_t>::max();
+    std::size_t count_min = 1, count_max = unbounded;
 
     Range range;
     Presence presence = Presence::required;
-    std::string fallback;  // YAML text of the default; "" when there is none
+    bool has_default = false;  // the value that the member has at first
+    std::string fallback;      // it, as YAML text
 
     const Field* find(std::string_view key) const;  // child
 
-    // Modifiers, for one readable line a key in the table.
-    Field optional() &&;
-    Field alternative() &&;
-    Field optional_alternative() &&;
-    Field chosen_by_accuracy() &&;
-    Field or_default(std::string_view yaml) &&;
-    Field above(double low) &&;
-    Field at_least(double low) &&;
-    Field at_most(double high) &&;
-    Field vector(std::size_t size) &&;
-    Field list(std::size_t at_least = 1) &&;
-    Field one_or_list() &&;
-    Field rows(std::size_t size, std::size_t least, std::size_t most) &&;
-    Field carrying(Field map) &&;  // a choice that may carry a map of keys
+    // What the member's type does not tell, for one readable line a key.
+    Field optional() && { return present(Presence::optional); }
+    Field alternative() && { return present(Presence::alternative); }
+    Field by_default() && {
+        has_default = true;
+        return present(Presence::optional);
+    }
+    Field above(double low) && { return limited({low, range.high, true}); }
+    Field at_least(double low) && { return limited({low, range.high, false}); }
+    Field at_most(double high) && { return limited({range.low, high, range.low_open}); }
+    Field one_or_list() && {
+        layout = Layout::one_or_list;
+        return std::move(*this);
+    }
+    Field rows(std::size_t least, std::size_t most) && {
+        count_min = least;
+        count_max = most;
+        return std::move(*this);
+    }
+    Field identifier() && {
+        kind = Kind::identifier;
+        return std::move(*this);
+    }
+
+  private:
+    Field present(Presence wanted) {
+        presence = wanted;
+        return std::move(*this);
+    }
+    Field limited(const Range& wanted) {
+        range = wanted;
+        return std::move(*this);
+    }
 };
 
-Field group(std::string_view name, std::string_view doc, std::vector<Field> children);
-Field named(std::string_view name, std::string_view doc, std::vector<Field> children);
-Field list_of(std::string_view name, std::string_view doc, std::vector<Field> children);
+// A key whose kind and layout follow from the member that it is stored in.
+Field key(std::string_view name, std::string_view doc);
+// A number with a unit.
 Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc);
-Field number(std::string_view name, std::string_view doc);
-Field integer(std::string_view name, std::string_view doc);
-Field boolean(std::string_view name, std::string_view doc);
-Field text(std::string_view name, std::string_view doc);
-Field identifier(std::string_view name, std::string_view doc);
-Field one_of(std::string_view name, std::vector<std::string> choices,
-             std::string_view doc);
-
-template <std::size_t N>
-std::vector<std::string> words(const std::array<std::string_view, N>& list) {
-    return {list.begin(), list.end()};
-}
-template <Named E>
-Field choice(std::string_view name, std::string_view doc) {
-    return one_of(name, words(names<E>), doc);
-}
-inline Field axis(std::string_view name, std::string_view doc) {
-    return one_of(name, words(axis_names), doc);
-}
-inline Field plane(std::string_view name, std::string_view doc) {
-    return one_of(name, words(plane_names), doc);
-}
 
 bool is_leaf(const Field& field);
 
@@ -122,5 +115,21 @@ std::string expectation(const Field& field);
 std::string describe(const Range& range, std::string_view unit);
 // "a, b, c"
 std::string joined(const std::vector<std::string>& words);
+
+// --- validate.cpp: a tree against the table, throwing SceneError at the node's place ---
+
+// Throws at the first unknown or missing key, wrong kind of node, value that cannot be
+// read or leaves its range, and at alternatives given twice or not at all; keys are
+// compared in the file's order.
+void validate(const Node& node, const Field& field);
+
+// The scalars of a leaf in order, whatever its layout; throws if the layout does not fit.
+std::vector<const Node*> scalars(const Node& node, const Field& field);
+
+double number_value(const Node& scalar, const Field& field);  // SI
+int integer_value(const Node& scalar, const Field& field);
+bool boolean_value(const Node& scalar, const Field& field);
+std::string text_value(const Node& scalar, const Field& field);  // text and identifier
+std::size_t choice_value(const Node& scalar, const Field& field);
 
 }  // namespace magfsi::scene

@@ -6,14 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "adapters/scene/accuracy.h"
 #include "adapters/scene/checks.h"
+#include "adapters/scene/document.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/fields.h"
-#include "adapters/scene/names.h"
-#include "adapters/scene/overrides.h"
-#include "adapters/scene/tree_reader.h"
-#include "adapters/scene/validate.h"
+#include "adapters/scene/keys.h"
 
 namespace magfsi::scene {
 
@@ -67,6 +63,26 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     if (scene.coupling) complete(*scene.coupling);
 }
 
+Node read_tree(const std::filesystem::path& file,
+               const std::vector<std::string>& overrides) {
+    const Origin start{file.string(), 1, 1};
+    Node root = parse_document(file_text(file), start);
+    if (root.type == Node::Type::null)
+        refuse(start, "an empty file", "a map with keys such as time and bodies");
+    apply_overrides(root, overrides);
+    return root;
+}
+
+// Checked key by key only.
+Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
+    validate(root, scene_fields());
+    Scene scene;
+    TreeReader reader(root, scene_fields());
+    keys(reader, scene);
+    complete(scene, folder);
+    return scene;
+}
+
 }  // namespace
 
 std::filesystem::path scene_file(const std::filesystem::path& path) {
@@ -78,34 +94,10 @@ std::filesystem::path scene_file(const std::filesystem::path& path) {
     return file;
 }
 
-Node read_tree(const std::filesystem::path& file,
-               const std::vector<std::string>& overrides) {
-    const Origin start{file.string(), 1, 1};
-    Node root = parse_document(file_text(file), start);
-    if (root.type == Node::Type::null)
-        refuse(start, "an empty file", "a map with keys such as time and bodies");
-    apply_overrides(root, overrides);
-    return root;
-}
-
-Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
-    validate(root, scene_fields());
-    Scene scene;
-    TreeReader reader(&root, scene_fields());
-    bind_keys(reader, scene);
-    complete(scene, folder);
-    return scene;
-}
-
 Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides) {
     const std::filesystem::path file = scene_file(path);
     const Node root = read_tree(file, overrides);
-    if (const Node* accuracy = root.find("accuracy")) {
-        refuse(
-            accuracy->key_origin, "accuracy, which this program cannot resolve",
-            "it with magfsi run, check and explain, which choose spacing and elements");
-    }
     Scene scene = unchecked_scene(root, file.parent_path());
     check_scene(scene, Marks(root));
     scene.hash = scene_hash(scene);

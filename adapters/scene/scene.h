@@ -19,7 +19,25 @@ namespace magfsi::scene {
 
 using Vec3 = std::array<double, 3>;
 
-// The word of a value.
+// The options that scene and solvers share.
+using namespace structure;
+using coupler::AccelerationMethod, coupler::ColumnFilter, coupler::Coupling;
+using coupler::ImmersedBoundary, coupler::InitialGuess, coupler::Iteration;
+using coupler::Kernel, coupler::Markers, coupler::OnNoConvergence,
+    coupler::SampledVelocity;
+using coupler::Scheme;
+using fluid::Block, fluid::Boundary, fluid::BoundaryKind, fluid::Collision;
+using fluid::Cylinder, fluid::Disc, fluid::InletProfile, fluid::Obstacle;
+using fluid::Precision, fluid::Rectangle, fluid::Sphere, fluid::StlSurface;
+
+// The words of an enumeration, in its order, and that of a value.
+template <class E>
+inline constexpr auto names = words_of(E{});
+
+inline constexpr std::array axis_names = std::to_array<std::string_view>({"x", "y", "z"});
+// A plane names its first and its second axis; angles run from the first to the second.
+inline constexpr std::array plane_names =
+    std::to_array<std::string_view>({"xy", "xz", "yz", "yx", "zx", "zy"});
 inline constexpr auto name_of = [](auto value) {
     return std::string_view(words_of(value)[static_cast<std::size_t>(value)]);
 };
@@ -54,27 +72,29 @@ constexpr auto words_of(Face) {
 
 struct Body {
     std::string name;
-    structure::MeshOptions mesh;
-    structure::ElementVariant element = structure::ElementVariant::full;
-    structure::Material material;
-    std::vector<structure::RegionMaterial> material_regions;
-    std::optional<structure::Magnetization> magnetization;
+    MeshOptions mesh;
+    ElementVariant element = ElementVariant::full;
+    Material material;
+    std::vector<RegionMaterial> material_regions;
+    std::optional<Magnetization> magnetization;
     std::vector<std::string> clamps;  // faces; of a block x_min to z_max
-    std::vector<structure::Roller> rollers;
-    std::vector<structure::PrescribedMotion> prescribed_motion;
-    structure::Placement initial;
+    std::vector<Roller> rollers;
+    std::vector<PrescribedMotion> prescribed_motion;
+    Placement initial;
 };
 
 // --- loads --------------------------------------------------------------------------
 
-struct MagneticField : structure::FieldProgram {
-    std::optional<structure::GradientInput> gradient;
+struct MagneticField : FieldProgram {
+    std::optional<GradientInput> gradient;
 };
 
 struct Gravity {
     double acceleration_m_s2 = 0;
     Vec3 direction{0, 0, -1};  // unit vector
 };
+
+using Damping = structure::Drag;
 
 // --- fluid --------------------------------------------------------------------------
 
@@ -96,6 +116,10 @@ struct TaylorGreen {
 };
 
 struct Fluid : fluid::Options {
+    Fluid() {
+        for (Boundary& side : boundaries) side.kind = BoundaryKind::no_slip;
+    }
+
     FluidSolver solver = FluidSolver::lbm;
     Vec3 box_m{};
     double spacing_m = 0;
@@ -161,7 +185,7 @@ struct StructureOutput {
 };
 struct FluidOutput {
     double every_s = 0;
-    std::vector<FluidField> fields;
+    std::vector<FluidField> fields{FluidField::velocity};
 };
 struct Output {
     std::optional<StructureOutput> structure;
@@ -184,17 +208,16 @@ struct Checkpoint {
 };
 
 struct Scene {
-    std::string name;
+    std::string name = "scene";
     Time time;
     std::vector<Body> bodies;  // by name, whatever their order in the file
     std::optional<MagneticField> magnetic_field;
     std::optional<Gravity> gravity;
-    std::optional<structure::Drag> damping;
-    std::optional<structure::Platform> platform;
-    std::optional<structure::ContactLaw> contact;
+    std::optional<Damping> damping;
+    std::optional<Platform> platform;
+    std::optional<ContactLaw> contact;
     std::optional<Fluid> fluid;
-    std::optional<coupler::Coupling>
-        coupling;  // always there with both bodies and a fluid
+    std::optional<Coupling> coupling;  // always there with both bodies and a fluid
     std::optional<Probes> probes;
     Output output;
     std::optional<Checkpoint> checkpoint;

@@ -1,6 +1,5 @@
 #include "coupler/scheme/fluid_coupling.h"
 
-#include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/world.h"
 #include "coupler/scheme/fixed_point.h"
 

@@ -23,7 +23,7 @@ BOUND = 1e-3
 STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 # The lists of effects, each with the folder beside it; of outputs, by the program that writes.
 STRUCTURE_LIST, FLUID_LIST = "structure/lammps/effects.inc", "fluid_lbm/effects.inc"
-OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/effects.inc", FLUID: "adapters/fluids/effects.inc"}
+OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/outputs.inc", FLUID: "adapters/fluids/effects.inc"}
 
 # Scenes with every effect but the one that is looked at, and settings that shorten them.
 TESTS = testing.ROOT / "tests"
@@ -158,7 +158,7 @@ class Removed(unittest.TestCase):
 
     def test_every_line_of_the_lists_is_an_effect_here(self):
         for registry in (STRUCTURE_LIST, FLUID_LIST, *OUTPUT_LISTS.values()):
-            names = re.findall(r"^MAGFSI_EFFECT\((\w+)\)", (testing.ROOT / registry).read_text(), re.M)
+            names = re.findall(r"^MAGFSI_(?:EFFECT|OUTPUT)\((\w+)\)", (testing.ROOT / registry).read_text(), re.M)
             self.assertTrue(names, registry)
             for name in names:
                 registries = {case.removal.registry for case in EFFECTS.get(name, ())}

@@ -1,7 +1,7 @@
 // --set changes exactly what it names, and its faults are reported under its own name.
 #include <gtest/gtest.h>
 
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 #include "adapters/scene/reader.h"
 #include "tests/unit/scene/scene_files.h"
 

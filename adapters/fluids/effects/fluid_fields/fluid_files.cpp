@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "adapters/scene/names.h"
+#include "adapters/scene/keys.h"
 
 namespace magfsi::fluids {
 

@@ -1,12 +1,12 @@
-// A quantity is its number times its unit, in SI, to the last bit; all else is refused.
+// Numbers with units, near words, and the bytes of a file.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "adapters/scene/document.h"
 #include "adapters/scene/fault.h"
 #include "adapters/scene/quantity.h"
-#include "adapters/scene/unit.h"
 
 namespace magfsi::scene {
 namespace {
@@ -136,6 +136,48 @@ TEST(Format, picks_the_handy_prefix) {
     EXPECT_EQ(format_si(1860, "kg/m3"), "1860 kg/m3");
     EXPECT_EQ(format_si(1e-12, "s"), "0.001 ns");
     EXPECT_EQ(format_si(0.5, ""), "0.5");
+}
+
+// Near names are found; far ones are not forced upon anyone.
+
+const std::vector<std::string> keys = {"spacing", "density", "viscosity",
+                                       "box",     "m",       "mT"};
+
+TEST(Suggestion, finds_a_letter_missing_added_changed_or_swapped) {
+    EXPECT_EQ(nearest("spacin", keys), "spacing");
+    EXPECT_EQ(nearest("denssity", keys), "density");
+    EXPECT_EQ(nearest("viscozity", keys), "viscosity");
+    EXPECT_EQ(nearest("bxo", keys), "box");
+}
+
+TEST(Suggestion, prefers_a_difference_of_case) {
+    EXPECT_EQ(nearest("MT", keys), "mT");
+    EXPECT_EQ(nearest("Density", keys), "density");
+}
+
+TEST(Suggestion, is_silent_when_nothing_is_near) {
+    EXPECT_EQ(nearest("turbulence", keys), "");
+    EXPECT_EQ(nearest("", keys), "");
+    EXPECT_EQ(nearest("q", keys), "");
+    EXPECT_EQ(did_you_mean("turbulence", keys), "");
+    EXPECT_EQ(did_you_mean("spacin", keys), "did you mean \"spacing\"?");
+}
+
+// Scene files are UTF-8; what is not is refused with its place.
+
+TEST(Utf8, takes_every_length) {
+    for (const char* text :
+         {"", "plain", "\x7F", "\xC2\x80", "\xE2\x82\xAC", "\xED\x9F\xBF", "\xEE\x80\x80",
+          "\xF0\x9F\xA4\x96", "\xF4\x8F\xBF\xBF"})
+        EXPECT_EQ(first_fault_in_utf8(text), std::string_view::npos) << text;
+}
+
+TEST(Utf8, finds_the_first_fault) {
+    // A lone continuation, long forms, a surrogate, beyond the last character, cut short.
+    for (const char* fault :
+         {"\x80", "\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xED\xA0\x80",
+          "\xF0\x80\x80\x80", "\xF4\x90\x80\x80", "\xF5", "\xFF", "\xE2\x82", "\xC2"})
+        EXPECT_EQ(first_fault_in_utf8("\xC2\xB5m " + std::string(fault)), 4u);
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+// The keys of scene.h itself.
+#include "adapters/scene/keys.h"
+
+// The nesting below is that of the file.
+// clang-format off
+
+namespace magfsi::scene {
+
+template <class Io>
+void keys(Io& io, Equilibrium& equilibrium) {
+    io(key("method", "newton: Newton's method on the sparse tangent; dynamics: damped motion "
+           "in LAMMPS, also with contact.").by_default(),
+       equilibrium.method);
+    io(key("tolerance", "Largest nodal force over the largest nodal load.").above(0)
+           .at_most(0.01).by_default(),
+       equilibrium.tolerance);
+}
+
+template <class Io>
+void keys(Io& io, Time& time) {
+    io(quantity("end", "s", "End of the run; it starts at 0.").above(0), time.end_s);
+    io(quantity("step", "s", "Coupled step; without it, from the fluid's lattice speed, or "
+                "without a fluid from the bodies' stable step.").above(0),
+       time.step_s);
+    io(key("equilibrium", "No motion: time is the parameter of a path of loads, and each "
+           "probe row an equilibrium on it."), time.equilibrium);
+}
+
+template <class Io>
+void keys(Io& io, Gravity& gravity) {
+    io(quantity("acceleration", "m/s2", "Strength.").at_least(0), gravity.acceleration_m_s2);
+    io(key("direction", "Where it pulls; any length.").by_default(), gravity.direction);
+}
+
+template <class Io>
+void keys(Io& io, Damping& damping) {
+    io(quantity("rate", "1/s", "Force = -rate * mass * velocity.").at_least(0),
+       damping.rate_1_s);
+}
+
+template <class Io>
+void keys(Io& io, PointProbe& point) {
+    io(key("body", "Name of the body.").identifier(), point.body);
+    io(quantity("at", "m", "Place in the undeformed body, in its frame."), point.at_m);
+}
+
+template <class Io>
+void keys(Io& io, FluidPlane& plane) {
+    io(key("axis", "Its normal; flow along it is positive."), AxisRef{plane.axis});
+    io(quantity("at", "m", "Where it cuts the axis."), plane.at_m);
+}
+
+template <class Io>
+void keys(Io& io, BodyPart& part) {
+    io(key("body", "Name of the body.").identifier(), part.body);
+    io(quantity("box", "m", "Lower and upper corner, in the body's frame: elements whose "
+                "centre lies there; without it, the whole body."), part.box_m);
+}
+
+template <class Io>
+void keys(Io& io, IntegralProbe& integral) {
+    io.alternatives(integral.over,
+        key("plane", "Across the box, outside obstacles: volume flow, flux of momentum (of "
+            "density times velocity), mean gauge pressure."),
+        key("part", "Mean displacement by mass, momentum and, in a fluid, the fluid's force "
+            "on it."));
+}
+
+template <class Io>
+void keys(Io& io, Probes& probes) {
+    io(quantity("every", "s", "Time between rows.").above(0), probes.every_s);
+    io(key("bodies", "Columns for each body.").optional(), probes.bodies);
+    io(key("points", "Material points by name: position and displacement.").optional(),
+       probes.points);
+    io(key("integrals", "Integrals by name, over a plane of the fluid or a part of a body.")
+           .optional(), probes.integrals);
+    io(key("fluid", "Columns for the fluid.").optional(), probes.fluid);
+    io(key("interface_balance", "Momentum and power given and received, in columns.")
+           .by_default(), probes.interface_balance);
+    io(key("energy_audit", "Energies, works and losses of all bodies and what the fluid has "
+           "of them, in columns, with the residual.").by_default(), probes.energy_audit);
+}
+
+template <class Io>
+void keys(Io& io, StructureOutput& output) {
+    io(quantity("every", "s", "Time between files.").above(0), output.every_s);
+}
+
+template <class Io>
+void keys(Io& io, FluidOutput& output) {
+    io(quantity("every", "s", "Time between files.").above(0), output.every_s);
+    io(key("fields", "What is written.").by_default(), output.fields);
+}
+
+template <class Io>
+void keys(Io& io, Output& output) {
+    io(key("structure", "Bodies: structure.pvd."), output.structure);
+    io(key("fluid", "Fluid: fluid.pvd."), output.fluid);
+}
+
+template <class Io>
+void keys(Io& io, Checkpoint& checkpoint) {
+    io(quantity("every", "s", "Time between states; the two newest are kept.").above(0),
+       checkpoint.every_s);
+    io(key("on_divergence", "What magfsi run does when the run diverges: end, or go back to "
+           "the last state kept and on from there with half of every step (the "
+           "lattice-Boltzmann fluid, and bodies alone or in the serial scheme).").by_default(),
+       checkpoint.on_divergence);
+    io(key("max_retries", "In a run.").at_least(1).at_most(8).by_default(),
+       checkpoint.max_retries);
+}
+
+template <class Io>
+void keys(Io& io, Scene& scene) {
+    io(key("name", "Name of the scene, in the summary and the log.").by_default(), scene.name);
+    io(key("time", "Length of the run and its step."), scene.time);
+    io(key("bodies", "Soft magnetic bodies by name.").optional(), scene.bodies);
+    io(key("magnetic_field", "Uniform applied field over time."), scene.magnetic_field);
+    io(key("gravity", "Weight of the bodies; in a fluid, less their buoyancy."), scene.gravity);
+    io(key("damping", "Drag on every node of the bodies."), scene.damping);
+    io(key("platform", "Plane that bodies cannot pass and may leave freely."), scene.platform);
+    io(key("contact", "Between the surfaces of bodies, and of a body with itself."),
+       scene.contact);
+    io(key("fluid", "Viscous fluid in a box with its lowest corner at the origin."),
+       scene.fluid);
+    io(key("coupling", "How bodies and fluid meet; all keys have defaults."), scene.coupling);
+    io(key("probes", "Time series in probes.csv."), scene.probes);
+    io(key("output", "Fields for ParaView.").optional(), scene.output);
+    io(key("checkpoint", "Keeps the state, so that the run can go on from there (--restart)."),
+       scene.checkpoint);
+}
+
+MAGFSI_KEYS_OF(Scene)
+// clang-format on
+
+std::string yaml_text(double value, const std::string& unit) {
+    const bool angle = unit == "rad";
+    std::string text = fmt::format("{}", angle ? value * 180 / std::numbers::pi : value);
+    const std::size_t zero = text.find("e-0");  // 1e-06 is 1e-6
+    if (zero != std::string::npos) text.erase(zero + 2, 1);
+    return unit.empty() ? text : fmt::format("{} {}", text, angle ? "deg" : unit);
+}
+
+const Field& scene_fields() {
+    static const Field fields = [] {
+        Field whole = key("", "A scene: what is there, and for how long.");
+        Scene scene;
+        Describer describer(whole);
+        keys(describer, scene);
+        return whole;
+    }();
+    return fields;
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,270 @@
+// The keys of the scene file, each said once. keys_*.cpp have one function a type of
+// options: keys(io, value) names every key with its unit, range and meaning, and the
+// member that it is stored in. Three visitors make the table of all keys from
+// it (describer.h), read a validated tree (TreeReader) and write a scene's values
+// (JsonWriter). A key's kind and layout follow from the type of its member, and so does
+// its default.
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "adapters/scene/describer.h"
+
+namespace magfsi::scene {
+
+// The whole scene as a group without a name.
+const Field& scene_fields();
+
+// --- reading ------------------------------------------------------------------------
+
+// A place in a validated tree with its entry of the table. An absent key leaves its
+// member as it is.
+class TreeReader {
+  public:
+    TreeReader(const Node& node, const Field& field) : node_(&node), field_(&field) {}
+
+    template <class T>
+    void operator()(const Field& key, T&& value) {
+        if (const Node* node = node_->find(key.name))
+            TreeReader(*node, *field_->find(key.name)).read(value);
+    }
+
+    template <class Body>
+    void group(const Field& key, bool, const Body& body) {
+        const Node* node = node_->find(key.name);
+        if (!node) return;
+        TreeReader inner(*node, *field_->find(key.name));
+        body(inner);
+    }
+
+    template <class... T, class... Keys>
+    void alternatives(std::variant<T...>& value, const Keys&... keys) {
+        (alternative<T>(value, keys), ...);
+    }
+    template <class... T, class... Keys>
+    void alternatives(std::optional<std::variant<T...>>& value, const Keys&... keys) {
+        (alternative<T>(value, keys), ...);
+    }
+
+    template <Named E>
+    void word(E& value) {
+        if (node_->type == Node::Type::scalar) read(value);
+    }
+    template <Named E, class Body>
+    void word_with_map(E& value, E word, std::string_view, bool, const Body& body) {
+        const Node* map = node_->find(name_of(word));
+        if (!map) return;
+        value = word;
+        TreeReader inner(*map, *field_->find(map->key));
+        body(inner);
+    }
+
+    template <class T>
+    void whole(T&& value) {
+        read(value);
+    }
+
+  private:
+    template <class T, class Variant>
+    void alternative(Variant& value, const Field& key) {
+        if (!node_->find(key.name)) return;
+        T chosen{};
+        (*this)(key, chosen);
+        value = std::move(chosen);
+    }
+
+    void read(double& value) { value = number_value(*node_, *field_); }
+    void read(int& value) { value = integer_value(*node_, *field_); }
+    void read(bool& value) { value = boolean_value(*node_, *field_); }
+    void read(std::string& value) { value = text_value(*node_, *field_); }
+    template <Named E>
+    void read(E& value) {
+        value = static_cast<E>(choice_value(*node_, *field_));
+    }
+    void read(AxisRef& value) {
+        value.axis = static_cast<int>(choice_value(*node_, *field_));
+    }
+    void read(PlaneRef& value) {
+        const std::string_view plane = plane_names[choice_value(*node_, *field_)];
+        value.axes = {plane[0] - 'x', plane[1] - 'x'};
+    }
+
+    template <class T>
+    void read_each(T first) {
+        for (const Node* scalar : scalars(*node_, *field_))
+            TreeReader(*scalar, *field_).read(*first++);
+    }
+    template <class T, std::size_t N>
+    void read(std::array<T, N>& value) {
+        read_each(value.begin());
+    }
+    // Rows of vectors.
+    template <std::size_t N>
+    void read(std::vector<std::array<double, N>>& value) {
+        value.resize(scalars(*node_, *field_).size() / N);
+        read_each(value.front().begin());
+    }
+    template <std::size_t N, std::size_t M>
+    void read(std::array<std::array<double, N>, M>& value) {
+        read_each(value.front().begin());
+    }
+    template <class T>
+    void read(std::optional<T>& value) {
+        T inner{};
+        read(inner);
+        value = std::move(inner);
+    }
+    template <class T>
+    void read(std::vector<T>& value) {
+        value.clear();
+        if (is_leaf(*field_)) {
+            value.resize(scalars(*node_, *field_).size());
+            read_each(value.begin());
+            return;
+        }
+        for (const Node& child : node_->children) {
+            T item{};
+            TreeReader(child, *field_).read(item);
+            if constexpr (HasName<T>) item.name = child.key;
+            value.push_back(std::move(item));
+        }
+        // Names have no order in YAML: theirs here is that of the alphabet.
+        if constexpr (HasName<T>) std::ranges::sort(value, {}, &T::name);
+    }
+    template <class T>
+    void read(T& value) {
+        keys(*this, value);
+    }
+
+    const Node* node_;
+    const Field* field_;
+};
+
+// --- writing ------------------------------------------------------------------------
+
+// Values in SI under the scene file's keys; what is absent has no key.
+class JsonWriter {
+  public:
+    nlohmann::ordered_json take() { return std::move(json_); }
+
+    template <class T>
+    void operator()(const Field& key, T&& value) {
+        if constexpr (std::is_arithmetic_v<std::decay_t<T>>) {
+            if (key.presence == Presence::optional && !key.has_default && value == 0)
+                return;
+        }
+        JsonWriter inner;
+        inner.write(value);
+        add(key.name, std::move(inner));
+    }
+
+    template <class Body>
+    void group(const Field& key, bool there, const Body& body) {
+        if (!there) return;
+        JsonWriter inner;
+        body(inner);
+        add(key.name, std::move(inner));
+    }
+
+    template <class... T, class... Keys>
+    void alternatives(std::variant<T...>& value, const Keys&... keys) {
+        const Field* list[] = {&keys...};
+        std::visit([&](auto& chosen) { (*this)(*list[value.index()], chosen); }, value);
+    }
+    template <class... T, class... Keys>
+    void alternatives(std::optional<std::variant<T...>>& value, const Keys&... keys) {
+        if (value) alternatives(*value, keys...);
+    }
+
+    template <Named E>
+    void word(E& value) {
+        write(value);
+    }
+    template <Named E, class Body>
+    void word_with_map(E& value, E word, std::string_view, bool there, const Body& body) {
+        if (value != word || !there) return;
+        json_ = nullptr;
+        group(key(name_of(word), ""), true, body);
+    }
+
+    template <class T>
+    void whole(T&& value) {
+        write(value);
+    }
+
+  private:
+    void add(const std::string& name, JsonWriter inner) {
+        if (!inner.json_.is_null()) json_[name] = std::move(inner.json_);
+    }
+
+    void write(double& value) { json_ = value; }
+    void write(int& value) { json_ = value; }
+    void write(bool& value) { json_ = value; }
+    void write(std::string& value) { json_ = value; }
+    template <Named E>
+    void write(E& value) {
+        json_ = name_of(value);
+    }
+    void write(AxisRef& value) { json_ = yaml_text(value, ""); }
+    void write(PlaneRef& value) { json_ = yaml_text(value, ""); }
+    template <class T>
+    void write(std::optional<T>& value) {
+        if (value) write(*value);
+    }
+    template <class List>
+    void write_list(List& list) {
+        json_ = nlohmann::ordered_json::array();
+        for (auto& item : list) {
+            JsonWriter inner;
+            inner.write(item);
+            json_.push_back(std::move(inner.json_));
+        }
+    }
+    template <class T, std::size_t N>
+    void write(std::array<T, N>& value) {
+        write_list(value);
+    }
+    template <class T>
+    void write(std::vector<T>& value) {
+        if constexpr (HasName<T>) {
+            for (T& item : value) (*this)(key(item.name, ""), item);
+        } else if (!value.empty()) {
+            write_list(value);
+        }
+    }
+    template <class T>
+    void write(T& value) {
+        keys(*this, value);
+    }
+
+    nlohmann::ordered_json json_;
+};
+
+// --- the keys of each part, a source file each --------------------------------------
+
+template <class Io>
+void keys(Io& io, Scene& scene);  // keys.cpp
+template <class Io>
+void keys(Io& io, Body& body);  // keys_bodies.cpp
+template <class Io>
+void keys(Io& io, MagneticField& field);
+template <class Io>
+void keys(Io& io, Platform& platform);
+template <class Io>
+void keys(Io& io, ContactLaw& contact);
+template <class Io>
+void keys(Io& io, Fluid& fluid);  // keys_fluid.cpp
+template <class Io>
+void keys(Io& io, Coupling& coupling);  // keys_coupling.cpp
+
+#define MAGFSI_KEYS_OF(Type)                   \
+    template void keys(Describer& io, Type&);  \
+    template void keys(TreeReader& io, Type&); \
+    template void keys(JsonWriter& io, Type&);
+
+}  // namespace magfsi::scene

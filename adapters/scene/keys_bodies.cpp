@@ -1,0 +1,269 @@
+// The keys of structure/options.h: bodies, the magnetic field, what bodies touch.
+#include "adapters/scene/keys.h"
+
+// The nesting below is that of the file.
+// clang-format off
+
+namespace magfsi::scene {
+
+template <class Io>
+void keys(Io& io, Box& box) {
+    io(quantity("size", "m", "Length along x, y and z.").above(0), box.size_m);
+    io(key("elements", "Elements along x, y and z.").at_least(1).at_most(100000),
+       box.elements);
+}
+
+template <class Io>
+void keys(Io& io, ObliquePlate& plate) {
+    io(key("cells", "Cells along x and y.").at_least(1).at_most(10000), plate.cells);
+    io(quantity("length_a", "m", "A cell's side along x.").above(0), plate.length_a_m);
+    io(quantity("length_b", "m", "Its side at the angle.").above(0), plate.length_b_m);
+    io(quantity("angle", "rad", "Between the two.").above(0).at_most(3.14159),
+       plate.angle_rad);
+    io(quantity("thickness", "m", "Of the plate.").above(0), plate.thickness_m);
+    io(key("elements", "In a cell: along a, along b, layers.").at_least(1).at_most(100000),
+       plate.elements_per_cell);
+    io(key("zigzag", "Rows lean right and left in turn, as in Miura-ori; else all alike.")
+           .by_default(), plate.zigzag);
+}
+
+template <class Io>
+void keys(Io& io, MeshFile& mesh) {
+    io(key("file", "A .msh file; its path counts from the scene's folder."), mesh.file);
+    io(quantity("unit", "m", "Length of the file's unit.").above(0).by_default(),
+       mesh.unit_m);
+}
+
+template <class Io>
+void keys(Io& io, Material& material) {
+    io(quantity("shear_modulus", "Pa", "G.").above(0), material.shear_modulus_pa);
+    io(quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.").at_least(0),
+       material.lame_lambda_pa);
+    io(quantity("density", "kg/m3", "Mass by volume.").above(0), material.density_kg_m3);
+    io(quantity("viscosity", "Pa s", "Kelvin-Voigt damping: viscous stress over rate of "
+                "strain is twice this.").above(0).optional(),
+       material.viscosity_pa_s);
+}
+
+template <class Io>
+void keys(Io& io, RegionMaterial& region) {
+    io(key("region", "One name, or a list.").one_or_list(), region.regions);
+    keys(io, region.material);
+}
+
+template <class Io>
+void keys(Io& io, UniformMagnetization& uniform) {
+    io.whole(uniform.vector_a_m);
+}
+
+template <class Io>
+void keys(Io& io, HarmonicMagnetization& wave) {
+    io(quantity("amplitude", "A/m", "Strength.").above(0), wave.amplitude_a_m);
+    io(quantity("wavelength", "m", "Length of one turn; without it, the body's length along "
+                "`along`.").above(0).optional(),
+       wave.wavelength_m);
+    io(quantity("phase", "rad", "Angle at s = 0.").by_default(), wave.phase_rad);
+    io(key("along", "Axis of s.").by_default(), AxisRef{wave.along});
+    io(key("into", "Second axis of the magnetization's plane.").by_default(),
+       AxisRef{wave.into});
+}
+
+template <class Io>
+void keys(Io& io, MagneticDomain& domain) {
+    io(quantity("box", "m", "Lower and upper corner, in the body's frame.").alternative(),
+       domain.box_m);
+    io(quantity("polygon", "m", "Corners in the x-y plane, in the body's frame.")
+           .rows(3, 10000).alternative(),
+       domain.polygon_xy_m);
+    io(quantity("vector", "A/m", "Magnetization vector."), domain.vector_a_m);
+}
+
+template <class Io>
+void keys(Io& io, DomainMagnetization& magnetization) {
+    io.whole(magnetization.domains);
+}
+
+template <class Io>
+void keys(Io& io, RegionVector& region) {
+    io(key("region", "One name, or a list.").one_or_list(), region.regions);
+    io(quantity("vector", "A/m", "Magnetization vector."), region.vector_a_m);
+}
+
+template <class Io>
+void keys(Io& io, RegionMagnetization& magnetization) {
+    io.whole(magnetization.regions);
+}
+
+template <class Io>
+void keys(Io& io, TableMagnetization& table) {
+    io(key("file", "CSV with the columns x[m], y[m], z[m], Mx[A/m], My[A/m], Mz[A/m]; its "
+           "path counts from the scene's folder."), table.file);
+}
+
+template <class Io>
+void keys(Io& io, Magnetization& magnetization) {
+    io.alternatives(magnetization,
+        quantity("uniform", "A/m", "Magnetization vector."),
+        key("harmonic", "amplitude [cos(2 pi s / wavelength + phase) along + sin(...) into], "
+            "s from the lower end."),
+        key("domains", "Elements whose centre lies in a domain carry its vector; the first "
+            "domain wins."),
+        key("regions", "By the mesh's regions; one that is not named carries none."),
+        key("table", "Each element takes the vector of the nearest point."));
+}
+
+template <class Io>
+void keys(Io& io, Roller& roller) {
+    io(key("face", "As in `clamps`; one name, or a list.").one_or_list(), roller.faces);
+    io(key("axis", "Of space, not of a turned body."), AxisRef{roller.axis});
+}
+
+template <class Io>
+void keys(Io& io, Oscillation& oscillation) {
+    io(quantity("amplitude", "m", "Along x, y and z."), oscillation.amplitude_m);
+    io(quantity("frequency", "1/s", "Periods per second.").above(0),
+       oscillation.frequency_hz);
+    io(quantity("phase", "rad", "0: at full speed at once, to both sides of the start; "
+                "-90 deg: from rest, to one side.").by_default(),
+       oscillation.phase_rad);
+}
+
+template <class Io>
+void keys(Io& io, DisplacementRamp& ramp) {
+    io(quantity("displacement", "m", "Along x, y and z."), ramp.displacement_m);
+    io(quantity("duration", "s", "Of the displacement.").above(0), ramp.duration_s);
+}
+
+template <class Io>
+void keys(Io& io, PrescribedMotion& motion) {
+    io(key("face", "As in `clamps`; one name, or a list.").one_or_list(), motion.faces);
+    io.alternatives(motion.course,
+        key("oscillation", "amplitude (sin(2 pi frequency t + phase) - sin(phase))."),
+        key("ramp", "By (1 - cos(pi t / duration)) / 2, then held there."));
+}
+
+template <class Io>
+void keys(Io& io, PlaneRotation& rotation) {
+    io(key("plane", "The angle runs from its first axis to its second.").by_default(),
+       PlaneRef{rotation.plane});
+    io(quantity("angle", "rad", "How far."), rotation.angle_rad);
+}
+
+template <class Io>
+void keys(Io& io, ConstantField& field) {
+    io(quantity("magnitude", "T", "Flux density; a negative one points backwards."),
+       field.magnitude_t);
+    io(quantity("direction", "rad", "Angle in the plane of `magnetic_field`."),
+       field.direction_rad);
+}
+
+template <class Io>
+void keys(Io& io, Placement& initial) {
+    io(quantity("position", "m", "Where the centre of volume goes; needed in a fluid."),
+       initial.position_m);
+    io(key("rotation", "Turn about the centre of volume."), initial.rotation);
+    io(key("relaxed", "Start from the shape at rest in this constant field, without fluid and "
+           "gravity, before the rotation."), initial.relaxed);
+}
+
+template <class Io>
+void keys(Io& io, Body& body) {
+    io.group(key("mesh", "Hexahedra; the frame's origin is the lowest corner."), true,
+             [&](auto& mesh) {
+        mesh.alternatives(body.mesh,
+            key("box", "A block."),
+            key("oblique", "A plate of parallelogram cells, each a region \"row R column C\"."),
+            key("gmsh", "Hexahedra from a Gmsh file; physical volumes are regions, physical "
+                "surfaces faces to clamp."));
+    });
+    io(key("element", "full: the paper's element; mean_f: accurate in bending with few layers; "
+           "assumed_strain: in every mode, for elements of any proportion.").by_default(),
+       body.element);
+    io(key("material", "Neo-Hookean solid, eq. (1)."), body.material);
+    io(key("material_regions", "Other materials, by the mesh's regions; one that is not named "
+           "is of `material`.").optional(),
+       body.material_regions);
+    io(key("magnetization", "Remanent magnetization of the undeformed body."),
+       body.magnetization);
+    io(key("clamps", "Faces held still: x_min to z_max, or names of the Gmsh file.").optional(),
+       body.clamps);
+    io(key("rollers", "Faces held along one axis, free along the others: both faces across the "
+           "depth for plane strain, one for a plane of symmetry.").optional(),
+       body.rollers);
+    io(key("prescribed_motion", "Faces held and moved by something outside, along axes of "
+           "space, from where they start.").optional(),
+       body.prescribed_motion);
+    io(key("initial", "State at time 0: relaxed first, then rotated, then placed.").optional(),
+       body.initial);
+}
+
+// --- loads --------------------------------------------------------------------------
+
+template <class Io>
+void keys(Io& io, FieldTable& table) {
+    io(quantity("time", "s", "Times of the rows, ascending."), table.time_s);
+    io(quantity("magnitude", "T", "One per row; the sign flips the field."),
+       table.magnitude_t);
+    io(quantity("direction", "rad", "Angle in the plane: one for all, or one per row.")
+           .one_or_list(),
+       table.direction_rad);
+    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
+}
+
+template <class Io>
+void keys(Io& io, RotatingField& field) {
+    io(quantity("magnitude", "T", "Flux density; a negative one points backwards."),
+       field.magnitude_t);
+    io(quantity("start", "rad", "Angle at time 0.").by_default(), field.start_rad);
+    io(quantity("frequency", "1/s", "Turns per second; negative turns backwards."),
+       field.frequency_hz);
+}
+
+template <class Io>
+void keys(Io& io, GradientInput& gradient) {
+    io(quantity("matrix", "T/m", "Rows of dB_i / dx_j; symmetric and traceless."),
+       gradient.matrix_t_m);
+    io(quantity("origin", "m", "Where it adds nothing.").by_default(), gradient.origin_m);
+}
+
+template <class Io>
+void keys(Io& io, MagneticField& field) {
+    io(key("plane", "Plane of the field; angles run from its first axis to its second.")
+           .by_default(),
+       PlaneRef{field.plane});
+    io.alternatives(field.course,
+        key("constant", "Held still."),
+        key("table", "Linear between rows; before the first and after the last, held."),
+        key("rotation", "Turns at constant speed."));
+    io(key("gradient", "Adds a field that is linear in space and constant in time."),
+       field.gradient);
+}
+
+template <class Io>
+void keys(Io& io, Platform& platform) {
+    io(quantity("point", "m", "A point of it.").by_default(), platform.point_m);
+    io(key("normal", "Towards the bodies; any length.").by_default(), platform.normal);
+    io(quantity("stiffness", "Pa/m", "Pressure over penetration; without it, so that bodies "
+                "sink in by far less than their thickness.").above(0).optional(),
+       platform.stiffness_pa_m);
+    io(key("friction", "Coulomb's coefficient; without it, none.").above(0).at_most(10)
+           .optional(),
+       platform.friction);
+}
+
+template <class Io>
+void keys(Io& io, ContactLaw& contact) {
+    io(quantity("distance", "m", "Where surfaces of nodes begin to repel; without it, the "
+                "thickness of the thinnest body.").above(0).optional(),
+       contact.distance_m);
+    io(quantity("stiffness", "Pa/m", "Pressure over approach; without it, from the bodies.")
+           .above(0).optional(),
+       contact.stiffness_pa_m);
+}
+
+MAGFSI_KEYS_OF(Body)
+MAGFSI_KEYS_OF(MagneticField)
+MAGFSI_KEYS_OF(Platform)
+MAGFSI_KEYS_OF(ContactLaw)
+
+}  // namespace magfsi::scene

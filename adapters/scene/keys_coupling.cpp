@@ -1,0 +1,94 @@
+// The keys of coupler/options.h.
+#include "adapters/scene/keys.h"
+
+// The nesting below is that of the file.
+// clang-format off
+
+namespace magfsi::scene {
+
+template <class Io>
+void keys(Io& io, Iteration& iteration) {
+    io(key("acceleration", "How the next guess is made.").by_default(),
+       iteration.acceleration);
+    io(key("velocity_tolerance", "The step has converged when the fluid responds to the "
+           "guess of its velocities at the markers with the same velocities, up to this part "
+           "of their root mean square.").above(0).at_most(0.1).by_default(),
+       iteration.velocity_tolerance);
+    io(key("max_iterations", "Per step.").at_least(2).at_most(1000).by_default(),
+       iteration.max_iterations);
+    io(key("on_no_convergence", "After max_iterations: end the run, or continue with the "
+           "next step and count this one.").by_default(),
+       iteration.on_no_convergence);
+    io(key("initial_guess", "constant: the velocities at the step's start; linear: "
+           "extrapolated from the step before.").by_default(),
+       iteration.initial_guess);
+    io(key("relaxation", "Part of the residual that is added to the guess; aitken and "
+           "iqn_ils begin with it.").above(0).at_most(1).by_default(),
+       iteration.relaxation);
+    io(key("max_used_iterations", "Of iqn_ils: columns of the least-squares model at most.")
+           .at_least(1).at_most(200).by_default(),
+       iteration.max_used_iterations);
+    io(key("reused_steps", "Of iqn_ils: earlier coupled steps whose iterations are used.")
+           .at_least(0).at_most(100).by_default(),
+       iteration.reused_steps);
+    io(key("filter", "Of iqn_ils: a column is dropped when its part that is independent of "
+           "the newer ones is below filter_limit of all columns (qr1), or of itself (qr2).")
+           .by_default(),
+       iteration.filter);
+    io(key("filter_limit", "Of iqn_ils.").above(0).at_most(0.9).by_default(),
+       iteration.filter_limit);
+}
+
+template <class Io>
+void keys(Io& io, ImmersedBoundary& boundary) {
+    io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
+    io(key("markers", "Where markers sit: midway between the large faces of a sheet, below "
+           "both of them, or through the volume; without it, below both faces of sheets and "
+           "through other bodies."),
+       boundary.markers);
+    io(key("marker_spacing", "Distance of markers, in fluid spacings; beyond about 1 the "
+           "surface leaks.").above(0).at_most(1.5).by_default(),
+       boundary.marker_spacing);
+    io(key("retraction", "Depth of markers below the surface, in fluid spacings: the kernel "
+           "smears them beyond it.").at_least(0).at_most(1).by_default(),
+       boundary.retraction);
+    io(key("rim_retraction", "The same at the rim of a sheet.").at_least(0).at_most(2)
+           .by_default(),
+       boundary.rim_retraction);
+    io(key("strength", "beta of eq. (13) as a fraction of 2 rho dV / dt; 1 is direct forcing.")
+           .above(0).at_most(4).by_default(),
+       boundary.strength);
+    io(key("iterations", "Of the forcing in a coupled step (multi-direct forcing): each after "
+           "the first removes part of the remaining slip; 1 is direct forcing, beyond 2 "
+           "sheets may oscillate.").at_least(1).at_most(4).by_default(),
+       boundary.iterations);
+}
+
+template <class Io>
+void keys(Io& io, Coupling& coupling) {
+    io(key("scheme", "serial: structure and fluid take turns; parallel: both work at the same "
+           "time, and the fluid feels the bodies one step late; implicit: they repeat each "
+           "step until it has converged.").by_default(),
+       coupling.scheme);
+    io(key("sampled_velocity", "The fluid's velocity that bodies feel in their substeps. "
+           "frozen: that at the step's start, or the mean of two samples (parallel, "
+           "implicit); linear: a straight line through the velocities at the step's two "
+           "ends, in the serial scheme through the last two. Without it: linear if implicit, "
+           "else frozen."),
+       coupling.sampled_velocity);
+    io(key("iteration", "Of the implicit scheme: how a step is repeated."),
+       coupling.iteration);
+    io(key("substeps", "Structure steps in a coupled step; without it, from the bodies' "
+           "stable step.").at_least(1).at_most(100000),
+       coupling.substeps);
+    io(quantity("timeout", "s", "Longest wait for the partner before the run is given up.")
+           .above(0).by_default(),
+       coupling.timeout_s);
+    io(key("immersed_boundary", "Direct forcing between markers and fluid, eq. (13).")
+           .optional(),
+       coupling.immersed_boundary);
+}
+
+MAGFSI_KEYS_OF(Coupling)
+
+}  // namespace magfsi::scene

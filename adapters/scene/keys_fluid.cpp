@@ -1,0 +1,159 @@
+// The keys of fluid_lbm/options.h and of the fluid's box.
+#include "adapters/scene/keys.h"
+
+// The nesting below is that of the file.
+// clang-format off
+
+namespace magfsi::scene {
+
+template <class Io>
+void keys(Io& io, Rectangle& rectangle) {
+    io(quantity("centre", "m", "Along the two axes of the side, in the order x, y, z."),
+       rectangle.centre_m);
+    io(quantity("size", "m", "Along the same axes.").above(0), rectangle.size_m);
+}
+
+template <class Io>
+void keys(Io& io, Disc& disc) {
+    io(quantity("centre", "m", "Along the two axes of the side, in the order x, y, z."),
+       disc.centre_m);
+    io(quantity("diameter", "m", "Of the opening.").above(0), disc.diameter_m);
+}
+
+template <class Io>
+void patch_keys(Io& io, Boundary& side) {
+    constexpr std::string_view doc = "Part of the side that is open; the rest is a wall.";
+    io.alternatives(side.patch, key("rectangle", doc), key("disc", doc));
+}
+
+template <class Io>
+void keys(Io& io, Boundary& side) {
+    io.word(side.kind);
+    io.word_with_map(side.kind, BoundaryKind::no_slip, "Moving wall.",
+                     side.wall_velocity_m_s != Vec3{}, [&](auto& wall) {
+        wall(quantity("velocity", "m/s", "Along the wall."), side.wall_velocity_m_s);
+    });
+    io.word_with_map(side.kind, BoundaryKind::velocity_inlet,
+                     "Given velocity, inwards or outwards.", true, [&](auto& inlet) {
+        inlet(quantity("velocity", "m/s", "Mean over the opening."),
+              side.inlet.velocity_m_s);
+        inlet(key("profile", "Over the opening; it does not fall towards periodic and "
+                  "free-slip sides.").by_default(), side.inlet.profile);
+        inlet(quantity("ramp", "s", "Grows from rest over this time, as (1 - cos) / 2.")
+                  .at_least(0).by_default(), side.inlet.ramp_s);
+        patch_keys(inlet, side);
+    });
+    io.word_with_map(side.kind, BoundaryKind::pressure_outlet, "Lets flow and sound out.",
+                     true, [&](auto& outlet) {
+        outlet(quantity("pressure", "Pa", "Gauge pressure far out.").by_default(),
+               side.outlet_pressure_pa);
+        patch_keys(outlet, side);
+    });
+}
+
+template <class Io>
+void keys(Io& io, Sphere& sphere) {
+    io(quantity("centre", "m", "In the box."), sphere.centre_m);
+    io(quantity("diameter", "m", "Its size.").above(0), sphere.diameter_m);
+}
+
+template <class Io>
+void keys(Io& io, Cylinder& cylinder) {
+    io(quantity("centre", "m", "Middle of its length."), cylinder.centre_m);
+    io(quantity("diameter", "m", "Its size.").above(0), cylinder.diameter_m);
+    io(key("axis", "Its direction.").by_default(), AxisRef{cylinder.axis});
+    io(quantity("length", "m", "Without it, through the box.").above(0), cylinder.length_m);
+}
+
+template <class Io>
+void keys(Io& io, Block& block) {
+    std::array<Vec3, 2> corners{block.low_m, block.high_m};
+    io.whole(corners);
+    block = {corners[0], corners[1]};
+}
+
+template <class Io>
+void keys(Io& io, StlSurface& surface) {
+    io(key("file", "ASCII or binary STL; its path counts from the scene's folder."),
+       surface.file);
+    io(quantity("unit", "m", "Length of the file's unit.").above(0).by_default(),
+       surface.unit_m);
+    io(quantity("shift", "m", "Where the file's origin comes to.").by_default(),
+       surface.shift_m);
+}
+
+template <class Io>
+void keys(Io& io, Obstacle& obstacle) {
+    io.alternatives(obstacle.shape, key("sphere", "A ball."),
+                    key("cylinder", "Along an axis."),
+                    quantity("box", "m", "Lower and upper corner."),
+                    key("stl", "Closed surface of triangles."));
+}
+
+template <class Io>
+void keys(Io& io, Grading& grading) {
+    io(quantity("uniform", "m", "Lower and upper corner of the part with cubic cells."),
+       grading.uniform_m);
+    io(key("growth", "Largest ratio of neighbouring cells.").above(1).at_most(1.5)
+           .by_default(),
+       grading.growth);
+}
+
+template <class Io>
+void keys(Io& io, TaylorGreen& vortex) {
+    io(quantity("speed", "m/s", "Its largest.").above(0), vortex.speed_m_s);
+}
+
+template <class Io>
+void keys(Io& io, Fluid& fluid) {
+    io(key("solver", "lbm: built in; openfoam: pimpleFoam.").by_default(), fluid.solver);
+    io(quantity("box", "m", "Length along x, y and z.").above(0), fluid.box_m);
+    io(quantity("spacing", "m", "Edge of the cubic cells; divides the box.").above(0),
+       fluid.spacing_m);
+    io(quantity("density", "kg/m3", "Mass by volume.").above(0), fluid.density_kg_m3);
+    io(quantity("viscosity", "m2/s", "Kinematic viscosity.").above(0), fluid.viscosity_m2_s);
+    io(quantity("expected_speed", "m/s", "Largest speed that the run should resolve; needed "
+                "without time.step.").above(0).optional(),
+       fluid.expected_speed_m_s);
+    io(key("lattice_speed", "That speed in cells per step: sets the step when time.step is "
+           "absent.").above(0).at_most(0.25).by_default(),
+       fluid.lattice_speed);
+    io(key("courant", "The same for openfoam.").above(0).at_most(1).by_default(),
+       fluid.courant);
+    io(key("grading", "Larger cells away from the bodies, for openfoam; the lattice stays "
+           "uniform."), fluid.grading);
+    io(key("collision", "Collision model of the lattice Boltzmann method.").by_default(),
+       fluid.collision);
+    io(key("magic_number", "Lambda of the collision trt; without it 3/16, which puts walls "
+           "exactly half way, or what makes the odd rate 1 if the relaxation time is below "
+           "0.55.").above(0).at_most(1),
+       fluid.magic_number);
+    io(key("precision", "Of populations in memory: double; float halves memory and time; "
+           "float_double computes in double.").by_default(),
+       fluid.precision);
+    io.group(key("smagorinsky", "Eddy viscosity of unresolved turbulence.").optional(),
+             fluid.smagorinsky_constant > 0, [&](auto& model) {
+        model(key("constant", "Of the filter; 0.1 to 0.2 is usual.").above(0).at_most(1),
+              fluid.smagorinsky_constant);
+    });
+    io.group(key("boundaries", "What bounds the box, side by side.").optional(), true,
+             [&](auto& sides) {
+        for (std::size_t side = 0; side < 6; ++side)
+            sides(key(names<Face>[side], "Wall at rest; periodic goes in pairs; free_slip is "
+                      "a plane of symmetry; a map gives a wall or an inlet its velocity, an "
+                      "outlet its pressure.").by_default(),
+                  fluid.boundaries[side]);
+    });
+    io(key("obstacles", "Rigid bodies at rest in the fluid, by name.").optional(),
+       fluid.obstacles);
+    io(quantity("initial_velocity", "m/s", "Uniform; without it, at rest."),
+       fluid.initial_velocity_m_s);
+    io(key("taylor_green", "Starts as the Taylor-Green vortex, one period along each side of "
+           "a periodic cube."), fluid.taylor_green);
+    io(quantity("body_force", "N/m3", "On the fluid everywhere, such as a pressure "
+                "gradient."), fluid.body_force_n_m3);
+}
+
+MAGFSI_KEYS_OF(Fluid)
+
+}  // namespace magfsi::scene
