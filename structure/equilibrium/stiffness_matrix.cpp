@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -27,6 +28,18 @@ std::vector<std::vector<int>> later_neighbours(const Mesh& mesh) {
     return out;
 }
 
+// CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says; they take longer than one.
+class OneThread {
+  public:
+    OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+    ~OneThread() { omp_set_max_active_levels(levels_); }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+  private:
+    int levels_;
+};
+
 }  // namespace
 
 StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> held,
@@ -43,6 +56,7 @@ StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> hel
     index_elements(mesh, neighbours);
     set_zero();
     factor_.cholmod().print = 0;
+    const OneThread one_thread;
     factor_.analyzePattern(matrix_);
     throw_if_out_of_memory();
 }
@@ -127,6 +141,7 @@ void StiffnessMatrix::throw_if_out_of_memory() {
 }
 
 bool StiffnessMatrix::factorize() {
+    const OneThread one_thread;
     factor_.factorize(matrix_);
     throw_if_out_of_memory();
     return factor_.info() == Eigen::Success;
@@ -136,6 +151,7 @@ Eigen::VectorXd StiffnessMatrix::solve(Eigen::VectorXd right_side) const {
     for (Eigen::Index q = 0; q < right_side.size(); ++q) {
         if (held_[q / 3][q % 3]) right_side[q] = 0;
     }
+    const OneThread one_thread;
     return factor_.solve(right_side);
 }
 

@@ -1,6 +1,7 @@
 // What a Newton step costs beside CHOLMOD's own time for its matrix: a clamped plate bends
 // in a field across its magnetisation.
 //   magfsi-bench-newton [ALONG ACROSS LAYERS]      elements; 60 60 2 unless given
+#include <omp.h>
 #include <sys/resource.h>
 
 #include <Eigen/CholmodSupport>
@@ -34,6 +35,7 @@ double cholmod_s(StaticProblem& problem, const Eigen::VectorXd& right_side) {
 int main(int argc, char** argv) {
     std::array<int, 3> n{60, 60, 2};
     for (int d = 0; d < std::min(argc - 1, 3); ++d) n[d] = std::atoi(argv[d + 1]);
+    omp_set_max_active_levels(0);  // as StiffnessMatrix does
     Body body;
     body.name = "plate";
     body.mesh = box_mesh({{30e-3, 30e-3, 1e-3}, n});

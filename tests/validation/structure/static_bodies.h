@@ -1,8 +1,15 @@
-// The bodies of the static references, and where their points are.
+// The bodies of the static references, the tables of these, and the shapes found.
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
 #include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "structure/equilibrium/newton.h"
 #include "structure/magnetics/magnetization.h"
@@ -12,16 +19,37 @@ namespace magfsi::structure::test {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-inline const char* name_of(ElementVariant variant) {
-    switch (variant) {
-        case ElementVariant::full:
-            return "full";
-        case ElementVariant::mean_f:
-            return "mean_f";
-        case ElementVariant::assumed_strain:
-            return "assumed_strain";
+// Rows of a reference file: comma-separated, lines of # above, one line of column names.
+using ReferenceRow = std::map<std::string, std::string>;
+
+inline std::vector<std::string> split_at_commas(const std::string& line) {
+    std::vector<std::string> out;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) out.push_back(cell);
+    return out;
+}
+
+inline std::vector<ReferenceRow> reference_table(const std::string& file) {
+    std::ifstream stream(std::string(MAGFSI_REFERENCE_FOLDER) + "/" + file);
+    if (!stream) throw std::runtime_error("cannot read " + file);
+    std::vector<std::string> names;
+    std::vector<ReferenceRow> out;
+    for (std::string line; std::getline(stream, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        const auto cells = split_at_commas(line);
+        if (names.empty()) {
+            names = cells;
+            continue;
+        }
+        ReferenceRow row;
+        for (std::size_t i = 0; i < cells.size(); ++i) row[names.at(i)] = cells[i];
+        out.push_back(row);
     }
-    return "?";
+    return out;
+}
+
+inline double number(const ReferenceRow& row, const std::string& column) {
+    return std::stod(row.at(column));
 }
 
 inline Vec3 at(const MaterialPoint& point, const std::vector<Vec3>& nodes) {
