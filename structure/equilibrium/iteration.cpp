@@ -6,11 +6,12 @@
 namespace magfsi::structure {
 namespace {
 
-// Moves a body by a Newton step, the rigid rotation in it as a finite one. A linearised step
-// stretches a body that it turns, by half the angle squared; a free body that follows the
-// field's torque would thus be held back by its own stiffness. So the step is split into its
-// rotation (the least-squares fit, weighted by volume), carried out as such, and the rest.
-// The centre of volume stays along the axes where nothing holds the body.
+// Moves a body by a Newton step, the rigid rotation in it as a finite one. A linearised
+// step stretches a body that it turns, by half the angle squared; a free body that
+// follows the field's torque would thus be held back by its own stiffness. So the step is
+// split into its rotation (the least-squares fit, weighted by volume), carried out as
+// such, and the rest. The centre of volume stays along the axes where nothing holds the
+// body.
 class Motion {
   public:
     Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
@@ -84,8 +85,8 @@ double Motion::largest_fraction() const {
     return angle > largest_angle ? largest_angle / angle : 1.0;
 }
 
-// An iteration with elements beyond this does not converge any more; U is not convex above
-// J = e^(1 + G/K).
+// An iteration with elements beyond this does not converge any more; U is not convex
+// above J = e^(1 + G/K).
 constexpr double smallest_ratio = 0.1;
 constexpr double largest_ratio = 2.5;
 
@@ -195,8 +196,8 @@ double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x, doubl
 }
 
 // Halves the step until the energy falls enough; zero if it never does.
-double line_search(const StaticProblem& problem, const Motion& motion,
-                   const Iterate& now, const Eigen::VectorXd& load, double slope) {
+double line_search(const StaticProblem& problem, const Motion& motion, const Iterate& now,
+                   const Eigen::VectorXd& load, double slope) {
     const double before = energy(now.response, now.x, load);
     // Rounding of the energy: springs and volume terms of about G V cancel at rest.
     const double rounding =
@@ -216,8 +217,8 @@ double line_search(const StaticProblem& problem, const Motion& motion,
 }  // namespace
 
 Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
-                           const Eigen::VectorXd& load, double tolerance,
-                           int max_iterations, double largest_move_m) {
+                        const Eigen::VectorXd& load, double tolerance, int max_iterations,
+                        double largest_move_m) {
     Iterate out;
     out.x = start;
     MixedVolumes volumes(problem, start);
@@ -243,8 +244,8 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
 }
 
 Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
-                          const Eigen::VectorXd& load, double tolerance,
-                          int max_iterations) {
+                       const Eigen::VectorXd& load, double tolerance,
+                       int max_iterations) {
     Iterate out;
     out.x = start;
     double foundation = 0;

@@ -1,5 +1,5 @@
-// The two Newton iterations at a constant load: a mixed one that converges in few steps from
-// near an equilibrium, and a descent of the energy that finds one from anywhere.
+// The two Newton iterations at a constant load: a mixed one that converges in few steps
+// from near an equilibrium, and a descent of the energy that finds one from anywhere.
 #pragma once
 
 #include "structure/equilibrium/static_problem.h"

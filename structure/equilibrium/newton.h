@@ -44,9 +44,9 @@ struct Equilibrium {
 // point, or a free body that must turn far at the first touch of the field) the body is
 // released at that load: a damped Newton descent of the energy (iteration.h).
 // Without clamps the loads must balance each other; the centre of volume stays, and the
-// turn about the field's axis is that of the start (StaticProblem::rigid_foundation). Every linear system is
-// made positive definite, so an unstable equilibrium is found only where symmetry keeps
-// the body on it; it is then reported as such.
+// turn about the field's axis is that of the start (StaticProblem::rigid_foundation).
+// Every linear system is made positive definite, so an unstable equilibrium is found only
+// where symmetry keeps the body on it; it is then reported as such.
 //
 // All throw std::runtime_error that names the body, the load and the worst node or
 // element if no equilibrium is found, and std::invalid_argument on a free body with

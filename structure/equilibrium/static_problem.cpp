@@ -47,12 +47,10 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice)
     : body_(body),
       node_volume_m3_(lattice.node_volume_m3),
       node_mass_kg_(lattice.node_mass_kg),
-      charge_(
-          nodal_charges(body.mesh.nodes, body.mesh.elements, body.magnetization_a_m)),
+      charge_(nodal_charges(body.mesh.nodes, body.mesh.elements, body.magnetization_a_m)),
       held_(held_axes(body)),
       matrix_(body_.mesh, held_, node_volume_m3_),
-      volume_m3_(
-          std::accumulate(node_volume_m3_.begin(), node_volume_m3_.end(), 0.0)) {
+      volume_m3_(std::accumulate(node_volume_m3_.begin(), node_volume_m3_.end(), 0.0)) {
     kernel_.assign(lattice);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         references_.push_back(

@@ -26,8 +26,8 @@ class StaticProblem {
     explicit StaticProblem(const Body& body);
 
     const Body& body() const { return body_; }
-    // Axes along which a clamp or a roller holds a node. Translations along the others, and
-    // turns about the field of a body that may turn so, cost no energy.
+    // Axes along which a clamp or a roller holds a node. Translations along the others,
+    // and turns about the field of a body that may turn so, cost no energy.
     const HeldAxes& held_along() const { return held_along_; }
     const Material& material(std::size_t element) const {
         return material_of(body_, element);
@@ -61,10 +61,11 @@ class StaticProblem {
     // hundredth of the stiffness [Pa/m2] of the lowest bending mode.
     double bending_stiffness_scale() const { return bending_scale_; }
     // Weak foundation [Pa/m2] that removes the rigid motions of a body that is not held
-    // along all axes from the tangent; zero for others. It is about 1e-5 of the stiffness of
-    // the lowest bending mode and 1e4 or more times the rounding of the tangent. Forces have
-    // no such term: an equilibrium does not feel it. Rigid translations and the turn about
-    // the field's axis get this stiffness; an instability that grows more slowly is not seen.
+    // along all axes from the tangent; zero for others. It is about 1e-5 of the stiffness
+    // of the lowest bending mode and 1e4 or more times the rounding of the tangent.
+    // Forces have no such term: an equilibrium does not feel it. Rigid translations and
+    // the turn about the field's axis get this stiffness; an instability that grows more
+    // slowly is not seen.
     double rigid_foundation() const;
     double shortest_side_m() const { return shortest_side_m_; }
     double longest_side_m() const { return longest_side_m_; }

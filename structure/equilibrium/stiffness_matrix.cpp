@@ -1,8 +1,8 @@
 #include "structure/equilibrium/stiffness_matrix.h"
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 #include <omp.h>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <stdexcept>
@@ -28,7 +28,8 @@ std::vector<std::vector<int>> later_neighbours(const Mesh& mesh) {
     return out;
 }
 
-// CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says; they take longer than one.
+// CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says; they take longer than
+// one.
 class OneThread {
   public:
     OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
@@ -111,7 +112,8 @@ void StiffnessMatrix::add_element(std::size_t element, const Matrix24& tangent) 
     for (int b = 0; b < 8; ++b) {
         for (int d = 0; d < 3; ++d) {
             if (held_[nodes[b]][d]) continue;
-            // The first row of the column is the diagonal: d rows of the node are above it.
+            // The first row of the column is the diagonal: d rows of the node are above
+            // it.
             double* column =
                 matrix_.valuePtr() + matrix_.outerIndexPtr()[3 * nodes[b] + d] - d;
             for (int a = 0; a < 8; ++a) {
@@ -159,7 +161,8 @@ int StiffnessMatrix::negative_eigenvalues() {
     if (factorize()) return 0;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor;
     factor.analyzePattern(matrix_);
-    // A pivot of exactly zero stops the factorisation: move it by less than rounding does.
+    // A pivot of exactly zero stops the factorisation: move it by less than rounding
+    // does.
     double shift = 0;
     for (factor.factorize(matrix_); factor.info() != Eigen::Success;
          factor.factorize(matrix_)) {

@@ -10,8 +10,8 @@
 
 namespace magfsi::structure {
 
-// Row 3 n + d belongs to coordinate d of node n. Held coordinates, and nodes of no element,
-// keep a one on the diagonal and nothing beside it.
+// Row 3 n + d belongs to coordinate d of node n. Held coordinates, and nodes of no
+// element, keep a one on the diagonal and nothing beside it.
 class StiffnessMatrix {
   public:
     // Orders the unknowns once; the mesh must stay. Throws std::runtime_error if there is
@@ -22,11 +22,12 @@ class StiffnessMatrix {
     void set_zero();
     void add_element(std::size_t element, const Matrix24& tangent);
 
-    // Adds to the diagonal what is missing to this foundation: its stiffness [Pa/m2] times
-    // the volume of each node.
+    // Adds to the diagonal what is missing to this foundation: its stiffness [Pa/m2]
+    // times the volume of each node.
     void raise_foundation(double foundation);
 
-    // L L^T. False if the matrix is not positive definite. Throws as the constructor does.
+    // L L^T. False if the matrix is not positive definite. Throws as the constructor
+    // does.
     bool factorize();
     // After factorize(); zero where held.
     Eigen::VectorXd solve(Eigen::VectorXd right_side) const;
@@ -44,11 +45,11 @@ class StiffnessMatrix {
 
     const std::vector<Hexahedron>& elements_;
     std::vector<HeldAxes> held_;
-    std::vector<double> volume_m3_;  // three a node; zero where held
-    double foundation_ = 0;          // in matrix_
+    std::vector<double> volume_m3_;       // three a node; zero where held
+    double foundation_ = 0;               // in matrix_
     Eigen::SparseMatrix<double> matrix_;  // lower triangle
-    // For nodes a >= b of an element (8 a + b): which of the nodes from b on in the columns
-    // of b, each with three rows, is a.
+    // For nodes a >= b of an element (8 a + b): which of the nodes from b on in the
+    // columns of b, each with three rows, is a.
     std::vector<std::array<int, 64>> rank_;
     Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
 };

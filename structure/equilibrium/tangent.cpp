@@ -82,7 +82,6 @@ VolumeDerivatives volume_derivatives(const ElementReference& reference,
     return out;
 }
 
-
 VolumetricStress volumetric_stress(const Material& material, double volume_ratio) {
     const double g = material.shear_modulus_pa;
     const double k = material.lame_lambda_pa;
@@ -96,8 +95,7 @@ Matrix24 element_tangent(const ElementReference& reference, const Material& mate
                          const VolumetricStress& stress) {
     const Eigen::Vector<double, 24> slope =
         volume.gradient_m2.reshaped<Eigen::RowMajor>();
-    const Eigen::Vector<double, 24> scaled =
-        stress.modulus_pa / reference.volume * slope;
+    const Eigen::Vector<double, 24> scaled = stress.modulus_pa / reference.volume * slope;
     Matrix24 out = stress.pressure_pa * volume.hessian_m;
     out.noalias() += scaled * slope.transpose();
     const Matrix8 springs = material.shear_modulus_pa * reference.spring_matrix;

@@ -1,5 +1,5 @@
-// What a Newton step costs beside CHOLMOD's own time for its matrix: a clamped plate bends
-// in a field across its magnetisation.
+// What a Newton step costs beside CHOLMOD's own time for its matrix: a clamped plate
+// bends in a field across its magnetisation.
 //   magfsi-bench-newton [ALONG ACROSS LAYERS]      elements; 60 60 2 unless given
 #include <omp.h>
 #include <sys/resource.h>

@@ -67,9 +67,9 @@ TEST(Newton, FollowsAPathAsItSolvesEachPoint) {
     }
 }
 
-// The mixed iteration and the descent of the energy come to one equilibrium. Nothing turns
-// the strip out of its plane of symmetry, so that the turn about the field, which costs no
-// energy, needs no care.
+// The mixed iteration and the descent of the energy come to one equilibrium. Nothing
+// turns the strip out of its plane of symmetry, so that the turn about the field, which
+// costs no energy, needs no care.
 void expect_one_shape(const Body& body, const StaticLoads& loads, double length_m) {
     NewtonSolver solver(body);
     const Equilibrium stepped = solver.solve(loads);
@@ -108,8 +108,8 @@ TEST(Newton, FindsTheShapesOfTheReleasedStripVAndC) {
         harmonic_magnetization(body.mesh, {62e3, 3.7e-3, std::numbers::pi / 4, 0, 2});
     for (double degrees : {45.0, 225.0}) {
         const double angle = degrees * std::numbers::pi / 180;
-        expect_one_shape(
-            body, {{5e-3 * std::cos(angle), 0, 5e-3 * std::sin(angle)}, {}}, 3.7e-3);
+        expect_one_shape(body, {{5e-3 * std::cos(angle), 0, 5e-3 * std::sin(angle)}, {}},
+                         3.7e-3);
     }
 }
 

@@ -56,8 +56,8 @@ TEST(Placement, KeepsTheCentreOfARelaxedFreeBody) {
     }
 }
 
-// Held along y by rollers, the strip still turns and bends in the x-z plane as the free one
-// does.
+// Held along y by rollers, the strip still turns and bends in the x-z plane as the free
+// one does.
 TEST(Placement, RelaxesOnRollers) {
     Body body = strip();
     body.material.lame_lambda_pa = 1e-3 * body.material.shear_modulus_pa;  // no Poisson

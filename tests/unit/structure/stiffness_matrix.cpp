@@ -76,7 +76,9 @@ struct TwoPieces {
         volumes_m3.assign(mesh.nodes.size(), 2.0);
         volumes_m3[first] = 0;
     }
-    bool is_held(Eigen::Index q) const { return held[q / 3][q % 3] || !volumes_m3[q / 3]; }
+    bool is_held(Eigen::Index q) const {
+        return held[q / 3][q % 3] || !volumes_m3[q / 3];
+    }
 };
 
 // Puts random symmetric element matrices into the matrix; returns the dense one.
@@ -136,8 +138,8 @@ TEST(StiffnessMatrix, CountsTheNegativeEigenvalues) {
     }
 }
 
-// A free beam pressed together along its length, more and more: the tangent of every element
-// variant becomes indefinite in more and more modes.
+// A free beam pressed together along its length, more and more: the tangent of every
+// element variant becomes indefinite in more and more modes.
 TEST(StiffnessMatrix, CountsTheNegativeEigenvaluesOfATangent) {
     for (ElementVariant variant : test::all_variants) {
         Body body;

@@ -86,8 +86,8 @@ void distort(Mesh& mesh, const Vec3& size_m, const std::array<int, 3>& elements)
     }
 }
 
-// Relative error of the tip's rise at gamma = 0.001, of which the reference is 0.05 % from
-// that of a finer mesh.
+// Relative error of the tip's rise at gamma = 0.001, of which the reference is 0.05 %
+// from that of a finer mesh.
 double error_of_rise(ElementVariant variant, const std::array<int, 3>& elements,
                      bool distorted) {
     const Vec3 size{length_m, 5e-3, 1e-3};
@@ -104,8 +104,7 @@ TEST(FewElements, AssumedStrainBendsBetterThanFullOnEveryMesh) {
          {std::array{9, 3, 1}, std::array{17, 5, 1}, std::array{18, 6, 2}}) {
         double error[2][2];
         for (int distorted = 0; distorted < 2; ++distorted) {
-            error[0][distorted] =
-                error_of_rise(ElementVariant::full, n, distorted == 1);
+            error[0][distorted] = error_of_rise(ElementVariant::full, n, distorted == 1);
             error[1][distorted] =
                 error_of_rise(ElementVariant::assumed_strain, n, distorted == 1);
             // Measured: a third at most, in distorted meshes of two layers.

@@ -1,6 +1,6 @@
 // The free magnetised strip in V (field at 45 degrees) and C (225) against finite
-// elements (strip_harmonic.csv, Q2, 40 x 4 x 2 cells on half the width), and which of the two
-// it takes.
+// elements (strip_harmonic.csv, Q2, 40 x 4 x 2 cells on half the width), and which of the
+// two it takes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,9 +44,10 @@ void expect_shapes(const std::array<int, 3>& elements, ElementVariant variant,
             std::printf(
                 "%-14s %dx%dx%d theta %3s %2s mT: end_to_end %.5f (%s) mid_rise %.5f "
                 "(%s) bend %.3f (%s) tilt %.2f (%s): %.2f %%, %d iterations, %.2f s\n",
-                element_name(variant).c_str(), elements[0], elements[1], elements[2], direction,
-                row.at("B_mT").c_str(), shape.end_to_end, row.at("end_to_end/L").c_str(),
-                shape.mid_rise, row.at("mid_rise/L").c_str(), shape.total_bend_deg,
+                element_name(variant).c_str(), elements[0], elements[1], elements[2],
+                direction, row.at("B_mT").c_str(), shape.end_to_end,
+                row.at("end_to_end/L").c_str(), shape.mid_rise,
+                row.at("mid_rise/L").c_str(), shape.total_bend_deg,
                 row.at("total_bend_deg").c_str(), shape.mid_angle_deg,
                 row.at("mid_angle_deg").c_str(), 100 * error, found.iterations,
                 found.seconds);
@@ -85,10 +86,10 @@ void expect_released(const std::array<int, 3>& elements, ElementVariant variant,
                                                  test::number(row, "theta_B_deg"));
         const test::StripShape shape =
             test::strip_shape(body, relaxed_shape(body, loads.field_t));
-        std::printf("released at %s deg, %s mT: end_to_end %.4f (%s), mid_rise %.4f (%s)\n",
-                    row.at("theta_B_deg").c_str(), row.at("B_mT").c_str(),
-                    shape.end_to_end, row.at("end_to_end/L").c_str(), shape.mid_rise,
-                    row.at("mid_rise/L").c_str());
+        std::printf(
+            "released at %s deg, %s mT: end_to_end %.4f (%s), mid_rise %.4f (%s)\n",
+            row.at("theta_B_deg").c_str(), row.at("B_mT").c_str(), shape.end_to_end,
+            row.at("end_to_end/L").c_str(), shape.mid_rise, row.at("mid_rise/L").c_str());
         EXPECT_NEAR(shape.end_to_end, test::number(row, "end_to_end/L"), tolerance);
         EXPECT_NEAR(shape.mid_rise, test::number(row, "mid_rise/L"), tolerance);
     }
@@ -99,14 +100,15 @@ TEST(StripShape, ReleasedWithTwoLayersOfMeanF) {
     expect_released({20, 8, 2}, ElementVariant::mean_f, 0.005);
 }
 
-// Surface strains reach 15 %, where Green's strain within one layer departs from eq. (1) by
-// a few % of the bending stiffness.
+// Surface strains reach 15 %, where Green's strain within one layer departs from eq. (1)
+// by a few % of the bending stiffness.
 TEST(StripShape, ReleasedWithOneLayerOfAssumedStrain) {
     expect_released({20, 8, 1}, ElementVariant::assumed_strain, 0.01);
 }
 
-// Turning, Fig. 5: in a field at 90 degrees the strip has two stable shapes. It keeps the C in
-// which the field has turned it there from 225 degrees, but from flat it becomes a V.
+// Turning, Fig. 5: in a field at 90 degrees the strip has two stable shapes. It keeps the
+// C in which the field has turned it there from 225 degrees, but from flat it becomes a
+// V.
 constexpr double field_t = 16.9e-3;
 
 double energy_j(const Equilibrium& found) {

@@ -1,0 +1,307 @@
+// magfsi-equilibrium: the bodies of a scene without motion, equilibria along the path of
+// loads, in one process.
+//   magfsi-equilibrium SCENE --out DIR
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "adapters/bodies/nodal_state.h"
+#include "adapters/bodies/probe_row.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "adapters/bodies/structure_files.h"
+#include "adapters/run_scene.h"
+#include "adapters/scene/effective.h"
+#include "adapters/scene/probe_columns.h"
+#include "adapters/scene/scene.h"
+#include "coupler/output/probe_file.h"
+#include "coupler/output/progress.h"
+#include "coupler/participants/errors.h"
+#include "coupler/participants/session.h"
+#include "coupler/step/log_head.h"
+#include "coupler/step/progress_line.h"
+#include "coupler/step/report.h"
+#include "coupler/step/task_list.h"
+#include "structure/equilibrium/newton.h"
+#include "structure/lammps/field_program.h"
+#include "structure/lammps/placement.h"
+#include "structure/lattice/lattice.h"
+#include "structure/magnetics/nodal_charge.h"
+
+namespace magfsi::equilibrium {
+namespace {
+
+structure::EquilibriumOptions to_options(const scene::Equilibrium& wanted) {
+    structure::EquilibriumOptions options;
+    options.force_tolerance = wanted.tolerance;
+    options.leave_unstable = true;  // what is reported is what a body would rest in
+    return options;
+}
+
+bool loaded(const structure::StaticLoads& loads) {
+    return loads.field_t != structure::Vec3{} || loads.gravity_m_s2 != structure::Vec3{};
+}
+
+// One body on a path of loads: its equilibrium at each point.
+class LoadPath {
+  public:
+    // Finds the equilibrium at the start of the path. Throws std::invalid_argument on
+    // what cannot be in equilibrium (a body with weight that nothing holds).
+    LoadPath(const scene::Scene& scene, const scene::Body& body);
+
+    const structure::Body& body() const { return body_; }
+    // Where the body is before any load: flat, relaxed, turned, as the scene says.
+    const std::vector<structure::Vec3>& placed_m() const { return placed_m_; }
+    const structure::Equilibrium& now() const { return now_; }
+    const std::vector<double>& masses_kg() const { return mass_kg_; }
+    bodies::BodyLoads loads() const;
+
+    void advance(double to_s);  // along the path, from where it is
+
+  private:
+    structure::StaticLoads loads_at(double time_s) const;
+    void add_work(const structure::StaticLoads& before,
+                  const structure::StaticLoads& after,
+                  const std::vector<structure::Vec3>& from_m);
+
+    structure::Body body_;
+    std::optional<structure::FieldProgram> field_;
+    std::optional<structure::Vec3> gravity_m_s2_;
+    std::vector<structure::Vec3> placed_m_;
+    std::vector<double> charge_a_m_, mass_kg_;
+    structure::NewtonSolver solver_;
+    structure::Equilibrium now_;
+    double time_s_ = 0;
+    double work_magnetic_j_ = 0;
+};
+
+LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
+    : body_(bodies::to_body(body)),
+      field_(scene.magnetic_field),
+      gravity_m_s2_(bodies::to_gravity(scene)),
+      solver_(body_, to_options(*scene.time.equilibrium)) {
+    const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
+    placed_m_ = structure::placed_nodes(body_, body.initial, plane);
+    mass_kg_ = structure::node_masses(structure::build_lattice(body_));
+    charge_a_m_ = structure::nodal_charges(body_.mesh.nodes, body_.mesh.elements,
+                                           body_.magnetization_a_m);
+    const structure::StaticLoads start = loads_at(0);
+    now_.nodes_m = placed_m_;
+    // A clamped body takes its first load step by step; a free one is let go.
+    const bool free = body_.clamps.empty() && body_.rollers.empty();
+    const bool at_rest = free || body.initial.relaxed;
+    if (loaded(start)) {
+        now_ = at_rest ? solver_.release(placed_m_, start)
+                       : solver_.follow(placed_m_, {}, {&start, 1}).front();
+        if (at_rest) now_.releases = 0;  // meant, not met on the way
+    }
+    // Let go, the body moves in the field at full strength.
+    add_work(at_rest ? start : structure::StaticLoads{}, start, placed_m_);
+}
+
+structure::StaticLoads LoadPath::loads_at(double time_s) const {
+    structure::StaticLoads loads;
+    if (field_ && !body_.magnetization_a_m.empty())
+        loads.field_t = structure::field_at(*field_, time_s);
+    if (gravity_m_s2_) loads.gravity_m_s2 = *gravity_m_s2_;
+    return loads;
+}
+
+void LoadPath::advance(double to_s) {
+    const structure::StaticLoads before = loads_at(time_s_), after = loads_at(to_s);
+    const auto from_m = now_.nodes_m;
+    now_ = solver_.follow(from_m, before, {&after, 1}).front();
+    add_work(before, after, from_m);
+    time_s_ = to_s;
+}
+
+// Trapezium rule: sum q_a (B_before + B_after)/2 . (x_after - x_before).
+void LoadPath::add_work(const structure::StaticLoads& before,
+                        const structure::StaticLoads& after,
+                        const std::vector<structure::Vec3>& from_m) {
+    for (std::size_t n = 0; n < from_m.size(); ++n) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            work_magnetic_j_ += 0.5 * charge_a_m_[n] *
+                                (before.field_t[d] + after.field_t[d]) *
+                                (now_.nodes_m[n][d] - from_m[n][d]);
+        }
+    }
+}
+
+bodies::BodyLoads LoadPath::loads() const {
+    bodies::BodyLoads loads;
+    loads.energy_elastic_j = now_.energy_elastic_j;
+    loads.work_magnetic_j = work_magnetic_j_;
+    return loads;
+}
+
+// Nodes at rest.
+void append(bodies::NodalState& state, const std::vector<structure::Vec3>& position_m,
+            const std::vector<double>& mass_kg) {
+    state.position_m.insert(state.position_m.end(), position_m.begin(), position_m.end());
+    state.mass_kg.insert(state.mass_kg.end(), mass_kg.begin(), mass_kg.end());
+    state.velocity_m_s.resize(state.position_m.size());
+}
+
+// Without an equilibrium the run counts as diverged.
+template <class Work>
+void or_diverged(const Work& work) {
+    try {
+        work();
+    } catch (const std::runtime_error& fault) {
+        throw coupler::Diverged(fault.what());
+    }
+}
+
+class Participant {
+  public:
+    // After session.begin.
+    Participant(const scene::Scene& scene, coupler::Session& session,
+                output::ProgressMode progress);
+    void run();
+
+  private:
+    void assemble(output::ProgressMode progress);
+    void advance();
+    void report_branch(const LoadPath& path);
+    void write_probes();
+    void write_fields();
+    bodies::NodalState state() const;
+    void finish(double wall_s);
+
+    const scene::Scene& scene_;
+    coupler::Session& session_;
+    double start_s_ = output::steady_seconds();  // the first equilibrium is found at once
+    std::vector<std::unique_ptr<LoadPath>> paths_;  // one a body
+    coupler::TaskList tasks_;
+    int iterations_ = 0;
+    // Present only when the scene names them:
+    std::unique_ptr<bodies::ProbeRow> probe_row_;
+    std::unique_ptr<output::ProbeFile> probes_;
+    std::unique_ptr<bodies::StructureFiles> files_;
+    std::unique_ptr<output::Progress> progress_;
+};
+
+Participant::Participant(const scene::Scene& scene, coupler::Session& session,
+                         output::ProgressMode progress)
+    : scene_(scene), session_(session) {
+    std::vector<structure::Body> solids;
+    bodies::NodalState start;
+    for (const scene::Body& body : scene.bodies) {
+        or_diverged([&] { paths_.push_back(std::make_unique<LoadPath>(scene, body)); });
+        const LoadPath& path = *paths_.back();
+        report_branch(path);
+        solids.push_back(path.body());
+        append(start, path.placed_m(), path.masses_kg());
+    }
+    if (scene.probes) {
+        probe_row_ = std::make_unique<bodies::ProbeRow>(scene, solids, start);
+        probes_ = std::make_unique<output::ProbeFile>(session.out() / "probes.csv",
+                                                      scene::body_columns(scene));
+    }
+    if (scene.output.structure)
+        files_ = std::make_unique<bodies::StructureFiles>(solids, start, session.out());
+    assemble(progress);
+}
+
+void Participant::assemble(output::ProgressMode progress) {
+    tasks_.add("find equilibrium", [this] { advance(); });
+    tasks_.add("count step", [this] { session_.complete_step(); });
+    if (probes_) tasks_.add("probes", [this] { write_probes(); });
+    if (files_) {
+        tasks_.add(
+            "write fields",
+            [this, every = session_.clock().every(scene_.output.structure->every_s)] {
+                if (session_.clock().step() % every == 0) write_fields();
+            });
+    }
+    progress_ = coupler::progress_on_stdout(session_, progress);
+    tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
+}
+
+void Participant::advance() {
+    const double to_s =
+        static_cast<double>(session_.clock().step() + 1) * session_.clock().step_s();
+    for (const auto& path : paths_) {
+        or_diverged([&] { path->advance(to_s); });
+        report_branch(*path);
+    }
+}
+
+void Participant::report_branch(const LoadPath& path) {
+    const structure::Equilibrium& now = path.now();
+    iterations_ += now.iterations;
+    if (now.releases > 0) {
+        session_.log(fmt::format(
+            "body '{}' at {:.6g} s: the equilibrium could not be followed (a limit point "
+            "or an instability); the body was released there and found another",
+            path.body().name, session_.clock().time_s() + session_.clock().step_s()));
+    }
+    if (now.negative_eigenvalues > 0) {
+        session_.log(
+            fmt::format("body '{}': this equilibrium is unstable ({} direction(s))",
+                        path.body().name, now.negative_eigenvalues));
+    }
+}
+
+bodies::NodalState Participant::state() const {
+    bodies::NodalState all;
+    for (const auto& path : paths_) {
+        append(all, path->now().nodes_m, path->masses_kg());
+    }
+    return all;
+}
+
+void Participant::write_probes() {
+    std::vector<bodies::BodyLoads> loads;
+    for (const auto& path : paths_) loads.push_back(path->loads());
+    const double time_s = session_.clock().time_s();
+    probes_->row(time_s, probe_row_->values(time_s, state(), loads));
+}
+
+void Participant::write_fields() {
+    const auto every = session_.clock().every(scene_.output.structure->every_s);
+    files_->write(session_.clock().step() / every, session_.clock().time_s(), state());
+}
+
+void Participant::run() {
+    session_.log(fmt::format("scene '{}': equilibria by Newton's method at {} points",
+                             scene_.name, session_.clock().steps()));
+    coupler::log_effects(session_);
+    session_.log("each point: " + tasks_.names());
+    if (probes_) write_probes();
+    if (files_) write_fields();
+    while (!session_.clock().done()) tasks_.run();
+    finish(output::steady_seconds() - start_s_);
+}
+
+void Participant::finish(double wall_s) {
+    auto report = coupler::basic_report(session_.world(), tasks_);
+    output::StructureSummary structure;
+    for (const auto& path : paths_)
+        structure.elements +=
+            static_cast<std::int64_t>(path->body().mesh.elements.size());
+    report.structure = structure;
+    progress_->finish(session_.clock().step());
+    coupler::write_summary(session_, {&report, 1}, wall_s, probes_.get());
+    session_.log(fmt::format(
+        "done: {} equilibria, {} Newton steps in {:.1f} s; results in {}",
+        session_.clock().step(), iterations_, wall_s, session_.out().string()));
+}
+
+}  // namespace
+}  // namespace magfsi::equilibrium
+
+int main(int argc, char** argv) {
+    using namespace magfsi;
+    return run_scene(
+        coupler::Role::structure,
+        "Static equilibria of a magfsi scene, by Newton's method", argc, argv,
+        [](const scene::Scene& scene, coupler::Session& session,
+           const coupler::ParticipantArguments& arguments) {
+            if (session.world().size() > 1)
+                throw std::invalid_argument("magfsi-equilibrium runs as one process");
+            session.begin(scene::path_step_s(scene));
+            equilibrium::Participant(scene, session, arguments.progress).run();
+        });
+}
