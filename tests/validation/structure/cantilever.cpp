@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "structure/lattice/element_advice.h"
+#include ""
 #include "tests/validation/structure/static_bodies.h"
 
 namespace magfsi::structure {

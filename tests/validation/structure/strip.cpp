@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "structure/lattice/element_advice.h"
+#include ""
 #include "tests/validation/structure/static_bodies.h"
 
 namespace magfsi::structure {
