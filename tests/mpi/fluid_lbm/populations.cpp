@@ -150,7 +150,8 @@ FluidConfig channel(Precision precision, bool openings) {
     config.boundaries[3].wall_velocity_m_s = {0.05, 0, 0.03};
     if (openings) {
         config.boundaries[0].kind = BoundaryKind::velocity_inlet;
-        config.boundaries[0].inlet = {{0.02, 0, 0}, InletProfile::uniform, 40};
+        config.boundaries[0].inlet.velocity_m_s = {0.02, 0, 0};
+        config.boundaries[0].inlet.ramp_s = 40;
         config.boundaries[1].kind = BoundaryKind::pressure_outlet;
     }
     config.initial_velocity = stirred;
@@ -217,7 +218,7 @@ FluidConfig box(Sides sides, Precision precision) {
         config.boundaries[3].wall_velocity_m_s = {0.05, 0, 0.03};
     if (sides == Sides::outlet) {
         config.boundaries[0].kind = BoundaryKind::velocity_inlet;
-        config.boundaries[0].inlet = {{0.02, 0, 0}, InletProfile::uniform};
+        config.boundaries[0].inlet.velocity_m_s = {0.02, 0, 0};
         config.boundaries[1].kind = BoundaryKind::pressure_outlet;
     }
     config.initial_velocity = stirred;
