@@ -17,9 +17,9 @@ FluidConfig checked(const FluidConfig& config) {
 }
 
 // Values of all ranks, one rank after the other, on every rank. Collective.
-std::vector<int> gathered(MPI_Comm comm, int ranks, const std::vector<int>& mine) {
+std::vector<int> gathered(const OwnedComm& comm, const std::vector<int>& mine) {
     const int count = static_cast<int>(mine.size());
-    std::vector<int> counts(static_cast<std::size_t>(ranks)), first(counts);
+    std::vector<int> counts(static_cast<std::size_t>(comm.size)), first(counts);
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
     std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
     std::vector<int> all(static_cast<std::size_t>(first.back() + counts.back()));
@@ -85,23 +85,15 @@ int local_plane(const Fluid::State& s, int plane, std::size_t values) {
 
 }  // namespace
 
-OwnedComm::OwnedComm(MPI_Comm comm) {
-    MPI_Comm_dup(comm, &comm_);
+OwnedComm::OwnedComm(MPI_Comm parent) {
+    MPI_Comm_dup(parent, &comm);
+    MPI_Comm_rank(comm, &rank);
+    MPI_Comm_size(comm, &size);
 }
 OwnedComm::~OwnedComm() {
     int finalized = 0;
     MPI_Finalized(&finalized);
-    if (finalized == 0) MPI_Comm_free(&comm_);
-}
-int OwnedComm::rank() const {
-    int rank = 0;
-    MPI_Comm_rank(comm_, &rank);
-    return rank;
-}
-int OwnedComm::size() const {
-    int size = 1;
-    MPI_Comm_size(comm_, &size);
-    return size;
+    if (finalized == 0) MPI_Comm_free(&comm);
 }
 
 Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
@@ -112,16 +104,15 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
       kernels(choose_kernels(choose_instruction_set(), config.precision,
                              choose_collision(config), config.smagorinsky_constant > 0)),
       comm(parent),
-      rank(comm.rank()),
-      decomposition(decompose(config.cells, periodic_axes(config), comm.size())),
-      layout(decomposition.layout(rank)),
+      decomposition(decompose(config.cells, periodic_axes(config), comm.size)),
+      layout(decomposition.layout(comm.rank)),
       populations(layout.nx, layout.row_count(), storage_of(config.precision)),
-      halo(comm, decomposition, rank, populations),
+      halo(comm, decomposition, comm.rank, populations),
       rows_at_cuts(fluid::rows_at_cuts(layout)),
       inner_rows(fluid::inner_rows(layout)) {
     if (!config.obstacles.empty())
         obstacles.emplace(config, make_solids(config), owned(), populations, layout);
-    side_effects = make_side_effects({comm, config, decomposition, rank, populations,
+    side_effects = make_side_effects({comm, config, decomposition, comm.rank, populations,
                                       layout, obstacles ? &obstacles->map() : nullptr});
     if (config.body_force_n_m3) {
         Vec3 force = *config.body_force_n_m3;
@@ -190,7 +181,7 @@ std::vector<CellRow> Fluid::solid_rows() const {
     for (const Obstacles::Run& run : state_->obstacles->runs())
         mine.insert(mine.end(),
                     {box.lo[1] + run.y, box.lo[2] + run.z, run.x_begin, run.x_end});
-    const std::vector<int> all = gathered(state_->comm, state_->comm.size(), mine);
+    const std::vector<int> all = gathered(state_->comm, mine);
     std::vector<CellRow> rows;
     for (std::size_t i = 0; i < all.size(); i += 4)
         rows.push_back({all[i], all[i + 1], all[i + 2], all[i + 3]});

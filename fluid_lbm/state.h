@@ -14,18 +14,15 @@
 namespace magfsi::fluid {
 
 // A communicator of the fluid's own: its messages cannot meet those of its user.
-class OwnedComm {
-  public:
-    explicit OwnedComm(MPI_Comm comm);
+struct OwnedComm {
+    explicit OwnedComm(MPI_Comm parent);
     ~OwnedComm();
     OwnedComm(const OwnedComm&) = delete;
     OwnedComm& operator=(const OwnedComm&) = delete;
-    operator MPI_Comm() const { return comm_; }
-    int rank() const;
-    int size() const;
+    operator MPI_Comm() const { return comm; }
 
-  private:
-    MPI_Comm comm_ = MPI_COMM_NULL;
+    MPI_Comm comm = MPI_COMM_NULL;
+    int rank = 0, size = 1;
 };
 
 struct Fluid::State {
@@ -37,7 +34,6 @@ struct Fluid::State {
     const CollisionParameters parameters;
     const AnyKernels kernels;  // decide what populations are stored as
     const OwnedComm comm;
-    const int rank;
     const Decomposition decomposition;
     const RowLayout layout;
     Populations populations;
@@ -54,7 +50,7 @@ struct Fluid::State {
     std::optional<KeptState> kept;  // only where steps are taken again
     bool again = false;             // the coming step is one that is taken again
 
-    const CellBox& owned() const { return decomposition.boxes[rank]; }
+    const CellBox& owned() const { return decomposition.boxes[comm.rank]; }
     // The state before collision, complete between steps whatever its arrangement: ghost
     // rows filled, walls applied.
     View view() const { return {populations, layout, arrangement, kernels}; }

@@ -9,7 +9,7 @@
 #include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
-#include "structure/materials.h"
+#include "structure/body.h"
 
 namespace magfsi::lammps {
 

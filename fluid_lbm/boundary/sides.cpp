@@ -48,13 +48,13 @@ double shape_of(const FluidConfig& config, int side, const std::array<double, 2>
                falloff_between_sides(config, profile, axes[1], at[1]);
     }
     const double dx = config.spacing_m;
-    if (const auto* disc = std::get_if<Disc>(&*boundary.patch)) {
+    if (const Disc* disc = opening<Disc>(boundary)) {
         return falloff(profile, 2 *
                                     std::hypot(at[0] * dx - disc->centre_m[0],
                                                at[1] * dx - disc->centre_m[1]) /
                                     disc->diameter_m);
     }
-    const Rectangle& r = std::get<Rectangle>(*boundary.patch);
+    const Rectangle& r = *opening<Rectangle>(boundary);
     double product = 1;
     for (int i = 0; i < 2; ++i) {
         product *=
@@ -92,8 +92,8 @@ void check_lattice_speed(const FluidConfig& config, double speed_m_s, const char
 void check_patch(const FluidConfig& config, int side) {
     const Boundary& boundary = config.boundaries[side];
     if (!boundary.patch) return;
-    const auto* disc = std::get_if<Disc>(&*boundary.patch);
-    const auto* rectangle = std::get_if<Rectangle>(&*boundary.patch);
+    const Disc* disc = opening<Disc>(boundary);
+    const Rectangle* rectangle = opening<Rectangle>(boundary);
     const auto centre = disc ? disc->centre_m : rectangle->centre_m;
     const std::array<int, 2> axes = in_plane(side);
     for (int i = 0; i < 2; ++i) {
@@ -166,15 +166,15 @@ void check_outlets(const FluidConfig& config) {
 }  // namespace
 
 bool is_open(const FluidConfig& config, int side, const Cell& cell) {
-    const auto& patch = config.boundaries[side].patch;
-    if (!patch) return true;
+    const Boundary& boundary = config.boundaries[side];
+    if (!boundary.patch) return true;
     const std::array<double, 2> at = face_centre(side, cell);
     const double dx = config.spacing_m;
-    if (const auto* disc = std::get_if<Disc>(&*patch)) {
+    if (const Disc* disc = opening<Disc>(boundary)) {
         return std::hypot(at[0] * dx - disc->centre_m[0],
                           at[1] * dx - disc->centre_m[1]) < disc->diameter_m / 2;
     }
-    const Rectangle& r = std::get<Rectangle>(*patch);
+    const Rectangle& r = *opening<Rectangle>(boundary);
     return std::abs(at[0] * dx - r.centre_m[0]) < r.size_m[0] / 2 &&
            std::abs(at[1] * dx - r.centre_m[1]) < r.size_m[1] / 2;
 }

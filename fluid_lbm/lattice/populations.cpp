@@ -39,10 +39,6 @@ void advise(char* memory, std::ptrdiff_t bytes) {
     madvise(memory + whole, bytes - whole, MADV_NOHUGEPAGE);
 }
 
-int margin(const std::array<Beyond, 2>& sides) {
-    return sides[0] == Beyond::neighbour || sides[1] == Beyond::neighbour ? 1 : 0;
-}
-
 // The partner of population q's ghost, or null if q has none: no velocity along x, or
 // bounced at a wall along y or z.
 template <class Real>
@@ -87,13 +83,6 @@ Populations::Populations(int row_length, int row_count, Storage storage)
             std::memset(first + q * array_bytes + row * row_bytes, 0, row_bytes);
         }
     }
-}
-
-int RowLayout::margin_y() const {
-    return margin(beyond_y);
-}
-int RowLayout::margin_z() const {
-    return margin(beyond_z);
 }
 
 Crossing cross(int index, int count, const std::array<Beyond, 2>& sides) {

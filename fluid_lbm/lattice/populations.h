@@ -44,8 +44,11 @@ struct RowLayout {
     std::array<Beyond, 2> beyond_y{}, beyond_z{};  // low and high side
 
     // Ghost rows on each side.
-    int margin_y() const;
-    int margin_z() const;
+    int margin_y() const { return margin(beyond_y); }
+    int margin_z() const { return margin(beyond_z); }
+    static int margin(const std::array<Beyond, 2>& sides) {
+        return sides[0] == Beyond::neighbour || sides[1] == Beyond::neighbour ? 1 : 0;
+    }
 
     int row_count() const { return (ny + 2 * margin_y()) * (nz + 2 * margin_z()); }
     // y in [-margin_y, ny + margin_y), z alike.

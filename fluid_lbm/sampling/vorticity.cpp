@@ -80,8 +80,8 @@ void VelocityField::exchange() {
             return axis == 1 ? at(0, normal, i) : at(0, i, normal);
         };
         for (int side = 0; side < 2; ++side) {  // data leave by this side
-            const int to = decomposition.neighbour(state_.rank, axis, side);
-            const int from = decomposition.neighbour(state_.rank, axis, 1 - side);
+            const int to = decomposition.neighbour(state_.comm.rank, axis, side);
+            const int from = decomposition.neighbour(state_.comm.rank, axis, 1 - side);
             const auto peer = [](int r) { return r == no_rank ? MPI_PROC_NULL : r; };
             sent.resize(static_cast<std::size_t>(rows) * row_size);
             received.resize(sent.size());

@@ -186,34 +186,29 @@ class NextStep : public testing::TestWithParam<Precision> {
     static bool is_bad_cell(const Vec3& x) { return x == Vec3{3.5, 4.5, 2.5}; }
 };
 
-TEST_P(NextStep, NamesAValueThatIsNotFinite) {
-    FluidConfig c = config();
-    c.initial_pressure = [](const Vec3& x) { return is_bad_cell(x) ? NAN : 0.0; };
-    expect_next_step_names(c, DivergenceCause::not_finite);
-}
-
-TEST_P(NextStep, NamesASpeedAboveTheLimit) {
-    FluidConfig c = config();
-    c.initial_velocity = [](const Vec3& x) {
-        return is_bad_cell(x) ? Vec3{0.3, -0.3, 0.1} : Vec3{};
+TEST_P(NextStep, NamesTheCellAndItsCause) {
+    struct Bad {
+        double pressure;
+        Vec3 velocity;
+        double viscosity;
+        DivergenceCause cause;
     };
-    expect_next_step_names(c, DivergenceCause::speed);
-}
-
-TEST_P(NextStep, NamesALowRelaxationTime) {
-    FluidConfig c = config();
-    c.viscosity_m2_s = 0.001 / 3;
-    c.initial_velocity = [](const Vec3& x) {
-        return is_bad_cell(x) ? Vec3{0.3, -0.3, 0.1} : Vec3{};
-    };
-    expect_next_step_names(c, DivergenceCause::relaxation_time);
-}
-
-TEST_P(NextStep, NamesADensityBelowZero) {
-    FluidConfig c = config();
+    const Vec3 fast{0.3, -0.3, 0.1};
     // Pressure is a third of the density: - 1.2 of it.
-    c.initial_pressure = [](const Vec3& x) { return is_bad_cell(x) ? -0.4 : 0.0; };
-    expect_next_step_names(c, DivergenceCause::speed);
+    for (const Bad& bad : {Bad{NAN, {}, 0.1, DivergenceCause::not_finite},
+                           Bad{0, fast, 0.1, DivergenceCause::speed},
+                           Bad{0, fast, 0.001 / 3, DivergenceCause::relaxation_time},
+                           Bad{-0.4, {}, 0.1, DivergenceCause::speed}}) {
+        FluidConfig c = config();
+        c.viscosity_m2_s = bad.viscosity;
+        c.initial_pressure = [&](const Vec3& x) {
+            return is_bad_cell(x) ? bad.pressure : 0.0;
+        };
+        c.initial_velocity = [&](const Vec3& x) {
+            return is_bad_cell(x) ? bad.velocity : Vec3{};
+        };
+        expect_next_step_names(c, bad.cause);
+    }
 }
 
 TEST_P(NextStep, NamesAForceInTheStepInWhichItActs) {
