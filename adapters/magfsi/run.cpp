@@ -215,7 +215,7 @@ int run(const RunOptions& options) {
         const std::string fault = fluid_program(scene).missing();
         if (!fault.empty())
             throw std::invalid_argument(
-                fmt::format("fluid.solver: {}: {}", name_of(scene.fluid->solver), fault));
+                fmt::format("fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
     }
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.

@@ -157,11 +157,7 @@ FluidConfig box(Sides sides, Precision precision) {
     if (sides == Sides::outlet || sides == Sides::ramped_inlet) {
         config.boundaries[0].kind = BoundaryKind::velocity_inlet;
         config.boundaries[0].inlet.velocity_m_s = {0.02, 0, 0};
-<<<<<<< HEAD
-        config.boundaries[0].inlet.ramp_s = 40;
-=======
         config.boundaries[0].inlet.ramp_s = sides == Sides::ramped_inlet ? 40 : 0;
->>>>>>> fluid_next
         config.boundaries[1].kind = BoundaryKind::pressure_outlet;
     }
     config.initial_velocity = stirred;
@@ -219,29 +215,6 @@ TEST(State, of_other_planes_is_refused) {
 // with those alone: from either arrangement, whether only the forced rows are swept again
 // or the whole state is put back.
 
-<<<<<<< HEAD
-enum class Sides { periodic, walls, moving_wall, outlet };
-
-FluidConfig box(Sides sides, Precision precision) {
-    FluidConfig config = lattice_fluid({10, 9, 8}, 0.53, Collision::automatic);
-    config.precision = precision;
-    if (sides != Sides::periodic) {
-        set_walls(config, 0);
-        set_walls(config, 1);
-    }
-    if (sides == Sides::moving_wall)
-        config.boundaries[3].wall_velocity_m_s = {0.05, 0, 0.03};
-    if (sides == Sides::outlet) {
-        config.boundaries[0].kind = BoundaryKind::velocity_inlet;
-        config.boundaries[0].inlet.velocity_m_s = {0.02, 0, 0};
-        config.boundaries[1].kind = BoundaryKind::pressure_outlet;
-    }
-    config.initial_velocity = stirred;
-    return config;
-}
-
-=======
->>>>>>> fluid_next
 // In the rows of this rank that lie in a block across most cuts; another one each time.
 void push(Fluid& fluid, int time, int attempt) {
     std::vector<CellRow> rows;
