@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "adapters/openfoam/scene_to_mesh.h"
+#include "adapters/openfoam/mesh.h"
 #include "adapters/scene/effective.h"
 
 namespace magfsi::openfoam {

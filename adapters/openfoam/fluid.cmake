@@ -3,20 +3,16 @@
 add_library(magfsi_openfoam_scene STATIC
   openfoam/engine_library.cpp
   openfoam/explain.cpp
-  openfoam/graded_axis.cpp
-  openfoam/scene_to_mesh.cpp)
+  openfoam/mesh.cpp)
 target_link_libraries(magfsi_openfoam_scene
   PUBLIC magfsi_run_scene PRIVATE fmt::fmt ${CMAKE_DL_LIBS})
 target_link_libraries(magfsi_fluid_solvers INTERFACE magfsi_openfoam_scene)
 
 add_library(magfsi_openfoam_participant STATIC
-  openfoam/case_files.cpp
-  openfoam/flow_file.cpp
-  openfoam/flow_sums.cpp
+  openfoam/case.cpp
+  openfoam/flow.cpp
   openfoam/foam_fluid.cpp
   openfoam/inlet.cpp
-  openfoam/inlet_condition.cpp
-  openfoam/stock_case.cpp
   openfoam/world_of_openfoam.cpp)
 target_link_libraries(magfsi_openfoam_participant
   PUBLIC magfsi_fluid_participant magfsi_openfoam_scene PRIVATE fmt::fmt)
@@ -29,10 +25,7 @@ set_property(GLOBAL APPEND PROPERTY MAGFSI_FLUID_PROGRAMS magfsi-fluid-openfoam)
 
 if(MAGFSI_OPENFOAM)
   add_library(magfsi_openfoam_engine MODULE
-    openfoam/engine/box_faces.cpp
     openfoam/engine/box_mesh.cpp
-    openfoam/engine/coupled_force.cpp
-    openfoam/engine/flow_state.cpp
     openfoam/engine/pimple_engine.cpp)
   set_target_properties(magfsi_openfoam_engine PROPERTIES
     CXX_STANDARD 17 LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/openfoam/case.h"
 #include "adapters/openfoam/engine_library.h"
-#include "adapters/openfoam/flow_file.h"
-#include "adapters/openfoam/flow_sums.h"
-#include "adapters/openfoam/graded_axis.h"
+#include "adapters/openfoam/flow.h"
 #include "adapters/openfoam/inlet.h"
-#include "adapters/openfoam/scene_to_mesh.h"
-#include "adapters/openfoam/stock_case.h"
+#include "adapters/openfoam/mesh.h"
 #include "adapters/openfoam/world_of_openfoam.h"
 #include "coupler/checkpoint/state_file.h"
 #include "coupler/participants/errors.h"

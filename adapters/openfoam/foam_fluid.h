@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "adapters/fluids/fluid_solver.h"
-#include "adapters/openfoam/case_files.h"
+#include "adapters/openfoam/case.h"
 #include "adapters/openfoam/engine/engine.h"
 
 namespace magfsi::openfoam {

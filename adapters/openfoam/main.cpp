@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "adapters/fluids/participant.h"
-#include "adapters/run_scene.h"
 #include "adapters/openfoam/foam_fluid.h"
+#include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 
 int main(int argc, char** argv) {
@@ -15,16 +15,15 @@ int main(int argc, char** argv) {
         coupler::Role::fluid, "The fluid of a magfsi scene by OpenFOAM", argc, argv,
         [](const scene::Scene& scene, coupler::Session& session,
            const coupler::ParticipantArguments& arguments) {
-            if (!scene.fluid)
-                throw std::runtime_error("the scene has no fluid");
+            if (!scene.fluid) throw std::runtime_error("the scene has no fluid");
             session.begin(*scene::coupled_step_s(scene));
             const coupler::Clock& clock = session.clock();
             openfoam::CaseTimes times{clock.step_s(), clock.steps(),
                                       std::max<std::int64_t>(1, clock.steps() / 10)};
             if (const auto& output = scene.output.fluid)
                 times.steps_between_files = clock.every(output->every_s);
-            openfoam::FoamFluid fluid(session.world().local(), *scene.fluid,
-                                      times, session.out() / "openfoam");
+            openfoam::FoamFluid fluid(session.world().local(), *scene.fluid, times,
+                                      session.out() / "openfoam");
             fluids::Participant(scene, session, fluid, arguments.progress).run();
         });
 }

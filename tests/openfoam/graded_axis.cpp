@@ -1,6 +1,6 @@
 // A graded axis: cubic cells where they are wanted, gentle growth elsewhere, all of the
 // box.
-#include "adapters/openfoam/graded_axis.h"
+#include "adapters/openfoam/mesh.h"
 
 #include <gtest/gtest.h>
 

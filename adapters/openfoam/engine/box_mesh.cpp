@@ -1,11 +1,133 @@
 #include "adapters/openfoam/engine/box_mesh.h"
 
-#include "adapters/openfoam/engine/box_faces.h"
+#include <algorithm>
+
 #include "cyclicPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 
 namespace magfsi::openfoam {
+
+namespace {
+
+using Index = std::array<int, 3>;
+
+// Cells and points of this rank's slab.
+class Slab {
+  public:
+    explicit Slab(const BoxMesh& box) : box_(box), cells_(slab_cells(box)) {
+        const auto cut = static_cast<std::size_t>(box.cut_axis);
+        first_[cut] = box.first_cell[static_cast<std::size_t>(box.rank)];
+    }
+
+    const Index& cells() const { return cells_; }
+    Foam::label cell(const Index& i) const {
+        return i[0] + cells_[0] * (i[1] + cells_[1] * i[2]);
+    }
+    Foam::label point(const Index& i) const {
+        return i[0] + (cells_[0] + 1) * (i[1] + (cells_[1] + 1) * i[2]);
+    }
+
+    Foam::pointField points() const {
+        Foam::pointField points((cells_[0] + 1) * (cells_[1] + 1) * (cells_[2] + 1));
+        for (int k = 0; k <= cells_[2]; ++k)
+            for (int j = 0; j <= cells_[1]; ++j)
+                for (int i = 0; i <= cells_[0]; ++i)
+                    points[point({i, j, k})] = {place(0, i), place(1, j), place(2, k)};
+        return points;
+    }
+
+    // The face below cell i along an axis, its normal upwards or downwards.
+    Foam::face face(Index i, std::size_t axis, bool upwards) const {
+        const std::size_t a = (axis + 1) % 3;
+        const std::size_t b = (axis + 2) % 3;
+        Foam::face corners(4);
+        corners[0] = point(i);
+        ++i[a];
+        corners[upwards ? 1 : 3] = point(i);
+        ++i[b];
+        corners[2] = point(i);
+        --i[a];
+        corners[upwards ? 3 : 1] = point(i);
+        return corners;
+    }
+
+  private:
+    double place(std::size_t axis, int i) const {
+        return box_.planes_m[axis][static_cast<std::size_t>(first_[axis] + i)];
+    }
+
+    const BoxMesh& box_;
+    Index cells_{}, first_{};
+};
+
+template <class Visit>
+void for_each_cell(const Index& lo, const Index& hi, Visit&& visit) {
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) visit(Index{i, j, k});
+}
+
+// By owner, then by neighbour: the upper triangle, row by row.
+void visit_inner(const Index& cells, const VisitFace& visit) {
+    for_each_cell({}, cells, [&](const Index& i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Index next = i;
+            if (++next[axis] < cells[axis]) visit(next, static_cast<int>(axis), true);
+        }
+    });
+}
+
+void visit_side(const Index& cells, int side, const VisitFace& visit) {
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const bool upper = side % 2 == 1;
+    Index lo{}, hi = cells;
+    (upper ? lo[axis] : hi[axis]) = upper ? hi[axis] - 1 : 1;
+    for_each_cell(lo, hi, [&](const Index& i) {
+        Index at = i;
+        if (upper) ++at[axis];
+        visit(at, side / 2, upper);
+    });
+}
+
+}  // namespace
+
+std::array<int, 3> slab_cells(const BoxMesh& box) {
+    std::array<int, 3> cells{};
+    for (std::size_t d = 0; d < 3; ++d)
+        cells[d] = static_cast<int>(box.planes_m[d].size()) - 1;
+    const auto rank = static_cast<std::size_t>(box.rank);
+    cells[static_cast<std::size_t>(box.cut_axis)] =
+        box.first_cell[rank + 1] - box.first_cell[rank];
+    return cells;
+}
+
+void visit_faces(const BoxMesh& box, const std::vector<int>& side_order,
+                 const VisitFace& visit) {
+    const Index cells = slab_cells(box);
+    visit_inner(cells, visit);
+    for (const int side : side_order) visit_side(cells, side, visit);
+}
+
+BoxFaces make_faces(const BoxMesh& box, const std::vector<int>& side_order) {
+    const Slab slab(box);
+    BoxFaces out;
+    out.points = slab.points();
+    visit_faces(box, side_order, [&](const Index& i, int axis, bool upwards) {
+        const auto d = static_cast<std::size_t>(axis);
+        const bool inner = i[d] > 0 && i[d] < slab.cells()[d];
+        Index below = i;
+        --below[d];
+        out.faces.append(slab.face(i, d, upwards));
+        out.owner.append(slab.cell(upwards ? below : i));
+        if (inner)
+            out.neighbor.append(slab.cell(i));
+        else
+            ++out.of_side[2 * axis + (upwards ? 1 : 0)];
+    });
+    out.inner = out.neighbor.size();
+    return out;
+}
 
 const std::array<const char*, 6> side_names = {"x_min", "x_max", "y_min",
                                                "y_max", "z_min", "z_max"};
@@ -130,6 +252,66 @@ Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box
     Foam::List<Foam::polyPatch*> patches = Patches(box, faces, mesh()).make();
     mesh->addFvPatches(patches);
     return mesh;
+}
+
+namespace {
+
+// Calls visit(face, place, value) for every face of this rank; Field is phi or const phi.
+template <class Field, class Inside, class Visit>
+void for_each_face(Field& phi, Inside& inside, const std::vector<FacePlace>& places,
+                   Visit&& visit) {
+    for (Foam::label f = 0; f < inside.size(); ++f)
+        visit(places[static_cast<std::size_t>(f)], inside[f]);
+    for (Foam::label p = 0; p < phi.size(); ++p) {
+        auto& values = phi[p];
+        const Foam::label first = values.patch().start();
+        for (Foam::label f = 0; f < values.size(); ++f)
+            visit(places[static_cast<std::size_t>(first + f)], values[f]);
+    }
+}
+
+}  // namespace
+
+std::vector<FacePlace> face_places(const BoxMesh& box,
+                                   const std::vector<int>& side_order) {
+    const std::array<int, 3> n = slab_cells(box);
+    std::vector<FacePlace> places;
+    visit_faces(
+        box, side_order, [&](const std::array<int, 3>& i, int axis, bool upwards) {
+            const auto d = static_cast<std::size_t>(axis);
+            std::array<std::size_t, 3> layers{};
+            for (std::size_t a = 0; a < 3; ++a)
+                layers[a] = static_cast<std::size_t>(n[a]) + (a == d ? 1 : 0);
+            const auto at = [&](std::size_t a) { return static_cast<std::size_t>(i[a]); };
+            places.push_back({axis, upwards ? 1 : -1,
+                              at(0) + layers[0] * (at(1) + layers[1] * at(2))});
+        });
+    return places;
+}
+
+void take_flux(const Foam::surfaceScalarField& phi, const std::vector<FacePlace>& places,
+               FlowState& out) {
+    std::array<std::size_t, 3> size{};
+    for (const FacePlace& place : places) {
+        auto& most = size[static_cast<std::size_t>(place.axis)];
+        most = std::max(most, place.index + 1);
+    }
+    for (std::size_t d = 0; d < 3; ++d) out.flux[d].resize(size[d]);
+    for_each_face(phi.boundaryField(), phi.primitiveField(), places,
+                  [&](const FacePlace& place, double value) {
+                      out.flux[static_cast<std::size_t>(place.axis)][place.index] =
+                          place.sign * value;
+                  });
+}
+
+void put_flux(const FlowState& state, const std::vector<FacePlace>& places,
+              Foam::surfaceScalarField& phi) {
+    for_each_face(phi.boundaryFieldRef(), phi.primitiveFieldRef(), places,
+                  [&](const FacePlace& place, double& value) {
+                      value =
+                          place.sign *
+                          state.flux[static_cast<std::size_t>(place.axis)][place.index];
+                  });
 }
 
 }  // namespace magfsi::openfoam

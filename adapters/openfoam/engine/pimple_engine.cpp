@@ -7,12 +7,14 @@
 #include <stdexcept>
 
 #include "adapters/openfoam/engine/box_mesh.h"
-#include "adapters/openfoam/engine/coupled_force.h"
 #include "adapters/openfoam/engine/engine.h"
-#include "adapters/openfoam/engine/flow_state.h"
 #include "foamVersion.H"
 #include "fvCFD.H"
+#include "fvMatrices.H"
+#include "fvOption.H"
 #include "fvOptions.H"
+#include "fvcFlux.H"
+#include "fvcReconstruct.H"
 #include "pimpleControl.H"
 #include "singlePhaseTransportModel.H"
 #include "turbulentTransportModel.H"
@@ -20,6 +22,61 @@
 namespace magfsi::openfoam {
 
 namespace {
+
+// The force on the fluid as one of OpenFOAM's sources of momentum (fvOption), handed to
+// it from outside in every step, in balance with the pressure.
+//
+// pimpleFoam keeps velocities in cells and fluxes on faces. A source a that changes from
+// cell to cell drives the flux through a face by the mean of its two cells, and the
+// pressure holds that; in the cell, the pressure's gradient is the mean of its two faces.
+// So of a layer of force along its normal, which pressure holds in full, a -
+// mean(mean(a)) = -h^2 a''/4 is left over and moves the cells, though nothing flows
+// through their faces. With the force of a sheet, three cells thick, that is a quarter of
+// it: markers see the fluid follow a sheet that it leaks through. Here cells get the mean
+// of what their faces get, and what is held on faces is held in cells: Francois et al.,
+// J. Comput. Phys. 213 (2006) 141, for the same trouble with surface tension.
+class CoupledForce : public Foam::fv::option {
+  public:
+    explicit CoupledForce(const Foam::fvMesh& mesh);
+
+    void addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label field) override;
+
+    // The whole equation of momentum, before it is solved.
+    void constrain(Foam::fvMatrix<Foam::vector>& equation,
+                   const Foam::label field) override;
+
+    // After the velocity was corrected by the pressure.
+    void correct(Foam::volVectorField& velocity) override;
+
+    Foam::vectorField& acceleration() { return acceleration_.primitiveFieldRef(); }
+
+  private:
+    Foam::volVectorField acceleration_;
+    Foam::tmp<Foam::volScalarField> response_;  // velocity by acceleration [s]
+};
+
+CoupledForce::CoupledForce(const Foam::fvMesh& mesh)
+    : Foam::fv::option("coupledForce", "coupledForce", Foam::dictionary(), mesh),
+      acceleration_(Foam::IOobject("coupledForce", mesh.time().timeName(), mesh), mesh,
+                    Foam::dimensionedVector(Foam::dimAcceleration, Foam::Zero)) {
+    fieldNames_.setSize(1, "U");
+    applied_.setSize(1, false);
+}
+
+void CoupledForce::addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
+    equation += acceleration_();
+}
+
+void CoupledForce::constrain(Foam::fvMatrix<Foam::vector>& equation, const Foam::label) {
+    response_ = 1 / equation.A();
+}
+
+void CoupledForce::correct(Foam::volVectorField& velocity) {
+    Foam::volVectorField push(response_() * acceleration_);
+    push.correctBoundaryConditions();  // of neighbours on other ranks
+    velocity += Foam::fvc::reconstruct(Foam::fvc::flux(push)) - push;
+    velocity.correctBoundaryConditions();
+}
 
 static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three doubles");
 

@@ -1,4 +1,5 @@
-// Sums over the cells of a box mesh, each cell with its volume.
+// A flow as numbers: sums over the cells of a box mesh, each cell with its volume, and a
+// checkpoint by cells and faces of the whole box, whoever holds them.
 #pragma once
 
 #include <mpi.h>
@@ -6,6 +7,9 @@
 #include <array>
 #include <span>
 #include <vector>
+
+#include "adapters/openfoam/engine/engine.h"
+#include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::openfoam {
 
@@ -32,5 +36,12 @@ struct FastestCell {
     double speed_m_s = 0;  // NaN where any is
 };
 FastestCell fastest_cell(std::size_t cells, const double* velocity);
+
+// Collective; file is null but on the root.
+void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
+               coupler::StateWriter* file);
+
+// This rank's part. Throws coupler::StateFault when the file is of another mesh.
+FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file);
 
 }  // namespace magfsi::openfoam

@@ -1,5 +1,7 @@
 // The case that OpenFOAM reads: what is to be solved and how. The engine makes its mesh
-// in memory; stock_case.h has what the stock programs need besides.
+// in memory. After a run the case is completed for the stock programs: `blockMesh -case
+// FOLDER` and `pimpleFoam -case FOLDER` then run the same flow by themselves, without
+// bodies.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "adapters/openfoam/engine/engine.h"
 #include "adapters/scene/scene.h"
 
 namespace magfsi::openfoam {
@@ -28,5 +31,14 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
 // A file with OpenFOAM's header.
 void write_foam_file(const std::filesystem::path& folder, const char* location,
                      const char* name, const char* type, const std::string& text);
+
+// Once the engine has read the case, which must not take these for its own: inlets and
+// the body force are the adapter's there.
+void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                   const BoxMesh& mesh);
+
+// Takes away what the engine would stumble over in a folder that was used before: the
+// body force, and a mesh that blockMesh made.
+void clear_stock_case(const std::filesystem::path& folder);
 
 }  // namespace magfsi::openfoam
