@@ -8,6 +8,10 @@ set(MAGFSI_MPI_ENVIRONMENT
   OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl_base_warn_component_unused=0
   OMP_NUM_THREADS=1)
 
+# Test programs are compiled with -O1: a third less time to build, and the code under test is
+# optimised all the same.
+set(MAGFSI_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # magfsi_unit_test(NAME SOURCES ... LIBRARIES ... [LABELS ...]): one GoogleTest program, one
 # CTest. The label is quick unless given.
 function(magfsi_unit_test name)
@@ -17,6 +21,7 @@ function(magfsi_unit_test name)
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} GTest::gtest_main)
+  target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
   set_property(TEST ${name} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
@@ -31,6 +36,7 @@ function(magfsi_mpi_test name)
   endif()
   add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi/mpi_main.cpp)
   target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} GTest::gtest MPI::MPI_CXX)
+  target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
   foreach(ranks ${arg_RANKS})
     add_test(NAME ${name}_${ranks} COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_${ranks} PROPERTIES

@@ -31,4 +31,6 @@ if(MAGFSI_OPENFOAM)
     CXX_STANDARD 17 LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
   target_link_libraries(magfsi_openfoam_engine PRIVATE magfsi_options magfsi_openfoam_headers)
   add_dependencies(magfsi-fluid-openfoam magfsi_openfoam_engine)
+  magfsi_cold(magfsi_openfoam_engine)  # the work is in OpenFOAM's libraries
 endif()
+magfsi_cold(magfsi_openfoam_scene magfsi_openfoam_participant magfsi-fluid-openfoam)
