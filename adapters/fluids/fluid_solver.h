@@ -13,13 +13,27 @@
 
 namespace magfsi::fluids {
 
+struct FluidTotals {  // over all ranks, without the insides of obstacles
+    double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
+};
+
+struct PlaneFlow {           // through the fluid's part of a plane across the box
+    double flow_m3_s = 0;    // along the plane's axis
+    scene::Vec3 momentum_flux_n{};  // of density times velocity, without pressure
+    double pressure_pa = 0;  // gauge, mean over the plane
+};
+
 class FluidSolver : public coupler::GridFluid {
   public:
     // One line on what runs: cells, step, method.
     virtual std::string headline() const = 0;
 
-    // In the order of scene::fluid_columns. Collective.
-    virtual std::vector<double> probe_values(const scene::Scene& scene) = 0;
+    // For probes; each is collective. The last two are asked of solvers alone for which
+    // scenes may have obstacles and planes.
+    virtual FluidTotals totals() = 0;
+    virtual double enstrophy_1_s2() = 0;  // mean of |curl u|^2 / 2
+    virtual std::vector<scene::Vec3> obstacle_forces() { return {}; }
+    virtual PlaneFlow plane_flow(int /*axis*/, double /*at_m*/) { return {}; }
 
     // Of this rank's cells of grid(), x fastest: 3 values a cell, density 1. Collective.
     virtual void field(scene::FluidField field, std::span<float> out) = 0;
@@ -30,7 +44,7 @@ class FluidSolver : public coupler::GridFluid {
     // Cells, method; what it has waited for its own neighbours.
     virtual output::FluidSummary summary() const = 0;
     virtual output::Named<std::string> versions() const { return {}; }
-    virtual double waited_for_neighbors_s() const { return 0; }
+    virtual double waited_for_neighbours_s() const { return 0; }
     // Below, a rank has too little to do.
     virtual std::int64_t fewest_cells_a_rank() const { return 20000; }
 

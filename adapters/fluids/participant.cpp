@@ -9,6 +9,19 @@
 
 namespace magfsi::fluids {
 
+#define MAGFSI_EFFECT(name) extern const FluidOutput name##_output;
+#include "adapters/fluids/effects.inc"
+#undef MAGFSI_EFFECT
+
+const FluidOutput* fluid_outputs() {
+#define MAGFSI_EFFECT(name) name##_output,
+    static const FluidOutput registered[] = {
+#include "adapters/fluids/effects.inc"
+        {}};
+#undef MAGFSI_EFFECT
+    return registered;
+}
+
 Participant::Participant(const scene::Scene& scene, coupler::Session& session,
                          FluidSolver& fluid, output::ProgressMode progress)
     : scene_(scene),
@@ -61,7 +74,7 @@ void Participant::run() {
 
 coupler::ParticipantReport Participant::make_report() const {
     auto report =
-        coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbors_s());
+        coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbours_s());
     output::FluidSummary fluid = fluid_.summary();
     report.load.max_ranks = static_cast<int>(
         std::max<std::int64_t>(1, fluid.cells / fluid_.fewest_cells_a_rank()));

@@ -18,16 +18,23 @@ class LbmFluid final : public fluids::FluidSolver {
     void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
     void set_force(std::span<const coupler::GridRow> rows,
                    std::span<const double> density) override;
-    void advance() override;
-    void keep() override;
-    void go_back() override;
+    void advance() override { fluid_.step(); }
+    void keep() override { fluid_.keep(); }
+    void go_back() override { fluid_.go_back(); }
 
     std::string headline() const override;
-    std::vector<double> probe_values(const scene::Scene& scene) override;
+    fluids::FluidTotals totals() override;
+    double enstrophy_1_s2() override { return fluid_.enstrophy_1_s2(); }
+    std::vector<scene::Vec3> obstacle_forces() override {
+        return fluid_.obstacle_forces();
+    }
+    fluids::PlaneFlow plane_flow(int axis, double at_m) override;
     void field(scene::FluidField field, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
-    double waited_for_neighbors_s() const override;
+    double waited_for_neighbours_s() const override {
+        return fluid_.waited_for_neighbours_s();
+    }
     void save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) override;
     void restore(const coupler::StateReader& file,
                  coupler::BalanceRecord* balance) override;

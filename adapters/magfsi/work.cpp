@@ -8,7 +8,7 @@
 #include "adapters/lammps/substeps.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/probe_columns.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "fluid_lbm/config.h"
 
 namespace magfsi::launch {
@@ -65,7 +65,7 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
 FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     FluidWork work;
     add_lattice(scene, work);
-    if (scene.probes && !scene::fluid_columns(scene).empty())
+    if (scene.probes && !fluids::fluid_columns(scene).empty())
         add_probes(*scene.probes, scene.time.end_s, work);
     if (scene.output.fluid) {
         work.files = rows(scene.time.end_s, scene.output.fluid->every_s);

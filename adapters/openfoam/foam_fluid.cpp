@@ -170,35 +170,16 @@ std::string FoamFluid::headline() const {
         step_s_ * 1e6, versions().front().second);
 }
 
-std::vector<double> FoamFluid::probe_values(const scene::Scene& scene) {
-    const bool curl =
-        std::ranges::find(scene.probes->fluid, scene::FluidQuantity::enstrophy) !=
-        scene.probes->fluid.end();
-    std::vector<double> vorticity(curl ? 3 * cell_count(width_m_) : 0);
-    if (curl) engine_->vorticity(vorticity.data());
-    const FlowSums sums = flow_sums(comm_, width_m_, engine_->velocity(), vorticity);
-    std::vector<double> values;
-    for (const scene::FluidQuantity quantity : scene.probes->fluid) {
-        switch (quantity) {
-            case scene::FluidQuantity::kinetic_energy:
-                values.push_back(fluid_.density_kg_m3 * sums.half_square_m5_s2);
-                break;
-            case scene::FluidQuantity::enstrophy:
-                values.push_back(sums.enstrophy_1_s2);
-                break;
-            case scene::FluidQuantity::mass:
-                values.push_back(fluid_.density_kg_m3 * sums.volume_m3);
-                break;
-            case scene::FluidQuantity::max_speed:
-                values.push_back(sums.max_speed_m_s);
-                break;
-            case scene::FluidQuantity::obstacle_force:
-                break;  // a scene with obstacles is refused
-        }
-    }
-    if (scene.probes->energy_audit)
-        values.push_back(fluid_.density_kg_m3 * sums.half_square_m5_s2);
-    return values;
+fluids::FluidTotals FoamFluid::totals() {
+    const FlowSums sums = flow_sums(comm_, width_m_, engine_->velocity(), {});
+    return {fluid_.density_kg_m3 * sums.half_square_m5_s2,
+            fluid_.density_kg_m3 * sums.volume_m3, sums.max_speed_m_s};
+}
+
+double FoamFluid::enstrophy_1_s2() {
+    std::vector<double> vorticity(3 * cell_count(width_m_));
+    engine_->vorticity(vorticity.data());
+    return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
 }
 
 void FoamFluid::field(scene::FluidField field, std::span<float> out) {

@@ -32,7 +32,8 @@ class FoamFluid final : public fluids::FluidSolver {
     void go_back() override;
 
     std::string headline() const override;
-    std::vector<double> probe_values(const scene::Scene& scene) override;
+    fluids::FluidTotals totals() override;
+    double enstrophy_1_s2() override;
     void field(scene::FluidField field, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;

@@ -8,9 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "adapters/replay/difference_file.h"
+#include "adapters/replay/replay.h"
 #include "adapters/run_scene.h"
-#include "adapters/replay/opened_record.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/world.h"

@@ -2,11 +2,10 @@
 // is so looked at alone.
 //   mpirun -n 1 magfsi-replay-structure SCENE --out DIR --replay RUN/exchange.record
 //        : -n 2 magfsi-fluid-lbm SCENE --out DIR
-#include "adapters/replay/difference_file.h"
-#include "adapters/replay/opened_record.h"
+#include "adapters/replay/replay.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/probe_columns.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/world.h"
@@ -66,7 +65,7 @@ class Player {
         tasks_.add_output("compare",
                           [this] { difference_.add(velocity_, entry_.velocity); });
         if (record_.header().numbers > 0) {
-            probes_ = coupler::open_probes(session_, scene::fluid_columns(scene_));
+            probes_ = coupler::open_probes(session_, fluids::fluid_columns(scene_));
             const auto every = session_.clock().every(scene_.probes->every_s);
             tasks_.add_output("probes", [this, every] {
                 if (session_.clock().step() % every == 0) write_probes();

@@ -15,7 +15,7 @@ import tempfile
 ROOMS = ("structure", "fluid_lbm", "coupler", "adapters", "tests", "tutorials", "cmake")
 CODE = {".h", ".cpp", ".H", ".C"}
 COUNTED = CODE | {".py", ".cmake"}
-LONGEST_FILE = 400
+LONGEST_FILE = 450
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 # Room: the rooms that it must not see.
@@ -128,7 +128,7 @@ PLANTED = {  # what one more file holds: what the report must say
     ("structure/guilty.h", '#include "fluid_lbm/fluid.h"'): "guilty.h -> fluid_lbm",
     ("structure/lammps/s.cpp", '#include "structure/lammps/effects/drag/drag.h"'):
         "is an effect's own folder",
-    ("tests/long.cpp", "\n" * 401): "tests/long.cpp: 401 lines, at most 400",
+    ("tests/long.cpp", "\n" * 451): "tests/long.cpp: 451 lines, at most 450",
 }
 ALLOWED = {
     "structure/mesh.h": "#include <vector>",
@@ -145,7 +145,7 @@ ALLOWED = {
         '#include "structure/lammps/effects/drag/drag.h"',
     "tests/drag.cpp": '#include "structure/lammps/effects/drag/drag.h"',
     "structure/lammps/ok.cpp": '#include "structure/lammps/fix.h"',
-    "tests/as_long_as_allowed.cpp": "\n" * 400,
+    "tests/as_long_as_allowed.cpp": "\n" * 450,
 }
 
 

@@ -54,10 +54,7 @@ double speed_across(std::size_t axis) {
         fluid.set_force(rows, force);
         fluid.advance();
     }
-    scene::Scene scene;
-    scene.probes.emplace();
-    scene.probes->fluid = {scene::FluidQuantity::max_speed};
-    return fluid.probe_values(scene)[0] / (force_n_m3 / density_kg_m3 * 10 * step_s);
+    return fluid.totals().max_speed_m_s / (force_n_m3 / density_kg_m3 * 10 * step_s);
 }
 
 TEST(OpenFoam, PressureHoldsALayerOfForce) {

@@ -2,9 +2,9 @@
 // energy audit.
 #include <fmt/format.h>
 
+#include "adapters/fluids/fluid_probes.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/lammps/structure_run.h"
-#include "adapters/scene/probe_columns.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
@@ -45,7 +45,7 @@ Probes::Probes(StructureRun& run)
     if (!run.session.world().leads()) return;
     std::vector<std::string> columns = of_bodies_->columns();
     for (const auto& more :
-         {scene::fluid_columns(run.scene), scene::interface_columns(run.scene),
+         {fluids::fluid_columns(run.scene), fluids::interface_columns(run.scene),
           run.audit ? run.audit->columns() : std::vector<std::string>{}}) {
         columns.insert(columns.end(), more.begin(), more.end());
     }
@@ -70,7 +70,7 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
 // Returns what the fluid's last column is, on the root.
 double Probes::add_partner_values(std::vector<double>& row) {
     const coupler::Session& session = run_.session;
-    const std::size_t fluid_values = scene::fluid_columns(run_.scene).size();
+    const std::size_t fluid_values = fluids::fluid_columns(run_.scene).size();
     const auto given = run_.balance() ? run_.balance()->collect(session.world().local())
                                       : std::vector<double>{};
     if (!session.world().root() || (fluid_values == 0 && !run_.balance())) return 0;

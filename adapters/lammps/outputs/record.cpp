@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "adapters/lammps/structure_run.h"
-#include "adapters/scene/probe_columns.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "coupler/checkpoint/state_file.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/exchange/exchange_record.h"
@@ -28,7 +28,7 @@ class Record : public coupler::Output {
 Record::Record(StructureRun& run)
     : session_(run.session),
       coupling_(*run.coupling),
-      fluid_values_(scene::fluid_columns(run.scene).size()) {
+      fluid_values_(fluids::fluid_columns(run.scene).size()) {
     run.on_fluid_values = [this](std::span<const double> values) {
         std::ranges::copy(values, fluid_values_.begin());
     };

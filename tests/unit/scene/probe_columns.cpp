@@ -1,7 +1,8 @@
 // The names of the columns of probes.csv are a promise to every script that reads them.
-#include "adapters/scene/probe_columns.h"
 
 #include <gtest/gtest.h>
+
+#include "adapters/fluids/fluid_probes.h"
 
 namespace magfsi::scene {
 namespace {
@@ -22,10 +23,10 @@ TEST(ProbeColumns, of_the_fluid) {
     using Q = FluidQuantity;
     auto scene = robot_in_water();
     scene.probes->fluid = {Q::kinetic_energy, Q::enstrophy, Q::mass, Q::max_speed};
-    EXPECT_EQ(fluid_columns(scene), (Names{"kinetic_energy[J]", "enstrophy[1/s^2]",
+    EXPECT_EQ(fluids::fluid_columns(scene), (Names{"kinetic_energy[J]", "enstrophy[1/s^2]",
                                            "mass[kg]", "max_speed[m/s]"}));
     scene.probes->fluid = {Q::max_speed, Q::mass};
-    EXPECT_EQ(fluid_columns(scene), (Names{"max_speed[m/s]", "mass[kg]"}));
+    EXPECT_EQ(fluids::fluid_columns(scene), (Names{"max_speed[m/s]", "mass[kg]"}));
 }
 
 TEST(ProbeColumns, of_a_plane) {
@@ -34,16 +35,16 @@ TEST(ProbeColumns, of_a_plane) {
     scene.probes->integrals = {{"fin", BodyPart{"robot", {}}},
                                {"gate", FluidPlane{0, 1e-3}}};
     EXPECT_EQ(
-        fluid_columns(scene),
+        fluids::fluid_columns(scene),
         (Names{"gate.flow[m3/s]", "gate.momentum_flux_x[N]", "gate.momentum_flux_y[N]",
                "gate.momentum_flux_z[N]", "gate.pressure[Pa]"}));
 }
 
 TEST(ProbeColumns, of_the_interface_only_when_asked_for) {
     auto scene = robot_in_water();
-    EXPECT_TRUE(interface_columns(scene).empty());
+    EXPECT_TRUE(fluids::interface_columns(scene).empty());
     scene.probes->interface_balance = true;
-    EXPECT_EQ(interface_columns(scene),
+    EXPECT_EQ(fluids::interface_columns(scene),
               (Names{"interface.momentum_mismatch[1]", "interface.power_mismatch[1]"}));
 }
 
@@ -51,18 +52,18 @@ TEST(ProbeColumns, the_fluids_share_of_the_energy_comes_last_of_its_columns) {
     auto scene = robot_in_water();
     scene.probes->fluid = {FluidQuantity::mass};
     scene.probes->energy_audit = true;
-    EXPECT_EQ(fluid_columns(scene), (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
+    EXPECT_EQ(fluids::fluid_columns(scene), (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
     scene.fluid.reset();
     scene.probes->fluid.clear();
-    EXPECT_TRUE(fluid_columns(scene).empty());
+    EXPECT_TRUE(fluids::fluid_columns(scene).empty());
 }
 
 TEST(ProbeColumns, none_without_probes) {
     auto scene = robot_in_water();
     scene.magnetic_field.emplace();
     scene.probes.reset();
-    EXPECT_TRUE(fluid_columns(scene).empty());
-    EXPECT_TRUE(interface_columns(scene).empty());
+    EXPECT_TRUE(fluids::fluid_columns(scene).empty());
+    EXPECT_TRUE(fluids::interface_columns(scene).empty());
 }
 
 }  // namespace

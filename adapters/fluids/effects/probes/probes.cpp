@@ -1,7 +1,7 @@
 // Rows of probes.csv; beside a structure, the numbers that go to its rows.
 #include "adapters/fluids/fluid_run.h"
 #include "coupler/participants/world.h"
-#include "adapters/scene/probe_columns.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::fluids {
@@ -15,7 +15,7 @@ class Probes : public coupler::Output {
           session_(run.session),
           every_(session_.clock().every(run.scene.probes->every_s)) {
         if (session_.world().leads())
-            file_ = coupler::open_probes(session_, scene::fluid_columns(run.scene));
+            file_ = coupler::open_probes(session_, fluid_columns(run.scene));
     }
     void begin() override {
         if (!session_.restart()) write();
@@ -27,7 +27,7 @@ class Probes : public coupler::Output {
 
   private:
     void write() {
-        std::vector<double> numbers = run_.fluid.probe_values(run_.scene);
+        std::vector<double> numbers = fluid_values(run_.scene, run_.fluid);
         if (!session_.world().coupled()) {
             if (file_) file_->row(session_.clock().time_s(), numbers);
             return;
@@ -53,7 +53,7 @@ class Probes : public coupler::Output {
 extern const FluidOutput probes_output{
     "probes", "probes", [](FluidRun& run) -> std::unique_ptr<coupler::Output> {
         const scene::Scene& scene = run.scene;
-        if (!scene.probes || (!run.balance && scene::fluid_columns(scene).empty()))
+        if (!scene.probes || (!run.balance && fluid_columns(scene).empty()))
             return nullptr;
         return std::make_unique<Probes>(run);
     }};

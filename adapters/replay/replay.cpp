@@ -1,10 +1,13 @@
-#include "adapters/replay/opened_record.h"
+#include "adapters/replay/replay.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
-#include "adapters/scene/probe_columns.h"
+#include "adapters/fluids/fluid_probes.h"
 
 namespace magfsi::replay {
 
@@ -62,7 +65,7 @@ coupler::RecordReader open_record(const scene::Scene& scene,
     coupler::RecordReader record(arguments.replay);
     const RecordHeader& header = record.header();
     check_steps(header, record.entries(), session.clock());
-    const auto wanted = scene::fluid_columns(scene).size();
+    const auto wanted = fluids::fluid_columns(scene).size();
     if (header.numbers != wanted) {
         throw std::invalid_argument(
             fmt::format("--replay: the record has {} fluid values a probe row, the scene "
@@ -70,6 +73,36 @@ coupler::RecordReader open_record(const scene::Scene& scene,
                         header.numbers, wanted));
     }
     return record;
+}
+
+DifferenceFile::DifferenceFile(const coupler::Session& session, const char* unit)
+    : session_(session),
+      unit_(unit),
+      file_(session.out() / "replay.csv", {fmt::format("max_difference[{}]", unit)}) {}
+
+void DifferenceFile::add(std::span<const coupler::Vec3> live,
+                         std::span<const coupler::Vec3> recorded) {
+    double worst = 0;
+    for (std::size_t m = 0; m < live.size(); ++m) {
+        worst = std::max(
+            worst, std::hypot(live[m][0] - recorded[m][0], live[m][1] - recorded[m][1],
+                              live[m][2] - recorded[m][2]));
+    }
+    file_.row(session_.clock().time_s(), {&worst, 1});
+    largest_ = std::max(largest_, worst);
+    if (worst > 0 && first_step_ < 0) first_step_ = session_.clock().step();
+}
+
+void DifferenceFile::report(const char* what) const {
+    if (first_step_ < 0) {
+        fmt::print("replay: {} are the recorded ones, to the last bit\n", what);
+    } else {
+        fmt::print(
+            "replay: {} differ from the recorded ones by at most {:.4g} {}, first "
+            "after step {}; see {}\n",
+            what, largest_, unit_, first_step_, (session_.out() / "replay.csv").string());
+    }
+    std::fflush(stdout);
 }
 
 }  // namespace magfsi::replay

@@ -1,0 +1,170 @@
+#include "adapters/fluids/fluid_probes.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+namespace magfsi::fluids {
+
+namespace {
+
+using scene::FluidQuantity;
+
+// What a row is made from; each part is computed when the first column asks for it. All
+// ranks ask in the same order.
+class Sample {
+  public:
+    explicit Sample(FluidSolver& fluid) : fluid_(fluid) {}
+
+    const FluidTotals& totals() {
+        if (!totals_) totals_ = fluid_.totals();
+        return *totals_;
+    }
+    double enstrophy_1_s2() { return fluid_.enstrophy_1_s2(); }
+    const scene::Vec3& force_on(std::size_t obstacle) {
+        if (!forces_) forces_ = fluid_.obstacle_forces();
+        return forces_->at(obstacle);
+    }
+    const PlaneFlow& through(const scene::FluidPlane& plane) {
+        const auto [at, first] = planes_.try_emplace(&plane);
+        if (first) at->second = fluid_.plane_flow(plane.axis, plane.at_m);
+        return at->second;
+    }
+
+  private:
+    FluidSolver& fluid_;
+    std::optional<FluidTotals> totals_;
+    std::optional<std::vector<scene::Vec3>> forces_;
+    std::map<const scene::FluidPlane*, PlaneFlow> planes_;
+};
+
+struct Column {
+    std::string name;
+    std::function<double(Sample&)> value;
+};
+using Columns = std::vector<Column>;
+
+// One column for the whole fluid. A new quantity is an entry here and a word of
+// scene::FluidQuantity.
+struct Quantity {
+    FluidQuantity quantity;
+    const char* column;
+    double (*value)(Sample&);
+};
+constexpr Quantity quantities[] = {
+    {FluidQuantity::kinetic_energy, "kinetic_energy[J]",
+     [](Sample& s) { return s.totals().kinetic_energy_j; }},
+    {FluidQuantity::enstrophy, "enstrophy[1/s^2]",
+     [](Sample& s) { return s.enstrophy_1_s2(); }},
+    {FluidQuantity::mass, "mass[kg]", [](Sample& s) { return s.totals().mass_kg; }},
+    {FluidQuantity::max_speed, "max_speed[m/s]",
+     [](Sample& s) { return s.totals().max_speed_m_s; }},
+};
+
+std::size_t largest_axis(const scene::Vec3& v) {
+    std::size_t axis = 0;
+    for (std::size_t d = 1; d < 3; ++d) {
+        if (std::abs(v[d]) > std::abs(v[axis])) axis = d;
+    }
+    return axis;
+}
+
+// The flow's: along which an inlet (the first one), a body force or an initial velocity is
+// largest; x without any.
+std::size_t drag_axis(const scene::Fluid& fluid) {
+    for (const auto& side : fluid.boundaries) {
+        if (side.kind == fluid::BoundaryKind::velocity_inlet)
+            return largest_axis(side.inlet.velocity_m_s);
+    }
+    if (fluid.body_force_n_m3) return largest_axis(*fluid.body_force_n_m3);
+    if (fluid.initial_velocity_m_s) return largest_axis(*fluid.initial_velocity_m_s);
+    return 0;
+}
+
+// Of the two others the one whose sides are not periodic, and of two alike the one that
+// comes first in the order z, y, x.
+std::size_t lift_axis(const scene::Fluid& fluid, std::size_t drag) {
+    const std::size_t first = drag == 2 ? 1 : 2;
+    const std::size_t second = 3 - drag - first;
+    const auto periodic = [&](std::size_t axis) {
+        return fluid.boundaries[2 * axis].kind == fluid::BoundaryKind::periodic;
+    };
+    return periodic(first) && !periodic(second) ? second : first;
+}
+
+// value: the vector of a sample.
+template <class Value>
+void add_vector(Columns& columns, const std::string& name, const char* unit,
+                Value value) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        columns.push_back({name + '_' + "xyz"[d] + '[' + unit + ']',
+                           [value, d](Sample& s) { return value(s)[d]; }});
+    }
+}
+
+void add_forces(Columns& columns, const scene::Fluid& fluid) {
+    const std::size_t drag = drag_axis(fluid);
+    const std::size_t lift = lift_axis(fluid, drag);
+    for (std::size_t i = 0; i < fluid.obstacles.size(); ++i) {
+        const std::string& name = fluid.obstacles[i].name;
+        const auto force = [i](Sample& s) { return s.force_on(i); };
+        columns.push_back(
+            {name + ".drag[N]", [=](Sample& s) { return force(s)[drag]; }});
+        columns.push_back(
+            {name + ".lift[N]", [=](Sample& s) { return force(s)[lift]; }});
+        add_vector(columns, name + ".force", "N", force);
+    }
+}
+
+void add_plane(Columns& columns, const std::string& name,
+               const scene::FluidPlane& plane) {
+    columns.push_back(
+        {name + ".flow[m3/s]", [&](Sample& s) { return s.through(plane).flow_m3_s; }});
+    add_vector(columns, name + ".momentum_flux", "N",
+               [&](Sample& s) { return s.through(plane).momentum_flux_n; });
+    columns.push_back(
+        {name + ".pressure[Pa]", [&](Sample& s) { return s.through(plane).pressure_pa; }});
+}
+
+// The scene must outlive them.
+Columns columns_of(const scene::Scene& scene) {
+    Columns columns;
+    if (!scene.probes) return columns;
+    for (const FluidQuantity wanted : scene.probes->fluid) {
+        if (wanted == FluidQuantity::obstacle_force)
+            add_forces(columns, *scene.fluid);
+        for (const Quantity& q : quantities)
+            if (q.quantity == wanted) columns.push_back({q.column, q.value});
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        if (const auto* plane = std::get_if<scene::FluidPlane>(&integral.over))
+            add_plane(columns, integral.name, *plane);
+    }
+    if (scene.fluid && scene.probes->energy_audit)
+        columns.push_back({"audit.fluid_kinetic[J]",
+                           [](Sample& s) { return s.totals().kinetic_energy_j; }});
+    return columns;
+}
+
+}  // namespace
+
+std::vector<std::string> fluid_columns(const scene::Scene& scene) {
+    std::vector<std::string> names;
+    for (const Column& column : columns_of(scene)) names.push_back(column.name);
+    return names;
+}
+
+std::vector<double> fluid_values(const scene::Scene& scene, FluidSolver& fluid) {
+    Sample sample(fluid);
+    std::vector<double> values;
+    for (const Column& column : columns_of(scene)) values.push_back(column.value(sample));
+    return values;
+}
+
+std::vector<std::string> interface_columns(const scene::Scene& scene) {
+    if (!scene.probes || !scene.probes->interface_balance) return {};
+    return {"interface.momentum_mismatch[1]", "interface.power_mismatch[1]"};
+}
+
+}  // namespace magfsi::fluids
