@@ -14,12 +14,11 @@ namespace magfsi {
 coupler::RunPlan run_plan(const scene::Scene& scene);
 
 // Begins the session with its coupled step and runs. scene and session outlive the call.
-using RunScene =
-    std::function<void(const scene::Scene&, coupler::Session&,
-                       const coupler::ParticipantArguments&)>;
+using RunScene = std::function<void(const scene::Scene&, coupler::Session&,
+                                    const coupler::ParticipantArguments&)>;
 
-// coupler::run_participant with the scene of the arguments, read, and its session. Returns
-// the exit code.
+// coupler::run_participant with the scene of the arguments, read, and its session.
+// Returns the exit code.
 int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
               const RunScene& run);
 

@@ -15,9 +15,9 @@ const std::vector<int>& face_nodes(const Body& body, const std::string& face,
     std::string known;
     for (const auto& [name, nodes] : body.mesh.faces)
         known += (known.empty() ? "" : ", ") + name;
-    throw std::invalid_argument(
-        fmt::format("body {} is {} at {}, but its faces are {}", body.name, how, face,
-                    known.empty() ? "none" : known));
+    throw std::invalid_argument(fmt::format("body {} is {} at {}, but its faces are {}",
+                                            body.name, how, face,
+                                            known.empty() ? "none" : known));
 }
 
 }  // namespace

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "structure/mesh/mesh.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
+#include "structure/mesh/mesh.h"
 #include "structure/mesh/mesh_file.h"
 
 namespace magfsi::bodies {

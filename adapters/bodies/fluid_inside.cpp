@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "adapters/bodies/scene_to_body.h"
-#include "structure/lattice/lattice.h"
 #include "structure/body.h"
+#include "structure/lattice/lattice.h"
 
 namespace magfsi::bodies {
 

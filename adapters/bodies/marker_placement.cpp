@@ -113,7 +113,8 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     const Bins bins(markers, mesh, spacing_m);
     std::map<std::size_t, Vec3> areas;
     for (const structure::SurfaceQuad& quad : surface) {
-        const Vec3 area = structure::quad_area_vector(structure::corners(mesh.nodes, quad.node));
+        const Vec3 area =
+            structure::quad_area_vector(structure::corners(mesh.nodes, quad.node));
         Vec3& sum = areas[bins.nearest(middle(mesh, quad))];
         for (std::size_t d = 0; d < 3; ++d) sum[d] += area[d];
     }

@@ -70,8 +70,8 @@ std::size_t largest_axis(const scene::Vec3& v) {
     return axis;
 }
 
-// The flow's: along which an inlet (the first one), a body force or an initial velocity is
-// largest; x without any.
+// The flow's: along which an inlet (the first one), a body force or an initial velocity
+// is largest; x without any.
 std::size_t drag_axis(const scene::Fluid& fluid) {
     for (const auto& side : fluid.boundaries) {
         if (side.kind == fluid::BoundaryKind::velocity_inlet)
@@ -109,10 +109,8 @@ void add_forces(Columns& columns, const scene::Fluid& fluid) {
     for (std::size_t i = 0; i < fluid.obstacles.size(); ++i) {
         const std::string& name = fluid.obstacles[i].name;
         const auto force = [i](Sample& s) { return s.force_on(i); };
-        columns.push_back(
-            {name + ".drag[N]", [=](Sample& s) { return force(s)[drag]; }});
-        columns.push_back(
-            {name + ".lift[N]", [=](Sample& s) { return force(s)[lift]; }});
+        columns.push_back({name + ".drag[N]", [=](Sample& s) { return force(s)[drag]; }});
+        columns.push_back({name + ".lift[N]", [=](Sample& s) { return force(s)[lift]; }});
         add_vector(columns, name + ".force", "N", force);
     }
 }
@@ -123,8 +121,8 @@ void add_plane(Columns& columns, const std::string& name,
         {name + ".flow[m3/s]", [&](Sample& s) { return s.through(plane).flow_m3_s; }});
     add_vector(columns, name + ".momentum_flux", "N",
                [&](Sample& s) { return s.through(plane).momentum_flux_n; });
-    columns.push_back(
-        {name + ".pressure[Pa]", [&](Sample& s) { return s.through(plane).pressure_pa; }});
+    columns.push_back({name + ".pressure[Pa]",
+                       [&](Sample& s) { return s.through(plane).pressure_pa; }});
 }
 
 // The scene must outlive them.
@@ -132,8 +130,7 @@ Columns columns_of(const scene::Scene& scene) {
     Columns columns;
     if (!scene.probes) return columns;
     for (const FluidQuantity wanted : scene.probes->fluid) {
-        if (wanted == FluidQuantity::obstacle_force)
-            add_forces(columns, *scene.fluid);
+        if (wanted == FluidQuantity::obstacle_force) add_forces(columns, *scene.fluid);
         for (const Quantity& q : quantities)
             if (q.quantity == wanted) columns.push_back({q.column, q.value});
     }

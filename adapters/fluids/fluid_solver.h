@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "adapters/scene/scene.h"
 #include "coupler/checkpoint/state_file.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/output/summary.h"
-#include "adapters/scene/scene.h"
 
 namespace magfsi::fluids {
 
@@ -17,10 +17,10 @@ struct FluidTotals {  // over all ranks, without the insides of obstacles
     double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
 };
 
-struct PlaneFlow {           // through the fluid's part of a plane across the box
-    double flow_m3_s = 0;    // along the plane's axis
+struct PlaneFlow {                  // through the fluid's part of a plane across the box
+    double flow_m3_s = 0;           // along the plane's axis
     scene::Vec3 momentum_flux_n{};  // of density times velocity, without pressure
-    double pressure_pa = 0;  // gauge, mean over the plane
+    double pressure_pa = 0;         // gauge, mean over the plane
 };
 
 class FluidSolver : public coupler::GridFluid {

@@ -8,8 +8,8 @@
 #include "coupler/output/log.h"
 #include "coupler/participants/session.h"
 #include "coupler/scheme/fluid_coupling.h"
-#include "coupler/step/task_list.h"
 #include "coupler/step/report.h"
+#include "coupler/step/task_list.h"
 
 namespace magfsi::fluids {
 

@@ -69,7 +69,8 @@ double stiffness_load_n(const std::vector<structure::Body>& bodies) {
 }
 
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) {
-    if (!scene.damping) input.drag = structure::Drag{critical_drag_rate_1_s(input.bodies)};
+    if (!scene.damping)
+        input.drag = structure::Drag{critical_drag_rate_1_s(input.bodies)};
     if (input.field) input.field->course = field_at_start(*input.field);
     input.quiet = true;
 }

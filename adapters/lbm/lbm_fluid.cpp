@@ -24,12 +24,14 @@ std::vector<std::size_t> shape_of(const fluid::Fluid& fluid) {
 // Values of the rows y_lo to y_hi of a plane: x is never cut between ranks.
 std::size_t values_of(const fluid::Fluid& fluid, const fluid::CellBox& box) {
     return static_cast<std::size_t>(box.hi[1] - box.lo[1]) *
-           static_cast<std::size_t>(fluid.config().cells[0]) * fluid::populations_per_cell;
+           static_cast<std::size_t>(fluid.config().cells[0]) *
+           fluid::populations_per_cell;
 }
 
 std::size_t first_value_of(const fluid::Fluid& fluid, const fluid::CellBox& box) {
     return static_cast<std::size_t>(box.lo[1]) *
-           static_cast<std::size_t>(fluid.config().cells[0]) * fluid::populations_per_cell;
+           static_cast<std::size_t>(fluid.config().cells[0]) *
+           fluid::populations_per_cell;
 }
 
 bool holds(const fluid::CellBox& box, int plane) {

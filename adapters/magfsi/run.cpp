@@ -16,8 +16,8 @@
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/file.h"
 #include "coupler/output/summary.h"
-#include "coupler/participants/guard.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/guard.h"
 
 namespace magfsi::launch {
 
@@ -214,8 +214,8 @@ int run(const RunOptions& options) {
     if (scene.fluid) {
         const std::string fault = fluid_program(scene).missing();
         if (!fault.empty())
-            throw std::invalid_argument(
-                fmt::format("fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
+            throw std::invalid_argument(fmt::format(
+                "fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
     }
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.

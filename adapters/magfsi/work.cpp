@@ -5,10 +5,10 @@
 
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
-#include "adapters/fluids/fluid_probes.h"
 #include "fluid_lbm/config.h"
 
 namespace magfsi::launch {

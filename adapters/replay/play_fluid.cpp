@@ -10,10 +10,10 @@
 
 #include "adapters/replay/replay.h"
 #include "adapters/run_scene.h"
+#include "adapters/scene/effective.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/world.h"
-#include "adapters/scene/effective.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 
@@ -62,7 +62,8 @@ std::vector<Vec3> in_order(std::span<const Vec3> recorded,
 
 class Player {
   public:
-    Player(const scene::Scene& scene, coupler::Session& session, coupler::RecordReader record)
+    Player(const scene::Scene& scene, coupler::Session& session,
+           coupler::RecordReader record)
         : scene_(scene),
           session_(session),
           record_(std::move(record)),
@@ -140,6 +141,7 @@ int main(int argc, char** argv) {
         [](const scene::Scene& scene, coupler::Session& session,
            const coupler::ParticipantArguments& arguments) {
             session.begin(*scene::coupled_step_s(scene));
-            replay::Player(scene, session, replay::open_record(scene, arguments, session)).run();
+            replay::Player(scene, session, replay::open_record(scene, arguments, session))
+                .run();
         });
 }

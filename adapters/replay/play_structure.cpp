@@ -2,10 +2,10 @@
 // is so looked at alone.
 //   mpirun -n 1 magfsi-replay-structure SCENE --out DIR --replay RUN/exchange.record
 //        : -n 2 magfsi-fluid-lbm SCENE --out DIR
+#include "adapters/fluids/fluid_probes.h"
 #include "adapters/replay/replay.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-#include "adapters/fluids/fluid_probes.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/world.h"

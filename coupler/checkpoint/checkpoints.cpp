@@ -72,8 +72,7 @@ void Checkpoints::write() {
     if (world.root()) {
         file = std::make_unique<StateWriter>(
             checkpoint_file(session_.out(), step, world.self()),
-            StateHeader{session_.plan().state_hash, step,
-                        session_.clock().step_s()});
+            StateHeader{session_.plan().state_hash, step, session_.clock().step_s()});
     }
     save_(file.get());
     if (file) file->commit();

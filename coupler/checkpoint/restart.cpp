@@ -94,19 +94,16 @@ void check_scene_of(const fs::path& file, const StateHeader& header,
         file.string(), header.state_hash, plan.state_hash));
 }
 
-void check_end(const fs::path& file, const StateHeader& header,
-               const RunPlan& plan) {
+void check_end(const fs::path& file, const StateHeader& header, const RunPlan& plan) {
     if (header.step <= Clock(header.step_s, plan.end_s).steps()) return;
     throw std::invalid_argument(fmt::format(
         "--restart: {} is of {:.6g} s, the run ends at {:.6g} s; give a later "
         "time.end, or an earlier checkpoint's file",
-        file.string(), static_cast<double>(header.step) * header.step_s,
-        plan.end_s));
+        file.string(), static_cast<double>(header.step) * header.step_s, plan.end_s));
 }
 
 // Throws StateFault on what latest may skip.
-StateHeader read_through(const fs::path& folder, std::int64_t step,
-                         const RunPlan& plan) {
+StateHeader read_through(const fs::path& folder, std::int64_t step, const RunPlan& plan) {
     StateHeader header;
     for (const Role role : plan.roles) {
         const fs::path file = checkpoint_file(folder, step, role);
@@ -169,8 +166,7 @@ RestartPoint find_restart(const std::string& wanted, const fs::path& run_folder,
     if (!plan.checkpoint)
         throw std::invalid_argument(
             "--restart: the scene has no key checkpoint, so no run of it left one");
-    return wanted == "latest" ? find_latest(run_folder, plan)
-                              : find_named(wanted, plan);
+    return wanted == "latest" ? find_latest(run_folder, plan) : find_named(wanted, plan);
 }
 
 }  // namespace magfsi::coupler

@@ -48,8 +48,7 @@ struct RestartPoint {
 // when the one that was named is torn or half of it is missing (latest goes on to the one
 // before), or when it is of another scene; scenes may differ in time.end.
 RestartPoint find_restart(const std::string& wanted,
-                          const std::filesystem::path& run_folder,
-                          const RunPlan& plan);
+                          const std::filesystem::path& run_folder, const RunPlan& plan);
 
 // Where its files are.
 std::filesystem::path restart_folder(const std::string& wanted,

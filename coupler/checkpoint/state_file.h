@@ -32,8 +32,8 @@ struct StateHeader {
 
 enum class StoredAs { double_, float_ };  // float: for values that are exact in it
 
-// The file takes its name only when it is complete and on the disk, so a kill in the middle
-// leaves the checkpoints before it as they were.
+// The file takes its name only when it is complete and on the disk, so a kill in the
+// middle leaves the checkpoints before it as they were.
 class StateWriter {
   public:
     // Throws output::FileError, also from the calls below, on a failing disk.

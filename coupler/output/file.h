@@ -77,13 +77,13 @@ void write_atomically(const std::filesystem::path& path, std::string_view text,
 std::filesystem::path temporary_of(std::filesystem::path path);
 void publish(const std::filesystem::path& path, Survives survives);
 
-// How one file of the run folder names another, so that the folder can be moved: `file` as
-// seen from the folder of `index`; both as this process would open them.
+// How one file of the run folder names another, so that the folder can be moved: `file`
+// as seen from the folder of `index`; both as this process would open them.
 std::string relative_to(const std::filesystem::path& file,
                         const std::filesystem::path& index);
 
-// The shortest decimal that reads back to the same double, the same bytes on every machine
-// and in every locale; "nan" whatever its sign, "inf", "-inf".
+// The shortest decimal that reads back to the same double, the same bytes on every
+// machine and in every locale; "nan" whatever its sign, "inf", "-inf".
 std::string to_text(double value);
 
 }  // namespace magfsi::output

@@ -13,8 +13,8 @@
 
 namespace magfsi::output {
 
-// Of progress and timings, replaceable in tests: seconds since some fixed instant; never goes
-// back.
+// Of progress and timings, replaceable in tests: seconds since some fixed instant; never
+// goes back.
 using Clock = std::function<double()>;
 
 inline double steady_seconds() {
@@ -24,10 +24,10 @@ inline double steady_seconds() {
 
 enum class LogMode { anew, append };
 
-// The run's log. Levels below error go to stdout, error and above to stderr, all of it to `file`
-// (emptied unless appended to), flushed at every line. Times of day and levels, no names
-// of hosts or users. Throws FileError where the file cannot be created. The logger is not
-// put into spdlog's registry.
+// The run's log. Levels below error go to stdout, error and above to stderr, all of it to
+// `file` (emptied unless appended to), flushed at every line. Times of day and levels, no
+// names of hosts or users. Throws FileError where the file cannot be created. The logger
+// is not put into spdlog's registry.
 std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file,
                                          const std::string& name,
                                          LogMode mode = LogMode::anew);

@@ -39,17 +39,18 @@ void read(const Json& json, std::tuple<T&...> into) {
 
 void ParticipantReport::add(const FluidSummary& fluid) {
     sections["fluid"] = {{"cells", fluid.cells},
-            {"mlups", fluid.mlups},
-            {"relaxation_time", fluid.relaxation_time},
-            {"spacing_m", fluid.spacing_m},
-            {"collision", fluid.collision},
-            {"kernel", fluid.kernel}};
+                         {"mlups", fluid.mlups},
+                         {"relaxation_time", fluid.relaxation_time},
+                         {"spacing_m", fluid.spacing_m},
+                         {"collision", fluid.collision},
+                         {"kernel", fluid.kernel}};
 }
 
 void ParticipantReport::add(const StructureSummary& structure) {
-    Json& out = sections["structure"] = {{"elements", structure.elements},
-             {"ns_per_element_step", structure.ns_per_element_step},
-             {"substeps_per_step", structure.substeps_per_step}};
+    Json& out =
+        sections["structure"] = {{"elements", structure.elements},
+                                 {"ns_per_element_step", structure.ns_per_element_step},
+                                 {"substeps_per_step", structure.substeps_per_step}};
     substeps = structure.substeps;
     if (structure.fewest_substeps_per_step)
         out["fewest_substeps_per_step"] = *structure.fewest_substeps_per_step;
@@ -57,21 +58,21 @@ void ParticipantReport::add(const StructureSummary& structure) {
 
 void ParticipantReport::add(const BoundarySummary& b) {
     sections["immersed_boundary"] = {{"markers", b.markers},
-            {"samples", b.samples},
-            {"no_slip_error", b.error},
-            {"no_slip_error_m_s", b.error_m_s},
-            {"largest_no_slip_error_m_s", b.largest_error_m_s},
-            {"leakage", b.leakage},
-            {"leakage_m3_s", b.leakage_m3_s},
-            {"marker_speed_m_s", b.marker_speed_m_s},
-            {"reference_speed_m_s", b.reference_speed_m_s}};
+                                     {"samples", b.samples},
+                                     {"no_slip_error", b.error},
+                                     {"no_slip_error_m_s", b.error_m_s},
+                                     {"largest_no_slip_error_m_s", b.largest_error_m_s},
+                                     {"leakage", b.leakage},
+                                     {"leakage_m3_s", b.leakage_m3_s},
+                                     {"marker_speed_m_s", b.marker_speed_m_s},
+                                     {"reference_speed_m_s", b.reference_speed_m_s}};
 }
 
 void ParticipantReport::add(const EnergySummary& e) {
     const auto share = [&](double energy_j) { return energy_j / e.work_j; };
     Json& out = sections["energy_audit"] = {{"work_j", e.work_j},
-             {"residual_j", e.residual_j},
-             {"residual", share(e.residual_j)}};
+                                            {"residual_j", e.residual_j},
+                                            {"residual", share(e.residual_j)}};
     if (e.gained_j) {
         out["gained_j"] = *e.gained_j;
         out["gained"] = share(*e.gained_j);
@@ -81,13 +82,13 @@ void ParticipantReport::add(const EnergySummary& e) {
 void ParticipantReport::add(const IterationSummary& i) {
     const double steps = i.steps > 0 ? static_cast<double>(i.steps) : 1;
     sections["iterations"] = {{"acceleration", i.acceleration},
-            {"measure", i.measure},
-            {"tolerance", i.tolerance},
-            {"mean", static_cast<double>(i.iterations) / steps},
-            {"most", i.most},
-            {"unconverged_steps", i.unconverged},
-            {"mean_residual", i.residual_sum / steps},
-            {"worst_residual", i.worst_residual}};
+                              {"measure", i.measure},
+                              {"tolerance", i.tolerance},
+                              {"mean", static_cast<double>(i.iterations) / steps},
+                              {"most", i.most},
+                              {"unconverged_steps", i.unconverged},
+                              {"mean_residual", i.residual_sum / steps},
+                              {"worst_residual", i.worst_residual}};
 }
 
 std::string ParticipantReport::to_text() const {

@@ -71,7 +71,8 @@ struct EnergySummary {
     std::optional<double> gained_j;
 };
 
-// One participant's time over the whole run. Seconds are means over its ranks, but for two.
+// One participant's time over the whole run. Seconds are means over its ranks, but for
+// two.
 struct SideLoad {
     int ranks = 1;
     double working_s = 0;  // all tasks, less waiting
@@ -81,7 +82,7 @@ struct SideLoad {
     double output_s = 0;             // of the work: probes and files
     double imbalance = 1;            // largest work of a rank over the mean
     double steps_s = 0;  // all tasks: what the steps took as this side saw them
-    int max_ranks = 1;  // beyond which a rank has too little to do
+    int max_ranks = 1;   // beyond which a rank has too little to do
 };
 
 // What a participant reports at the end.

@@ -25,8 +25,8 @@ struct Field {
     Values values;
 };
 
-// Fields in the cells of a regular grid: one .vti a piece, one .pvti that names the pieces.
-// Pieces meet face to face; no cell is in two of them.
+// Fields in the cells of a regular grid: one .vti a piece, one .pvti that names the
+// pieces. Pieces meet face to face; no cell is in two of them.
 
 // Half-open box of cells in global indices. VTK's extents count points: the same numbers,
 // since n cells have n + 1 points.

@@ -51,8 +51,8 @@ class World {
 constexpr double startup_timeout_s = 900;
 
 // Completes all requests without taking the core that the partner may need: polls for a
-// moment, then sleeps in between, the longer the more it has waited. Throws PartnerLost after timeout_s (its text names `what`), and Stopped when the process was
-// told to end.
+// moment, then sleeps in between, the longer the more it has waited. Throws PartnerLost
+// after timeout_s (its text names `what`), and Stopped when the process was told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
 
 // Waits until a message from each of the ranks can be received. A long message takes some
@@ -89,8 +89,8 @@ struct Agreement {
 // first item that differs and both values. Collective over both sides.
 void shake_hands(const World& world, const Agreement& mine, double timeout_s);
 
-// Exchanges a block of numbers between the roots and broadcasts it to every local rank; the
-// sizes are known to both sides. For geometry and reports at start-up and at the end.
+// Exchanges a block of numbers between the roots and broadcasts it to every local rank;
+// the sizes are known to both sides. For geometry and reports at start-up and at the end.
 void swap_with_partner(const World& world, const void* send, int send_bytes,
                        void* receive, int receive_bytes, double timeout_s,
                        const char* what);

@@ -136,8 +136,7 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
     output::write_summary(session.out() / "summary.json", summary);
 }
 
-output::BoundarySummary boundary_summary(const SlipReport& slip,
-                                         double given_speed_m_s) {
+output::BoundarySummary boundary_summary(const SlipReport& slip, double given_speed_m_s) {
     output::BoundarySummary b;
     b.markers = slip.markers;
     b.samples = slip.samples;

@@ -38,10 +38,9 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
                    double wall_s, const output::ProbeFile* probes);
 
 // How well the immersed boundary held, relative to the larger of the markers' speed (rms)
-// and the given flow's; the leakage to that speed times a quarter of the surface, the mean
-// cross-section of a convex body.
-output::BoundarySummary boundary_summary(const SlipReport& slip,
-                                         double given_speed_m_s);
+// and the given flow's; the leakage to that speed times a quarter of the surface, the
+// mean cross-section of a convex body.
+output::BoundarySummary boundary_summary(const SlipReport& slip, double given_speed_m_s);
 
 std::string to_text(const output::BoundarySummary& boundary);
 

@@ -40,7 +40,7 @@ class TaskList {
 
     // "advance structure, send impulses, ..."; what is repeated stands in brackets.
     std::string names() const;
-    std::vector<TaskTime> times() const;  // of the tasks that ran, in their order
+    std::vector<TaskTime> times() const;          // of the tasks that ran, in their order
     double seconds(std::string_view name) const;  // 0 for one that is not in the list
 
   private:

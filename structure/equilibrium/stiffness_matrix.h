@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "structure/equilibrium/tangent.h"
 #include "structure/body.h"
+#include "structure/equilibrium/tangent.h"
 
 namespace magfsi::structure {
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "structure/body.h"
 #include "structure/lammps/effect.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/names.h"
-#include "structure/body.h"
 
 namespace magfsi::structure {
 namespace {

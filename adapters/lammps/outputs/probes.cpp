@@ -2,8 +2,8 @@
 // energy audit.
 #include <fmt/format.h>
 
-#include "adapters/fluids/fluid_probes.h"
 #include "adapters/bodies/probe_row.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "adapters/lammps/structure_run.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/world.h"

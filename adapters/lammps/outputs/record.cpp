@@ -2,8 +2,8 @@
 // markers were placed, so that a record does not know its ranks.
 #include <algorithm>
 
-#include "adapters/lammps/structure_run.h"
 #include "adapters/fluids/fluid_probes.h"
+#include "adapters/lammps/structure_run.h"
 #include "coupler/checkpoint/state_file.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/exchange/exchange_record.h"

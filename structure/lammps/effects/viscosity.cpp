@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
+#include "structure/body.h"
 #include "structure/lammps/effect.h"
 #include "structure/lattice/element_kernel.h"
-#include "structure/body.h"
 
 namespace magfsi::structure {
 namespace {

@@ -1,6 +1,6 @@
 // fix ID group bench/plain FILE G K ELEMENT: the forces of fix magttice, element by
-// element in the plainest form (tests/unit/structure/plain_element.h). What the fast kernel is
-// measured against.
+// element in the plainest form (tests/unit/structure/plain_element.h). What the fast
+// kernel is measured against.
 #pragma once
 
 #include "fix.h"

@@ -95,11 +95,10 @@ TEST(ProbeRow, of_a_part_with_the_force_on_it_in_a_fluid) {
     scene.probes->integrals = {{"gate", scene::FluidPlane{0, 1e-3}},
                                {"fin", scene::BodyPart{"robot", {}}}};
     Row row = row_of(scene);
-    EXPECT_EQ(
-        row.columns,
-        (Names{"fin.ux[m]", "fin.uy[m]", "fin.uz[m]", "fin.momentum_x[kg m/s]",
-               "fin.momentum_y[kg m/s]", "fin.momentum_z[kg m/s]", "fin.fluid_force_x[N]",
-               "fin.fluid_force_y[N]", "fin.fluid_force_z[N]"}));
+    EXPECT_EQ(row.columns, (Names{"fin.ux[m]", "fin.uy[m]", "fin.uz[m]",
+                                  "fin.momentum_x[kg m/s]", "fin.momentum_y[kg m/s]",
+                                  "fin.momentum_z[kg m/s]", "fin.fluid_force_x[N]",
+                                  "fin.fluid_force_y[N]", "fin.fluid_force_z[N]"}));
     ASSERT_EQ(row.values.size(), row.columns.size());
     EXPECT_NEAR(row.values[2], 1e-3, 1e-15);
     EXPECT_EQ(row.values[8], 10);

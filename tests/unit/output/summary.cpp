@@ -35,8 +35,7 @@ Summary diverged_run() {
     fluid.load = {.ranks = 2, .working_s = 1.25, .waiting_s = 0.125, .imbalance = 1.5};
     fluid.tasks = {{"stream", 1.0}, {"exchange", 0.25}};
     fluid.waiting = {{"exchange", 0.125}};
-    fluid.add(
-        FluidSummary{128000, 88.5, 0.5015, 2e-4, "recursive_regularized", "avx2"});
+    fluid.add(FluidSummary{128000, 88.5, 0.5015, 2e-4, "recursive_regularized", "avx2"});
     // As the partner receives it.
     s.participants = {structure, ParticipantReport::from_text(fluid.to_text())};
     s.probes = {{"robot.com_z[m]", std::numeric_limits<double>::quiet_NaN()},

@@ -23,8 +23,9 @@ TEST(ProbeColumns, of_the_fluid) {
     using Q = FluidQuantity;
     auto scene = robot_in_water();
     scene.probes->fluid = {Q::kinetic_energy, Q::enstrophy, Q::mass, Q::max_speed};
-    EXPECT_EQ(fluids::fluid_columns(scene), (Names{"kinetic_energy[J]", "enstrophy[1/s^2]",
-                                           "mass[kg]", "max_speed[m/s]"}));
+    EXPECT_EQ(
+        fluids::fluid_columns(scene),
+        (Names{"kinetic_energy[J]", "enstrophy[1/s^2]", "mass[kg]", "max_speed[m/s]"}));
     scene.probes->fluid = {Q::max_speed, Q::mass};
     EXPECT_EQ(fluids::fluid_columns(scene), (Names{"max_speed[m/s]", "mass[kg]"}));
 }
@@ -52,7 +53,8 @@ TEST(ProbeColumns, the_fluids_share_of_the_energy_comes_last_of_its_columns) {
     auto scene = robot_in_water();
     scene.probes->fluid = {FluidQuantity::mass};
     scene.probes->energy_audit = true;
-    EXPECT_EQ(fluids::fluid_columns(scene), (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
+    EXPECT_EQ(fluids::fluid_columns(scene),
+              (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
     scene.fluid.reset();
     scene.probes->fluid.clear();
     EXPECT_TRUE(fluids::fluid_columns(scene).empty());

@@ -108,8 +108,7 @@ class FluidFields : public coupler::Output {
     explicit FluidFields(FluidRun& run)
         : session_(run.session),
           every_(session_.clock().every(run.scene.output.fluid->every_s)),
-          files_(session_.world(), run.fluid, *run.scene.output.fluid,
-                 session_.out()) {
+          files_(session_.world(), run.fluid, *run.scene.output.fluid, session_.out()) {
         if (session_.restart()) files_.resume(session_.clock(), every_);
     }
     void begin() override {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "structure/lammps/step_limit.h"
 #include "structure/body.h"
+#include "structure/lammps/step_limit.h"
 #include "structure/mesh/surface.h"
 
 namespace magfsi::structure {
