@@ -1,6 +1,7 @@
 #include "coupler/output/log.h"
 
 #include <gtest/gtest.h>
+#include <spdlog/logger.h>
 
 #include <sstream>
 
