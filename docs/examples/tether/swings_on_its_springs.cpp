@@ -16,7 +16,7 @@ namespace {
 TEST(Tether, LetsABodySwingUnderItsWeight) {
     LammpsInput input = test::bare_strip();
     input.gravity_m_s2 = Vec3{0, 0, -9.81};
-    const auto masses = node_masses(build_lattice(input.bodies[0]));
+    const auto masses = build_lattice(input.bodies[0]).node_mass_kg;
     double mass = 0;
     for (const double m : masses) mass += m;
     const double omega = 500;

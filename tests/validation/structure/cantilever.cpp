@@ -28,7 +28,8 @@ Study study(const std::array<int, 3>& n, ElementVariant variant) {
     const auto found =
         NewtonSolver(body).follow(body.mesh.nodes, {}, test::rising_gamma(gammas));
     Study out;
-    std::printf("%-14s %2dx%2dx%d:", element_name(variant).c_str(), n[0], n[1], n[2]);
+    std::printf("%-14s %2dx%2dx%d:", std::string(name_of(variant)).c_str(), n[0], n[1],
+                n[2]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double rise = test::tip_displacement(body, found[i].nodes_m)[2];
         const double error = rise / test::number(rows[i], "uz_tip/L") - 1;
