@@ -108,7 +108,10 @@ TEST_F(Script, NumbersBodiesOneAfterTheOther) {
 
 TEST_F(Script, RefusesBadInputInOneSentence) {
     input_.bodies[0].clamps = {"front"};
-    EXPECT_EQ(error(), "body strip is clamped at front, a face that its mesh lacks");
+    EXPECT_EQ(
+        error(),
+        "body strip is clamped at front, but its faces are x_max, x_min, y_max, y_min, "
+        "z_max, z_min");
     input_.bodies[0].clamps.clear();
     input_.bodies[0].material.density_kg_m3 = -140;
     EXPECT_EQ(error(),
