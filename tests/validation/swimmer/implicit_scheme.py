@@ -91,7 +91,7 @@ class ImplicitScheme(unittest.TestCase):
     def test_every_acceleration_gives_the_same_and_takes_its_iterations(self):
         mean, probes = {}, {}
         for name in ("iqn_ils", "aitken", "under_relaxation"):
-            found = run("implicit", **implicit(acceleration=name, most=60))
+            found = run("implicit", **implicit(acceleration=name, max_iterations=60))
             iterations = found.summary()["iterations"]
             self.assertEqual(iterations["acceleration"], name)
             self.assertEqual(iterations["unconverged_steps"], 0)
@@ -106,7 +106,7 @@ class ImplicitScheme(unittest.TestCase):
                                 ACCELERATION_BOUND)
 
     def test_a_step_that_does_not_converge_is_named_or_counted(self):
-        slow = implicit(acceleration="under_relaxation", relaxation=0.1, most=3)
+        slow = implicit(acceleration="under_relaxation", relaxation=0.1, max_iterations=3)
         ended = testing.run(testing.SMALL, settings("implicit", **slow))
         self.assertEqual(ended.code, 3, ended.err)
         self.assertRegex(ended.err, r"coupled step \d+ has not converged: after 3 iterations the "
