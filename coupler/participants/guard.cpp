@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cfenv>
@@ -102,7 +103,10 @@ void write_failure(const RunState& state, const Ending& ending) {
     summary.steps = state.step;
     summary.simulated_s = state.time_s;
     try {
-        output::write_summary(state.out / "summary.json", summary);
+        // Both sides may end at the same moment: each writes a file of its own first.
+        const auto mine = state.out / fmt::format("summary.{}.json", ::getpid());
+        output::write_summary(mine, summary);
+        std::filesystem::rename(mine, state.out / "summary.json");
     } catch (const std::exception& e) {
         fmt::print(stderr, "magfsi: {}\n", e.what());
     }
