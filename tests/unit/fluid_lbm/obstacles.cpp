@@ -1,4 +1,5 @@
 // Obstacles: the force on them, the cells in them, and bodies from files.
+#include <unistd.h>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -159,10 +160,12 @@ std::vector<Triangle> block_surface(const Vec3& lo, const Vec3& hi) {
 
 class StlFile : public testing::Test {
   protected:
+    // A file for each rank: they write and remove it on their own.
     void SetUp() override {
         path_ = std::filesystem::temp_directory_path() /
                 (std::string("magfsi_") +
-                 testing::UnitTest::GetInstance()->current_test_info()->name() + ".stl");
+                 testing::UnitTest::GetInstance()->current_test_info()->name() +
+                 std::to_string(::getpid()) + ".stl");
     }
     void TearDown() override { std::filesystem::remove(path_); }
 
