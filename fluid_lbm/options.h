@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +15,7 @@ namespace magfsi::fluid {
 
 using Vec3 = std::array<double, 3>;
 
-// collision/registered.h says which kernel each one is.
+// streaming/kernels.cpp says which kernel each one is.
 enum class Collision { automatic, bgk, trt, recursive_regularized };
 constexpr auto words_of(Collision) {
     return std::to_array<std::string_view>(
@@ -60,9 +59,6 @@ struct Inlet {
     Vec3 velocity_m_s{};  // mean over the cells of the opening, whatever the profile
     InletProfile profile = InletProfile::uniform;
     double ramp_s = 0;  // grows from rest as (1 - cos(pi t / ramp)) / 2
-    // Replaces all of the above: velocity [m/s] at the centre of a cell's face on the
-    // side [m], at a time [s] after the start. Called in every step for every such face.
-    std::function<Vec3(const Vec3& position_m, double time_s)> course;
 };
 
 // Openings of a side, in its plane: coordinates along the two other axes in the order x,
@@ -123,12 +119,6 @@ using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
 struct Obstacle {
     std::string name;  // for errors and probes
     ObstacleShape shape;
-};
-
-// Where bounce-back puts the surface.
-enum class ObstacleWall {
-    half_way,      // half a cell from the fluid's cells: a staircase
-    interpolated,  // at its true distance (Bouzidi, Firdaouss, Lallemand 2001, linear)
 };
 
 // --- the fluid ----------------------------------------------------------------------
