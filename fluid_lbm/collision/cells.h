@@ -33,7 +33,7 @@ class LaneCells {
 // What a run gives to its kernels; lattice units.
 struct CollisionParameters {
     double omega = 1;          // 1 / tau, tau the relaxation time of the viscosity
-    double magic = 3.0 / 16;   // Lambda of two-relaxation-time collision
+    double magic = 3.0 / 16;   // Lambda: how odd modes relax
     double eddy_constant = 0;  // Smagorinsky's
 };
 
@@ -47,18 +47,29 @@ MAGFSI_INLINE V odd_rate(const V& even, const V& magic) {
     return 2.0 * slack / (slack + 4.0 * magic * even);
 }
 
-// Rates of each lane; collisions with one rate ignore the odd one.
+// Even modes of fourth order relax ten times as far from 1/2 as the viscous ones,
+//   tau4 - 1/2 = 10 (1 / even - 1/2):
+// a plate's impulse then keeps within 1 to 2 % over time steps of 1 : 4, and stays stable
+// where two relaxation times diverge.
+template <class V>
+MAGFSI_INLINE V fourth_rate(const V& even) {
+    const V slack = 10.0 * (2.0 - even);
+    return 2.0 * even / (slack + even);
+}
+
+// Rates of each lane; a collision ignores those that it has no use for.
 template <class V>
 struct Rates {
-    V even, odd;
+    V even, odd, fourth;
     V magic, eddy_constant;
 };
 
 template <class V>
 MAGFSI_INLINE Rates<V> rates(const CollisionParameters& p) {
-    // The odd one in double: 2 - omega loses digits near tau = 1/2.
+    // In double: 2 - omega loses digits near tau = 1/2.
     return {V{} + constant<V>(p.omega), V{} + constant<V>(odd_rate(p.omega, p.magic)),
-            V{} + constant<V>(p.magic), V{} + constant<V>(p.eddy_constant)};
+            V{} + constant<V>(fourth_rate(p.omega)), V{} + constant<V>(p.magic),
+            V{} + constant<V>(p.eddy_constant)};
 }
 
 // Cells a step that no cell may reach: above it the lattice's equilibria go negative and

@@ -1,12 +1,20 @@
-// Recursive regularised collision (Malaspinas 2015; Jacob, Malaspinas, Sagaut 2018): the
-// populations are rebuilt from density, momentum, the second-order moment and the
-// third-order moments that follow from it,
+// Collisions on Hermite moments with recursive third-order ones (Malaspinas 2015; Jacob,
+// Malaspinas, Sagaut 2018). From density, momentum and the second-order moment follow
 //   a_xxy = rho ux ux uy + (1 - omega) (2 ux n_xy + uy n_xx),
-// n the non-equilibrium stress. All that the lattice carries beyond (ghost modes) is
-// dropped, which is why it stays stable close to tau = 1/2.
+// n the non-equilibrium stress. What the lattice carries beyond these are ghost modes.
+//
+//   recursive_regularized  drops them: the most robust close to tau = 1/2. But a rate of
+//                          1 for modes of third order is a magic number of
+//                          (tau - 1/2) / 2, which falls with the time step: so does the
+//                          layer of fluid that walls and immersed bodies carry along.
+//   recursive_mrt          keeps them: the deviation of odd third-order moments from the
+//                          recursion relaxes with the magic number's rate, the even modes
+//                          of fourth order with fourth_rate(). Walls and bodies then do
+//                          not depend on the time step.
 //
 // Of the third-order Hermite polynomials D3Q19 supports the six sums and differences
-//   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz.
+//   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz,
+// of the fourth-order ones three, of xxyy, xxzz and yyzz.
 #pragma once
 
 #include "fluid_lbm/collision/cells.h"
@@ -15,14 +23,17 @@
 
 namespace magfsi::fluid {
 
-struct RecursiveRegularized {
-    static constexpr Collision kind = Collision::recursive_regularized;
+template <Collision Kind>
+struct Recursive {
+    static constexpr Collision kind = Kind;
 
     // force: read only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check);
 };
+using RecursiveRegularized = Recursive<Collision::recursive_regularized>;
+using RecursiveMrt = Recursive<Collision::recursive_mrt>;
 
 // The third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz;
 // [2] a_yyz, a_xxz. n is already multiplied by 1 - omega.
@@ -51,59 +62,162 @@ MAGFSI_INLINE void rebuild_pair(const LaneCells<V, Real>& f, const V& even,
     f.write(Q + 1, w * (even - odd));
 }
 
+// Ghost modes: of third order the deviation from the recursion, of fourth order by pair
+// of axes. Each is multiplied by the part that the collision keeps.
+template <class V>
+struct Ghosts {
+    ThirdOrder<V> third;
+    V xy, xz, yz;
+};
+
+// Those of populations before the collision; j: their momentum; n: the viscous stress,
+// before relaxation.
+template <class V, class Real>
+MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecond<V>& all,
+                               const V (&u)[3], const Symmetric<V>& ruu,
+                               const Symmetric<V>& n, const Rates<V>& rates) {
+    const SumDifference<V> a = pair_of<7>(f), b = pair_of<9>(f), c = pair_of<11>(f),
+                           d = pair_of<13>(f), e = pair_of<15>(f), g = pair_of<17>(f);
+    const V(&j)[3] = all.low.j;
+    const V third = V{} + constant<V>(d3q19::cs2);
+    const V jx = third * j[0], jy = third * j[1], jz = third * j[2];
+    const V xyy = a.difference + b.difference - jx,
+            xxy = a.difference - b.difference - jy;
+    const V xzz = c.difference + d.difference - jx,
+            xxz = c.difference - d.difference - jz;
+    const V yzz = e.difference + g.difference - jy,
+            yyz = e.difference - g.difference - jz;
+    const ThirdOrder<V> r = third_order(u, ruu, n);
+    const V odd = 1.0 - rates.odd;
+    Ghosts<V> kept;
+    kept.third = {
+        {odd * (xzz + xyy - r.sum[0]), odd * (xxy + yzz - r.sum[1]),
+         odd * (yyz + xxz - r.sum[2])},
+        {odd * (xzz - xyy - r.difference[0]), odd * (xxy - yzz - r.difference[1]),
+         odd * (yyz - xxz - r.difference[2])}};
+    // Of each diagonal plane the sum of its four populations, less what the second-order
+    // moments give it.
+    const Symmetric<V>& p = all.second;
+    const V trace = p.xx + p.yy + p.zz, excess = all.low.excess;
+    const V keep = 1.0 - rates.fourth, ninth = V{} + constant<V>(1.0 / 9);
+    const V base = -0.5 * excess - 1.5 * trace;
+    kept.xy = keep * (a.sum + b.sum - ninth * (base + 4.5 * (p.xx + p.yy)));
+    kept.xz = keep * (c.sum + d.sum - ninth * (base + 4.5 * (p.xx + p.zz)));
+    kept.yz = keep * (e.sum + g.sum - ninth * (base + 4.5 * (p.yy + p.zz)));
+    return kept;
+}
+
+template <class V>
+MAGFSI_INLINE void add(ThirdOrder<V>& t, const ThirdOrder<V>& more) {
+    for (int i = 0; i < 3; ++i) {
+        t.sum[i] += more.sum[i];
+        t.difference[i] += more.difference[i];
+    }
+}
+
+// What fourth-order modes add: g / 4 to each edge of their plane, -g / 2 to each of its
+// faces, g to the rest, which leaves all lower moments as they are. Of faces and edges
+// before the multiplication by the weight.
+template <class V>
+struct FourthOrder {
+    V rest, face[3], edge[3];
+};
+template <class V>
+MAGFSI_INLINE FourthOrder<V> fourth_order(const Ghosts<V>& g) {
+    return {g.xy + g.xz + g.yz,
+            {-9.0 * (g.xy + g.xz), -9.0 * (g.xy + g.yz), -9.0 * (g.xz + g.yz)},
+            {9.0 * g.xy, 9.0 * g.xz, 9.0 * g.yz}};
+}
+// Without them nothing is added, not even zeros.
+struct NoFourthOrder {};
+
+template <class V>
+MAGFSI_INLINE V with_rest(const V& f, const NoFourthOrder&) {
+    return f;
+}
+template <class V>
+MAGFSI_INLINE V with_rest(const V& f, const FourthOrder<V>& g) {
+    return f + g.rest;
+}
+template <int Axis, class V>
+MAGFSI_INLINE V with_face(const V& f, const NoFourthOrder&) {
+    return f;
+}
+template <int Axis, class V>
+MAGFSI_INLINE V with_face(const V& f, const FourthOrder<V>& g) {
+    return f + g.face[Axis];
+}
+template <int Plane, class V>
+MAGFSI_INLINE V with_edge(const V& f, const NoFourthOrder&) {
+    return f;
+}
+template <int Plane, class V>
+MAGFSI_INLINE V with_edge(const V& f, const FourthOrder<V>& g) {
+    return f + g.edge[Plane];
+}
+
 // f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a') + (H - H')
 // (a - a') + ...]}, with the Hermite polynomials evaluated for each direction.
-template <class V, class Real>
+template <class V, class Real, class Fourth>
 MAGFSI_INLINE void rebuild(const LaneCells<V, Real>& f, const V& excess, const V (&j)[3],
-                           const Symmetric<V>& a, const ThirdOrder<V>& t) {
+                           const Symmetric<V>& a, const ThirdOrder<V>& t,
+                           const Fourth& fourth) {
     const V base = excess - 1.5 * (a.xx + a.yy + a.zz);
     const V x = 3.0 * j[0], y = 3.0 * j[1], z = 3.0 * j[2];
-    f.write(0, constant<V>(d3q19::weight_rest) * base);
-    rebuild_pair<1>(f, base + 4.5 * a.xx, x - 9.0 * t.sum[0]);
-    rebuild_pair<3>(f, base + 4.5 * a.yy, y - 9.0 * t.sum[1]);
-    rebuild_pair<5>(f, base + 4.5 * a.zz, z - 9.0 * t.sum[2]);
+    f.write(0, with_rest(constant<V>(d3q19::weight_rest) * base, fourth));
+    rebuild_pair<1>(f, with_face<0>(base + 4.5 * a.xx, fourth), x - 9.0 * t.sum[0]);
+    rebuild_pair<3>(f, with_face<1>(base + 4.5 * a.yy, fourth), y - 9.0 * t.sum[1]);
+    rebuild_pair<5>(f, with_face<2>(base + 4.5 * a.zz, fourth), z - 9.0 * t.sum[2]);
     V plus[3], minus[3];
     for (int i = 0; i < 3; ++i) {
         plus[i] = 4.5 * (t.sum[i] + t.difference[i]);
         minus[i] = 4.5 * (t.sum[i] - t.difference[i]);
     }
-    const V xy = base + 4.5 * (a.xx + a.yy), x_y = minus[0], y_x = plus[1];
+    const V xy = with_edge<0>(base + 4.5 * (a.xx + a.yy), fourth), x_y = minus[0],
+            y_x = plus[1];
     rebuild_pair<7>(f, xy + 9.0 * a.xy, (x + y) + (x_y + y_x));
     rebuild_pair<9>(f, xy - 9.0 * a.xy, (x - y) + (x_y - y_x));
-    const V xz = base + 4.5 * (a.xx + a.zz), x_z = plus[0], z_x = minus[2];
+    const V xz = with_edge<1>(base + 4.5 * (a.xx + a.zz), fourth), x_z = plus[0],
+            z_x = minus[2];
     rebuild_pair<11>(f, xz + 9.0 * a.xz, (x + z) + (x_z + z_x));
     rebuild_pair<13>(f, xz - 9.0 * a.xz, (x - z) + (x_z - z_x));
-    const V yz = base + 4.5 * (a.yy + a.zz), y_z = minus[1], z_y = plus[2];
+    const V yz = with_edge<2>(base + 4.5 * (a.yy + a.zz), fourth), y_z = minus[1],
+            z_y = plus[2];
     rebuild_pair<15>(f, yz + 9.0 * a.yz, (y + z) + (y_z + z_y));
     rebuild_pair<17>(f, yz - 9.0 * a.yz, (y - z) + (y_z - z_y));
 }
 
+template <Collision Kind>
 template <bool Forced, class V, class Real>
-MAGFSI_INLINE void RecursiveRegularized::collide(const LaneCells<V, Real>& f,
-                                                 const V (&force)[3],
-                                                 const Rates<V>& rates,
-                                                 CellCheck<V>& check) {
-    MomentsToSecond<V> all = moments_to_second(f);
-    Moments<V>& m = all.low;
+MAGFSI_INLINE void Recursive<Kind>::collide(const LaneCells<V, Real>& f,
+                                            const V (&force)[3], const Rates<V>& rates,
+                                            CellCheck<V>& check) {
+    const MomentsToSecond<V> all = moments_to_second(f);
+    Moments<V> m = all.low;
     if constexpr (Forced) shift_momentum(m, force);
     const V per_density = 1.0 / (1.0 + m.excess);
     const V u[3] = {m.j[0] * per_density, m.j[1] * per_density, m.j[2] * per_density};
     const V keep = 1.0 - rates.even;
     const Symmetric<V> ruu = outer(m.j, u);
     check.add(ruu.xx + ruu.yy + ruu.zz, per_density);
-    Symmetric<V> n = nonequilibrium(all, ruu);
+    Symmetric<V> n = nonequilibrium(all, ruu), second = ruu;
     if constexpr (Forced) {
         // Guo: the second moment becomes eq + (1 - omega) n + (1 - omega/2)(uF + Fu) with
         // the raw n. Adding half of uF + Fu to n first makes n the viscous stress itself,
         // which is what the recursion wants, and leaves another half to add.
         const Symmetric<V> g = half_force_stress(u, force);
-        n = scaled(keep, add(n, g));
-        const ThirdOrder<V> t = third_order(u, ruu, n);
-        shift_momentum(m, force);  // sum c f + F
-        rebuild(f, m.excess, m.j, add(add(ruu, n), g), t);
+        n = add(n, g);
+        second = add(ruu, g);
+    }
+    const Symmetric<V> left = scaled(keep, n);
+    ThirdOrder<V> t = third_order(u, ruu, left);
+    if constexpr (Forced) shift_momentum(m, force);  // sum c f + F
+    if constexpr (Kind == Collision::recursive_mrt) {
+        const Ghosts<V> kept = ghosts(f, all, u, ruu, n, rates);
+        add(t, kept.third);
+        rebuild(f, m.excess, m.j, add(second, left), t, fourth_order(kept));
     } else {
-        n = scaled(keep, n);
-        rebuild(f, m.excess, m.j, add(ruu, n), third_order(u, ruu, n));
+        rebuild(f, m.excess, m.j, add(second, left), t, NoFourthOrder{});
     }
 }
 

@@ -37,7 +37,8 @@ constexpr CollisionKernels<Real> kernels_of() {
 template <class Real, class T>
 constexpr KernelTable<Real> table() {
     return {{kernels_of<Real, T, Bgk>(), kernels_of<Real, T, TwoRelaxationTimes>(),
-             kernels_of<Real, T, RecursiveRegularized>()}};
+             kernels_of<Real, T, RecursiveRegularized>(),
+             kernels_of<Real, T, RecursiveMrt>()}};
 }
 
 }  // namespace
