@@ -20,7 +20,15 @@ constexpr auto words_of(Markers) {
     return std::to_array<std::string_view>({"mid_surface", "both_faces", "volume"});
 }
 
+// How a marker's slip becomes a force: eq. (13) with the fluid of its own volume; or so
+// that the fluid which passes the body has its velocity (immersed_boundary/no_slip.h).
+enum class Forcing { penalty, no_slip };
+constexpr auto words_of(Forcing) {
+    return std::to_array<std::string_view>({"penalty", "no_slip"});
+}
+
 struct ImmersedBoundary {
+    Forcing forcing = Forcing::penalty;
     Kernel kernel = Kernel::three_point;
     std::optional<Markers> markers;  // absent: by the body's shape
     double marker_spacing = 0.5;     // in units of the fluid's spacing

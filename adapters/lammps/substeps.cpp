@@ -12,6 +12,7 @@
 #include "adapters/lammps/scene_to_input.h"
 #include "adapters/scene/effective.h"
 #include "coupler/immersed_boundary/direct_forcing.h"
+#include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/participants/errors.h"
 #include "structure/lattice/lattice.h"
 
@@ -38,6 +39,9 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     const auto& boundary = scene.coupling->immersed_boundary;
     const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
                                       coupled_step_s};
+    // Row sums are not known before the run; the least is what it allows.
+    const double row_sum =
+        boundary.forcing == coupler::Forcing::no_slip ? coupler::least_row_sum : 1;
     const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
         const scene::Body& body = scene.bodies[b];
@@ -46,7 +50,7 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
         for (const auto& m :
              bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0,
                                    bodies::spans_fluid(*scene.fluid, body))) {
-            const double kappa = scale.drag_coefficient_kg_s(m.volume_m3);
+            const double kappa = scale.drag_coefficient_kg_s(m.volume_m3) / row_sum;
             for (std::size_t a = 0; a < 8; ++a) {
                 drag[static_cast<std::size_t>(m.point.node[a])] +=
                     m.point.weight[a] * kappa;

@@ -41,6 +41,10 @@ void keys(Io& io, Iteration& iteration) {
 
 template <class Io>
 void keys(Io& io, ImmersedBoundary& boundary) {
+    io(key("forcing", "How a marker's slip becomes a force: penalty is eq. (13) with the fluid "
+           "of its own volume; no_slip makes the fluid that passes the body move with it, with "
+           "markers about one spacing apart.").by_default(),
+       boundary.forcing);
     io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
     io(key("markers", "Where markers sit: midway between the large faces of a sheet, below "
            "both of them, or through the volume; without it, below both faces of sheets and "

@@ -137,11 +137,12 @@ void check_margin(const Grid& grid, std::span<const Vec3> then_m,
 }
 
 StructureExchange::StructureExchange(const World& world, const Grid& grid, Kernel kernel,
-                                     double timeout_s)
+                                     double timeout_s, Forcing forcing)
     : world_(world),
       grid_(grid),
       kernel_(kernel),
       timeout_s_(timeout_s),
+      forcing_(forcing),
       out_(static_cast<std::size_t>(world.partner_size())),
       in_(out_.size()) {}
 
@@ -160,14 +161,15 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
         mine[f] = static_cast<int>(markers);
         if (markers == 0) continue;
         partners_.push_back(static_cast<int>(f));
-        out_[f].resize(message_header + marker_values * markers);
-        in_[f].resize(message_header + velocity_values * markers);
+        out_[f].resize(message_header + marker_values_of(forcing_) * markers);
+        in_[f].resize(message_header + velocity_values_of(forcing_) * markers);
     }
     exchange_counts(world_, mine, theirs, step, timeout_s_);
 }
 
 void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_m,
-                             std::span<const Vec3> impulse, std::span<const Vec3> now_m) {
+                             std::span<const Vec3> impulse, std::span<const Vec3> now_m,
+                             std::span<const double> volume_m3) {
     if (renews_partners(when)) renew(when.step, when.step < 0 ? now_m : before_m);
     check_margin(grid_, renewed_at_, now_m, when.step);
     sending_.clear();
@@ -180,31 +182,41 @@ void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_
             put(at, before_m[m]);
             put(at + 3, impulse[m]);
             put(at + 6, now_m[m]);
-            at += marker_values;
+            if (!volume_m3.empty()) at[9] = volume_m3[m];
+            at += marker_values_of(forcing_);
         }
         start_send(world_, partner, marker_tag, out_[f], sending_);
     }
 }
 
-void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity) {
+void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity,
+                                NoSlipAnswer* more) {
     receive_from(world_, partners_, velocity_tag, in_, sending_, timeout_s_,
                  fmt::format("fluid velocities of step {}", when.step));
     std::ranges::fill(velocity, Vec3{});
+    if (more)
+        *more = {std::vector<double>(velocity.size()),
+                 std::vector<Vec3>(velocity.size())};
     for (const int partner : partners_) {
         const auto f = static_cast<std::size_t>(partner);
         check_header(in_[f], when, table_[f].size(), fmt::format("fluid rank {}", f));
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
-            for (std::size_t d = 0; d < 3; ++d)
-                velocity[static_cast<std::size_t>(marker)][d] += at[d];
-            at += velocity_values;
+            const auto m = static_cast<std::size_t>(marker);
+            for (std::size_t d = 0; d < 3; ++d) velocity[m][d] += at[d];
+            if (more) {
+                more->row_sum[m] += at[3];
+                for (std::size_t d = 0; d < 3; ++d) more->passed[m][d] += at[4 + d];
+            }
+            at += velocity_values_of(forcing_);
         }
     }
 }
 
-FluidExchange::FluidExchange(const World& world, double timeout_s)
+FluidExchange::FluidExchange(const World& world, double timeout_s, Forcing forcing)
     : world_(world),
       timeout_s_(timeout_s),
+      forcing_(forcing),
       count_(static_cast<std::size_t>(world.partner_size())),
       in_(count_.size()),
       out_(count_.size()) {}
@@ -229,13 +241,14 @@ void FluidExchange::renew(std::int64_t step) {
         if (count_[s] == 0) continue;
         partners_.push_back(static_cast<int>(s));
         const auto markers = static_cast<std::size_t>(count_[s]);
-        in_[s].resize(message_header + marker_values * markers);
+        in_[s].resize(message_header + marker_values_of(forcing_) * markers);
     }
     const auto total =
         static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
     batch_.before_m.resize(total);
     batch_.impulse.resize(total);
     batch_.now_m.resize(total);
+    if (forcing_ == Forcing::no_slip) batch_.volume_m3.resize(total);
 }
 
 const MarkerBatch& FluidExchange::receive(const Occasion& when) {
@@ -249,26 +262,32 @@ const MarkerBatch& FluidExchange::receive(const Occasion& when) {
         const auto count = static_cast<std::size_t>(count_[s]);
         check_header(in_[s], when, count, fmt::format("structure rank {}", s));
         const double* at = in_[s].data() + message_header;
-        for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values) {
+        for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values_of(forcing_)) {
             batch_.before_m[m] = get(at);
             batch_.impulse[m] = get(at + 3);
             batch_.now_m[m] = get(at + 6);
+            if (!batch_.volume_m3.empty()) batch_.volume_m3[m] = at[9];
         }
     }
     return batch_;
 }
 
-void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity) {
+void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity,
+                         const NoSlipAnswer* more) {
     std::size_t m = 0;
     for (const int partner : partners_) {
         const auto s = static_cast<std::size_t>(partner);
         const auto count = static_cast<std::size_t>(count_[s]);
         // Not in renew: the last velocities may still be under way then.
-        out_[s].resize(message_header + velocity_values * count);
+        out_[s].resize(message_header + velocity_values_of(forcing_) * count);
         write_header(out_[s], when, count);
         double* at = out_[s].data() + message_header;
-        for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values)
+        for (std::size_t i = 0; i < count; ++i, ++m, at += velocity_values_of(forcing_)) {
             put(at, velocity[m]);
+            if (!more) continue;
+            at[3] = more->row_sum[m];
+            put(at + 4, more->passed[m]);
+        }
         start_send(world_, partner, velocity_tag, out_[s], sending_);
     }
 }

@@ -16,6 +16,7 @@
 
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
+#include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
@@ -26,6 +27,13 @@ constexpr int velocity_tag = 82;  // fluid -> structure
 constexpr std::size_t message_header = 3;  // step, iteration, number of markers
 constexpr std::size_t marker_values = 9;   // position now, impulse, position next
 constexpr std::size_t velocity_values = 3;
+// In forcing no_slip besides: the marker's volume; its NoSlipAnswer.
+constexpr std::size_t marker_values_of(Forcing forcing) {
+    return marker_values + (forcing == Forcing::no_slip ? 1 : 0);
+}
+constexpr std::size_t velocity_values_of(Forcing forcing) {
+    return velocity_values + (forcing == Forcing::no_slip ? 4 : 0);
+}
 
 // Which exchange a message belongs to: the coupled step, -1 before the first, and within
 // it the iteration of an implicit scheme or of iterated forcing.
@@ -79,7 +87,7 @@ void check_margin(const Grid& grid, std::span<const Vec3> then_m,
 class StructureExchange {
   public:
     StructureExchange(const World& world, const Grid& grid, Kernel kernel,
-                      double timeout_s);
+                      double timeout_s, Forcing forcing = Forcing::penalty);
 
     // When an exception ends the run, messages still under way are kept.
     ~StructureExchange();
@@ -89,12 +97,15 @@ class StructureExchange {
     // What the markers of this rank did: where they were (the impulse acts there), the
     // impulse given to the fluid [N s], where they are now. Step -1 asks for the
     // velocities at the first positions.
+    // volume_m3: of each marker; in forcing no_slip only.
     void send(const Occasion& when, std::span<const Vec3> before_m,
-              std::span<const Vec3> impulse, std::span<const Vec3> now_m);
+              std::span<const Vec3> impulse, std::span<const Vec3> now_m,
+              std::span<const double> volume_m3 = {});
 
     // The fluid's velocity [m/s] at the positions sent last: the sum of the ranks'
-    // shares.
-    void receive(const Occasion& when, std::span<Vec3> velocity);
+    // shares. In forcing no_slip what it says besides.
+    void receive(const Occasion& when, std::span<Vec3> velocity,
+                 NoSlipAnswer* more = nullptr);
 
     // Fluid ranks this rank exchanges messages with at present.
     int partners() const { return static_cast<int>(partners_.size()); }
@@ -106,6 +117,7 @@ class StructureExchange {
     const Grid& grid_;
     Kernel kernel_;
     double timeout_s_;
+    Forcing forcing_;
     std::vector<std::vector<int>> table_;  // by fluid rank
     std::vector<int> partners_;            // fluid ranks that have any
     std::vector<Vec3> renewed_at_;
@@ -115,15 +127,17 @@ class StructureExchange {
 
 // The markers that may touch this rank's cells, those of structure rank 0 first.
 struct MarkerBatch {
-    std::vector<Vec3> before_m;  // where the impulse acts
-    std::vector<Vec3> impulse;   // given to the fluid [N s]
-    std::vector<Vec3> now_m;     // where to sample next
+    std::vector<Vec3> before_m;     // where the impulse acts
+    std::vector<Vec3> impulse;      // given to the fluid [N s]
+    std::vector<Vec3> now_m;        // where to sample next
+    std::vector<double> volume_m3;  // in forcing no_slip
 };
 
 // The fluid rank's end.
 class FluidExchange {
   public:
-    FluidExchange(const World& world, double timeout_s);
+    FluidExchange(const World& world, double timeout_s,
+                  Forcing forcing = Forcing::penalty);
 
     // Waits until the last velocities are taken: MPI reads them from here. Not when an
     // exception ends the run, which the partner may have left already: then they are
@@ -135,8 +149,10 @@ class FluidExchange {
     // The structure's message of a coupled step; -1 is the one before step 0.
     const MarkerBatch& receive(const Occasion& when);
 
-    // This rank's share of the velocities [m/s] at the batch's `now` positions.
-    void send(const Occasion& when, std::span<const Vec3> velocity);
+    // This rank's share of the velocities [m/s] at the batch's `now` positions, and in
+    // forcing no_slip of what is said besides.
+    void send(const Occasion& when, std::span<const Vec3> velocity,
+              const NoSlipAnswer* more = nullptr);
 
     // Waits until the structure has them. A message too long for MPI's buffers moves only
     // while both sides are inside MPI: without this the structure may wait for a whole
@@ -148,6 +164,7 @@ class FluidExchange {
 
     const World& world_;
     double timeout_s_;
+    Forcing forcing_;
     std::vector<int> count_;     // markers by structure rank
     std::vector<int> partners_;  // structure ranks that have any
     std::vector<std::vector<double>> in_, out_;

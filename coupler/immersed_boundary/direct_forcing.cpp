@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "coupler/immersed_boundary/no_slip.h"
+
 namespace magfsi::coupler {
 
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
@@ -50,9 +52,15 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
       coupled_step_s_(scale.coupled_step_s),
       fluid_velocity_(markers_.size()),
       impulse_(markers_.size()) {
-    kappa_.reserve(markers_.size());
+    own_kappa_.reserve(markers_.size());
     for (const Marker& m : markers_)
-        kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
+        own_kappa_.push_back(scale.drag_coefficient_kg_s(m.volume_m3));
+    kappa_ = own_kappa_;
+}
+
+void PenaltyForce::divide_by(std::span<const double> row_sum) {
+    for (std::size_t m = 0; m < kappa_.size(); ++m)
+        kappa_[m] = own_kappa_[m] / std::max(row_sum[m], least_row_sum);
 }
 
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity,

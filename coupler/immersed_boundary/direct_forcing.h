@@ -128,6 +128,9 @@ class PenaltyForce {
     // to end; each substep has that of its middle.
     void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
 
+    // The coefficients over the row sums of the marker system (no_slip.h).
+    void divide_by(std::span<const double> row_sum);
+
     // After begin_step: U is held at another value, but for the enclosed fluid's sake.
     void hold(std::span<const Vec3> fluid_velocity);
 
@@ -154,7 +157,7 @@ class PenaltyForce {
     void follow(double duration_s);
 
     std::vector<Marker> markers_;
-    std::vector<double> kappa_;
+    std::vector<double> own_kappa_, kappa_;  // of its own volume; of the force
     EnclosedFluid enclosed_;
     double coupled_step_s_;
     double elapsed_s_ = 0;  // of the coupled step

@@ -32,21 +32,20 @@ Vec3 area_vector(const Marker& marker, const MarkerArea& area, const double* nod
 }
 
 void SlipRecord::add(std::span<const Marker> markers,
-                     std::span<const Vec3> fluid_velocity, const double* position,
-                     const double* velocity) {
+                     std::span<const Vec3> fluid_velocity, std::span<const Vec3> velocity,
+                     const double* position) {
     markers_ = static_cast<std::int64_t>(markers.size());
     double& slip2 = slip2_.emplace_back(0);
     for (std::size_t m = 0; m < markers.size(); ++m) {
-        const Vec3 v = at_marker(markers[m], velocity);
-        const Vec3 slip = difference(fluid_velocity[m], v);
+        const Vec3 slip = difference(fluid_velocity[m], velocity[m]);
         slip2 += dot(slip, slip);
-        speed2_ += dot(v, v);
+        speed2_ += dot(velocity[m], velocity[m]);
     }
     surface_m2_ = 0;
     for (const MarkerArea& area : areas_) {
         const auto m = static_cast<std::size_t>(area.marker);
         const Vec3 a = area_vector(markers[m], area, position);
-        const Vec3 slip = difference(fluid_velocity[m], at_marker(markers[m], velocity));
+        const Vec3 slip = difference(fluid_velocity[m], velocity[m]);
         leakage_m3_s_ += 0.5 * std::abs(dot(slip, a));
         surface_m2_ += std::sqrt(dot(a, a));
     }

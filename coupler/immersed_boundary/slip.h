@@ -2,7 +2,9 @@
 // the markers at the end of coupled steps.
 //
 //   no-slip error  rms over markers and samples of |U - V|: U the fluid's velocity
-//                  sampled after its step, before the next force acts, V the marker's
+//                  sampled after its step, before the next force acts, V the marker's;
+//                  in forcing no_slip the velocity that carried mass in the step and
+//                  the marker's mean one
 //   leakage        half the sum over the surface of |(U - V) . n| dA: what flows in on
 //                  one side of the body and out on the other [m3/s]
 //
@@ -43,10 +45,10 @@ class SlipRecord {
     // areas: of those markers that stand for some of the surface.
     explicit SlipRecord(std::vector<MarkerArea> areas) : areas_(std::move(areas)) {}
 
-    // One sample: positions and velocities of the nodes (three numbers a node), the
-    // fluid's velocity at each marker.
+    // One sample: velocities of the fluid and of the markers, at each; positions of the
+    // nodes (three numbers a node).
     void add(std::span<const Marker> markers, std::span<const Vec3> fluid_velocity,
-             const double* position, const double* velocity);
+             std::span<const Vec3> velocity, const double* position);
 
     // Of all ranks. Collective.
     SlipReport collect(MPI_Comm comm) const;

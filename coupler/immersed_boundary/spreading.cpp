@@ -278,9 +278,10 @@ void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> v
 }
 
 FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
-                     double coupled_step_s)
+                     double coupled_step_s, Forcing forcing)
     : fluid_(fluid),
       coupled_step_s_(coupled_step_s),
+      forcing_(forcing),
       spread_rows_(fluid.grid(), owned, kernel),
       sample_rows_(fluid.grid(), owned, kernel) {}
 
@@ -289,10 +290,12 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
     // Impulses act where the velocities were sampled last, as a rule; in a step that is
     // repeated, where they acted before.
     if (!spread_rows_.placed_at(points_m)) {
-        if (sample_rows_.placed_at(points_m))
+        if (sample_rows_.placed_at(points_m)) {
             std::swap(spread_rows_, sample_rows_);
-        else
+            if (forcing_ == Forcing::no_slip) felt_ = velocity_;
+        } else {
             spread_rows_.place(points_m);
+        }
     }
     if (!more) density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(impulse, coupled_step_s_, density_);
@@ -322,6 +325,23 @@ std::span<const Vec3> FluidSide::interpolate(std::size_t markers) {
     sampled_.resize(markers);
     sample_rows_.interpolate(velocity_, sampled_);
     return sampled_;
+}
+
+void FluidSide::add_passed(double density_kg_m3, NoSlipAnswer& answer) {
+    const double half_s = coupled_step_s_ / (2 * density_kg_m3);
+    std::vector<double> passing(density_.size());
+    for (std::size_t i = 0; i < passing.size(); ++i)
+        passing[i] = felt_[i] + half_s * density_[i];
+    spread_rows_.interpolate(passing, answer.passed);
+}
+
+void FluidSide::add_row_sums(std::span<const double> volume_m3, NoSlipAnswer& answer) {
+    volume_.assign(volume_m3.size(), Vec3{});
+    for (std::size_t m = 0; m < volume_m3.size(); ++m) volume_[m][0] = volume_m3[m];
+    std::vector<double> share(3 * sample_rows_.cells());
+    sample_rows_.spread(volume_, 1, share);
+    sample_rows_.interpolate(share, volume_);
+    for (std::size_t m = 0; m < volume_.size(); ++m) answer.row_sum[m] = volume_[m][0];
 }
 
 InterfaceBalance FluidSide::received() {

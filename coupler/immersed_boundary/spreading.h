@@ -9,6 +9,7 @@
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
+#include "coupler/immersed_boundary/no_slip.h"
 
 namespace magfsi::coupler {
 
@@ -88,7 +89,7 @@ class TouchedRows {
 class FluidSide {
   public:
     FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
-              double coupled_step_s);
+              double coupled_step_s, Forcing forcing = Forcing::penalty);
 
     // Gives the impulses [N s] of a step to the fluid as forces over that step. more:
     // besides those of the last spread, at the same points.
@@ -102,6 +103,12 @@ class FluidSide {
     // in the coming step, F dt / (2 rho): the physical velocity of Guo's scheme.
     std::span<const Vec3> sample_forced(std::span<const Vec3> points_m,
                                         double density_kg_m3);
+
+    // For forcing no_slip, after spread() and before sample(): q at the points of the
+    // spread, with the velocities sampled there; after it: the row sums at its points,
+    // with the markers' volumes. This rank's shares.
+    void add_passed(double density_kg_m3, NoSlipAnswer& answer);
+    void add_row_sums(std::span<const double> volume_m3, NoSlipAnswer& answer);
 
     // The velocities of the cells that the last sample read, row after row.
     const std::vector<double>& sampled_cells() const { return velocity_; }
@@ -120,11 +127,15 @@ class FluidSide {
 
     GridFluid& fluid_;
     double coupled_step_s_;
+    Forcing forcing_;
     TouchedRows spread_rows_;
     TouchedRows sample_rows_;
     std::vector<double> density_;
     std::vector<double> velocity_;
     std::vector<Vec3> sampled_;
+    // Of no_slip: the cells' velocities that the markers of the last spread felt.
+    std::vector<double> felt_;
+    std::vector<Vec3> volume_;  // in the first component
 };
 
 }  // namespace magfsi::coupler

@@ -9,11 +9,13 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
     : session_(session),
       fluid_(fluid),
       options_(*session.plan().coupling),
-      exchange_(session.world(), session.timeout_s()),
+      exchange_(session.world(), session.timeout_s(), options_.immersed_boundary.forcing),
       boundary_(
           fluid,
           fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
-          options_.immersed_boundary.kernel, session.clock().step_s()) {
+          options_.immersed_boundary.kernel, session.clock().step_s(),
+          options_.immersed_boundary.forcing) {
+    if (options_.immersed_boundary.forcing == Forcing::no_slip) answer_.emplace();
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     swap_text(session.world(), to_text(fluid.grid()), startup_timeout_s,
               "description of the grid");
@@ -38,6 +40,9 @@ void FluidCoupling::receive_markers() {
 
 void FluidCoupling::spread_impulses() {
     boundary_.spread(batch_->before_m, batch_->impulse);
+    if (!answer_) return;
+    answer_->make_room(batch_->now_m.size());
+    boundary_.add_passed(session_.plan().fluid_density_kg_m3, *answer_);
 }
 
 // The structure, to which the shares of all fluid ranks add up, answers the slip that is
@@ -59,6 +64,9 @@ void FluidCoupling::advance() {
 
 void FluidCoupling::sample_velocities() {
     sampled_ = boundary_.sample(batch_->now_m);
+    if (!answer_) return;
+    answer_->make_room(sampled_.size());  // before the first step nothing has passed
+    boundary_.add_row_sums(batch_->volume_m3, *answer_);
 }
 
 void FluidCoupling::sample_forced_velocities() {
@@ -67,7 +75,7 @@ void FluidCoupling::sample_forced_velocities() {
 }
 
 void FluidCoupling::send_velocities() {
-    exchange_.send(when_, sampled_);
+    exchange_.send(when_, sampled_, answer_ ? &*answer_ : nullptr);
 }
 
 void FluidCoupling::keep_state() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/spreading.h"
@@ -59,7 +60,8 @@ class FluidCoupling {
     std::unique_ptr<BalanceRecord> balance_;
     Occasion when_ = -1;  // of batch_
     const MarkerBatch* batch_ = nullptr;
-    std::span<const Vec3> sampled_;  // velocities at batch_->now_m
+    std::span<const Vec3> sampled_;       // velocities at batch_->now_m
+    std::optional<NoSlipAnswer> answer_;  // of forcing no_slip
     std::int64_t advances_ = 0;
 
     // Of the implicit scheme.

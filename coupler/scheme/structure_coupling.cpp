@@ -76,13 +76,15 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
       markers_(std::move(markers)),
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
       exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
-                session.timeout_s()),
+                session.timeout_s(), options_.immersed_boundary.forcing),
       slip_(std::move(markers_.areas)) {
     const std::size_t count = force_.markers().size();
     if (options_.immersed_boundary.iterations > 1) {
         iterated_ =
             std::make_unique<IteratedForcing>(force_.markers(), penalty_scale(session));
     }
+    if (options_.immersed_boundary.forcing == Forcing::no_slip)
+        no_slip_ = std::make_unique<NoSlip>(force_.markers());
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     if (markers_.measures_work) work_ = std::make_unique<MarkerWork>(count);
     fluid_velocity_.resize(count);
@@ -118,18 +120,37 @@ std::vector<Vec3> StructureCoupling::marker_positions() const {
     return positions;
 }
 
+StructureCoupling::NoSlip::NoSlip(std::span<const Marker> markers)
+    : memory(markers.size()) {
+    for (const Marker& m : markers) volume_m3.push_back(m.volume_m3);
+}
+
+void StructureCoupling::send(const Occasion& when, std::span<const Vec3> impulse) {
+    exchange_.send(when, before_m_, impulse, now_m_,
+                   no_slip_ ? no_slip_->volume_m3 : std::span<const double>());
+}
+
+void StructureCoupling::receive(const Occasion& when, std::span<Vec3> velocity) {
+    exchange_.receive(when, velocity, no_slip_ ? &no_slip_->answer : nullptr);
+}
+
 void StructureCoupling::begin() {
     now_m_ = marker_positions();
     if (session_.restart() && !under_way_.empty())
-        exchange_.send(-1, before_m_, under_way_, now_m_);
-    else
-        exchange_.send(-1, now_m_, std::vector<Vec3>(now_m_.size()), now_m_);
+        send(-1, under_way_);
+    else {
+        before_m_ = now_m_;
+        send(-1, std::vector<Vec3>(now_m_.size()));
+    }
     if (session_.restart()) {
         // The checkpoint has them already, to the last bit.
         std::vector<Vec3> again(fluid_velocity_.size());
-        return exchange_.receive(-1, again);
+        receive(-1, again);
+        if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
+        return;
     }
-    exchange_.receive(-1, fluid_velocity_);
+    receive(-1, fluid_velocity_);
+    if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
     force_.enclosed().start(fluid_velocity_);
     if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
 }
@@ -143,6 +164,36 @@ void StructureCoupling::begin_force(std::span<const Vec3> fluid_velocity,
             start_velocity_[m] = at_marker(force_.markers()[m], solver_.velocities());
     }
     force_.begin_step(fluid_velocity, owed);
+    if (no_slip_) hold(fluid_velocity);
+}
+
+void StructureCoupling::hold(std::span<const Vec3> fluid_velocity) {
+    if (!no_slip_) return force_.hold(fluid_velocity);
+    force_.hold(no_slip_->memory.felt(fluid_velocity));
+}
+
+void StructureCoupling::let_change(std::span<const Vec3> start,
+                                   std::span<const Vec3> end) {
+    if (!no_slip_) return force_.let_change(start, end);
+    force_.let_change(no_slip_->memory.felt(start), no_slip_->memory.felt(end));
+}
+
+// After the step: the slip that is left, and the coefficients of the next.
+void StructureCoupling::take_answer() {
+    if (!no_slip_) return;
+    no_slip_->memory.add(mean_velocity(), no_slip_->answer.passed);
+    force_.divide_by(no_slip_->answer.row_sum);
+}
+
+// Of the markers in the step that has been done.
+std::vector<Vec3> StructureCoupling::mean_velocity() const {
+    const double step_s = session_.clock().step_s();
+    std::vector<Vec3> all(now_m_.size());
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            all[m][d] = (now_m_[m][d] - before_m_[m][d]) / step_s;
+    }
+    return all;
 }
 
 bool StructureCoupling::extrapolates() const {
@@ -162,7 +213,7 @@ void StructureCoupling::extrapolate_velocity() {
             end[m][d] += fluid_velocity_[m][d] - last_velocity_[m][d];
     }
     hold_velocity();
-    force_.let_change(fluid_velocity_, end);
+    let_change(fluid_velocity_, end);
     last_velocity_ = fluid_velocity_;
 }
 
@@ -174,8 +225,7 @@ void StructureCoupling::take_mean_velocity() {
 void StructureCoupling::send_impulses() {
     before_m_ = std::move(now_m_);
     now_m_ = marker_positions();
-    exchange_.send({session_.clock().step(), iteration()}, before_m_, force_.impulse(),
-                   now_m_);
+    send({session_.clock().step(), iteration()}, force_.impulse());
 }
 
 // The fluid's slip under these impulses, answered until all iterations are done.
@@ -199,15 +249,21 @@ void StructureCoupling::audit() {
 }
 
 void StructureCoupling::receive_velocities() {
-    exchange_.receive({session_.clock().step(), iteration()},
-                      fixed_point_ ? answer_ : fluid_velocity_);
+    receive({session_.clock().step(), iteration()},
+            fixed_point_ ? answer_ : fluid_velocity_);
+    if (!fixed_point_) take_answer();
 }
 
 void StructureCoupling::measure_slip() {
     if ((session_.clock().step() + 1) % markers_.steps_between_slip_samples != 0) return;
+    if (no_slip_)
+        return slip_.add(force_.markers(), no_slip_->answer.passed, mean_velocity(),
+                         solver_.positions());
     solver_.renew_ghost_velocities();
-    slip_.add(force_.markers(), fluid_velocity_, solver_.positions(),
-              solver_.velocities());
+    std::vector<Vec3> velocity;
+    for (const Marker& marker : force_.markers())
+        velocity.push_back(at_marker(marker, solver_.velocities()));
+    slip_.add(force_.markers(), fluid_velocity_, velocity, solver_.positions());
 }
 
 void StructureCoupling::keep_state() {
@@ -226,9 +282,9 @@ void StructureCoupling::guess_velocity() {
     // added mass of kappa dt / 2 per marker, as large as the fluid that it moves: light
     // sheets diverge.
     if (extrapolates())
-        force_.let_change(line.start, line.end);
+        let_change(line.start, line.end);
     else
-        force_.hold(mean(line.start, line.end));
+        hold(mean(line.start, line.end));
 }
 
 void StructureCoupling::check_convergence() {
@@ -245,6 +301,7 @@ void StructureCoupling::accept_answer() {
     fluid_velocity_ = answer_;
     // It took the guess for the velocity at the step's end.
     std::ranges::copy(fluid_velocity_, force_.enclosed().last_velocity().begin());
+    take_answer();
 }
 
 std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
@@ -259,6 +316,7 @@ std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
         all.push_back({"impulse", flat(under_way_)});
     }
     if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
+    if (no_slip_) all.push_back({"slip_memory", flat(no_slip_->memory.values())});
     if (work_) {
         all.push_back({"works", flat(work_->works())});
         all.push_back({"fluid_force", flat(work_->last_fluid_force())});

@@ -117,11 +117,27 @@ class StructureCoupling {
     void check_convergence();
     void accept_answer();
 
+    void send(const Occasion& when, std::span<const Vec3> impulse);
+    void receive(const Occasion& when, std::span<Vec3> velocity);
+    // The velocity of the fluid that markers feel.
+    void hold(std::span<const Vec3> fluid_velocity);
+    void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
+    void take_answer();
+    std::vector<Vec3> mean_velocity() const;
+
     void begin_force(std::span<const Vec3> fluid_velocity,
                      std::span<const Vec3> owed = {});
     std::vector<Vec3> marker_positions() const;
     Vec3 force_on(std::size_t marker) const;
     int iteration() const { return fixed_point_ ? fixed_point_->iteration() : 0; }
+
+    // Of forcing no_slip, from step to step.
+    struct NoSlip {
+        explicit NoSlip(std::span<const Marker> markers);
+        std::vector<double> volume_m3;
+        NoSlipAnswer answer;
+        SlipMemory memory;
+    };
 
     Session& session_;
     StructureSolver& solver_;
@@ -130,6 +146,7 @@ class StructureCoupling {
     BodyMarkers markers_;  // those of the force are its own
     PenaltyForce force_;
     std::unique_ptr<IteratedForcing> iterated_;
+    std::unique_ptr<NoSlip> no_slip_;  // null in other forcings
     StructureExchange exchange_;
     SlipRecord slip_;
     std::unique_ptr<BalanceRecord> balance_;

@@ -1,0 +1,72 @@
+// Forcing no_slip: the force after which the fluid that passes the body has its velocity.
+//
+// In Guo's scheme mass moves with q = U + F dt / (2 rho), U the velocity before the
+// force. Markers overlap, so that a force F = 2 rho dV / dt (V - U) of each brings q only
+// part of the way. With the row sum r of the marker system, what unit slip everywhere
+// would give back at the marker,
+//   r = interpolate(spread(dV)),
+// F = 2 rho dV / (r dt) (V - U) makes q = V where the slip is uniform. What is left where
+// it is not, a memory p of it removes over some steps:
+//   F = 2 rho dV / (r dt) (V - U + p),   p <- (1 - leak) p + gain (mean V - q).
+// In steady state the slip is leak / gain of what a single pass leaves.
+//
+// Markers must stand about a cell apart, in one layer where the body is thin: closer ones
+// make the marker system nearly singular, and the memory drifts in its null modes.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "coupler/immersed_boundary/grid.h"
+
+namespace magfsi::coupler {
+
+// What the fluid says of each marker besides its velocity: the row sum at its new
+// position, and q [m/s] at the old one in the step that has been done.
+struct NoSlipAnswer {
+    std::vector<double> row_sum;
+    std::vector<Vec3> passed;
+
+    void make_room(std::size_t markers) {
+        row_sum.resize(markers);
+        passed.resize(markers);
+    }
+};
+
+// Markers that stand alone, at a rim or beside an obstacle, have small row sums; a force
+// beyond this multiple of their own fluid would need too many substeps.
+constexpr double least_row_sum = 0.25;
+
+class SlipMemory {
+  public:
+    explicit SlipMemory(std::size_t markers) : memory_(markers) {}
+
+    // After a step: the markers' mean velocities and what passed [m/s].
+    void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed) {
+        for (std::size_t m = 0; m < memory_.size(); ++m) {
+            for (std::size_t d = 0; d < 3; ++d)
+                memory_[m][d] = (1 - leak) * memory_[m][d] +
+                                gain * (mean_velocity[m][d] - passed[m][d]);
+        }
+    }
+
+    // U - p: what the marker feels for the fluid's velocity.
+    std::vector<Vec3> felt(std::span<const Vec3> fluid_velocity) const {
+        std::vector<Vec3> all(fluid_velocity.begin(), fluid_velocity.end());
+        for (std::size_t m = 0; m < all.size(); ++m) {
+            for (std::size_t d = 0; d < 3; ++d) all[m][d] -= memory_[m][d];
+        }
+        return all;
+    }
+
+    std::span<Vec3> values() { return memory_; }  // for checkpoints
+
+  private:
+    // Beyond a gain of about 1 the memory overshoots; the leak lets go of modes that the
+    // fluid does not feel.
+    static constexpr double gain = 0.5, leak = 0.02;
+    std::vector<Vec3> memory_;
+};
+
+}  // namespace magfsi::coupler
