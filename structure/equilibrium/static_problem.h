@@ -73,7 +73,6 @@ class StaticProblem {
 
   private:
     StaticProblem(const Body& body, const Lattice& lattice);
-    void measure_sides();
     void measure_stiffness();
 
     Body body_;

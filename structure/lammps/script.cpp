@@ -18,8 +18,7 @@ namespace {
 // All bodies together: nodes numbered one body after the other.
 struct Assembly {
     std::vector<DataAtom> atoms;
-    Vec3 low{INFINITY, INFINITY, INFINITY};  // bounds of the bodies before relaxing
-    Vec3 high{-INFINITY, -INFINITY, -INFINITY};
+    Bounds bounds;  // of the bodies before relaxing
     std::vector<int> first_node;
     std::vector<std::string> name;  // fit for LAMMPS IDs and file names
     double longest_diagonal_m = 0;  // of an element, where it starts
@@ -52,10 +51,8 @@ double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
     double longest = 0;
     for (const Hexahedron& element : body.mesh.elements) {
         for (int a = 0; a < 4; ++a) {
-            const Vec3& x = nodes[element[a]];
-            const Vec3& y = nodes[element[7 - a]];
             longest =
-                std::max(longest, std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]));
+                std::max(longest, distance_m(nodes[element[a]], nodes[element[7 - a]]));
         }
     }
     return longest;
@@ -71,15 +68,6 @@ void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
         std::max(all.longest_diagonal_m, longest_diagonal(nodes, body));
 }
 
-void add_bounds(Assembly& all, const std::vector<Vec3>& nodes) {
-    for (const Vec3& x : nodes) {
-        for (int d = 0; d < 3; ++d) {
-            all.low[d] = std::min(all.low[d], x[d]);
-            all.high[d] = std::max(all.high[d], x[d]);
-        }
-    }
-}
-
 Assembly assemble(const LammpsInput& input) {
     Assembly all;
     all.name = lammps_names(input.bodies, input.motions.size());
@@ -90,19 +78,11 @@ Assembly assemble(const LammpsInput& input) {
             input.placements.empty() ? Placement{} : input.placements[i];
         add_body(all, input.bodies[i], placed_nodes(input.bodies[i], placement, plane));
         placement.relaxed.reset();
-        add_bounds(all, placed_nodes(input.bodies[i], placement, plane));
+        for (const Vec3& x : placed_nodes(input.bodies[i], placement, plane))
+            all.bounds.add(x);
     }
     all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
     return all;
-}
-
-// Along the bodies' length, also where they start rolled up.
-int longest_axis(const Assembly& all) {
-    int longest = 0;
-    for (int d = 1; d < 3; ++d) {
-        if (all.high[d] - all.low[d] > all.high[longest] - all.low[longest]) longest = d;
-    }
-    return longest;
 }
 
 // Of the effects between nodes that come and go near each other; 0 without one.
@@ -120,7 +100,9 @@ double neighbour_skin_m(const LammpsInput& input) {
 // nodes.
 void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
                 const std::string& data_file) {
-    const int axis = longest_axis(all);
+    // Along the bodies' length, also where they start rolled up.
+    const Vec3 extent_m = all.bounds.extent_m();
+    const auto axis = std::ranges::max_element(extent_m) - extent_m.begin();
     std::array<const char*, 3> ranks{"1", "1", "1"};
     ranks[axis] = "*";
     // Ghosts must reach across an element, even one that has been stretched by half.

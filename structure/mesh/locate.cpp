@@ -102,9 +102,7 @@ PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
             std::max(longest_diagonal_m_, bounds(mesh.nodes, element).diagonal_m());
     }
     low_m_ = all.low_m;
-    high_m_ = all.high_m;
-    Vec3 extent{};
-    for (int d = 0; d < 3; ++d) extent[d] = high_m_[d] - low_m_[d];
+    const Vec3 extent = all.extent_m();
     bins_ = bin_counts(extent, mesh.elements.size());
     for (int d = 0; d < 3; ++d) bin_size_m_[d] = extent[d] / bins_[d];
 
@@ -192,8 +190,7 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
             trial.weight[local[a]] = shape[a];
             for (int d = 0; d < 3; ++d) foot[d] += shape[a] * x[a][d];
         }
-        const double away =
-            std::hypot(foot[0] - point_m[0], foot[1] - point_m[1], foot[2] - point_m[2]);
+        const double away = distance_m(foot, point_m);
         if (away > least) continue;
         least = away;
         best = trial;

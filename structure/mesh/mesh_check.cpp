@@ -15,10 +15,6 @@
 namespace magfsi::structure {
 namespace {
 
-double distance(const Vec3& a, const Vec3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cell_of(const Vec3& x, double edge_m) {
@@ -91,7 +87,7 @@ double shortest_edge_m(const Mesh& mesh) {
                 const int b = a | (1 << d);
                 if (b == a) continue;
                 shortest = std::min(
-                    shortest, distance(mesh.nodes[element[a]], mesh.nodes[element[b]]));
+                    shortest, distance_m(mesh.nodes[element[a]], mesh.nodes[element[b]]));
             }
         }
     }
@@ -114,7 +110,7 @@ std::optional<std::array<int, 2>> coincident_nodes(const Mesh& mesh, double tole
                 if (at[0] != from[0] || at[1] != from[1] || at[2] > cell[2] + 1) break;
                 const int n = other->second;
                 if (n > node &&
-                    distance(mesh.nodes[n], mesh.nodes[node]) <= tolerance_m) {
+                    distance_m(mesh.nodes[n], mesh.nodes[node]) <= tolerance_m) {
                     return std::array{node, n};
                 }
             }

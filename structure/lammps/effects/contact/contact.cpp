@@ -122,10 +122,7 @@ double PairMagtticeContact::init_one(int, int) {
 bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b) const {
     if (a.area_m2 == 0 || b.area_m2 == 0) return false;
     if (a.body != b.body) return true;
-    const double at_rest =
-        std::hypot(a.at_rest_m[0] - b.at_rest_m[0], a.at_rest_m[1] - b.at_rest_m[1],
-                   a.at_rest_m[2] - b.at_rest_m[2]);
-    return at_rest >= law_.excluded * law_.distance_m;
+    return distance_m(a.at_rest_m, b.at_rest_m) >= law_.excluded * law_.distance_m;
 }
 
 // Most neighbours of a node belong to its own part of the sheet; leaving them out here

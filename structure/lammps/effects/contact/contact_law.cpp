@@ -25,10 +25,9 @@ double contact_distance_m(const std::vector<Body>& bodies) {
         const auto& x = body.mesh.nodes;
         for (const SurfaceQuad& quad : boundary_quads(body.mesh)) {
             for (std::size_t c = 0; c < 2; ++c) {
-                const Vec3& a = x[static_cast<std::size_t>(quad.node[c])];
-                const Vec3& b = x[static_cast<std::size_t>(quad.node[c + 2])];
-                longest =
-                    std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+                const auto a = static_cast<std::size_t>(quad.node[c]);
+                const auto b = static_cast<std::size_t>(quad.node[c + 2]);
+                longest = std::max(longest, distance_m(x[a], x[b]));
             }
         }
     }

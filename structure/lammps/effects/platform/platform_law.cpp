@@ -45,18 +45,6 @@ void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
     out.energy_j += 0.5 * spring * kept * length * kept * length;
 }
 
-double thickness_m(const Mesh& mesh) {
-    Vec3 low = mesh.nodes.front();
-    Vec3 high = low;
-    for (const Vec3& x : mesh.nodes) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            low[d] = std::min(low[d], x[d]);
-            high[d] = std::max(high[d], x[d]);
-        }
-    }
-    return std::min({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-}
-
 }  // namespace
 
 PlatformContact frictionless_contact(const Platform& platform, double area_m2,
@@ -105,10 +93,10 @@ Platform platform_of(const LammpsInput& input) {
     Platform platform = *input.platform;
     if (platform.stiffness_pa_m > 0) return platform;
     for (const Body& body : input.bodies) {
+        const double thickness_m = std::ranges::min(bounds(body.mesh.nodes).extent_m());
         for (const Material& material : used_materials(body)) {
-            platform.stiffness_pa_m =
-                std::max(platform.stiffness_pa_m,
-                         platform_stiffness_pa_m(material, thickness_m(body.mesh)));
+            platform.stiffness_pa_m = std::max(
+                platform.stiffness_pa_m, platform_stiffness_pa_m(material, thickness_m));
         }
     }
     return platform;
