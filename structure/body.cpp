@@ -1,9 +1,8 @@
 #include "structure/body.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -15,9 +14,8 @@ const std::vector<int>& face_nodes(const Body& body, const std::string& face,
     std::string known;
     for (const auto& [name, nodes] : body.mesh.faces)
         known += (known.empty() ? "" : ", ") + name;
-    throw std::invalid_argument(fmt::format("body {} is {} at {}, but its faces are {}",
-                                            body.name, how, face,
-                                            known.empty() ? "none" : known));
+    refuse("body {} is {} at {}, but its faces are {}", body.name, how, face,
+           known.empty() ? "none" : known);
 }
 
 }  // namespace
@@ -50,17 +48,16 @@ void check_materials(const std::vector<int>& element_material, std::size_t eleme
                      std::size_t others) {
     if (element_material.empty() && others == 0) return;
     if (element_material.size() != elements) {
-        throw std::invalid_argument(
-            fmt::format("{} material numbers found for {} elements, one an element is "
-                        "needed where there are {} materials",
-                        element_material.size(), elements, others + 1));
+        refuse(
+            "{} material numbers found for {} elements, one an element is needed where "
+            "there are {} materials",
+            element_material.size(), elements, others + 1);
     }
     for (std::size_t e = 0; e < elements; ++e) {
         const int number = element_material[e];
         if (number >= 0 && static_cast<std::size_t>(number) <= others) continue;
-        throw std::invalid_argument(
-            fmt::format("element {} is of material {}, but the materials are 0 to {}", e,
-                        number, others));
+        refuse("element {} is of material {}, but the materials are 0 to {}", e, number,
+               others);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "structure/equilibrium/iteration.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -176,9 +177,8 @@ void NewtonSolver::leave_unstable(Progress& state, const Eigen::VectorXd& load) 
 Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) const {
     const std::size_t nodes = problem_.body().mesh.nodes.size();
     if (start.size() != nodes) {
-        throw std::invalid_argument(
-            fmt::format("body {}: {} start positions found for {} nodes",
-                        problem_.body().name, start.size(), nodes));
+        refuse("body {}: {} start positions found for {} nodes", problem_.body().name,
+               start.size(), nodes);
     }
     return flat_positions(start);
 }
@@ -212,15 +212,14 @@ void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
     const auto response = problem_.response(state.x, load);
     Eigen::Index worst = 0;
     response.residual_n.cwiseAbs().maxCoeff(&worst);
-    throw std::runtime_error(fmt::format(
-        "body {}: no equilibrium at {:.3g} of the load after {} load steps and {} "
-        "iterations; the residual is {:.2g} of the load, largest at node {}, and the "
-        "smallest J is {:.3g} in element {}: use weaker loads, a finer mesh or more "
-        "points "
-        "on the way",
-        problem_.body().name, state.load_factor, state.load_steps, state.iterations,
-        problem_.relative_residual(response, load), worst / 3, response.smallest_j,
-        worst_element));
+    throw std::runtime_error(
+        fmt::format("body {}: no equilibrium at {:.3g} of the load after {} load steps "
+                    "and {} iterations; the residual is {:.2g} of the load, largest at "
+                    "node {}, and the smallest J is {:.3g} in element {}: use weaker "
+                    "loads, a finer mesh or more points on the way",
+                    problem_.body().name, state.load_factor, state.load_steps,
+                    state.iterations, problem_.relative_residual(response, load),
+                    worst / 3, response.smallest_j, worst_element));
 }
 
 std::vector<Vec3> relaxed_shape(const Body& body, const Vec3& field_t) {

@@ -1,21 +1,18 @@
 #include "structure/equilibrium/static_problem.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "structure/magnetics/magnetic_forces.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
 
 const Body& with_elements(const Body& body) {
     if (!body.mesh.elements.empty()) return body;
-    throw std::invalid_argument(
-        fmt::format("body {} has no elements, at least one is needed", body.name));
+    refuse("body {} has no elements, at least one is needed", body.name);
 }
 
 }  // namespace
@@ -84,10 +81,10 @@ Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
         std::ranges::any_of(node_mass_kg_, [](double mass) { return mass != 0; });
     for (std::size_t d = 0; d < 3; ++d) {
         if (!massive || held_along_[d] || loads.gravity_m_s2[d] == 0) continue;
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "body {} has weight but no clamp or roller that holds it along {}: only the "
             "field may load a body along an axis on which it is free",
-            body_.name, "xyz"[d]));
+            body_.name, "xyz"[d]);
     }
     return out;
 }

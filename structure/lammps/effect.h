@@ -7,10 +7,13 @@
 #include "modify.h"
 #include "pointers.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "structure/lammps/script.h"
@@ -141,6 +144,12 @@ void add_fix_style(LAMMPS_NS::LAMMPS& lammps, const char* name) {
 // Ends a run that cannot go on: hands the cause to the handler of register_styles.h, or
 // to LAMMPS's error->one. One rank is enough.
 [[noreturn]] void fail(LAMMPS_NS::Error& error, const std::string& cause);
+template <class First, class... Args>
+[[noreturn]] void fail(LAMMPS_NS::Error& error, fmt::format_string<First, Args...> cause,
+                       First&& first, Args&&... args) {
+    fail(error,
+         fmt::format(cause, std::forward<First>(first), std::forward<Args>(args)...));
+}
 
 // A word of a command as a number; ends the run where it is none.
 double number(const char* word, LAMMPS_NS::LAMMPS* lammps);

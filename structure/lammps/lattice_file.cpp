@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include "structure/mesh/mesh_file.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
@@ -79,8 +79,8 @@ ElementVariant parse_element_name(const std::string& word) {
     constexpr auto words = words_of(ElementVariant{});
     const auto found = std::ranges::find(words, word);
     if (found != words.end()) return static_cast<ElementVariant>(found - words.begin());
-    throw std::invalid_argument("element " + word +
-                                " found; full, mean_f and assumed_strain are allowed");
+    refuse("{}",
+           "element " + word + " found; full, mean_f and assumed_strain are allowed");
 }
 
 }  // namespace magfsi::structure

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "structure/body.h"
 #include "structure/lammps/effect.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/names.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -25,24 +25,21 @@ struct Assembly {
 };
 
 void check_input(const LammpsInput& input) {
-    if (input.bodies.empty()) throw std::invalid_argument("no body found, one is needed");
+    if (input.bodies.empty()) refuse("no body found, one is needed");
     if (!input.placements.empty() && input.placements.size() != input.bodies.size()) {
-        throw std::invalid_argument(fmt::format(
-            "{} placements for {} bodies found, one per body or none is allowed",
-            input.placements.size(), input.bodies.size()));
+        refuse("{} placements for {} bodies found, one per body or none is allowed",
+               input.placements.size(), input.bodies.size());
     }
     if (!(input.time_step_s > 0)) {
-        throw std::invalid_argument(fmt::format(
-            "time step of {:g} s found, it must be positive", input.time_step_s));
+        refuse("time step of {:g} s found, it must be positive", input.time_step_s);
     }
     for (const Body& body : input.bodies) {
         check_materials(body.element_material, body.mesh.elements.size(),
                         body.other_materials.size());
         for (const Material& material : used_materials(body)) {
             if (material.density_kg_m3 > 0) continue;
-            throw std::invalid_argument(fmt::format(
-                "body {} has an effective density of {:g} kg/m3, it must be positive",
-                body.name, material.density_kg_m3));
+            refuse("body {} has an effective density of {:g} kg/m3, it must be positive",
+                   body.name, material.density_kg_m3);
         }
     }
 }

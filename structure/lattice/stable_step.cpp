@@ -1,13 +1,11 @@
 #include "structure/lattice/stable_step.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "structure/lattice/element.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -40,16 +38,14 @@ double element_step_s(const Positions8& x, ElementVariant variant,
 
 void check(const Body& body, const Material& material) {
     if (!(material.density_kg_m3 > 0)) {
-        throw std::invalid_argument(
-            fmt::format("body {} has an effective density of {:g} kg/m3, it must be "
-                        "positive (explicit "
-                        "steps cannot carry a body that is lighter than its fluid)",
-                        body.name, material.density_kg_m3));
+        refuse(
+            "body {} has an effective density of {:g} kg/m3, it must be positive "
+            "(explicit steps cannot carry a body that is lighter than its fluid)",
+            body.name, material.density_kg_m3);
     }
     if (!(material.viscosity_pa_s >= 0)) {
-        throw std::invalid_argument(fmt::format(
-            "body {} has a viscosity of {:g} Pa s, it must be zero or positive",
-            body.name, material.viscosity_pa_s));
+        refuse("body {} has a viscosity of {:g} Pa s, it must be zero or positive",
+               body.name, material.viscosity_pa_s);
     }
 }
 

@@ -1,11 +1,10 @@
 #include "structure/mesh/locate.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -92,7 +91,7 @@ std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) 
 
 PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
     if (mesh.elements.empty()) {
-        throw std::invalid_argument("a mesh without elements holds no point");
+        refuse("a mesh without elements holds no point");
     }
     surface_ = boundary_quads(mesh);
     Bounds all;
@@ -201,10 +200,10 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
 MaterialPoint PointLocator::nearest(const Vec3& point_m) const {
     for (const double x : point_m) {
         if (!std::isfinite(x)) {
-            throw std::invalid_argument(
-                fmt::format("point ({}, {}, {}) m to be located in a mesh found, its "
-                            "coordinates must be finite",
-                            point_m[0], point_m[1], point_m[2]));
+            refuse(
+                "point ({}, {}, {}) m to be located in a mesh found, its coordinates "
+                "must be finite",
+                point_m[0], point_m[1], point_m[2]);
         }
     }
     const auto found = find(point_m);

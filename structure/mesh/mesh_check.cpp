@@ -1,16 +1,14 @@
 #include "structure/mesh/mesh_check.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "structure/lattice/hexahedron.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -153,25 +151,24 @@ std::vector<int> connected_parts(const Mesh& mesh) {
 }
 
 void refuse_broken_mesh(const Mesh& mesh) {
-    if (mesh.elements.empty()) throw std::invalid_argument("the mesh has no hexahedra");
+    if (mesh.elements.empty()) refuse("the mesh has no hexahedra");
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         integrate_hexahedron(gather(mesh.nodes, mesh.elements[e]), static_cast<int>(e));
     }
     if (const auto twins = duplicate_elements(mesh)) {
-        throw std::invalid_argument(
-            fmt::format("elements {} and {} of the mesh have the same nodes; put every "
-                        "volume into one physical group only",
-                        (*twins)[0], (*twins)[1]));
+        refuse(
+            "elements {} and {} of the mesh have the same nodes; put every volume into "
+            "one physical group only",
+            (*twins)[0], (*twins)[1]);
     }
     if (const auto pair = coincident_nodes(mesh, 1e-3 * shortest_edge_m(mesh))) {
         const Vec3& x = mesh.nodes[(*pair)[0]];
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "nodes {} and {} of the mesh coincide at ({:.6g}, {:.6g}, {:.6g}) m: the "
             "parts they belong to touch without being joined; join them (in Gmsh: "
             "Coherence or BooleanFragments before meshing, or Coherence Mesh after it) "
-            "or "
-            "leave a gap between them",
-            (*pair)[0], (*pair)[1], x[0], x[1], x[2]));
+            "or leave a gap between them",
+            (*pair)[0], (*pair)[1], x[0], x[1], x[2]);
     }
 }
 

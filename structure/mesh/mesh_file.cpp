@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "structure/refuse.h"
+
 namespace magfsi::structure {
 namespace {
 
@@ -120,9 +122,9 @@ std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> n
     std::vector<MaterialPoint> line;
     for (const int node : ordered) {
         if (of_node[node].element < 0) {
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "node {} of a line belongs to no element; a line runs through the body",
-                node));
+                node);
         }
         line.push_back(of_node[node]);
     }

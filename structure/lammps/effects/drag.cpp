@@ -25,9 +25,9 @@ class FixMagtticeDrag : public LAMMPS_NS::Fix {
         const auto allowed = [](double value) { return value >= 0; };
         if (!complete || !std::ranges::all_of(numbers, allowed)) {
             fail(*error,
-                 fmt::format("fix {} magttice/drag with \"{}\" found; it takes the rate, "
-                             "which must not be negative",
-                             id, fmt::join(arg + 3, arg + narg, " ")));
+                 "fix {} magttice/drag with \"{}\" found; it takes the rate, which must "
+                 "not be negative",
+                 id, fmt::join(arg + 3, arg + narg, " "));
         }
         drag_ = std::bit_cast<Drag>(numbers);
         dynamic_group_allow = 1;

@@ -27,7 +27,7 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
         try {
             program_ = parse_field_arguments({arg + 3, arg + narg});
         } catch (const std::exception& cause) {
-            fail(*error, fmt::format("fix {} magttice/field: {}", id, cause.what()));
+            fail(*error, "fix {} magttice/field: {}", id, cause.what());
         }
         vector_flag = 1;
         size_vector = 3;
@@ -71,9 +71,9 @@ class UniformField : public BodyForce {
             component.variable = input->variable->find(component.name.c_str());
             if (component.variable < 0 ||
                 input->variable->equalstyle(component.variable) == 0) {
-                fail(*error, fmt::format("{}: the field names variable {}, an "
-                                         "equal-style variable is needed",
-                                         who_, component.name));
+                fail(*error,
+                     "{}: the field names variable {}, an equal-style variable is needed",
+                     who_, component.name);
             }
         }
     }

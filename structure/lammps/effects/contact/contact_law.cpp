@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "structure/body.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/mesh/surface.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
@@ -36,8 +36,7 @@ double contact_distance_m(const std::vector<Body>& bodies) {
 
 double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m) {
     if (bodies.empty() || !(distance_m > 0)) {
-        throw std::invalid_argument(
-            "contact needs at least one body and a positive distance");
+        refuse("contact needs at least one body and a positive distance");
     }
     double softest = INFINITY;
     for (const Body& body : bodies) {

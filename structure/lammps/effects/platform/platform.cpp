@@ -81,9 +81,10 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
 FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg) {
     if (narg < first_keyword) {
-        fail(*error, fmt::format("fix {} magttice/platform needs a point, a normal and a "
-                                 "stiffness: seven numbers",
-                                 id));
+        fail(*error,
+             "fix {} magttice/platform needs a point, a normal and a stiffness: seven "
+             "numbers",
+             id);
     }
     parse_plane(arg);
     parse_keywords(narg, arg);
@@ -112,9 +113,9 @@ void FixMagtticePlatform::parse_plane(char** arg) {
     platform_.stiffness_pa_m = number(arg[9], lmp);
     if (!(length > 0) || !(platform_.stiffness_pa_m > 0)) {
         fail(*error,
-             fmt::format("fix {} magttice/platform: a normal of length {} and the "
-                         "stiffness {} found, both must be positive",
-                         id, length, arg[9]));
+             "fix {} magttice/platform: a normal of length {} and the stiffness {} "
+             "found, both must be positive",
+             id, length, arg[9]);
     }
     for (double& component : platform_.normal) component /= length;
 }
@@ -129,10 +130,10 @@ void FixMagtticePlatform::parse_keywords(int narg, char** arg) {
             *value = number(arg[i + 1], lmp);
         }
         if (value == nullptr || i + 1 >= narg || !(*value >= 0)) {
-            fail(*error, fmt::format("fix {} magttice/platform: \"{}\" found; "
-                                     "\"friction\" and \"damping\" with one value, not "
-                                     "negative, are allowed",
-                                     id, keyword));
+            fail(*error,
+                 "fix {} magttice/platform: \"{}\" found; \"friction\" and \"damping\" "
+                 "with one value, not negative, are allowed",
+                 id, keyword);
         }
     }
 }
@@ -163,9 +164,9 @@ void FixMagtticePlatform::init() {
     node_ = surface_nodes(*modify);
     if (node_.empty()) {
         fail(*error,
-             fmt::format("fix {} magttice/platform found no fix magttice, it needs "
-                         "the surface of at least one",
-                         id));
+             "fix {} magttice/platform found no fix magttice, it needs the surface of at "
+             "least one",
+             id);
     }
 }
 

@@ -1,12 +1,10 @@
 #include "structure/lammps/effects/platform/platform_law.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "structure/body.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -83,8 +81,7 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
 
 double platform_stiffness_pa_m(const Material& material, double thickness_m) {
     if (!(thickness_m > 0)) {
-        throw std::invalid_argument(
-            fmt::format("thickness of {:g} m found, it must be positive", thickness_m));
+        refuse("thickness of {:g} m found, it must be positive", thickness_m);
     }
     return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
 }

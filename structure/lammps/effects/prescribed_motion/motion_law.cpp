@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <stdexcept>
 
 #include "structure/lammps/law_words.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
@@ -39,8 +39,7 @@ Vec3 way(const Oscillation& o) {
     return o.amplitude_m;
 }
 void check(const Oscillation& o) {
-    if (!(o.frequency_hz > 0))
-        throw std::invalid_argument("an oscillation needs a frequency above zero");
+    if (!(o.frequency_hz > 0)) refuse("an oscillation needs a frequency above zero");
 }
 
 Vec3 displacement(const DisplacementRamp& r, double time_s) {
@@ -57,14 +56,12 @@ Vec3 way(const DisplacementRamp& r) {
     return r.displacement_m;
 }
 void check(const DisplacementRamp& r) {
-    if (!(r.duration_s > 0))
-        throw std::invalid_argument("a ramp needs a duration above zero");
+    if (!(r.duration_s > 0)) refuse("a ramp needs a duration above zero");
 }
 
 [[noreturn]] void refuse_face(const Body& body, const std::string& face,
                               const char* fault) {
-    throw std::invalid_argument(fmt::format(
-        "prescribed_motion of body {}: the face {} {}", body.name, face, fault));
+    refuse("prescribed_motion of body {}: the face {} {}", body.name, face, fault);
 }
 
 const std::vector<int>& nodes_of(const Body& body, const std::string& face) {
@@ -116,9 +113,9 @@ void check_motions(const std::vector<Body>& bodies,
         const auto held = held_otherwise(body, faces[motion.body], motion.course);
         for (const int node : moved_nodes(body, motion)) {
             if (moved[motion.body].insert(node).second && !held.contains(node)) continue;
-            refuse_face(body, fmt::format("{}", fmt::join(motion.faces, ", ")),
-                        "touches one that is held or moved differently; they must be "
-                        "apart");
+            refuse_face(
+                body, fmt::format("{}", fmt::join(motion.faces, ", ")),
+                "touches one that is held or moved differently; they must be apart");
         }
     }
 }

@@ -40,7 +40,7 @@ FixMagtticeMotion::FixMagtticeMotion(LAMMPS_NS::LAMMPS* lammps, int narg, char**
     try {
         course_ = motion_from({arg + 3, arg + narg});
     } catch (const std::invalid_argument& fault) {
-        fail(*error, fmt::format("fix {} magttice/motion: {}", id, fault.what()));
+        fail(*error, "fix {} magttice/motion: {}", id, fault.what());
     }
     dynamic_group_allow = 1;
 }
