@@ -5,7 +5,6 @@
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
-namespace {
 
 const std::vector<int>& face_nodes(const Body& body, const std::string& face,
                                    const char* how) {
@@ -17,8 +16,6 @@ const std::vector<int>& face_nodes(const Body& body, const std::string& face,
     refuse("body {} is {} at {}, but its faces are {}", body.name, how, face,
            known.empty() ? "none" : known);
 }
-
-}  // namespace
 
 std::vector<Material> all_materials(const Body& body) {
     std::vector<Material> out{body.material};
@@ -61,9 +58,10 @@ void check_materials(const std::vector<int>& element_material, std::size_t eleme
     }
 }
 
-std::vector<HeldAxes> held_axes(const Body& body) {
+std::vector<HeldAxes> held_axes(const Body& body, const std::set<std::string>& moved) {
     std::vector<HeldAxes> held(body.mesh.nodes.size());
     for (const std::string& face : body.clamps) {
+        if (moved.contains(face)) continue;
         for (const int node : face_nodes(body, face, "clamped"))
             held[static_cast<std::size_t>(node)] = {true, true, true};
     }

@@ -1,6 +1,7 @@
 // One magttice body before it goes to LAMMPS. SI throughout.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,15 @@ bool is_viscous(const Body& body);
 void check_materials(const std::vector<int>& element_material, std::size_t elements,
                      std::size_t others);
 
-// Which axes of each node the clamps and rollers hold. Throws std::invalid_argument on a
-// face that the mesh lacks.
+// The nodes of a face. Throws std::invalid_argument where the mesh lacks it; how: what is
+// said of the body there, such as "clamped".
+const std::vector<int>& face_nodes(const Body& body, const std::string& face,
+                                   const char* how);
+
+// Which axes of each node the rollers hold, and the clamps but those of the faces that
+// are `moved`. Throws as face_nodes does.
 using HeldAxes = std::array<bool, 3>;
-std::vector<HeldAxes> held_axes(const Body& body);
+std::vector<HeldAxes> held_axes(const Body& body,
+                                const std::set<std::string>& moved = {});
 
 }  // namespace magfsi::structure

@@ -79,28 +79,8 @@ LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(flu
     grid_.spacing_m = config.spacing_m;
     grid_.cells = config.cells;
     grid_.periodic = fluid::periodic_axes(config);
-    for (const fluid::CellBox& box : fluid.owned_by_rank()) {
-        grid_.owned_by_rank.push_back({box.lo, box.hi});
-    }
-    for (const fluid::CellRow& r : fluid.solid_rows())
-        grid_.solid.push_back({r.y, r.z, r.x_begin, r.x_end});
-}
-
-std::span<const fluid::CellRow> LbmFluid::convert(
-    std::span<const coupler::GridRow> rows) {
-    rows_.clear();
-    for (const coupler::GridRow& r : rows)
-        rows_.push_back({r.y, r.z, r.x_begin, r.x_end});
-    return rows_;
-}
-
-void LbmFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out) {
-    fluid_.velocity(convert(rows), out);
-}
-
-void LbmFluid::set_force(std::span<const coupler::GridRow> rows,
-                         std::span<const double> density) {
-    fluid_.set_force(convert(rows), density);
+    grid_.owned_by_rank = fluid.owned_by_rank();
+    grid_.solid = fluid.solid_rows();
 }
 
 std::string LbmFluid::headline() const {

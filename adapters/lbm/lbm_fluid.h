@@ -15,9 +15,13 @@ class LbmFluid final : public fluids::FluidSolver {
     LbmFluid(MPI_Comm comm, fluid::Fluid& fluid);
 
     const coupler::Grid& grid() const override { return grid_; }
-    void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
-    void set_force(std::span<const coupler::GridRow> rows,
-                   std::span<const double> density) override;
+    void velocity(std::span<const CellRow> rows, std::span<double> out) override {
+        fluid_.velocity(rows, out);
+    }
+    void set_force(std::span<const CellRow> rows,
+                   std::span<const double> density) override {
+        fluid_.set_force(rows, density);
+    }
     void advance() override { fluid_.step(); }
     void keep() override { fluid_.keep(); }
     void go_back() override { fluid_.go_back(); }
@@ -40,12 +44,9 @@ class LbmFluid final : public fluids::FluidSolver {
                  coupler::BalanceRecord* balance) override;
 
   private:
-    std::span<const fluid::CellRow> convert(std::span<const coupler::GridRow> rows);
-
     MPI_Comm comm_;
     fluid::Fluid& fluid_;
     coupler::Grid grid_;
-    std::vector<fluid::CellRow> rows_;
 };
 
 }  // namespace magfsi::lbm

@@ -312,10 +312,9 @@ double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
 }  // namespace
 
 std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m) {
-    const double dx = spacing_m;
-    return std::make_shared<TriangulatedSolid>(
-        surface.file, surface.unit_m / dx,
-        Vec3{surface.shift_m[0] / dx, surface.shift_m[1] / dx, surface.shift_m[2] / dx});
+    need("scale", surface.unit_m);
+    return std::make_shared<TriangulatedSolid>(surface.file, surface.unit_m / spacing_m,
+                                               in_cells(surface.shift_m, spacing_m));
 }
 
 }  // namespace magfsi::fluid

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "structure/lattice/element.h"
+#include "structure/lattice/tangent.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -127,7 +127,7 @@ PlateStiffness lattice_plate(ElementVariant variant, const Positions8& layer_m,
     const auto z = layer_m.col(thickness_axis);
     const double height = z.maxCoeff() - z.minCoeff();
     const ElementReference reference = element_reference(layer_m, variant, 0);
-    const Matrix24 stiffness = stiffness_at_rest(reference, material, layer_m);
+    const Matrix24 stiffness = element_tangent(reference, material, layer_m);
     const auto spread = level_map(layer_m, thickness_axis);
 
     // Energy 1/2 (f^T a f + 2 f^T b k + k^T c k) over the displacements f of the levels.

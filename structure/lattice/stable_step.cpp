@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "structure/lattice/element.h"
+#include "structure/lattice/tangent.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -28,7 +28,7 @@ double element_step_s(const Positions8& x, ElementVariant variant,
         inverse_root_mass(q) = 1 / std::sqrt(mass);
     }
     const double omega = std::sqrt(
-        largest_over_mass(stiffness_at_rest(reference, material, x), inverse_root_mass));
+        largest_over_mass(element_tangent(reference, material, x), inverse_root_mass));
     if (material.viscosity_pa_s == 0) return 2 / omega;
     const double damping = largest_over_mass(
         viscous_damping_at_rest(reference, material, x), inverse_root_mass);

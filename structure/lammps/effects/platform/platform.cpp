@@ -238,21 +238,19 @@ double FixMagtticePlatform::compute_scalar() {
 }
 
 double FixMagtticePlatform::compute_vector(int i) {
+    double all[8];
     if (i == 3) {
-        double smallest = 0;
-        MPI_Allreduce(&smallest_gap_m_, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
-        return smallest;
+        MPI_Allreduce(&smallest_gap_m_, all, 1, MPI_DOUBLE, MPI_MIN, world);
+        return all[0];
     }
-    const std::array<double, 6> mine{normal_n_,   energy_j_,   force_n_[0],
-                                     force_n_[1], force_n_[2], slid_j_};
-    std::array<double, 6> all{};
-    MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_SUM, world);
-    if (i == 0) return all[0];
-    if (i == 2) return all[1];
-    if (i > 3) return all[static_cast<std::size_t>(i - 2)];
-    double squared = 0;  // the part of the force that lies in the plane
+    // By i; the force along the plane, 1, follows from the others.
+    const double mine[8] = {normal_n_,   0,           energy_j_,   0,
+                            force_n_[0], force_n_[1], force_n_[2], slid_j_};
+    MPI_Allreduce(mine, all, 8, MPI_DOUBLE, MPI_SUM, world);
+    if (i != 1) return all[i];
+    double squared = 0;
     for (std::size_t d = 0; d < 3; ++d) {
-        const double part = all[2 + d] - all[0] * platform_.normal[d];
+        const double part = all[4 + d] - all[0] * platform_.normal[d];
         squared += part * part;
     }
     return std::sqrt(squared);
