@@ -1,7 +1,6 @@
 #include "fluid_lbm/obstacle/obstacles.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "fluid_lbm/refuse.h"
 

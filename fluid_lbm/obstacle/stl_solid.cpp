@@ -89,10 +89,9 @@ std::vector<Triangle> read_stl(const std::filesystem::path& file) {
     const std::string bytes = contents(file);
     const bool binary = is_binary(bytes);
     if (!binary && bytes.compare(0, 5, "solid") != 0) {
-        refuse_file(
-            file, "has ", bytes.size(),
-            " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + 50 "
-            "bytes per triangle of its count (binary)");
+        refuse_file(file, "has ", bytes.size(),
+                    " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + "
+                    "50 bytes per triangle of its count (binary)");
     }
     std::vector<Triangle> triangles =
         binary ? read_binary(bytes) : read_ascii(bytes, file);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <string>
 #include <vector>
 
 #include "structure/body.h"

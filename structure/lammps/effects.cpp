@@ -90,8 +90,10 @@ double surface_spring_pa_m(const LammpsInput& input, const Body& body) {
 }
 
 void register_styles(LAMMPS_NS::LAMMPS& lammps) {
-    add_fix_style<FixMagttice>(lammps, "magttice");
+    auto& fixes = *lammps.modify->fix_map;
+    fixes["magttice"] = make_fix<FixMagttice>;
     for (const Effect* effect : effects()) {
+        if (effect->fix.name) fixes[effect->fix.name] = effect->fix.make;
         if (effect->register_styles) effect->register_styles(lammps);
     }
 }

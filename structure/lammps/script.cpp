@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "structure/body.h"
 #include "structure/lammps/effect.h"

@@ -69,9 +69,6 @@ extern const Effect drag_effect{
                 fmt::format("fix drag all magttice/drag {:.17g}",
                             fmt::join(std::bit_cast<DragNumbers>(*input.drag), " ")));
         },
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeDrag>(lammps, "magttice/drag");
-        }};
+    .fix = {"magttice/drag", make_fix<FixMagtticeDrag>}};
 
 }  // namespace magfsi::structure

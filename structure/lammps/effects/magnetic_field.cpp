@@ -174,9 +174,6 @@ extern const Effect magnetic_field_effect{
         return body.magnetization_a_m.empty() ? "" : " field v_Bx v_By v_Bz";
     },
     .force = {"field", 3, make_force<UniformField>},
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeFieldSource>(lammps, "magttice/field");
-        }};
+    .fix = {"magttice/field", make_fix<FixMagtticeFieldSource>}};
 
 }  // namespace magfsi::structure

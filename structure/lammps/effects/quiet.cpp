@@ -122,9 +122,6 @@ extern const Effect quiet_effect{
     .name = "quiet",
     .asked = [](const LammpsInput& input) { return input.quiet; },
     .commands = add_quiet,
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeQuiet>(lammps, "magttice/quiet");
-        }};
+    .fix = {"magttice/quiet", make_fix<FixMagtticeQuiet>}};
 
 }  // namespace magfsi::structure

@@ -328,9 +328,6 @@ extern const Effect platform_effect{
     .commands = add_platform,
     .surface_spring_pa_m = [](const LammpsInput& input,
                               const Body&) { return platform_of(input).stiffness_pa_m; },
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticePlatform>(lammps, "magttice/platform");
-        }};
+    .fix = {"magttice/platform", make_fix<FixMagtticePlatform>}};
 
 }  // namespace magfsi::structure

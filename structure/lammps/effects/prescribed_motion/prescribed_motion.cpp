@@ -112,9 +112,6 @@ extern const Effect prescribed_motion_effect{
     .asked = [](const LammpsInput& input) { return !input.motions.empty(); },
     .check = [](const LammpsInput& input) { check_motions(input.bodies, input.motions); },
     .after_integration = add_motions,
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeMotion>(lammps, "magttice/motion");
-        }};
+    .fix = {"magttice/motion", make_fix<FixMagtticeMotion>}};
 
 }  // namespace magfsi::structure
