@@ -176,7 +176,9 @@ fluids::FluidTotals FoamFluid::totals() {
             fluid_.density_kg_m3 * sums.volume_m3, sums.max_speed_m_s};
 }
 
-double FoamFluid::enstrophy_1_s2() {
+double FoamFluid::quantity(scene::FluidQuantity quantity) {
+    if (quantity != scene::FluidQuantity::enstrophy)
+        throw std::logic_error("no probe of OpenFOAM");
     std::vector<double> vorticity(3 * cell_count(width_m_));
     engine_->vorticity(vorticity.data());
     return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
@@ -242,25 +244,16 @@ void FoamFluid::go_back() {
     steps_ = kept_steps_;
 }
 
-void FoamFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) {
+void FoamFluid::save(coupler::StateWriter* file) {
     FlowState state;
     engine_->keep(state);
     save_flow(comm_, mesh_, state, file);
-    if (!balance) return;
-    const auto mine = balance->values();
-    const auto all = coupler::gather_shares(comm_, mine);
-    if (file && !mine.empty())
-        file->table("balance", all, {all.size() / mine.size(), mine.size()});
 }
 
-void FoamFluid::restore(const coupler::StateReader& file,
-                        coupler::BalanceRecord* balance) {
+void FoamFluid::restore(const coupler::StateReader& file) {
     steps_ = file.header().step;
     set_inlets(static_cast<double>(steps_) * step_s_);
     engine_->go_back(load_flow(mesh_, file), steps_);
-    if (balance && file.has("balance"))
-        balance->set(
-            coupler::share_of(comm_, file.table("balance"), file.shape("balance")[0]));
 }
 
 }  // namespace magfsi::openfoam

@@ -35,7 +35,7 @@ std::optional<double> coupled_step_s(const Scene& scene);
 
 // The fluid's on its lattice: 3 nu dt / dx^2 + 1/2; empty without such a fluid. Below the
 // least the viscosity is lost in the scheme's own error.
-constexpr double least_relaxation_time = 0.5001;
+constexpr double min_relaxation_time = 0.5001;
 std::optional<double> relaxation_time(const Scene& scene);
 
 // Empty, or why a retry cannot halve the steps once more.
