@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/scene_to_body.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lattice/hexahedron.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"

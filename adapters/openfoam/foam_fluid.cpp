@@ -31,7 +31,7 @@ int size_of(MPI_Comm comm) {
 }
 
 // Far beyond what the explicit force survives: numbers that mean nothing any more.
-constexpr double most_courant = 10;
+constexpr double max_courant = 10;
 
 }  // namespace
 
@@ -212,7 +212,7 @@ void FoamFluid::field(scene::FluidField field, std::span<float> out) {
 void FoamFluid::check_divergence() {
     const FastestCell fastest = fastest_cell(cell_count(width_m_), engine_->velocity());
     const double courant = fastest.speed_m_s * step_s_ / grid_.spacing_m;
-    if (courant < most_courant) return;  // false where it is not a number
+    if (courant < max_courant) return;  // false where it is not a number
     const scene::Vec3 at = centre(fastest.cell);
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "

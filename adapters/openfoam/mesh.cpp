@@ -18,13 +18,13 @@ double reach(double growth, int cells) {
 }
 
 // Widths, in spacings, that fill `gap` spacings, the finest first.
-std::vector<double> growing(double gap, double most_growth) {
+std::vector<double> growing(double gap, double max_growth) {
     std::vector<double> widths;
     if (gap < 0.5) return widths;  // a whole number: none
     int cells = 1;
-    while (reach(most_growth, cells) < gap) ++cells;
+    while (reach(max_growth, cells) < gap) ++cells;
     cells = std::min(cells, static_cast<int>(std::lround(gap)));
-    double low = 1, high = most_growth;
+    double low = 1, high = max_growth;
     for (int i = 0; i < 60; ++i) {  // to the last bit
         const double middle = (low + high) / 2;
         (reach(middle, cells) < gap ? low : high) = middle;

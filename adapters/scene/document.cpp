@@ -122,8 +122,8 @@ class Builder : public YAML::EventHandler {
 
     // Aliases of aliases grow without bound; no scene needs this many nodes.
     void count(const Node& node, const YAML::Mark& mark) {
-        constexpr std::size_t most_nodes = 200'000;
-        if (++nodes_ > most_nodes)
+        constexpr std::size_t max_nodes = 200'000;
+        if (++nodes_ > max_nodes)
             refuse(origin(mark), "more than 200000 nodes after expansion of aliases",
                    "smaller scenes");
         for (const Node& child : node.children) count(child, mark);
@@ -217,15 +217,16 @@ Node* Node::find(std::string_view name) {
 
 Node parse_document(const std::string& text, const Origin& whole) {
     check_encoding(text, whole);
-    Builder builder(whole);
     try {
-        std::istringstream stream(text);
-        YAML::Parser parser(stream);
-        while (parser.HandleNextDocument(builder)) {
-        }
+        YAML::LoadAll(text);  // faults of syntax are told first
     } catch (const YAML::Exception& error) {
         refuse(at(error.mark, whole), fmt::format("no valid YAML ({})", error.msg),
                "YAML: \"key: value\" with indentation by spaces");
+    }
+    Builder builder(whole);
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
     }
     Node root = builder.take();
     if (root.type == Node::Type::null && root.origin.source.empty()) root.origin = whole;

@@ -69,7 +69,7 @@ enum class Step { structure, coupled, fluid, output };
 
 struct Effect {
     Step step;
-    const char* name;
+    std::string_view name;
     bool active;
 };
 
@@ -158,6 +158,11 @@ std::vector<std::string> active_effects(const Scene& scene) {
 }
 std::vector<std::string> absent_effects(const Scene& scene) {
     return select(scene, false);
+}
+
+bool has_effect(const Scene& scene, std::string_view name) {
+    const auto all = effects_of(scene);
+    return std::ranges::find(all, name, &Effect::name)->active;
 }
 
 std::vector<std::string> effects_by_step(const Scene& scene) {

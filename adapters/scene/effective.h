@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "adapters/scene/scene.h"
@@ -44,6 +45,8 @@ std::string fault_of_half_step(const Scene& scene);
 // Names of the effects in the order in which a step evaluates them.
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
+
+bool has_effect(const Scene& scene, std::string_view name);
 
 // The same, a line for each of the structure step, the coupled step, the fluid step and
 // the outputs: "fluid step: fluid, obstacles; absent: body force, ...".
