@@ -14,9 +14,7 @@ namespace magfsi::scene {
 
 nlohmann::ordered_json effective_scene(const Scene& scene) {
     Scene copy = scene;  // the keys serve reading too
-    JsonWriter writer;
-    keys(writer, copy);
-    return writer.take();
+    return JsonWriter::of(copy);
 }
 
 std::uint64_t scene_hash(const Scene& scene) {
