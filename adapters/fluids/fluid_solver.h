@@ -43,7 +43,7 @@ class FluidSolver : public coupler::GridFluid {
     virtual output::Named<std::string> versions() const { return {}; }
     virtual double waited_for_neighbours_s() const { return 0; }
     // Below, a rank has too little to do.
-    virtual std::int64_t fewest_cells_a_rank() const { return 20000; }
+    virtual std::int64_t min_cells_per_rank() const { return 20000; }
 
     // The flow's part of a checkpoint. Collective; file is null but on the root.
     virtual void save(coupler::StateWriter* file) = 0;

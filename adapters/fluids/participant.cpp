@@ -89,7 +89,7 @@ coupler::ParticipantReport Participant::make_report() const {
         coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbours_s());
     output::FluidSummary fluid = fluid_.summary();
     report.load.max_ranks = static_cast<int>(
-        std::max<std::int64_t>(1, fluid.cells / fluid_.fewest_cells_a_rank()));
+        std::max<std::int64_t>(1, fluid.cells / fluid_.min_cells_per_rank()));
     for (const auto& version : fluid_.versions()) report.versions.push_back(version);
     const std::int64_t advances =
         coupling_ ? coupling_->advances() : session_.clock().steps_here();

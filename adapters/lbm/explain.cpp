@@ -112,7 +112,7 @@ double while_made(scene::FluidField field) {
     return velocity_field;
 }
 
-double output_bytes_a_cell(const scene::FluidOutput& output) {
+double output_bytes_per_cell(const scene::FluidOutput& output) {
     double held = 0, peak = 0;
     for (const scene::FluidField field : output.fields) {
         held += field_bytes(field);
@@ -142,11 +142,11 @@ constexpr double marker_bytes =
     9 * sizeof(coupler::Vec3);
 // Rows along x. Sheets of markers, some to a cell, touch a thirtieth as many where they
 // lie along them and a fifth where they have bent across.
-constexpr double rows_a_marker = 0.1;
+constexpr double rows_per_marker = 0.1;
 
 // Three numbers a cell, with room for half as many rows again, as there is in the mean.
 double forced_rows_bytes(double markers, int nx, bool single_precision) {
-    return 1.5 * rows_a_marker * markers * 3 * nx *
+    return 1.5 * rows_per_marker * markers * 3 * nx *
            (single_precision ? sizeof(float) : sizeof(double));
 }
 
@@ -211,7 +211,7 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
                                     ghosted_cells * velocity_field);
     if (scene.output.fluid)
         memory.passing.emplace_back("fields in files",
-                                    cells * output_bytes_a_cell(*scene.output.fluid));
+                                    cells * output_bytes_per_cell(*scene.output.fluid));
     return memory;
 }
 

@@ -78,7 +78,7 @@ double fluid_s(const Work& work, const Calibration& c) {
     return work.steps * work.iterations * a_step +
            f.sum_rows * f.cells * c.s_per_cell_row / f.ranks +
            f.enstrophy_rows * f.cells * c.s_per_cell_enstrophy / f.ranks +
-           f.files * f.cells * f.bytes_a_cell * c.s_per_cell_byte;
+           f.files * f.cells * f.bytes_per_cell * c.s_per_cell_byte;
 }
 
 // Of a coupled step, what neither side's work explains.
@@ -138,7 +138,7 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     p.fluid_bytes = f.ranks * (work.structure ? c.coupled_fluid_bytes : c.fluid_bytes) +
                     f.cells * c.bytes_per_cell * (f.single_precision ? 0.5 : 1) +
                     f.cells * passing_bytes(f, c);
-    p.disk_bytes += f.files * f.cells * f.bytes_a_cell;
+    p.disk_bytes += f.files * f.cells * f.bytes_per_cell;
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }
 

@@ -44,7 +44,7 @@ SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
         case fluid::BoundaryKind::velocity_inlet:  // it opens with the first step
             return {"type patch;", "type fixedValue; value uniform (0 0 0);",
                     "type zeroGradient;"};
-        case fluid::BoundaryKind::no_slip:
+        default:  // no_slip; what OpenFOAM has not, to_mesh refuses
             break;
     }
     return {

@@ -13,7 +13,7 @@ namespace magfsi::openfoam {
 namespace {
 
 // Measured: fields, matrices and multigrid levels of pimpleFoam.
-constexpr double bytes_a_cell = 1500;
+constexpr double bytes_per_cell = 1500;
 // A time step of the second order needs several steps a cell at the fastest place.
 constexpr double max_courant = 0.5;
 constexpr double max_grid_reynolds = 50;
@@ -62,7 +62,7 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
         text += row("Reynolds number of a cell", fmt::format("{:.4g}", grid_reynolds));
     }
     text += fmt::format("  {} x {} x {} = {:.0f} cells, about {:.0f} MB\n", n[0], n[1],
-                        n[2], cells, cells * bytes_a_cell / 1e6);
+                        n[2], cells, cells * bytes_per_cell / 1e6);
     if (courant > max_courant) {
         text += fmt::format(
             "  warning: a Courant number of {:.3g} is inaccurate: take a step of {:.3g} "

@@ -166,7 +166,7 @@ std::string FoamFluid::headline() const {
     const auto n = mesh_cells(mesh_);
     return fmt::format(
         "{} x {} x {} cells of {:.4g} mm{}, step {:.4g} us, pimpleFoam of OpenFOAM {}",
-        n[0], n[1], n[2], fluid_.spacing_m * 1e3, fluid_.grading ? " and more" : "",
+        n[0], n[1], n[2], fluid_.spacing_m * 1e3, fluid_.grading ? " and larger" : "",
         step_s_ * 1e6, versions().front().second);
 }
 
@@ -217,7 +217,7 @@ void FoamFluid::check_divergence() {
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "
                     "{:.3g} cells "
-                    "a step; take a smaller step (fluid.courant) or a finer spacing",
+                    "per step; take a smaller step (fluid.courant) or a finer spacing",
                     at[0], at[1], at[2], fastest.speed_m_s, courant));
 }
 

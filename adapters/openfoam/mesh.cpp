@@ -78,18 +78,15 @@ std::vector<int> cell_of_uniform(const std::vector<double>& planes_m, double spa
 namespace {
 
 SideType to_side(fluid::BoundaryKind kind) {
-    switch (kind) {
-        case fluid::BoundaryKind::periodic:
-            return SideType::periodic;
-        case fluid::BoundaryKind::no_slip:
-            return SideType::wall;
-        case fluid::BoundaryKind::free_slip:
-            return SideType::symmetry;
-        case fluid::BoundaryKind::velocity_inlet:
-        case fluid::BoundaryKind::pressure_outlet:
-            break;
-    }
-    return SideType::open;
+    using enum fluid::BoundaryKind;
+    if (kind == periodic) return SideType::periodic;
+    if (kind == no_slip) return SideType::wall;
+    if (kind == free_slip) return SideType::symmetry;
+    if (kind == velocity_inlet || kind == pressure_outlet) return SideType::open;
+    throw std::invalid_argument(fmt::format(
+        "fluid.boundaries: {} with fluid.solver openfoam; only with the solver "
+        "lbm",
+        scene::name_of(kind)));
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <span>
 
 #include "adapters/scene/field.h"
-#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
@@ -34,8 +33,7 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
         refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
                fmt::format("mean_f elements with the edge {} along {}, shorter than {} "
                            "through the thickness",
-                           format_si(edge[i], "m"), axis_names[i],
-                           format_si(edge[thickness], "m")),
+                           metres(edge[i]), axis_names[i], metres(edge[thickness])),
                "in-plane edges of at least the edge through the thickness",
                fmt::format("take at most {} elements along {}, more layers along {}, or "
                            "element: assumed_strain",
@@ -173,10 +171,10 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
         const double from = half[i], to = side - half[i];
         refuse(marks.value({"bodies", body.name, "initial", "position"}),
                fmt::format("\"{}\" reaching {} = {}, outside the fluid box", body.name,
-                           axis_names[i], format_si(end, "m")),
-               fmt::format("{} from 0 m to {}", axis_names[i], format_si(side, "m")),
-               from <= to ? fmt::format("put its centre between {} and {}",
-                                        format_si(from, "m"), format_si(to, "m"))
+                           axis_names[i], metres(end)),
+               fmt::format("{} from 0 m to {}", axis_names[i], metres(side)),
+               from <= to ? fmt::format("put its centre between {} and {}", metres(from),
+                                        metres(to))
                           : "take a larger box");
     }
 }

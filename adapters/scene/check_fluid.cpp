@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "adapters/scene/effective.h"
-#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
@@ -47,8 +46,8 @@ std::string advice(const Fluid& fluid) {
     Vec3 box{};
     for (int i = 0; i < 3; ++i)
         box[i] = std::max(1.0, std::round(fluid.box_m[i] / wanted)) * wanted;
-    return fmt::format("the nearest box is [{}, {}, {}]", format_si(box[0], "m"),
-                       format_si(box[1], "m"), format_si(box[2], "m"));
+    return fmt::format("the nearest box is [{}, {}, {}]", metres(box[0]), metres(box[1]),
+                       metres(box[2]));
 }
 
 // A slip of a unit, most often, and more than any machine holds.
@@ -66,7 +65,7 @@ void check_cells(const Fluid& fluid, const Marks& marks) {
             fmt::format("at most {:.0e} cells, {:.0e} along a side", max_cells,
                         max_cells_along),
             fmt::format("take a spacing above {}, or a smaller box",
-                        format_si(coarser * fluid.spacing_m, "m")));
+                        metres(coarser * fluid.spacing_m)));
 }
 
 void check_spacing(const Fluid& fluid, const Marks& marks) {
@@ -77,14 +76,12 @@ void check_spacing(const Fluid& fluid, const Marks& marks) {
                     cells >= min_cells * (1 - divides_within),
                 here, fmt::format("{:.3g} cells along {}", cells, axis_names[d]),
                 fmt::format("at least {} cells between walls", min_cells),
-                fmt::format("take a spacing of at most {}",
-                            format_si(side / min_cells, "m")));
+                fmt::format("take a spacing of at most {}", metres(side / min_cells)));
         if (!divides(side, fluid.spacing_m))
             refuse(
                 here,
                 fmt::format("the spacing {}, which does not divide the box's {} along {}",
-                            format_si(fluid.spacing_m, "m"), format_si(side, "m"),
-                            axis_names[d]),
+                            metres(fluid.spacing_m), metres(side), axis_names[d]),
                 "a spacing that divides every side", advice(fluid));
     }
 }
@@ -137,13 +134,12 @@ void check_taylor_green(const Fluid& fluid, const Marks& marks) {
 void check_grading(const Fluid& fluid, const Marks& marks) {
     const auto& [lower, upper] = fluid.grading->uniform_m;
     for (std::size_t d = 0; d < 3; ++d) {
-        require(
-            lower[d] >= 0 && lower[d] < upper[d] && upper[d] <= fluid.box_m[d],
-            marks.value({"fluid", "grading", "uniform"}),
-            fmt::format("a uniform part from {} to {} along {}", format_si(lower[d], "m"),
-                        format_si(upper[d], "m"), axis_names[d]),
-            fmt::format("from 0 to the box's {}, in ascending order",
-                        format_si(fluid.box_m[d], "m")));
+        require(lower[d] >= 0 && lower[d] < upper[d] && upper[d] <= fluid.box_m[d],
+                marks.value({"fluid", "grading", "uniform"}),
+                fmt::format("a uniform part from {} to {} along {}", metres(lower[d]),
+                            metres(upper[d]), axis_names[d]),
+                fmt::format("from 0 to the box's {}, in ascending order",
+                            metres(fluid.box_m[d])));
     }
 }
 
@@ -180,11 +176,12 @@ void check_speed(double speed, std::string_view what, const Origin& where,
         fluid.solver == FluidSolver::lbm ? max_lattice_speed : max_courant;
     const double cells = speed * dt_s / fluid.spacing_m;
     if (cells <= limit * (1 + 1e-9)) return;  // rounding is no fault
-    refuse(where,
-           fmt::format("{} {:.6g} m/s, which is {:.3g} cells a step", what, speed, cells),
-           fmt::format("at most {}", limit),
-           fmt::format("take a step of at most {}",
-                       format_si(limit * fluid.spacing_m / speed, "s")));
+    refuse(
+        where,
+        fmt::format("{} {:.6g} m/s, which is {:.3g} cells per step", what, speed, cells),
+        fmt::format("at most {}", limit),
+        fmt::format("take a step of at most {}",
+                    seconds(limit * fluid.spacing_m / speed)));
 }
 
 void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
@@ -222,14 +219,14 @@ std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
     const double factor = wanted / now;
     if (scene.time.step_s)
         return fmt::format("take time.step {} {}, or spacing {} {}",
-                           factor > 1 ? "above" : "below", format_si(dt_s * factor, "s"),
+                           factor > 1 ? "above" : "below", seconds(dt_s * factor),
                            factor > 1 ? "below" : "above",
-                           format_si(fluid.spacing_m / std::sqrt(factor), "m"));
+                           metres(fluid.spacing_m / std::sqrt(factor)));
     // With the step from the lattice speed, 3 nu dt / dx^2 = 3 nu u_lattice / (U dx).
     const double lattice_speed = fluid.lattice_speed * factor;
     const std::string spacing =
         fmt::format("spacing {} {}", factor > 1 ? "below" : "above",
-                    format_si(fluid.spacing_m / factor, "m"));
+                    metres(fluid.spacing_m / factor));
     if (lattice_speed > max_lattice_speed) return "take " + spacing;
     return fmt::format("take lattice_speed {} {:.3g}, or {}",
                        factor > 1 ? "above" : "below", lattice_speed, spacing);
@@ -244,8 +241,7 @@ void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {
            fmt::format(
                "a relaxation time of {:.6g} (viscosity {:.6g} m2/s, step {}, spacing "
                "{})",
-               tau, fluid.viscosity_m2_s, format_si(dt_s, "s"),
-               format_si(fluid.spacing_m, "m")),
+               tau, fluid.viscosity_m2_s, seconds(dt_s), metres(fluid.spacing_m)),
            fmt::format("{} to {}", min_relaxation_time, max_tau),
            advice(scene, dt_s, tau - 0.5, wanted - 0.5));
 }
@@ -260,7 +256,7 @@ void check_step(const Scene& scene, const Marks& marks) {
     // Rounding in lattice_speed * spacing / expected_speed is no fault.
     require(*dt_s <= scene.time.end_s * (1 + 1e-9), marks.value({"time", "end"}),
             fmt::format("the end {} before the first step of {}",
-                        format_si(scene.time.end_s, "s"), format_si(*dt_s, "s")),
+                        seconds(scene.time.end_s), seconds(*dt_s)),
             "at least one step");
     if (!scene.fluid) return;
     check_speeds(scene, marks, *dt_s);
@@ -289,7 +285,7 @@ std::string fault_of_half_step(const Scene& scene) {
     const auto tau = relaxation_time(half);
     if (!tau || *tau >= min_relaxation_time) return {};
     return fmt::format("half of the step {} has a relaxation time of {:.6g}, below {}",
-                       format_si(*coupled_step_s(scene), "s"), *tau, min_relaxation_time);
+                       seconds(*coupled_step_s(scene)), *tau, min_relaxation_time);
 }
 
 void check_retry(const Scene& scene, const Marks& marks) {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/scene/quantity.h"
-
 namespace magfsi::scene {
 
 namespace {
@@ -19,16 +17,16 @@ void check_table(const FieldTable& table, const Marks& marks) {
     const std::size_t rows = table.time_s.size();
     for (std::size_t i = 1; i < rows; ++i)
         require(table.time_s[i] > table.time_s[i - 1], at("time"),
-                fmt::format("the time {} after {}", format_si(table.time_s[i], "s"),
-                            format_si(table.time_s[i - 1], "s")),
+                fmt::format("the time {} after {}", seconds(table.time_s[i]),
+                            seconds(table.time_s[i - 1])),
                 "times that ascend");
     require(table.magnitude_t.size() == rows, at("magnitude"),
             fmt::format("{} magnitudes for {} times", table.magnitude_t.size(), rows),
-            "one magnitude a time");
+            "one magnitude per time");
     require(table.direction_rad.size() == 1 || table.direction_rad.size() == rows,
             at("direction"),
             fmt::format("{} directions for {} times", table.direction_rad.size(), rows),
-            "one direction, or one a time");
+            "one direction, or one per time");
     require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
             "it with at least 2 rows");
 }
@@ -161,7 +159,7 @@ void check_not_behind(const Scene& scene, const Marks& marks) {
         const double height = height_m(*scene.platform, centre_m(body, *box));
         require(height > -half_diagonal_m(*box), marks.key({"platform"}),
                 fmt::format("a platform with \"{}\" {} behind it", body.name,
-                            format_si(-height, "m")),
+                            metres(-height)),
                 "bodies on the side that its normal points to",
                 "turn platform.normal around, or move the body or platform.point");
     }

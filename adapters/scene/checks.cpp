@@ -8,7 +8,6 @@
 
 #include "adapters/scene/effective.h"
 #include "adapters/scene/field.h"
-#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
@@ -53,8 +52,8 @@ namespace {
 void check_interval(const Scene& scene, double every_s, const Origin& where) {
     const double dt_s = coupled_step_s(scene).value_or(0);
     require(every_s >= dt_s * (1 - 1e-9), where,  // rounding is no fault
-            fmt::format("the interval {}", format_si(every_s, "s")),
-            fmt::format("at least the coupled step of {}", format_si(dt_s, "s")));
+            fmt::format("the interval {}", seconds(every_s)),
+            fmt::format("at least the coupled step of {}", seconds(dt_s)));
 }
 
 const Body& body_named(const Scene& scene, const std::string& name, const Origin& where) {
@@ -77,9 +76,9 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
         require(point.at_m[i] >= -1e-9 * size && point.at_m[i] <= size * (1 + 1e-9),
                 marks.value({"probes", "points", point.name, "at"}),
                 fmt::format("{} = {} outside the body \"{}\"", axis_names[i],
-                            format_si(point.at_m[i], "m"), point.body),
+                            metres(point.at_m[i]), point.body),
                 fmt::format("{} from 0 m to {} (the body's own frame)", axis_names[i],
-                            format_si(size, "m")));
+                            metres(size)));
     }
 }
 
@@ -89,11 +88,11 @@ void check_plane(const Scene& scene, const std::string& name, const FluidPlane& 
         refuse(marks.key({"probes", "integrals", name, "plane"}),
                "a plane without a fluid of the solver lbm", "it with fluid.solver: lbm");
     const auto axis = static_cast<std::size_t>(plane.axis);
-    const std::string side = format_si(scene.fluid->box_m[axis], "m");
+    const std::string side = metres(scene.fluid->box_m[axis]);
     require(plane.at_m >= 0 && plane.at_m <= scene.fluid->box_m[axis],
             marks.value({"probes", "integrals", name, "plane", "at"}),
             fmt::format("a plane at {} = {}, outside the fluid box", axis_names[axis],
-                        format_si(plane.at_m, "m")),
+                        metres(plane.at_m)),
             fmt::format("{} from 0 m to {}", axis_names[axis], side));
 }
 

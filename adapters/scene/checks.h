@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "adapters/scene/document.h"
+#include "adapters/scene/quantity.h"
 #include "adapters/scene/scene.h"
 
 namespace magfsi::scene {
@@ -49,6 +50,12 @@ void check_fluid(const Scene& scene, const Marks& marks);
 void check_retry(const Scene& scene, const Marks& marks);
 
 double length(const Vec3& v);
+inline std::string metres(double value) {
+    return format_si(value, "m");
+}
+inline std::string seconds(double value) {
+    return format_si(value, "s");
+}
 double largest_speed_m_s(const PrescribedMotion& motion);
 
 }  // namespace magfsi::scene

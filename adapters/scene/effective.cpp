@@ -48,9 +48,9 @@ std::optional<double> coupled_step_s(const Scene& scene) {
     if (scene.time.step_s) return halved(scene, *scene.time.step_s);
     if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;
     const Fluid& fluid = *scene.fluid;
-    const double cells_a_step =
+    const double cells_per_step =
         fluid.solver == FluidSolver::openfoam ? fluid.courant : fluid.lattice_speed;
-    return halved(scene, cells_a_step * fluid.spacing_m / fluid.expected_speed_m_s);
+    return halved(scene, cells_per_step * fluid.spacing_m / fluid.expected_speed_m_s);
 }
 
 std::optional<double> relaxation_time(const Scene& scene) {
