@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/scene_to_body.h"
 #include "structure/lattice/hexahedron.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/sheet.h"

@@ -28,20 +28,21 @@ class LbmFluid final : public fluids::FluidSolver {
 
     std::string headline() const override;
     fluids::FluidTotals totals() override;
-    double enstrophy_1_s2() override { return fluid_.enstrophy_1_s2(); }
+    double quantity(scene::FluidQuantity quantity) override;
     std::vector<scene::Vec3> obstacle_forces() override {
         return fluid_.obstacle_forces();
     }
-    fluids::PlaneFlow plane_flow(int axis, double at_m) override;
+    fluids::PlaneFlow plane_flow(int axis, double at_m) override {
+        return fluid_.plane_flow(axis, at_m);
+    }
     void field(scene::FluidField field, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     double waited_for_neighbours_s() const override {
         return fluid_.waited_for_neighbours_s();
     }
-    void save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) override;
-    void restore(const coupler::StateReader& file,
-                 coupler::BalanceRecord* balance) override;
+    void save(coupler::StateWriter* file) override;
+    void restore(const coupler::StateReader& file) override;
 
   private:
     MPI_Comm comm_;
