@@ -97,9 +97,9 @@ std::string collision_reason(const FluidConfig& config) {
     if (config.collision != Collision::automatic) {
         text << "asked for";
     } else if (tau >= trt_from) {
-        text << "relaxation time " << tau << " is at least " << trt_from
-             << ", where two-relaxation-time collision is stable and has the lowest "
-                "error";
+        text
+            << "relaxation time " << tau << " is at least " << trt_from
+            << ", where two-relaxation-time collision is stable and has the lowest error";
     } else if (chosen == Collision::trt) {
         text << "relaxation time " << tau << " is below " << trt_from
              << ", and a wall moves: regularised collision fails where it meets a "

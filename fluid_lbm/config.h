@@ -7,8 +7,11 @@
 
 #include "fluid_lbm/options.h"
 #include "fluid_lbm/units.h"
+#include "grid/cells.h"
 
 namespace magfsi::fluid {
+
+using magfsi::CellBox;
 
 struct FluidConfig : Options {
     std::array<int, 3> cells{};
@@ -17,11 +20,6 @@ struct FluidConfig : Options {
     // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
     std::function<Vec3(const Vec3&)> initial_velocity;
     std::function<double(const Vec3&)> initial_pressure;
-};
-
-// Half-open box of cells in global indices.
-struct CellBox {
-    std::array<int, 3> lo{}, hi{};
 };
 
 Units units(const FluidConfig& config);

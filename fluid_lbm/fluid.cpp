@@ -127,7 +127,7 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
 std::size_t Fluid::State::fluid_cells() const {
     std::size_t count = cells();
     if (!obstacles) return count;
-    for (const Obstacles::Run& run : obstacles->runs()) count -= run.x_end - run.x_begin;
+    for (const CellRow& row : obstacles->rows()) count -= row.size();
     return count;
 }
 
@@ -178,9 +178,9 @@ std::vector<CellRow> Fluid::solid_rows() const {
     if (!state_->obstacles) return {};
     const CellBox& box = state_->owned();
     std::vector<int> mine;  // y, z, x_begin, x_end
-    for (const Obstacles::Run& run : state_->obstacles->runs())
+    for (const CellRow& row : state_->obstacles->rows())
         mine.insert(mine.end(),
-                    {box.lo[1] + run.y, box.lo[2] + run.z, run.x_begin, run.x_end});
+                    {box.lo[1] + row.y, box.lo[2] + row.z, row.x_begin, row.x_end});
     const std::vector<int> all = gathered(state_->comm, mine);
     std::vector<CellRow> rows;
     for (std::size_t i = 0; i < all.size(); i += 4)

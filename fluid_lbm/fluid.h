@@ -3,7 +3,6 @@
 
 #include <mpi.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,11 +14,7 @@
 
 namespace magfsi::fluid {
 
-// Cells x_begin <= x < x_end of one row, global indices, inside the owned box.
-struct CellRow {
-    int y = 0, z = 0, x_begin = 0, x_end = 0;
-    int size() const { return x_end - x_begin; }
-};
+using magfsi::CellRow;  // inside the owned box
 
 constexpr int populations_per_cell = 19;
 

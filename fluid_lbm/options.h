@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-namespace magfsi::fluid {
+#include "fluid_lbm/obstacle/shapes.h"
 
-using Vec3 = std::array<double, 3>;
+namespace magfsi::fluid {
 
 // streaming/kernels.cpp says which kernel each one is.
 enum class Collision { automatic, bgk, trt, recursive_regularized, recursive_mrt };
@@ -88,33 +88,6 @@ const Shape* opening(const Boundary& side) {
 }
 
 // --- obstacles: bodies at rest in the fluid -----------------------------------------
-
-struct Sphere {
-    Vec3 centre_m{};
-    double diameter_m = 0;
-};
-
-// Along the axis 0 x, 1 y or 2 z; the centre is the middle of its length.
-struct Cylinder {
-    Vec3 centre_m{};
-    double diameter_m = 0;
-    int axis = 2;
-    std::optional<double> length_m;  // absent: through the box
-};
-
-struct Block {
-    Vec3 low_m{}, high_m{};  // opposite corners
-};
-
-// A closed triangulated surface from an STL file, ASCII or binary. A point x of the file
-// comes to shift_m + unit_m * x.
-struct StlSurface {
-    std::string file;
-    double unit_m = 1;  // length of the file's unit
-    Vec3 shift_m{};
-};
-
-using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
 
 struct Obstacle {
     std::string name;  // for errors and probes

@@ -1,12 +1,10 @@
 #include "structure/body.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
-namespace {
 
 const std::vector<int>& face_nodes(const Body& body, const std::string& face,
                                    const char* how) {
@@ -15,12 +13,9 @@ const std::vector<int>& face_nodes(const Body& body, const std::string& face,
     std::string known;
     for (const auto& [name, nodes] : body.mesh.faces)
         known += (known.empty() ? "" : ", ") + name;
-    throw std::invalid_argument(fmt::format("body {} is {} at {}, but its faces are {}",
-                                            body.name, how, face,
-                                            known.empty() ? "none" : known));
+    refuse("body {} is {} at {}, but its faces are {}", body.name, how, face,
+           known.empty() ? "none" : known);
 }
-
-}  // namespace
 
 std::vector<Material> all_materials(const Body& body) {
     std::vector<Material> out{body.material};
@@ -50,23 +45,23 @@ void check_materials(const std::vector<int>& element_material, std::size_t eleme
                      std::size_t others) {
     if (element_material.empty() && others == 0) return;
     if (element_material.size() != elements) {
-        throw std::invalid_argument(
-            fmt::format("{} material numbers found for {} elements, one an element is "
-                        "needed where there are {} materials",
-                        element_material.size(), elements, others + 1));
+        refuse(
+            "{} material numbers found for {} elements, one an element is needed where "
+            "there are {} materials",
+            element_material.size(), elements, others + 1);
     }
     for (std::size_t e = 0; e < elements; ++e) {
         const int number = element_material[e];
         if (number >= 0 && static_cast<std::size_t>(number) <= others) continue;
-        throw std::invalid_argument(
-            fmt::format("element {} is of material {}, but the materials are 0 to {}", e,
-                        number, others));
+        refuse("element {} is of material {}, but the materials are 0 to {}", e, number,
+               others);
     }
 }
 
-std::vector<HeldAxes> held_axes(const Body& body) {
+std::vector<HeldAxes> held_axes(const Body& body, const std::set<std::string>& moved) {
     std::vector<HeldAxes> held(body.mesh.nodes.size());
     for (const std::string& face : body.clamps) {
+        if (moved.contains(face)) continue;
         for (const int node : face_nodes(body, face, "clamped"))
             held[static_cast<std::size_t>(node)] = {true, true, true};
     }

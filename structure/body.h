@@ -1,6 +1,8 @@
-// One magttice body before it goes to LAMMPS. SI throughout.
+// A body: its mesh, what it is made of, its magnetisation and what holds it. SI
+// throughout.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,9 +15,9 @@ struct Body {
     std::string name;
     Mesh mesh;
     Material material;
-    // Of a body of several materials: element e is of `material` where
-    // element_material[e] is 0, else of other_materials[element_material[e] - 1]. Both
-    // empty: all is `material`.
+    // For a body of several materials, which are numbered: 0 is `material`, 1 the first
+    // of other_materials. element_material has the number of each element; it may be
+    // empty where all elements are of `material`.
     std::vector<Material> other_materials;
     std::vector<int> element_material;
     ElementVariant element = ElementVariant::full;
@@ -24,30 +26,36 @@ struct Body {
     std::vector<Roller> rollers;
 };
 
-// Unchecked: check_materials has passed.
+// The material of an element. The body must have passed check_materials.
 inline const Material& material_of(const Body& body, std::size_t element) {
     const int number = body.element_material.empty() ? 0 : body.element_material[element];
     return number == 0 ? body.material
                        : body.other_materials[static_cast<std::size_t>(number) - 1];
 }
 
-// `material` and the others, numbered as element_material counts.
+// All materials of the body, in the order of their numbers.
 std::vector<Material> all_materials(const Body& body);
 
-// Those that an element is made of.
+// Only those that at least one element is made of.
 std::vector<Material> used_materials(const Body& body);
 
-// Whether one of its materials damps its strain rate.
+// Whether one of its materials has a viscosity.
 bool is_viscous(const Body& body);
 
-// Throws std::invalid_argument where element_material has not one number an element
-// between 0 and `others`; it may be empty where there are no others.
+// Throws std::invalid_argument unless element_material has one number from 0 to `others`
+// for each element. It may be empty where there are no other materials.
 void check_materials(const std::vector<int>& element_material, std::size_t elements,
                      std::size_t others);
 
-// Which axes of each node the clamps and rollers hold. Throws std::invalid_argument on a
-// face that the mesh lacks.
+// The nodes of a face. Throws std::invalid_argument where the mesh lacks it; how: what is
+// said of the body there, such as "clamped".
+const std::vector<int>& face_nodes(const Body& body, const std::string& face,
+                                   const char* how);
+
+// For each node the axes along which a clamp or a roller holds it. Clamps on the faces
+// `moved` are left out. Throws as face_nodes does.
 using HeldAxes = std::array<bool, 3>;
-std::vector<HeldAxes> held_axes(const Body& body);
+std::vector<HeldAxes> held_axes(const Body& body,
+                                const std::set<std::string>& moved = {});
 
 }  // namespace magfsi::structure

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/scene_to_body.h"
 #include "structure/lattice/hexahedron.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "adapters/bodies/body_mesh.h"
+#include "adapters/bodies/scene_to_body.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lattice/hexahedron.h"
 
@@ -109,64 +109,46 @@ struct BodyProbe {
     scene::BodyQuantity quantity;
     std::vector<const char*> columns;
     Load needs;
-    void (*values)(const BodySample& body, Row& row);
+    Row (*values)(const BodySample& body);
 };
 
+Row row_of(const Vec3& v) {
+    return {v.begin(), v.end()};
+}
+
 const BodyProbe& body_probe(scene::BodyQuantity quantity) {
-    using enum scene::BodyQuantity;
+    using Q = scene::BodyQuantity;
+    using Body = const BodySample&;
     static const BodyProbe all[] = {
-        {com,
+        {Q::com,
          {"com_x[m]", "com_y[m]", "com_z[m]"},
          Load::none,
-         [](const BodySample& body, Row& row) {
-             add(row, mass_weighted_mean(body, body.nodes.position_m));
-         }},
-        {speed,
+         [](Body b) { return row_of(mass_weighted_mean(b, b.nodes.position_m)); }},
+        {Q::speed,
          {"speed_x[m/s]", "speed_y[m/s]", "speed_z[m/s]"},
          Load::none,
-         [](const BodySample& body, Row& row) {
-             add(row, mass_weighted_mean(body, body.nodes.velocity_m_s));
-         }},
-        {scene::BodyQuantity::shape,
+         [](Body b) { return row_of(mass_weighted_mean(b, b.nodes.velocity_m_s)); }},
+        {Q::shape,
          {"end_to_end[m]", "mid_rise[m]", "bend[rad]"},
          Load::none,
-         [](const BodySample& body, Row& row) { add(row, bodies::shape(body)); }},
-        {max_displacement,
+         [](Body b) { return row_of(shape(b)); }},
+        {Q::max_displacement,
          {"max_displacement[m]"},
          Load::none,
-         [](const BodySample& body, Row& row) {
-             row.push_back(max_displacement_m(body));
-         }},
-        {fluid_force,
+         [](Body b) { return Row{max_displacement_m(b)}; }},
+        {Q::fluid_force,
          {"fluid_force_x[N]", "fluid_force_y[N]", "fluid_force_z[N]"},
          Load::fluid_force,
-         [](const BodySample& body, Row& row) { add(row, body.loads.fluid_force_n); }},
-        {energy,
+         [](Body b) { return row_of(b.loads.fluid_force_n); }},
+        {Q::energy,
          {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
          Load::energies,
-         [](const BodySample& body, Row& row) {
-             add(row, {body.loads.energy_elastic_j, kinetic_energy_j(body),
-                       body.loads.work_magnetic_j});
+         [](Body b) {
+             return Row{b.loads.energy_elastic_j, kinetic_energy_j(b),
+                        b.loads.work_magnetic_j};
          }},
     };
     return *std::ranges::find(all, quantity, &BodyProbe::quantity);
-}
-
-bool holds(const std::array<scene::Vec3, 2>& box_m, const structure::Vec3& x) {
-    for (std::size_t d = 0; d < 3; ++d) {
-        if (x[d] < box_m[0][d] || x[d] > box_m[1][d]) return false;
-    }
-    return true;
-}
-
-structure::Vec3 centre(const structure::Mesh& mesh,
-                       const structure::Hexahedron& element) {
-    structure::Vec3 sum{};
-    for (const int node : element) {
-        for (std::size_t d = 0; d < 3; ++d)
-            sum[d] += mesh.nodes[static_cast<std::size_t>(node)][d] / 8;
-    }
-    return sum;
 }
 
 // Of each node's mass the share that belongs to these elements; 1 at every node of the
@@ -201,8 +183,16 @@ bool needs(const scene::Scene& scene, Load load) {
 std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh& mesh) {
     std::vector<bool> in(mesh.elements.size(), !part.box_m);
     if (!part.box_m) return in;
-    for (std::size_t e = 0; e < in.size(); ++e)
-        in[e] = holds(*part.box_m, centre(mesh, mesh.elements[e]));
+    const auto& [low, high] = *part.box_m;
+    for (std::size_t e = 0; e < in.size(); ++e) {
+        in[e] = true;
+        for (std::size_t d = 0; d < 3; ++d) {
+            double centre = 0;
+            for (const int node : mesh.elements[e])
+                centre += mesh.nodes[static_cast<std::size_t>(node)][d] / 8;
+            in[e] = in[e] && centre >= low[d] && centre <= high[d];
+        }
+    }
     if (std::ranges::find(in, true) == in.end())
         throw std::invalid_argument(fmt::format(
             "probes.integrals: no element of body '{}' has its centre in the box",
@@ -258,9 +248,9 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
         group.add = [this, b, first_node, count = mesh.nodes.size(),
                      line = mesh.centre_line,
                      values = probe.values](const ProbeSample& sample, Row& row) {
-            values({sample.nodes, sample.loads[b], first_node, count, line,
-                    start_m_.data() + first_node},
-                   row);
+            const Row mine = values({sample.nodes, sample.loads[b], first_node, count,
+                                     line, start_m_.data() + first_node});
+            row.insert(row.end(), mine.begin(), mine.end());
         };
     }
 }

@@ -1,49 +1,180 @@
 #include "adapters/bodies/scene_to_body.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "adapters/bodies/body_mesh.h"
 #include "adapters/scene/fault.h"
 #include "structure/magnetics/magnetization.h"
+#include "structure/mesh/block_mesh.h"
+#include "structure/mesh/locate.h"
+#include "structure/mesh/mesh_file.h"
 
 namespace magfsi::bodies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Removed with all it holds.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "magfsi-mesh-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            throw std::runtime_error("no temporary folder can be made: " + name);
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    fs::path operator/(const char* name) const { return path_ / name; }
+
+  private:
+    fs::path path_;
+};
+
+// Runs it with stdout and stderr in the file; its exit status.
+int run(std::vector<std::string> words, const std::string& messages) {
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 1, messages.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    pid_t child = 0;
+    const int failed =
+        posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    if (failed != 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
+        return -1;
+    return WEXITSTATUS(status);
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+structure::Mesh convert(const std::string& file, double unit_m) {
+    if (!fs::exists(file))
+        throw std::invalid_argument(fmt::format("no mesh file {}", file));
+    const fs::path converter =
+        fs::read_symlink("/proc/self/exe").parent_path() / "magfsi-mesh";
+    const TemporaryFolder folder;
+    const auto mesh = folder / "body.mesh", messages = folder / "messages";
+    const int status = run({converter.string(), file, mesh.string(), "--unit",
+                            fmt::format("{:.17g}", unit_m)},
+                           messages.string());
+    if (status == 0) return structure::read_mesh_file(mesh);
+    std::string message = text_of(messages);
+    while (!message.empty() && message.back() == '\n') message.pop_back();
+    throw std::invalid_argument(
+        message.empty() ? fmt::format("{} did not run; is it built?", converter.string())
+                        : message);
+}
+
+// Runs magfsi-mesh, which lies beside this program, and reads what it wrote. A process of
+// its own: Gmsh's library and the ninety that come with it stay out of the solvers.
+// Converted once for a file and unit, however often it is asked for. Throws
+// std::invalid_argument with the converter's own message.
+structure::Mesh converted_gmsh_mesh(const std::string& file, double unit_m) {
+    static std::map<std::pair<std::string, double>, structure::Mesh> done;
+    const auto [place, first] = done.try_emplace({file, unit_m});
+    if (first) {
+        try {
+            place->second = convert(file, unit_m);
+        } catch (...) {
+            done.erase(place);
+            throw;
+        }
+    }
+    return place->second;
+}
+
+}  // namespace
+
+structure::Mesh to_mesh(const scene::Body& body) {
+    try {
+        if (const auto* box = std::get_if<structure::Box>(&body.mesh))
+            return structure::box_mesh(*box);
+        if (const auto* plate = std::get_if<structure::ObliquePlate>(&body.mesh))
+            return structure::oblique_mesh(*plate);
+        const auto& gmsh = std::get<structure::MeshFile>(body.mesh);
+        return converted_gmsh_mesh(gmsh.file, gmsh.unit_m);
+    } catch (const std::invalid_argument& fault) {
+        throw std::invalid_argument(
+            fmt::format("body '{}': {}", body.name, fault.what()));
+    }
+}
+
+double extent(const structure::Mesh& mesh, int axis) {
+    const structure::Bounds box = structure::bounds(mesh.nodes);
+    const auto d = static_cast<std::size_t>(axis);
+    return box.high_m[d] - box.low_m[d];
+}
+
+structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& mesh,
+                                const structure::Vec3& at_m) {
+    if (const auto* box = std::get_if<structure::Box>(&body.mesh))
+        return structure::locate(*box, at_m);
+    // A point typed to a few digits may lie just outside of a slanted face.
+    constexpr double tolerance = 1e-3;  // of an element
+    const auto found = structure::PointLocator(mesh).find(at_m, tolerance);
+    if (found) return *found;
+    throw std::invalid_argument(
+        fmt::format("body '{}': the point ({:.6g}, {:.6g}, {:.6g}) mm lies in no element "
+                    "of its mesh",
+                    body.name, at_m[0] * 1e3, at_m[1] * 1e3, at_m[2] * 1e3));
+}
 
 namespace {
 
 using structure::Mesh;
-using Vectors = std::vector<structure::Vec3>;
 
-Vectors build(const structure::UniformMagnetization& uniform, const Mesh& mesh) {
-    return structure::uniform_magnetization(mesh, uniform.vector_a_m);
-}
-
-Vectors build(const structure::HarmonicMagnetization& wave, const Mesh& mesh) {
-    structure::HarmonicMagnetization whole = wave;
-    if (whole.wavelength_m == 0) whole.wavelength_m = extent(mesh, wave.along);
-    return structure::harmonic_magnetization(mesh, whole);
-}
-
-Vectors build(const structure::DomainMagnetization& wanted, const Mesh& mesh) {
-    return structure::domain_magnetization(mesh, wanted.domains);
-}
-
-Vectors build(const structure::RegionMagnetization& wanted, const Mesh& mesh) {
+// The laws in turn; the harmonic one's default is the length of the mesh.
+std::vector<structure::Vec3> magnetize(const structure::Magnetization& wanted,
+                                       const Mesh& mesh) {
+    if (const auto* uniform = std::get_if<structure::UniformMagnetization>(&wanted))
+        return structure::uniform_magnetization(mesh, uniform->vector_a_m);
+    if (const auto* table = std::get_if<structure::TableMagnetization>(&wanted))
+        return structure::table_magnetization(mesh, table->file);
+    if (const auto* domains = std::get_if<structure::DomainMagnetization>(&wanted))
+        return structure::domain_magnetization(mesh, domains->domains);
+    if (const auto* wave = std::get_if<structure::HarmonicMagnetization>(&wanted)) {
+        structure::HarmonicMagnetization whole = *wave;
+        if (whole.wavelength_m == 0) whole.wavelength_m = extent(mesh, wave->along);
+        return structure::harmonic_magnetization(mesh, whole);
+    }
     std::map<std::string, structure::Vec3> vectors;
     for (const std::string& name : mesh.region_names) vectors[name] = {};
-    for (const auto& entry : wanted.regions) {
+    for (const auto& entry : std::get<structure::RegionMagnetization>(wanted).regions) {
         for (const std::string& region : entry.regions)
             vectors[region] = entry.vector_a_m;
     }
     return structure::region_magnetization(mesh, vectors);
-}
-
-Vectors build(const structure::TableMagnetization& table, const Mesh& mesh) {
-    return structure::table_magnetization(mesh, table.file);
 }
 
 int region_number(const Mesh& mesh, const std::string& name) {
@@ -91,11 +222,8 @@ structure::Body to_body(const scene::Body& body) {
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)
         out.clamps.insert(out.clamps.end(), motion.faces.begin(), motion.faces.end());
     try {
-        if (body.magnetization) {
-            out.magnetization_a_m =
-                std::visit([&](const auto& wanted) { return build(wanted, out.mesh); },
-                           *body.magnetization);
-        }
+        if (body.magnetization)
+            out.magnetization_a_m = magnetize(*body.magnetization, out.mesh);
     } catch (const std::invalid_argument& fault) {
         throw std::invalid_argument(
             fmt::format("magnetization of body '{}': {}", body.name, fault.what()));

@@ -21,7 +21,7 @@ class Sample {
         if (!totals_) totals_ = fluid_.totals();
         return *totals_;
     }
-    double enstrophy_1_s2() { return fluid_.enstrophy_1_s2(); }
+    double of_solver(FluidQuantity quantity) { return fluid_.quantity(quantity); }
     const scene::Vec3& force_on(std::size_t obstacle) {
         if (!forces_) forces_ = fluid_.obstacle_forces();
         return forces_->at(obstacle);
@@ -45,8 +45,9 @@ struct Column {
 };
 using Columns = std::vector<Column>;
 
-// One column for the whole fluid. A new quantity is an entry here and a word of
-// scene::FluidQuantity.
+// One column for the whole fluid. A new quantity is an entry here, a word of
+// scene::FluidQuantity and, where it is none of the totals, a case in quantity() of the
+// solvers that have it.
 struct Quantity {
     FluidQuantity quantity;
     const char* column;
@@ -56,7 +57,7 @@ constexpr Quantity quantities[] = {
     {FluidQuantity::kinetic_energy, "kinetic_energy[J]",
      [](Sample& s) { return s.totals().kinetic_energy_j; }},
     {FluidQuantity::enstrophy, "enstrophy[1/s^2]",
-     [](Sample& s) { return s.enstrophy_1_s2(); }},
+     [](Sample& s) { return s.of_solver(FluidQuantity::enstrophy); }},
     {FluidQuantity::mass, "mass[kg]", [](Sample& s) { return s.totals().mass_kg; }},
     {FluidQuantity::max_speed, "max_speed[m/s]",
      [](Sample& s) { return s.totals().max_speed_m_s; }},

@@ -15,10 +15,7 @@ struct FluidRun {
     coupler::BalanceRecord* balance = nullptr;  // null where the scene has none
 };
 
-// An output of effects.inc is an object of this type, called NAME_output.
+// An output of outputs.inc is an object of this type, called NAME_output.
 using FluidOutput = coupler::OutputKind<FluidRun>;
-
-// Those of this build, up to one without a name.
-const FluidOutput* fluid_outputs();
 
 }  // namespace magfsi::fluids

@@ -7,9 +7,9 @@
 
 #include "adapters/scene/scene.h"
 #include "coupler/checkpoint/state_file.h"
-#include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/output/summary.h"
+#include "fluid_lbm/fluid.h"
 
 namespace magfsi::fluids {
 
@@ -17,11 +17,7 @@ struct FluidTotals {  // over all ranks, without the insides of obstacles
     double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
 };
 
-struct PlaneFlow {                  // through the fluid's part of a plane across the box
-    double flow_m3_s = 0;           // along the plane's axis
-    scene::Vec3 momentum_flux_n{};  // of density times velocity, without pressure
-    double pressure_pa = 0;         // gauge, mean over the plane
-};
+using fluid::PlaneFlow;
 
 class FluidSolver : public coupler::GridFluid {
   public:
@@ -31,7 +27,8 @@ class FluidSolver : public coupler::GridFluid {
     // For probes; each is collective. The last two are asked of solvers alone for which
     // scenes may have obstacles and planes.
     virtual FluidTotals totals() = 0;
-    virtual double enstrophy_1_s2() = 0;  // mean of |curl u|^2 / 2
+    // Of the quantities that are none of the totals.
+    virtual double quantity(scene::FluidQuantity quantity) = 0;
     virtual std::vector<scene::Vec3> obstacle_forces() { return {}; }
     virtual PlaneFlow plane_flow(int /*axis*/, double /*at_m*/) { return {}; }
 
@@ -46,14 +43,11 @@ class FluidSolver : public coupler::GridFluid {
     virtual output::Named<std::string> versions() const { return {}; }
     virtual double waited_for_neighbours_s() const { return 0; }
     // Below, a rank has too little to do.
-    virtual std::int64_t fewest_cells_a_rank() const { return 20000; }
+    virtual std::int64_t min_cells_per_rank() const { return 20000; }
 
-    // The fluid's half of a checkpoint. Collective; file is null but on the root, balance
-    // where the scene has none.
-    virtual void save(const coupler::BalanceRecord* balance,
-                      coupler::StateWriter* file) = 0;
-    virtual void restore(const coupler::StateReader& file,
-                         coupler::BalanceRecord* balance) = 0;
+    // The flow's part of a checkpoint. Collective; file is null but on the root.
+    virtual void save(coupler::StateWriter* file) = 0;
+    virtual void restore(const coupler::StateReader& file) = 0;
 };
 
 }  // namespace magfsi::fluids

@@ -9,18 +9,23 @@
 
 namespace magfsi::fluids {
 
-#define MAGFSI_EFFECT(name) extern const FluidOutput name##_output;
-#include "adapters/fluids/effects.inc"
-#undef MAGFSI_EFFECT
+#define MAGFSI_OUTPUT(name) extern const FluidOutput name##_output;
+#include "adapters/fluids/outputs.inc"
+#undef MAGFSI_OUTPUT
 
+namespace {
+
+// Those of this build, up to one without a name.
 const FluidOutput* fluid_outputs() {
-#define MAGFSI_EFFECT(name) name##_output,
+#define MAGFSI_OUTPUT(name) name##_output,
     static const FluidOutput registered[] = {
-#include "adapters/fluids/effects.inc"
+#include "adapters/fluids/outputs.inc"
         {}};
-#undef MAGFSI_EFFECT
+#undef MAGFSI_OUTPUT
     return registered;
 }
+
+}  // namespace
 
 Participant::Participant(const scene::Scene& scene, coupler::Session& session,
                          FluidSolver& fluid, output::ProgressMode progress)
@@ -33,8 +38,15 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
         coupling_ = std::make_unique<coupler::FluidCoupling>(session, fluid_);
         run_.balance = coupling_->balance();
     }
-    if (session.restart()) fluid_.restore(coupler::open_restart(session_), run_.balance);
+    if (session.restart()) restore(coupler::open_restart(session_));
     assemble();
+}
+
+void Participant::restore(const coupler::StateReader& file) {
+    fluid_.restore(file);
+    if (run_.balance && file.has("balance"))
+        run_.balance->set(coupler::share_of(
+            session_.world().local(), file.table("balance"), file.shape("balance")[0]));
 }
 
 void Participant::assemble() {
@@ -77,7 +89,7 @@ coupler::ParticipantReport Participant::make_report() const {
         coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbours_s());
     output::FluidSummary fluid = fluid_.summary();
     report.load.max_ranks = static_cast<int>(
-        std::max<std::int64_t>(1, fluid.cells / fluid_.fewest_cells_a_rank()));
+        std::max<std::int64_t>(1, fluid.cells / fluid_.min_cells_per_rank()));
     for (const auto& version : fluid_.versions()) report.versions.push_back(version);
     const std::int64_t advances =
         coupling_ ? coupling_->advances() : session_.clock().steps_here();

@@ -21,6 +21,7 @@ class Participant {
     void run();
 
   private:
+    void restore(const coupler::StateReader& file);
     void assemble();
     void assemble_output();
     coupler::ParticipantReport make_report() const;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/probe_row.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
 #include "structure/body.h"
@@ -24,8 +24,9 @@ constexpr double patience = 2000;
 constexpr double share_of_largest = 1e-3;
 constexpr double strain_without_load = 1e-3;
 
-structure::ConstantField field_at_start(const structure::FieldProgram& program) {
-    return structure::polar_field_at(program, 0);
+std::pair<double, double> smallest_and_largest_extent(const structure::Mesh& mesh) {
+    return std::minmax(
+        {bodies::extent(mesh, 0), bodies::extent(mesh, 1), bodies::extent(mesh, 2)});
 }
 
 }  // namespace
@@ -33,11 +34,7 @@ structure::ConstantField field_at_start(const structure::FieldProgram& program) 
 double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const structure::Body& body : bodies) {
-        const std::array<double, 3> side{bodies::extent(body.mesh, 0),
-                                         bodies::extent(body.mesh, 1),
-                                         bodies::extent(body.mesh, 2)};
-        const double length = *std::ranges::max_element(side);
-        const double thickness = *std::ranges::min_element(side);
+        const auto [thickness, length] = smallest_and_largest_extent(body.mesh);
         // Of several materials the softest and the heaviest: a bound from below.
         double young = std::numeric_limits<double>::infinity();
         double density = 0;
@@ -57,9 +54,7 @@ double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies) {
 double stiffness_load_n(const std::vector<structure::Body>& bodies) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const structure::Body& body : bodies) {
-        const double thickness =
-            std::min({bodies::extent(body.mesh, 0), bodies::extent(body.mesh, 1),
-                      bodies::extent(body.mesh, 2)});
+        const double thickness = smallest_and_largest_extent(body.mesh).first;
         for (const structure::Material& m : structure::used_materials(body)) {
             smallest = std::min(smallest, strain_without_load * m.shear_modulus_pa *
                                               thickness * thickness);
@@ -71,7 +66,7 @@ double stiffness_load_n(const std::vector<structure::Body>& bodies) {
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) {
     if (!scene.damping)
         input.drag = structure::Drag{critical_drag_rate_1_s(input.bodies)};
-    if (input.field) input.field->course = field_at_start(*input.field);
+    if (input.field) input.field->course = structure::polar_field_at(*input.field, 0);
     input.quiet = true;
 }
 
@@ -115,8 +110,8 @@ void RestFinder::find(double time_s) {
     }
     throw coupler::Diverged(fmt::format(
         "the bodies did not come to rest within {} steps under the loads of {:.6g} s: "
-        "the "
-        "largest nodal force is {:.3g} of the largest load, {:.3g} was wanted; take a "
+        "the largest nodal force is {:.3g} of the largest load, {:.3g} was wanted; take "
+        "a "
         "larger time.equilibrium.tolerance or another damping.rate",
         max_steps_, time_s, ratio, tolerance));
 }

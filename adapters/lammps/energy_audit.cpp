@@ -12,6 +12,7 @@
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/structure_run.h"
+#include "adapters/scene/effective.h"
 #include "structure/lammps/names.h"
 
 namespace magfsi::lammps {
@@ -27,38 +28,23 @@ bool is_driven(const scene::Fluid& fluid) {
            });
 }
 
-bool any_body(const scene::Scene& scene, bool (*test)(const scene::Body&)) {
-    return std::ranges::any_of(scene.bodies, test);
-}
-
-bool is_viscous(const scene::Body& body) {
-    return body.material.viscosity_pa_s > 0 ||
-           std::ranges::any_of(body.material_regions, [](const auto& region) {
-               return region.material.viscosity_pa_s > 0;
-           });
-}
-
-bool is_moved(const scene::Body& body) {
-    return !body.prescribed_motion.empty();
-}
-
 // Of the largest work: a penalty that begins within a step gains 1.2 %, unstable steps
 // many times all works. Of the fluid's energy at the start: what sound may bring back of
 // it, the square of the Mach number at a lattice speed of 0.05.
-constexpr double most_of_work = 0.1;
-constexpr double most_of_fluid = 0.01;
+constexpr double max_share_of_work = 0.1;
+constexpr double max_share_of_fluid = 0.01;
 
 // Nothing is judged below the elastic energy of this strain, G V strain^2: rounding of a
 // body at rest, and a motion of which the first steps have seen hardly anything.
-constexpr double least_strain = 1e-6;
+constexpr double min_strain = 1e-6;
 
-double least_energy(const scene::Scene& scene, const std::vector<double>& masses_kg) {
+double min_energy(const scene::Scene& scene, const std::vector<double>& masses_kg) {
     double softest = std::numeric_limits<double>::infinity();  // G / density [m2/s2]
     for (const scene::Body& body : scene.bodies) {
         const structure::Material& m = body.material;
         softest = std::min(softest, m.shear_modulus_pa / m.density_kg_m3);
     }
-    return least_strain * least_strain * softest *
+    return min_strain * min_strain * softest *
            std::accumulate(masses_kg.begin(), masses_kg.end(), 0.0);
 }
 
@@ -111,7 +97,7 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
         whole_kg_ = bodies::whole_masses_kg(scene);
         inside_kg_ = bodies::inside_masses_kg(scene);
     }
-    least_j_ = least_energy(scene, whole_kg_);
+    min_j_ = min_energy(scene, whole_kg_);
 }
 
 EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
@@ -153,18 +139,18 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
                             m.work_weight_nodes - motion - terms.by_fluid -
                             terms.by_enclosed + lost(terms);
     const bool in_fluid = scene_.fluid.has_value();
-    add(scene_.magnetic_field.has_value(), "work_field", terms.work_field);
-    add(scene_.gravity.has_value(), "work_weight", m.work_weight);
-    add(any_body(scene_, is_moved), "work_motion", motion);
+    const auto effect = [&](const char* name) { return scene::has_effect(scene_, name); };
+    add(effect("magnetic field"), "work_field", terms.work_field);
+    add(effect("gravity"), "work_weight", m.work_weight);
+    add(effect("prescribed motion"), "work_motion", motion);
     add(true, "elastic", terms.elastic);
     add(true, "kinetic_whole", m.kinetic_whole);
     add(in_fluid, "kinetic", m.kinetic);
-    add(scene_.platform.has_value(), "platform", terms.platform);
-    add(scene_.contact.has_value(), "contact", terms.contact);
-    add(any_body(scene_, is_viscous), "lost_viscosity", terms.lost_viscosity);
-    add(scene_.damping.has_value(), "lost_drag", terms.lost_drag);
-    add(scene_.platform && scene_.platform->friction, "lost_friction",
-        terms.lost_friction);
+    add(effect("platform"), "platform", terms.platform);
+    add(effect("contact"), "contact", terms.contact);
+    add(effect("viscosity"), "lost_viscosity", terms.lost_viscosity);
+    add(effect("damping"), "lost_drag", terms.lost_drag);
+    add(effect("friction"), "lost_friction", terms.lost_friction);
     add(in_fluid, "given_to_fluid", -terms.by_fluid);
     add(in_fluid, "enclosed_lag", lag);
     add(in_fluid, "lost_in_fluid",
@@ -210,13 +196,13 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
 
 std::string EnergyAudit::fault() const {
     const double gained = record_.unpaid - record_.unpaid_at_start;
-    const double allowed =
-        most_of_work * record_.work + most_of_fluid * record_.fluid_at_start + least_j_;
+    const double allowed = max_share_of_work * record_.work +
+                           max_share_of_fluid * record_.fluid_at_start + min_j_;
     if (driven_ || record_.rows < 2 || gained <= allowed) return {};
     return fmt::format(
-        "the run has gained energy that nothing gave: {:.3g} J more than at the start "
-        "and "
-        "by all works, of which the largest is {:.3g} J; take a smaller step "
+        "the run has gained energy without a source: {:.3g} J more than the energy at "
+        "the "
+        "start and all works, of which the largest is {:.3g} J; take a smaller step "
         "(fluid.lattice_speed, or more coupling.substeps), the automatic collision, or a "
         "strength of at most 1",
         gained, record_.work);

@@ -1,11 +1,11 @@
 #include "adapters/lammps/engine.h"
 
-#include <numeric>
 #include <stdexcept>
 
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
 #include "comm.h"
+#include "coupler/checkpoint/state_file.h"
 #include "coupler/participants/errors.h"
 #include "fix.h"
 #include "input.h"
@@ -100,38 +100,23 @@ void Engine::check_finite(std::int64_t step) const {
 }
 
 NodalState Engine::gather(int atoms) const {
-    constexpr int values = 8;  // id, position, velocity, mass
+    constexpr std::size_t width = 7;  // position, velocity, mass
     const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    std::vector<int> index;
     std::vector<double> mine;
-    mine.reserve(static_cast<std::size_t>(values * atom.nlocal));
     for (int i = 0; i < atom.nlocal; ++i) {
-        mine.push_back(static_cast<double>(atom.tag[i]));
+        index.push_back(static_cast<int>(atom.tag[i]) - 1);
         mine.insert(mine.end(), atom.x[i], atom.x[i] + 3);
         mine.insert(mine.end(), atom.v[i], atom.v[i] + 3);
         mine.push_back(atom.rmass[i]);
     }
-    int rank = 0;
-    int size = 1;
-    MPI_Comm_rank(comm_, &rank);
-    MPI_Comm_size(comm_, &size);
-    const int count = static_cast<int>(mine.size());
-    std::vector<int> counts(static_cast<std::size_t>(size)), starts(counts);
-    MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm_);
-    std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
-    std::vector<double> all(rank == 0 ? static_cast<std::size_t>(values * atoms) : 0);
-    MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(),
-                MPI_DOUBLE, 0, comm_);
+    const auto all =
+        coupler::gather_rows(comm_, index, mine, width, static_cast<std::size_t>(atoms));
     NodalState state;
-    if (rank != 0) return state;
-    const auto n = static_cast<std::size_t>(atoms);
-    state.position_m.resize(n);
-    state.velocity_m_s.resize(n);
-    state.mass_kg.resize(n);
-    for (std::size_t i = 0; i < all.size(); i += values) {
-        const auto node = static_cast<std::size_t>(all[i]) - 1;
-        state.position_m[node] = {all[i + 1], all[i + 2], all[i + 3]};
-        state.velocity_m_s[node] = {all[i + 4], all[i + 5], all[i + 6]};
-        state.mass_kg[node] = all[i + 7];
+    for (std::size_t i = 0; i < all.size(); i += width) {
+        state.position_m.push_back({all[i], all[i + 1], all[i + 2]});
+        state.velocity_m_s.push_back({all[i + 3], all[i + 4], all[i + 5]});
+        state.mass_kg.push_back(all[i + 6]);
     }
     return state;
 }

@@ -42,18 +42,20 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
+template <class T>
+void broadcast(T& list, MPI_Datatype type, MPI_Comm comm) {
+    auto size = static_cast<int>(list.size());
+    MPI_Bcast(&size, 1, MPI_INT, 0, comm);
+    list.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(list.data(), size, type, 0, comm);
 }
 
-void broadcast(std::string& text, MPI_Comm comm) {
-    auto size = static_cast<std::int64_t>(text.size());
-    MPI_Bcast(&size, 1, MPI_INT64_T, 0, comm);
-    text.resize(static_cast<std::size_t>(size));
-    MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, comm);
+void broadcast(std::vector<std::string>& lines, MPI_Comm comm) {
+    std::string text = joined(lines);
+    broadcast(text, MPI_CHAR, comm);
+    lines.clear();
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
 }
 
 void write_script(const coupler::Session& session, const structure::LammpsScript& script,
@@ -75,21 +77,14 @@ structure::LammpsScript generate_input(const coupler::Session& session,
                                        const structure::LammpsInput& input,
                                        std::int64_t steps) {
     structure::LammpsScript script;
-    std::string text;
     if (session.world().root()) {
         script = structure::write_lammps_input(input, session.out());
         write_script(session, script, steps);
-        text = joined(script.setup);
     }
-    broadcast(text, session.world().local());
-    script.setup = split(text);
-    std::string ids = joined(script.fix_id);
-    broadcast(ids, session.world().local());
-    script.fix_id = split(ids);
-    auto bodies = static_cast<int>(script.first_node.size());
-    MPI_Bcast(&bodies, 1, MPI_INT, 0, session.world().local());
-    script.first_node.resize(static_cast<std::size_t>(bodies));
-    MPI_Bcast(script.first_node.data(), bodies, MPI_INT, 0, session.world().local());
+    const MPI_Comm comm = session.world().local();
+    broadcast(script.setup, comm);
+    broadcast(script.fix_id, comm);
+    broadcast(script.first_node, MPI_INT, comm);
     return script;
 }
 

@@ -2,14 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"
-#include "adapters/lbm/fluid_memory.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
+#include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 #include "fluid_lbm/config.h"
+#include "fluid_lbm/parallel/decomposition.h"
+#include "fluid_lbm/streaming/kernel_choice.h"
 #include "structure/lammps/placement.h"
 
 namespace magfsi::lbm {
@@ -17,14 +25,14 @@ namespace magfsi::lbm {
 namespace {
 
 // The lattice's compressibility error is of the order of the Mach number squared.
-constexpr double most_mach = 0.17;  // 3 %
+constexpr double max_mach = 0.17;  // 3 %
 // Below, the viscous length is far below a cell: only regularised or filtered collisions
 // stay stable. Above 1, the error at walls grows with (tau - 1/2)^2.
-constexpr double least_tau = 0.501, most_tau = 1.0;
+constexpr double min_tau = 0.501, max_tau = 1.0;
 // Perturbations of odd modes then live for ten steps and grow in fast flows.
-constexpr double least_odd_rate = 0.1;
+constexpr double min_odd_rate = 0.1;
 // Velocity differences across a cell that viscosity can still even out.
-constexpr double most_grid_reynolds = 50;
+constexpr double max_grid_reynolds = 50;
 
 struct LatticeValues {
     double spacing_m, step_s, tau, mach = 0, grid_reynolds = 0, speed = 0;
@@ -83,6 +91,130 @@ std::vector<fluid::Vec3> markers_m(const scene::Scene& scene) {
     return all;
 }
 
+// Bytes a cell of what is made of the populations: float in files, double within.
+constexpr double file_vector = 12, file_scalar = 4, velocity_field = 24;
+
+double field_bytes(scene::FluidField field) {
+    return field == scene::FluidField::density ? file_scalar : file_vector;
+}
+
+// Beside the field itself: the other half of what a sweep gives, or the velocities that a
+// curl is taken of.
+double while_made(scene::FluidField field) {
+    switch (field) {
+        case scene::FluidField::velocity:
+            return file_scalar;
+        case scene::FluidField::density:
+            return file_vector;
+        case scene::FluidField::vorticity:
+            break;
+    }
+    return velocity_field;
+}
+
+double output_bytes_per_cell(const scene::FluidOutput& output) {
+    double held = 0, peak = 0;
+    for (const scene::FluidField field : output.fields) {
+        held += field_bytes(field);
+        peak = std::max(peak, held + while_made(field));
+    }
+    return peak;
+}
+
+// The only sum that takes velocities beside each other.
+bool has_enstrophy(const scene::Scene& scene) {
+    return scene.probes && std::ranges::any_of(scene.probes->fluid, [](auto quantity) {
+               return quantity == scene::FluidQuantity::enstrophy;
+           });
+}
+
+// The whole fluid is copied where more than the sweep changes it.
+bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
+    const bool implicit =
+        scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit;
+    return implicit && !fluid::sweep_is_all(config);
+}
+
+// In both sets of touched rows a stencil, a place and a share; three vectors as they come
+// and three as they are used, one that goes back, a force and a velocity.
+constexpr double marker_bytes =
+    2 * (sizeof(coupler::MarkerStencil) + sizeof(coupler::Vec3) + sizeof(double) + 1) +
+    9 * sizeof(coupler::Vec3);
+// Rows along x. Sheets of markers, some to a cell, touch a thirtieth as many where they
+// lie along them and a fifth where they have bent across.
+constexpr double rows_per_marker = 0.1;
+
+// Three numbers a cell, with room for half as many rows again, as there is in the mean.
+double forced_rows_bytes(double markers, int nx, bool single_precision) {
+    return 1.5 * rows_per_marker * markers * 3 * nx *
+           (single_precision ? sizeof(float) : sizeof(double));
+}
+
+// Those near a cut are known to the ranks on both of its sides.
+double known_markers(const scene::Scene& scene, const fluid::Decomposition& parts,
+                     std::span<const fluid::Vec3> markers_m) {
+    const coupler::Grid grid{scene.fluid->spacing_m, parts.cells, parts.periodic, {}};
+    const auto kernel = scene.coupling->immersed_boundary.kernel;
+    std::int64_t known = 0;
+    for (const fluid::CellBox& box : parts.boxes) {
+        known += std::ranges::count_if(markers_m, [&](const fluid::Vec3& at) {
+            return coupler::may_touch(grid, kernel, {box.lo, box.hi}, at);
+        });
+    }
+    return static_cast<double>(known);
+}
+
+// What the fluid participant will need of memory beside its program and libraries.
+struct FluidMemory {
+    double populations = 0;  // bytes, all ranks
+    // Of effects that the scene names: held for the whole run, and for moments one after
+    // the other, of which the largest counts.
+    std::vector<std::pair<std::string, double>> held, passing;
+
+    double peak() const {
+        double all = populations, largest = 0;
+        for (const auto& part : held) all += part.second;
+        for (const auto& part : passing) largest = std::max(largest, part.second);
+        return all + largest;
+    }
+};
+
+// From the sizes that the solver will allocate; markers_m: where they are at the start.
+// What bodies touch depends on their motion: it is that of a sheet that is a little bent.
+FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
+                         std::span<const fluid::Vec3> markers_m) {
+    const auto config = to_config(*scene.fluid, *scene::coupled_step_s(scene));
+    const auto& n = config.cells;
+    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const auto storage = fluid::storage_of(config.precision);
+    const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
+    FluidMemory memory;
+    double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
+    for (int rank = 0; rank < ranks; ++rank) {
+        const fluid::RowLayout rows = parts.layout(rank);
+        memory.populations += static_cast<double>(
+            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage));
+        ghosted_cells += static_cast<double>(rows.nx) * (rows.ny + 2) * (rows.nz + 2);
+    }
+    if (!config.obstacles.empty())
+        memory.held.emplace_back("map of the obstacles", cells * sizeof(short));
+    if (!markers_m.empty())
+        memory.held.emplace_back(
+            "markers and the rows that they push",
+            known_markers(scene, parts, markers_m) * marker_bytes +
+                forced_rows_bytes(static_cast<double>(markers_m.size()), n[0],
+                                  storage == fluid::Storage::float_));
+    if (keeps_all(scene, config))
+        memory.held.emplace_back("the implicit scheme's copy", memory.populations);
+    if (has_enstrophy(scene))
+        memory.passing.emplace_back("the probe of the enstrophy",
+                                    ghosted_cells * velocity_field);
+    if (scene.output.fluid)
+        memory.passing.emplace_back("fields in files",
+                                    cells * output_bytes_per_cell(*scene.output.fluid));
+    return memory;
+}
+
 std::string memory(const scene::Scene& scene, int ranks) {
     const FluidMemory m = fluid_memory(scene, ranks, markers_m(scene));
     std::string text =
@@ -99,8 +231,8 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     const auto warn = [&](const std::string& line) {
         text += "  warning: " + line + "\n";
     };
-    if (v.mach > most_mach) {
-        const double factor = most_mach / v.mach;
+    if (v.mach > max_mach) {
+        const double factor = max_mach / v.mach;
         warn(
             fmt::format("a Mach number of {:.3g} makes an error of {:.2g} %: take {}",
                         v.mach, 100 * v.mach * v.mach,
@@ -109,31 +241,31 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
                             : fmt::format("lattice_speed: {:.3g}",
                                           scene.fluid->lattice_speed * factor)));
     }
-    if (v.tau > most_tau) {
+    if (v.tau > max_tau) {
         warn(
             fmt::format("a relaxation time of {:.3g} is inaccurate at walls: take a step "
                         "of {:.3g} us",
-                        v.tau, v.step_s * (most_tau - 0.5) / (v.tau - 0.5) * 1e6));
+                        v.tau, v.step_s * (max_tau - 0.5) / (v.tau - 0.5) * 1e6));
     }
-    if (v.odd_rate < least_odd_rate) {
+    if (v.odd_rate < min_odd_rate) {
         warn(fmt::format(
             "magic_number lets odd modes decay by {:.2g} a step only, and trt tends to "
             "diverge: leave it out, or take {:.2g}",
             v.odd_rate, (v.tau - 0.5) / 2));
     }
-    if (v.tau < least_tau) {
+    if (v.tau < min_tau) {
         // With the step from the lattice speed, tau - 1/2 grows as 1 / spacing.
         warn(fmt::format(
             "a relaxation time of {:.5g} leaves little viscosity to the grid: "
             "take a spacing of {:.3g} mm or less",
-            v.tau, v.spacing_m * (v.tau - 0.5) / (least_tau - 0.5) * 1e3));
+            v.tau, v.spacing_m * (v.tau - 0.5) / (min_tau - 0.5) * 1e3));
     }
-    if (v.grid_reynolds > most_grid_reynolds && scene.fluid->smagorinsky_constant == 0) {
+    if (v.grid_reynolds > max_grid_reynolds && scene.fluid->smagorinsky_constant == 0) {
         warn(fmt::format(
             "at a cell's Reynolds number of {:.3g} shear layers are not "
             "resolved: take a spacing of {:.3g} mm, or smagorinsky: "
             "{{constant: 0.1}}",
-            v.grid_reynolds, v.spacing_m * most_grid_reynolds / v.grid_reynolds * 1e3));
+            v.grid_reynolds, v.spacing_m * max_grid_reynolds / v.grid_reynolds * 1e3));
     }
     return text;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "coupler/participants/errors.h"
 #include "fluid_lbm/sampling/step_change.h"
 #include "isa/instruction_set.h"
@@ -21,21 +23,11 @@ std::vector<std::size_t> shape_of(const fluid::Fluid& fluid) {
             static_cast<std::size_t>(n[0]), fluid::populations_per_cell};
 }
 
-// Values of the rows y_lo to y_hi of a plane: x is never cut between ranks.
-std::size_t values_of(const fluid::Fluid& fluid, const fluid::CellBox& box) {
-    return static_cast<std::size_t>(box.hi[1] - box.lo[1]) *
+// Values of so many rows of a plane: x is never cut between ranks.
+std::size_t values_of(const fluid::Fluid& fluid, int rows) {
+    return static_cast<std::size_t>(rows) *
            static_cast<std::size_t>(fluid.config().cells[0]) *
            fluid::populations_per_cell;
-}
-
-std::size_t first_value_of(const fluid::Fluid& fluid, const fluid::CellBox& box) {
-    return static_cast<std::size_t>(box.lo[1]) *
-           static_cast<std::size_t>(fluid.config().cells[0]) *
-           fluid::populations_per_cell;
-}
-
-bool holds(const fluid::CellBox& box, int plane) {
-    return plane >= box.lo[2] && plane < box.hi[2];
 }
 
 // The parts of all ranks in one plane, on the root.
@@ -46,11 +38,12 @@ void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
     const auto& boxes = fluid.owned_by_rank();
     for (std::size_t r = 0; r < boxes.size(); ++r) {
         const auto owner = static_cast<int>(r);
-        if (!holds(boxes[r], z) || (rank != 0 && rank != owner)) continue;
-        const std::size_t count = values_of(fluid, boxes[r]);
+        if (z < boxes[r].lo[2] || z >= boxes[r].hi[2]) continue;
+        if (rank != 0 && rank != owner) continue;
+        const std::size_t count = values_of(fluid, boxes[r].hi[1] - boxes[r].lo[1]);
         std::vector<double> sent(rank == 0 ? 0 : count);
         const std::span<double> part =
-            rank == 0 ? plane.subspan(first_value_of(fluid, boxes[r]), count)
+            rank == 0 ? plane.subspan(values_of(fluid, boxes[r].lo[1]), count)
                       : std::span<double>(sent);
         if (rank == owner) fluid.populations(z, part);
         if (owner == 0) continue;
@@ -61,17 +54,6 @@ void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
     }
 }
 
-struct StepOfRestart {
-    std::int64_t steps = 1;  // of the run in one of the state's
-    fluid::StepChange factors;
-};
-
-StepOfRestart step_change(const coupler::StateHeader& header, const fluid::Fluid& fluid) {
-    const double step_s = fluid.config().time_step_s;
-    return {header.steps_in_one(step_s),
-            fluid::step_change(fluid.config(), header.step_s)};
-}
-
 }  // namespace
 
 LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(fluid) {
@@ -79,28 +61,8 @@ LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(flu
     grid_.spacing_m = config.spacing_m;
     grid_.cells = config.cells;
     grid_.periodic = fluid::periodic_axes(config);
-    for (const fluid::CellBox& box : fluid.owned_by_rank()) {
-        grid_.owned_by_rank.push_back({box.lo, box.hi});
-    }
-    for (const fluid::CellRow& r : fluid.solid_rows())
-        grid_.solid.push_back({r.y, r.z, r.x_begin, r.x_end});
-}
-
-std::span<const fluid::CellRow> LbmFluid::convert(
-    std::span<const coupler::GridRow> rows) {
-    rows_.clear();
-    for (const coupler::GridRow& r : rows)
-        rows_.push_back({r.y, r.z, r.x_begin, r.x_end});
-    return rows_;
-}
-
-void LbmFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out) {
-    fluid_.velocity(convert(rows), out);
-}
-
-void LbmFluid::set_force(std::span<const coupler::GridRow> rows,
-                         std::span<const double> density) {
-    fluid_.set_force(convert(rows), density);
+    grid_.owned_by_rank = fluid.owned_by_rank();
+    grid_.solid = fluid.solid_rows();
 }
 
 std::string LbmFluid::headline() const {
@@ -118,9 +80,9 @@ fluids::FluidTotals LbmFluid::totals() {
     return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s};
 }
 
-fluids::PlaneFlow LbmFluid::plane_flow(int axis, double at_m) {
-    const fluid::PlaneFlow through = fluid_.plane_flow(axis, at_m);
-    return {through.flow_m3_s, through.momentum_flux_n, through.pressure_pa};
+double LbmFluid::quantity(scene::FluidQuantity quantity) {
+    if (quantity == scene::FluidQuantity::enstrophy) return fluid_.enstrophy_1_s2();
+    throw std::logic_error("no probe of the lattice-Boltzmann fluid");
 }
 
 void LbmFluid::field(scene::FluidField field, std::span<float> out) {
@@ -157,7 +119,7 @@ output::FluidSummary LbmFluid::summary() const {
     return summary;
 }
 
-void LbmFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) {
+void LbmFluid::save(coupler::StateWriter* file) {
     const auto shape = shape_of(fluid_);
     const bool whole = fluid_.config().precision == fluid::Precision::double_;
     if (file)
@@ -168,15 +130,9 @@ void LbmFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter*
         collect_plane(comm_, fluid_, z, plane);
         if (file) file->plane(static_cast<std::size_t>(z), plane);
     }
-    if (!balance) return;
-    const auto mine = balance->values();
-    const auto all = coupler::gather_shares(comm_, mine);
-    if (file && !mine.empty())
-        file->table("balance", all, {all.size() / mine.size(), mine.size()});
 }
 
-void LbmFluid::restore(const coupler::StateReader& file,
-                       coupler::BalanceRecord* balance) {
+void LbmFluid::restore(const coupler::StateReader& file) {
     if (file.shape(table) != shape_of(fluid_)) {
         throw coupler::StateFault(fmt::format(
             "--restart: the checkpoint's box has {} cells (z, y, x, "
@@ -184,18 +140,17 @@ void LbmFluid::restore(const coupler::StateReader& file,
             fmt::join(file.shape(table), " x "), fmt::join(shape_of(fluid_), " x ")));
     }
     const fluid::CellBox box = fluid_.owned();
-    const auto change = step_change(file.header(), fluid_);
-    fluid_.set_steps_done(file.header().step * change.steps);
-    std::vector<double> rows(values_of(fluid_, box));
+    const coupler::StateHeader& header = file.header();
+    // Steps of this run in one of the state's.
+    const std::int64_t steps = header.steps_in_one(fluid_.config().time_step_s);
+    const auto change = fluid::step_change(fluid_.config(), header.step_s);
+    fluid_.set_steps_done(header.step * steps);
+    std::vector<double> rows(values_of(fluid_, box.hi[1] - box.lo[1]));
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         file.rows(table, static_cast<std::size_t>(z), static_cast<std::size_t>(box.lo[1]),
                   static_cast<std::size_t>(box.hi[1]), rows);
-        if (change.steps > 1) fluid::change_step(change.factors, rows);
+        if (steps > 1) fluid::change_step(change, rows);
         fluid_.set_populations(z, rows);
-    }
-    if (balance && file.has("balance")) {
-        balance->set(
-            coupler::share_of(comm_, file.table("balance"), file.shape("balance")[0]));
     }
 }
 

@@ -15,37 +15,39 @@ class LbmFluid final : public fluids::FluidSolver {
     LbmFluid(MPI_Comm comm, fluid::Fluid& fluid);
 
     const coupler::Grid& grid() const override { return grid_; }
-    void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
-    void set_force(std::span<const coupler::GridRow> rows,
-                   std::span<const double> density) override;
+    void velocity(std::span<const CellRow> rows, std::span<double> out) override {
+        fluid_.velocity(rows, out);
+    }
+    void set_force(std::span<const CellRow> rows,
+                   std::span<const double> density) override {
+        fluid_.set_force(rows, density);
+    }
     void advance() override { fluid_.step(); }
     void keep() override { fluid_.keep(); }
     void go_back() override { fluid_.go_back(); }
 
     std::string headline() const override;
     fluids::FluidTotals totals() override;
-    double enstrophy_1_s2() override { return fluid_.enstrophy_1_s2(); }
+    double quantity(scene::FluidQuantity quantity) override;
     std::vector<scene::Vec3> obstacle_forces() override {
         return fluid_.obstacle_forces();
     }
-    fluids::PlaneFlow plane_flow(int axis, double at_m) override;
+    fluids::PlaneFlow plane_flow(int axis, double at_m) override {
+        return fluid_.plane_flow(axis, at_m);
+    }
     void field(scene::FluidField field, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     double waited_for_neighbours_s() const override {
         return fluid_.waited_for_neighbours_s();
     }
-    void save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) override;
-    void restore(const coupler::StateReader& file,
-                 coupler::BalanceRecord* balance) override;
+    void save(coupler::StateWriter* file) override;
+    void restore(const coupler::StateReader& file) override;
 
   private:
-    std::span<const fluid::CellRow> convert(std::span<const coupler::GridRow> rows);
-
     MPI_Comm comm_;
     fluid::Fluid& fluid_;
     coupler::Grid grid_;
-    std::vector<fluid::CellRow> rows_;
 };
 
 }  // namespace magfsi::lbm

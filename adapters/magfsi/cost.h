@@ -21,7 +21,7 @@ struct FluidWork {
     bool vorticity_files = false;
     double enstrophy_rows = 0;  // also vorticities in files
     double files = 0;
-    double bytes_a_cell = 0;  // of a file
+    double bytes_per_cell = 0;  // of a file
     int ranks = 1;
 };
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "adapters/bodies/body_mesh.h"
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"
@@ -47,12 +46,13 @@ std::string explain_elements(const structure::Body& solid, const structure::Box&
 std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
     const double off = bodies::off_nodes_kg_m3(scene, solid);
     const double fluid = scene.fluid->density_kg_m3;
-    if (off == fluid) return "    inertia of the fluid inside: off the nodes' mass\n";
-    if (off == 0)
-        return "    inertia of the fluid inside: a force that follows the fluid\n";
+    if (off == fluid)
+        return "    inertia of the enclosed fluid: subtracted from the nodes' mass\n";
+    if (off == 0) return "    inertia of the enclosed fluid: a force on the markers\n";
     return fmt::format(
-        "    inertia of the fluid inside: {:.3g} % off the nodes' mass, the rest a force "
-        "that follows the fluid\n",
+        "    inertia of the enclosed fluid: {:.3g} % subtracted from the nodes' mass, "
+        "the "
+        "rest a force on the markers\n",
         100 * off / fluid);
 }
 
@@ -165,7 +165,7 @@ std::string cost(const coupler::Coupling& coupling) {
         case coupler::Scheme::implicit:
             break;
     }
-    return "the structure's step once an iteration (2 to 4 with iqn_ils); the fluid's "
+    return "the structure's step once per iteration (2 to 4 with iqn_ils); the fluid's "
            "step once and the rows that bodies touch again, or, with openings, moving "
            "walls or obstacles, the whole fluid and a copy of it each time";
 }
@@ -194,7 +194,7 @@ std::string explain_coupling(const scene::Scene& scene) {
     if (high > low) text += fmt::format(" to {:.3g}", high);
     // 2 over the limit is the rate at which the lightest node takes on the fluid's speed.
     text += fmt::format(
-        "; the lightest node follows the fluid at {:.3g} of its slip a coupled step\n",
+        "; the lightest node follows the fluid at {:.3g} of its slip per coupled step\n",
         2 * s.coupled_step_s / s.drag_limit_s);
     return text + fmt::format("  recommended: {}\n", recommended(scene, low));
 }

@@ -53,12 +53,12 @@ double between(double x, double x1, double y1, double x2, double y2) {
 // Wall time of a cell's step: caches hold small lattices, memory bounds large ones.
 double cell_step_s(const FluidWork& work, const Calibration& c) {
     const FluidSpeed *below = nullptr, *above = nullptr;
-    int most_ranks = 1;
-    for (const FluidSpeed& s : c.fluid) most_ranks = std::max(most_ranks, s.ranks);
-    const int ranks = std::min(work.ranks, most_ranks);
+    int max_ranks = 1;
+    for (const FluidSpeed& s : c.fluid) max_ranks = std::max(max_ranks, s.ranks);
+    const int ranks = std::min(work.ranks, max_ranks);
     for (const FluidSpeed& s : c.fluid) {
         if (s.single_precision != work.single_precision) continue;
-        if (s.ranks != (ranks > 1 ? most_ranks : 1)) continue;
+        if (s.ranks != (ranks > 1 ? max_ranks : 1)) continue;
         if (!below || s.cells < below->cells) below = &s;
         if (!above || s.cells > above->cells) above = &s;
     }
@@ -78,7 +78,7 @@ double fluid_s(const Work& work, const Calibration& c) {
     return work.steps * work.iterations * a_step +
            f.sum_rows * f.cells * c.s_per_cell_row / f.ranks +
            f.enstrophy_rows * f.cells * c.s_per_cell_enstrophy / f.ranks +
-           f.files * f.cells * f.bytes_a_cell * c.s_per_cell_byte;
+           f.files * f.cells * f.bytes_per_cell * c.s_per_cell_byte;
 }
 
 // Of a coupled step, what neither side's work explains.
@@ -138,7 +138,7 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     p.fluid_bytes = f.ranks * (work.structure ? c.coupled_fluid_bytes : c.fluid_bytes) +
                     f.cells * c.bytes_per_cell * (f.single_precision ? 0.5 : 1) +
                     f.cells * passing_bytes(f, c);
-    p.disk_bytes += f.files * f.cells * f.bytes_a_cell;
+    p.disk_bytes += f.files * f.cells * f.bytes_per_cell;
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }
 
@@ -186,13 +186,13 @@ std::optional<std::pair<Ranks, double>> faster_ranks(const Work& work, const Ran
                                                      const Calibration& calibration) {
     // Of the time: less is within the prediction's error.
     constexpr double clearly = 0.85;
-    double least_s = clearly * wall_s;
+    double min_s = clearly * wall_s;
     std::optional<std::pair<Ranks, double>> best;
     for (const Ranks& other : other_ranks(work, ranks)) {
         const Prediction p = predict(on_ranks(work, other), calibration);
-        if (!p.wall_s || *p.wall_s >= least_s) continue;
-        least_s = *p.wall_s;
-        best = {other, least_s};
+        if (!p.wall_s || *p.wall_s >= min_s) continue;
+        min_s = *p.wall_s;
+        best = {other, min_s};
     }
     return best;
 }

@@ -22,7 +22,7 @@ double rows(double end_s, double every_s) {
     return std::floor(end_s / every_s * (1 + 1e-9)) + 1;
 }
 
-double bytes_a_cell(const std::vector<scene::FluidField>& fields) {
+double bytes_per_cell(const std::vector<scene::FluidField>& fields) {
     double bytes = 0;
     for (const scene::FluidField field : fields)
         bytes += field == scene::FluidField::density ? 4 : 12;
@@ -70,7 +70,7 @@ FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     if (scene.output.fluid) {
         work.files = rows(scene.time.end_s, scene.output.fluid->every_s);
         const auto& fields = scene.output.fluid->fields;
-        work.bytes_a_cell = bytes_a_cell(fields);
+        work.bytes_per_cell = bytes_per_cell(fields);
         work.vorticity_files =
             std::ranges::find(fields, scene::FluidField::vorticity) != fields.end();
         if (work.vorticity_files) work.enstrophy_rows += work.files;

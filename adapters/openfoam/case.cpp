@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <string>
+
 #include "adapters/openfoam/inlet.h"
 #include "adapters/openfoam/mesh.h"
 #include "adapters/scene/keys.h"
@@ -11,17 +14,44 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// Corners in blockMesh's order, and the sides by them, seen from outside.
-constexpr std::array<std::array<int, 3>, 8> corners = {{{0, 0, 0},
-                                                        {1, 0, 0},
-                                                        {1, 1, 0},
-                                                        {0, 1, 0},
-                                                        {0, 0, 1},
-                                                        {1, 0, 1},
-                                                        {1, 1, 1},
-                                                        {0, 1, 1}}};
+// The sides by their corners in blockMesh's order, seen from outside.
 constexpr std::array<const char*, 6> sides = {"(0 4 7 3)", "(1 2 6 5)", "(0 1 5 4)",
                                               "(3 7 6 2)", "(0 3 2 1)", "(4 5 6 7)"};
+
+std::string vector(const scene::Vec3& v) {
+    return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
+}
+
+// What the case says of a side: of its patch in the mesh, its velocity and its pressure.
+struct SideEntries {
+    std::string patch, velocity, pressure;
+};
+
+SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
+    const fluid::Boundary& side = fluid.boundaries[number];
+    switch (side.kind) {
+        case fluid::BoundaryKind::periodic:
+            return {fmt::format("type cyclic; neighbourPatch {};",
+                                scene::names<scene::Face>[number ^ 1]),
+                    "type cyclic;", "type cyclic;"};
+        case fluid::BoundaryKind::free_slip:
+            return {"type symmetryPlane;", "type symmetryPlane;", "type symmetryPlane;"};
+        case fluid::BoundaryKind::pressure_outlet:
+            return {"type patch;",
+                    "type pressureInletOutletVelocity; value uniform (0 0 0);",
+                    fmt::format("type fixedValue; value uniform {:.17g};",
+                                side.outlet_pressure_pa / fluid.density_kg_m3)};
+        case fluid::BoundaryKind::velocity_inlet:  // it opens with the first step
+            return {"type patch;", "type fixedValue; value uniform (0 0 0);",
+                    "type zeroGradient;"};
+        default:  // no_slip; what OpenFOAM has not, to_mesh refuses
+            break;
+    }
+    return {
+        "type wall;",
+        fmt::format("type fixedValue; value uniform {};", vector(side.wall_velocity_m_s)),
+        "type zeroGradient;"};
+}
 
 // One section a cell, each of its own length: whatever the grading is.
 std::string widths(const std::vector<double>& planes_m) {
@@ -31,33 +61,13 @@ std::string widths(const std::vector<double>& planes_m) {
     return text + ")";
 }
 
-std::string side_entry(const scene::Fluid& fluid, std::size_t side) {
-    const auto& names = scene::names<scene::Face>;
-    std::string type = "type patch;";
-    switch (fluid.boundaries[side].kind) {
-        case fluid::BoundaryKind::periodic:
-            type = fmt::format("type cyclic; neighbourPatch {};", names[side ^ 1]);
-            break;
-        case fluid::BoundaryKind::no_slip:
-            type = "type wall;";
-            break;
-        case fluid::BoundaryKind::free_slip:
-            type = "type symmetryPlane;";
-            break;
-        case fluid::BoundaryKind::velocity_inlet:
-        case fluid::BoundaryKind::pressure_outlet:
-            break;
-    }
-    return fmt::format("    {} {{ {} faces ({}); }}\n", names[side], type, sides[side]);
-}
-
 std::string block_mesh(const scene::Fluid& fluid, const BoxMesh& mesh) {
     std::string text = "scale 1;\nvertices\n(\n";
-    for (const auto& corner : corners) {
-        text += "    (";
-        for (std::size_t d = 0; d < 3; ++d)
-            text += fmt::format(" {:.17g}", corner[d] * mesh.planes_m[d].back());
-        text += " )\n";
+    for (int i = 0; i < 8; ++i) {  // around the lower square, then around the upper one
+        const auto& end_m = mesh.planes_m;
+        text += fmt::format(
+            "    {}\n", vector({(i + 1) / 2 % 2 * end_m[0].back(),
+                                i / 2 % 2 * end_m[1].back(), i / 4 * end_m[2].back()}));
     }
     const auto n = mesh_cells(mesh);
     text += fmt::format(
@@ -65,7 +75,10 @@ std::string block_mesh(const scene::Fluid& fluid, const BoxMesh& mesh) {
         "(\n        {}\n        {}\n        {}\n    )\n);\nedges ();\nboundary\n(\n",
         n[0], n[1], n[2], widths(mesh.planes_m[0]), widths(mesh.planes_m[1]),
         widths(mesh.planes_m[2]));
-    for (std::size_t side = 0; side < 6; ++side) text += side_entry(fluid, side);
+    for (std::size_t side = 0; side < 6; ++side)
+        text +=
+            fmt::format("    {} {{ {} faces ({}); }}\n", scene::names<scene::Face>[side],
+                        entries_of(fluid, side).patch, sides[side]);
     return text + ");\nmergePatchPairs ();\n";
 }
 
@@ -75,29 +88,9 @@ std::string body_force(const scene::Fluid& fluid) {
     return fmt::format(
         "bodyForce\n{{\n    type vectorSemiImplicitSource;\n    "
         "selectionMode all;\n    volumeMode specific;\n    "
-        "injectionRateSuSp {{ U (({:.17g} {:.17g} {:.17g}) 0); }}\n}}\n",
-        a[0], a[1], a[2]);
+        "injectionRateSuSp {{ U ({} 0); }}\n}}\n",
+        vector(a));
 }
-
-}  // namespace
-
-void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                   const BoxMesh& mesh) {
-    write_foam_file(folder, "system", "blockMeshDict", "dictionary",
-                    block_mesh(fluid, mesh));
-    if (fluid.body_force_n_m3)
-        write_foam_file(folder, "constant", "fvOptions", "dictionary", body_force(fluid));
-    write_velocity(folder, fluid, [&](std::size_t side) {
-        return inlet_condition(fluid, mesh, static_cast<int>(side));
-    });
-}
-
-void clear_stock_case(const std::filesystem::path& folder) {
-    std::filesystem::remove_all(folder / "constant" / "polyMesh");
-    std::filesystem::remove(folder / "constant" / "fvOptions");
-}
-
-namespace {
 
 // Times with as many digits as a double has, for a step is not a round number.
 constexpr const char* control = R"(
@@ -167,43 +160,6 @@ PIMPLE
 }
 )";
 
-std::string vector(const scene::Vec3& v) {
-    return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
-}
-
-std::string velocity_at(const fluid::Boundary& side) {
-    switch (side.kind) {
-        case fluid::BoundaryKind::periodic:
-            return "type cyclic;";
-        case fluid::BoundaryKind::free_slip:
-            return "type symmetryPlane;";
-        case fluid::BoundaryKind::pressure_outlet:
-            return "type pressureInletOutletVelocity; value uniform (0 0 0);";
-        case fluid::BoundaryKind::velocity_inlet:  // it opens with the first step
-            return "type fixedValue; value uniform (0 0 0);";
-        case fluid::BoundaryKind::no_slip:
-            break;
-    }
-    return fmt::format("type fixedValue; value uniform {};",
-                       vector(side.wall_velocity_m_s));
-}
-
-std::string pressure_at(const fluid::Boundary& side, double density_kg_m3) {
-    switch (side.kind) {
-        case fluid::BoundaryKind::periodic:
-            return "type cyclic;";
-        case fluid::BoundaryKind::free_slip:
-            return "type symmetryPlane;";
-        case fluid::BoundaryKind::pressure_outlet:
-            return fmt::format("type fixedValue; value uniform {:.17g};",
-                               side.outlet_pressure_pa / density_kg_m3);
-        case fluid::BoundaryKind::no_slip:
-        case fluid::BoundaryKind::velocity_inlet:
-            break;
-    }
-    return "type zeroGradient;";
-}
-
 template <class AtSide>
 std::string field(const std::string& dimensions, const std::string& inside,
                   AtSide&& at_side) {
@@ -222,8 +178,7 @@ std::string field(const std::string& dimensions, const std::string& inside,
     return text + "}\n";
 }
 
-}  // namespace
-
+// A file with OpenFOAM's header.
 void write_foam_file(const std::filesystem::path& folder, const char* location,
                      const char* name, const char* type, const std::string& text) {
     std::filesystem::create_directories(folder / location);
@@ -234,18 +189,28 @@ void write_foam_file(const std::filesystem::path& folder, const char* location,
                     type, location, name, text));
 }
 
+// 0/U alone, with a boundary condition for each inlet.
 void write_velocity(const std::filesystem::path& folder, const scene::Fluid& fluid,
                     const std::function<std::string(std::size_t side)>& at_inlet) {
     write_foam_file(folder, "0", "U", "volVectorField",
                     field("[0 1 -1 0 0 0 0]",
                           vector(fluid.initial_velocity_m_s.value_or(scene::Vec3{})),
                           [&](std::size_t side) {
-                              const fluid::Boundary& boundary = fluid.boundaries[side];
-                              return boundary.kind == fluid::BoundaryKind::velocity_inlet
+                              const auto kind = fluid.boundaries[side].kind;
+                              return kind == fluid::BoundaryKind::velocity_inlet
                                          ? at_inlet(side)
-                                         : velocity_at(boundary);
+                                         : entries_of(fluid, side).velocity;
                           }));
 }
+
+// Takes away what the engine would stumble over in a folder that was used before: the
+// body force, and a mesh that blockMesh made.
+void clear_stock_case(const std::filesystem::path& folder) {
+    std::filesystem::remove_all(folder / "constant" / "polyMesh");
+    std::filesystem::remove(folder / "constant" / "fvOptions");
+}
+
+}  // namespace
 
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times) {
@@ -262,11 +227,22 @@ void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
     write_foam_file(folder, "constant", "turbulenceProperties", "dictionary",
                     "simulationType laminar;\n");
     write_velocity(folder, fluid,
-                   [&](std::size_t side) { return velocity_at(fluid.boundaries[side]); });
+                   [&](std::size_t side) { return entries_of(fluid, side).velocity; });
     write_foam_file(folder, "0", "p", "volScalarField",
                     field("[0 2 -2 0 0 0 0]", "0", [&](std::size_t side) {
-                        return pressure_at(fluid.boundaries[side], fluid.density_kg_m3);
+                        return entries_of(fluid, side).pressure;
                     }));
+}
+
+void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
+                   const BoxMesh& mesh) {
+    write_foam_file(folder, "system", "blockMeshDict", "dictionary",
+                    block_mesh(fluid, mesh));
+    if (fluid.body_force_n_m3)
+        write_foam_file(folder, "constant", "fvOptions", "dictionary", body_force(fluid));
+    write_velocity(folder, fluid, [&](std::size_t side) {
+        return inlet_condition(fluid, mesh, static_cast<int>(side));
+    });
 }
 
 }  // namespace magfsi::openfoam

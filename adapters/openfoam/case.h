@@ -6,8 +6,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <string>
 
 #include "adapters/openfoam/engine/engine.h"
 #include "adapters/scene/scene.h"
@@ -24,21 +22,9 @@ struct CaseTimes {
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times);
 
-// 0/U alone, with a boundary condition for each inlet.
-void write_velocity(const std::filesystem::path& folder, const scene::Fluid& fluid,
-                    const std::function<std::string(std::size_t side)>& at_inlet);
-
-// A file with OpenFOAM's header.
-void write_foam_file(const std::filesystem::path& folder, const char* location,
-                     const char* name, const char* type, const std::string& text);
-
 // Once the engine has read the case, which must not take these for its own: inlets and
 // the body force are the adapter's there.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                    const BoxMesh& mesh);
-
-// Takes away what the engine would stumble over in a folder that was used before: the
-// body force, and a mesh that blockMesh made.
-void clear_stock_case(const std::filesystem::path& folder);
 
 }  // namespace magfsi::openfoam

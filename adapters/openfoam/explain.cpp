@@ -13,10 +13,10 @@ namespace magfsi::openfoam {
 namespace {
 
 // Measured: fields, matrices and multigrid levels of pimpleFoam.
-constexpr double bytes_a_cell = 1500;
+constexpr double bytes_per_cell = 1500;
 // A time step of the second order needs several steps a cell at the fastest place.
-constexpr double most_courant = 0.5;
-constexpr double most_grid_reynolds = 50;
+constexpr double max_courant = 0.5;
+constexpr double max_grid_reynolds = 50;
 
 std::string row(const char* name, const std::string& si) {
     return fmt::format("  {:<34} {:>14}\n", name, si);
@@ -62,18 +62,18 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
         text += row("Reynolds number of a cell", fmt::format("{:.4g}", grid_reynolds));
     }
     text += fmt::format("  {} x {} x {} = {:.0f} cells, about {:.0f} MB\n", n[0], n[1],
-                        n[2], cells, cells * bytes_a_cell / 1e6);
-    if (courant > most_courant) {
+                        n[2], cells, cells * bytes_per_cell / 1e6);
+    if (courant > max_courant) {
         text += fmt::format(
             "  warning: a Courant number of {:.3g} is inaccurate: take a step of {:.3g} "
             "us\n",
-            courant, step_s * most_courant / courant * 1e6);
+            courant, step_s * max_courant / courant * 1e6);
     }
-    if (grid_reynolds > most_grid_reynolds) {
+    if (grid_reynolds > max_grid_reynolds) {
         text += fmt::format(
             "  warning: at a cell's Reynolds number of {:.3g} shear layers are not "
             "resolved: take a spacing of {:.3g} mm\n",
-            grid_reynolds, fluid.spacing_m * most_grid_reynolds / grid_reynolds * 1e3);
+            grid_reynolds, fluid.spacing_m * max_grid_reynolds / grid_reynolds * 1e3);
     }
     if (const std::string fault = missing(); !fault.empty())
         text += fmt::format("  warning: {}\n", fault);

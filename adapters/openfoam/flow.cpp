@@ -69,7 +69,7 @@ FastestCell fastest_cell(std::size_t cells, const double* velocity) {
 
 namespace {
 
-constexpr std::size_t values_a_cell = 7;  // velocity, that of the step before, pressure
+constexpr std::size_t values_per_cell = 7;  // velocity, that of the step before, pressure
 constexpr std::array<const char*, 3> flux_table = {"flux_x", "flux_y", "flux_z"};
 
 // A block of cells, or of the faces across an axis, in the whole box. Where two ranks
@@ -159,15 +159,15 @@ void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
         }
         cells.push_back(state.pressure[c]);
     }
-    save_rows(comm, part_of(mesh, 3), cells, values_a_cell, "cells", file);
+    save_rows(comm, part_of(mesh, 3), cells, values_per_cell, "cells", file);
     for (std::size_t d = 0; d < 3; ++d)
         save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
 }
 
 FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file) {
     FlowState state;
-    const auto cells = load_rows(file, "cells", part_of(mesh, 3), values_a_cell);
-    for (std::size_t c = 0; c < cells.size(); c += values_a_cell) {
+    const auto cells = load_rows(file, "cells", part_of(mesh, 3), values_per_cell);
+    for (std::size_t c = 0; c < cells.size(); c += values_per_cell) {
         const auto row = cells.begin() + static_cast<std::ptrdiff_t>(c);
         state.velocity.insert(state.velocity.end(), row, row + 3);
         state.old_velocity.insert(state.old_velocity.end(), row + 3, row + 6);

@@ -31,7 +31,7 @@ int size_of(MPI_Comm comm) {
 }
 
 // Far beyond what the explicit force survives: numbers that mean nothing any more.
-constexpr double most_courant = 10;
+constexpr double max_courant = 10;
 
 }  // namespace
 
@@ -166,7 +166,7 @@ std::string FoamFluid::headline() const {
     const auto n = mesh_cells(mesh_);
     return fmt::format(
         "{} x {} x {} cells of {:.4g} mm{}, step {:.4g} us, pimpleFoam of OpenFOAM {}",
-        n[0], n[1], n[2], fluid_.spacing_m * 1e3, fluid_.grading ? " and more" : "",
+        n[0], n[1], n[2], fluid_.spacing_m * 1e3, fluid_.grading ? " and larger" : "",
         step_s_ * 1e6, versions().front().second);
 }
 
@@ -176,7 +176,9 @@ fluids::FluidTotals FoamFluid::totals() {
             fluid_.density_kg_m3 * sums.volume_m3, sums.max_speed_m_s};
 }
 
-double FoamFluid::enstrophy_1_s2() {
+double FoamFluid::quantity(scene::FluidQuantity quantity) {
+    if (quantity != scene::FluidQuantity::enstrophy)
+        throw std::logic_error("no probe of OpenFOAM");
     std::vector<double> vorticity(3 * cell_count(width_m_));
     engine_->vorticity(vorticity.data());
     return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
@@ -210,12 +212,12 @@ void FoamFluid::field(scene::FluidField field, std::span<float> out) {
 void FoamFluid::check_divergence() {
     const FastestCell fastest = fastest_cell(cell_count(width_m_), engine_->velocity());
     const double courant = fastest.speed_m_s * step_s_ / grid_.spacing_m;
-    if (courant < most_courant) return;  // false where it is not a number
+    if (courant < max_courant) return;  // false where it is not a number
     const scene::Vec3 at = centre(fastest.cell);
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "
                     "{:.3g} cells "
-                    "a step; take a smaller step (fluid.courant) or a finer spacing",
+                    "per step; take a smaller step (fluid.courant) or a finer spacing",
                     at[0], at[1], at[2], fastest.speed_m_s, courant));
 }
 
@@ -242,25 +244,16 @@ void FoamFluid::go_back() {
     steps_ = kept_steps_;
 }
 
-void FoamFluid::save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) {
+void FoamFluid::save(coupler::StateWriter* file) {
     FlowState state;
     engine_->keep(state);
     save_flow(comm_, mesh_, state, file);
-    if (!balance) return;
-    const auto mine = balance->values();
-    const auto all = coupler::gather_shares(comm_, mine);
-    if (file && !mine.empty())
-        file->table("balance", all, {all.size() / mine.size(), mine.size()});
 }
 
-void FoamFluid::restore(const coupler::StateReader& file,
-                        coupler::BalanceRecord* balance) {
+void FoamFluid::restore(const coupler::StateReader& file) {
     steps_ = file.header().step;
     set_inlets(static_cast<double>(steps_) * step_s_);
     engine_->go_back(load_flow(mesh_, file), steps_);
-    if (balance && file.has("balance"))
-        balance->set(
-            coupler::share_of(comm_, file.table("balance"), file.shape("balance")[0]));
 }
 
 }  // namespace magfsi::openfoam

@@ -33,14 +33,13 @@ class FoamFluid final : public fluids::FluidSolver {
 
     std::string headline() const override;
     fluids::FluidTotals totals() override;
-    double enstrophy_1_s2() override;
+    double quantity(scene::FluidQuantity quantity) override;
     void field(scene::FluidField field, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     output::Named<std::string> versions() const override;
-    void save(const coupler::BalanceRecord* balance, coupler::StateWriter* file) override;
-    void restore(const coupler::StateReader& file,
-                 coupler::BalanceRecord* balance) override;
+    void save(coupler::StateWriter* file) override;
+    void restore(const coupler::StateReader& file) override;
 
     // For flows that no scene has: velocity [m/s] by place [m]; at rest at time 0.
     using Flow = scene::Vec3 (*)(const scene::Vec3& position_m);

@@ -11,57 +11,104 @@ namespace magfsi::openfoam {
 
 namespace {
 
-double falloff(fluid::InletProfile profile, double s) {
-    if (profile == fluid::InletProfile::uniform) return 1;
-    return std::max(0.0,
-                    1 - std::pow(s, profile == fluid::InletProfile::parabolic ? 2 : 8));
+using Axes = std::array<std::size_t, 2>;
+
+Axes plane_axes(int side) {
+    return {side / 2 == 0 ? 1u : 0u, side / 2 == 2 ? 1u : 2u};
+}
+
+// A number in OpenFOAM's language of expressions, so that the profile below is said once:
+// of doubles it gives a value, of these the text of its formula.
+struct Formula {
+    std::string text;
+
+    explicit Formula(std::string formula) : text(std::move(formula)) {}
+    Formula(double value) : text(fmt::format("{:.17g}", value)) {}
+};
+
+Formula operator-(const Formula& a, const Formula& b) {
+    return Formula(fmt::format("({} - {})", a.text, b.text));
+}
+Formula operator*(const Formula& a, const Formula& b) {
+    return Formula(fmt::format("{}*{}", a.text, b.text));
+}
+Formula operator/(const Formula& a, const Formula& b) {
+    return Formula(fmt::format("({}/{})", a.text, b.text));
+}
+Formula abs(const Formula& a) {
+    return Formula(fmt::format("mag({})", a.text));
+}
+Formula hypot(const Formula& a, const Formula& b) {
+    return Formula(fmt::format("sqrt(sqr({}) + sqr({}))", a.text, b.text));
+}
+
+double one_minus_power(double s, int exponent) {
+    return std::max(0.0, 1 - std::pow(s, exponent));
+}
+Formula one_minus_power(const Formula& s, int exponent) {
+    return Formula(fmt::format("max(0, 1 - pow({}, {}))", s.text, exponent));
+}
+double zero_beyond_one(double s, double value) {
+    return s > 1 ? 0 : value;
+}
+Formula zero_beyond_one(const Formula& s, const Formula& value) {
+    return Formula(fmt::format("({} > 1 ? 0 : {})", s.text, value.text));
+}
+
+template <class T>
+T falloff(fluid::InletProfile profile, const T& s) {
+    if (profile == fluid::InletProfile::uniform) return 1.0;
+    return one_minus_power(s, profile == fluid::InletProfile::parabolic ? 2 : 8);
 }
 
 // Over a whole side, along one axis of it; a plane of symmetry at one end doubles the
 // width.
-double between_sides(const scene::Fluid& fluid, fluid::InletProfile profile,
-                     std::size_t axis, double at_m) {
+template <class T>
+T between_sides(const scene::Fluid& fluid, fluid::InletProfile profile, std::size_t axis,
+                const T& at_m) {
     const auto is_wall = [&](std::size_t side) {
         return fluid.boundaries[side].kind == fluid::BoundaryKind::no_slip;
     };
     const bool low = is_wall(2 * axis), high = is_wall(2 * axis + 1);
-    const double s = at_m / fluid.box_m[axis];
-    if (!low && !high) return 1;
-    if (low && high) return falloff(profile, std::abs(2 * s - 1));
-    return falloff(profile, low ? 1 - s : s);
+    const T s = at_m / fluid.box_m[axis];
+    using std::abs;
+    if (!low && !high) return 1.0;
+    if (low && high) return falloff<T>(profile, abs(2.0 * s - 1.0));
+    return falloff<T>(profile, low ? 1.0 - s : s);
 }
 
-double shape_at(const scene::Fluid& fluid, const fluid::Boundary& side,
-                const std::array<std::size_t, 2>& axes,
-                const std::array<double, 2>& at_m) {
-    double shape = 1;
+// Distances from the middle of a part of a side over its half widths, 1 at its rim.
+template <class T>
+std::vector<T> in_opening(const fluid::Boundary& side, const std::array<T, 2>& at_m) {
+    using std::abs, std::hypot;
     if (const auto* disc = fluid::opening<fluid::Disc>(side)) {
-        const double s =
-            2 * std::hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) /
-            disc->diameter_m;
-        return s > 1 ? 0 : falloff(side.inlet.profile, s);
+        return {2.0 * hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) /
+                disc->diameter_m};
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-        if (const auto* part = fluid::opening<fluid::Rectangle>(side)) {
-            const double s = 2 * std::abs(at_m[i] - part->centre_m[i]) / part->size_m[i];
-            shape *= s > 1 ? 0 : falloff(side.inlet.profile, s);
-        } else {
-            shape *= between_sides(fluid, side.inlet.profile, axes[i], at_m[i]);
-        }
+    std::vector<T> all;
+    const auto* part = fluid::opening<fluid::Rectangle>(side);
+    for (std::size_t i = 0; part && i < 2; ++i)
+        all.push_back(2.0 * abs(at_m[i] - part->centre_m[i]) / part->size_m[i]);
+    return all;
+}
+
+template <class T>
+T shape_at(const scene::Fluid& fluid, const fluid::Boundary& side, const Axes& axes,
+           const std::array<T, 2>& at_m) {
+    const auto profile = side.inlet.profile;
+    T shape = 1.0;
+    if (!side.patch) {
+        for (std::size_t i = 0; i < 2; ++i)
+            shape = shape * between_sides<T>(fluid, profile, axes[i], at_m[i]);
     }
+    for (const T& s : in_opening<T>(side, at_m))
+        shape = shape * zero_beyond_one(s, falloff<T>(profile, s));
     return shape;
 }
 
 bool is_open(const fluid::Boundary& side, const std::array<double, 2>& at_m) {
-    if (const auto* disc = fluid::opening<fluid::Disc>(side)) {
-        return 2 * std::hypot(at_m[0] - disc->centre_m[0], at_m[1] - disc->centre_m[1]) <=
-               disc->diameter_m;
-    }
-    const auto* part = fluid::opening<fluid::Rectangle>(side);
-    for (std::size_t i = 0; part && i < 2; ++i) {
-        if (2 * std::abs(at_m[i] - part->centre_m[i]) > part->size_m[i]) return false;
-    }
-    return true;
+    return std::ranges::all_of(in_opening<double>(side, at_m),
+                               [](double s) { return s <= 1; });
 }
 
 // What brings the mean over the opening to 1, and the shape by face of this rank's part.
@@ -71,8 +118,7 @@ struct Shape {
 };
 
 Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
-    const auto normal = static_cast<std::size_t>(side / 2);
-    const std::array<std::size_t, 2> axes{normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
+    const Axes axes = plane_axes(side);
     const auto is_here = [&](std::size_t axis, std::size_t cell) {
         if (axis != static_cast<std::size_t>(mesh.cut_axis)) return true;
         const auto i = static_cast<int>(cell);
@@ -88,7 +134,7 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
         for (std::size_t i = 0; i + 1 < a.size(); ++i) {
             const std::array<double, 2> at{(a[i] + a[i + 1]) / 2, (b[j] + b[j + 1]) / 2};
             const double area = (a[i + 1] - a[i]) * (b[j + 1] - b[j]);
-            const double s = shape_at(fluid, inlet, axes, at);
+            const auto s = shape_at<double>(fluid, inlet, axes, at);
             if (is_here(axes[0], i) && is_here(axes[1], j)) shape.here.push_back(s);
             flux += s * area;
             if (is_open(inlet, at)) open_area += area;
@@ -99,10 +145,6 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
 }
 
 }  // namespace
-
-double inlet_factor(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
-    return shape_of(fluid, mesh, side).factor;
-}
 
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     Shape shape = shape_of(fluid, mesh, side);
@@ -115,65 +157,13 @@ double inlet_ramp(const fluid::Boundary& side, double time_s) {
     return (1 - std::cos(std::numbers::pi * time_s / side.inlet.ramp_s)) / 2;
 }
 
-namespace {
-
-using Axes = std::array<std::size_t, 2>;
-
-std::string falloff_of(fluid::InletProfile profile, const std::string& s) {
-    if (profile == fluid::InletProfile::uniform) return "1";
-    return fmt::format("max(0, 1 - pow({}, {}))", s,
-                       profile == fluid::InletProfile::parabolic ? 2 : 8);
-}
-
-std::string coordinate(std::size_t axis) {
-    return fmt::format("pos().{}()", "xyz"[axis]);
-}
-
-// As between_sides.
-std::string between(const scene::Fluid& fluid, fluid::InletProfile profile,
-                    std::size_t axis) {
-    const auto is_wall = [&](std::size_t side) {
-        return fluid.boundaries[side].kind == fluid::BoundaryKind::no_slip;
-    };
-    const bool low = is_wall(2 * axis), high = is_wall(2 * axis + 1);
-    const std::string s =
-        fmt::format("({}/{:.17g})", coordinate(axis), fluid.box_m[axis]);
-    if (!low && !high) return "1";
-    if (low && high) return falloff_of(profile, fmt::format("mag(2*{} - 1)", s));
-    return falloff_of(profile, low ? fmt::format("(1 - {})", s) : s);
-}
-
-// As shape_at.
-std::string shape_text(const scene::Fluid& fluid, const fluid::Boundary& side,
-                       const Axes& axes) {
-    const auto part = [&](const std::string& s) {
-        return fmt::format("({} > 1 ? 0 : {})", s, falloff_of(side.inlet.profile, s));
-    };
-    if (const auto* disc = fluid::opening<fluid::Disc>(side)) {
-        return part(fmt::format("(2*sqrt(sqr({} - {:.17g}) + sqr({} - {:.17g}))/{:.17g})",
-                                coordinate(axes[0]), disc->centre_m[0],
-                                coordinate(axes[1]), disc->centre_m[1],
-                                disc->diameter_m));
-    }
-    std::string text = "1";
-    for (std::size_t i = 0; i < 2; ++i) {
-        if (const auto* r = fluid::opening<fluid::Rectangle>(side)) {
-            text += fmt::format("*{}", part(fmt::format("(2*mag({} - {:.17g})/{:.17g})",
-                                                        coordinate(axes[i]),
-                                                        r->centre_m[i], r->size_m[i])));
-        } else {
-            text += fmt::format("*{}", between(fluid, side.inlet.profile, axes[i]));
-        }
-    }
-    return text;
-}
-
-}  // namespace
-
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     const fluid::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
-    const auto normal = static_cast<std::size_t>(side / 2);
-    const Axes axes{normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
+    const auto coordinate = [axes = plane_axes(side)](std::size_t i) {
+        return Formula(fmt::format("pos().{}()", "xyz"[axes[i]]));
+    };
+    const Formula shape =
+        shape_at<Formula>(fluid, inlet, plane_axes(side), {coordinate(0), coordinate(1)});
     std::string ramp = "1";
     if (inlet.inlet.ramp_s > 0)
         ramp = fmt::format("(time() >= {0:.17g} ? 1 : (1 - cos(pi()*time()/{0:.17g}))/2)",
@@ -182,8 +172,7 @@ std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int 
     return fmt::format(
         "type exprFixedValue; value uniform (0 0 0);\n        valueExpr "
         "\"{:.17g}*{}*({})*vector({:.17g}, {:.17g}, {:.17g})\";",
-        inlet_factor(fluid, mesh, side), ramp, shape_text(fluid, inlet, axes), u[0], u[1],
-        u[2]);
+        shape_of(fluid, mesh, side).factor, ramp, shape.text, u[0], u[1], u[2]);
 }
 
 }  // namespace magfsi::openfoam

@@ -14,9 +14,6 @@ namespace magfsi::openfoam {
 // profile.
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
-// What brings the mean of the profile over the opening to 1, on this mesh.
-double inlet_factor(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
-
 // The velocity over time as a boundary condition of OpenFOAM, by its own expressions.
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 

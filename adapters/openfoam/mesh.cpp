@@ -18,13 +18,13 @@ double reach(double growth, int cells) {
 }
 
 // Widths, in spacings, that fill `gap` spacings, the finest first.
-std::vector<double> growing(double gap, double most_growth) {
+std::vector<double> growing(double gap, double max_growth) {
     std::vector<double> widths;
     if (gap < 0.5) return widths;  // a whole number: none
     int cells = 1;
-    while (reach(most_growth, cells) < gap) ++cells;
+    while (reach(max_growth, cells) < gap) ++cells;
     cells = std::min(cells, static_cast<int>(std::lround(gap)));
-    double low = 1, high = most_growth;
+    double low = 1, high = max_growth;
     for (int i = 0; i < 60; ++i) {  // to the last bit
         const double middle = (low + high) / 2;
         (reach(middle, cells) < gap ? low : high) = middle;
@@ -78,18 +78,15 @@ std::vector<int> cell_of_uniform(const std::vector<double>& planes_m, double spa
 namespace {
 
 SideType to_side(fluid::BoundaryKind kind) {
-    switch (kind) {
-        case fluid::BoundaryKind::periodic:
-            return SideType::periodic;
-        case fluid::BoundaryKind::no_slip:
-            return SideType::wall;
-        case fluid::BoundaryKind::free_slip:
-            return SideType::symmetry;
-        case fluid::BoundaryKind::velocity_inlet:
-        case fluid::BoundaryKind::pressure_outlet:
-            break;
-    }
-    return SideType::open;
+    using enum fluid::BoundaryKind;
+    if (kind == periodic) return SideType::periodic;
+    if (kind == no_slip) return SideType::wall;
+    if (kind == free_slip) return SideType::symmetry;
+    if (kind == velocity_inlet || kind == pressure_outlet) return SideType::open;
+    throw std::invalid_argument(fmt::format(
+        "fluid.boundaries: {} with fluid.solver openfoam; only with the solver "
+        "lbm",
+        scene::name_of(kind)));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using coupler::RecordHeader;
 void check_scene(const scene::Scene& scene) {
     if (scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit) {
         throw std::invalid_argument(
-            "--replay: a record has one exchange a step, the implicit scheme many; add "
+            "--replay: a record has one exchange per step, the implicit scheme many; add "
             "--set coupling.scheme=serial --set coupling.iteration=");
     }
     if (scene.checkpoint) {
@@ -67,10 +67,10 @@ coupler::RecordReader open_record(const scene::Scene& scene,
     check_steps(header, record.entries(), session.clock());
     const auto wanted = fluids::fluid_columns(scene).size();
     if (header.numbers != wanted) {
-        throw std::invalid_argument(
-            fmt::format("--replay: the record has {} fluid values a probe row, the scene "
-                        "asks for {}; take the recorded scene's probes.fluid",
-                        header.numbers, wanted));
+        throw std::invalid_argument(fmt::format(
+            "--replay: the record has {} fluid values per probe row, the scene "
+            "asks for {}; take the recorded scene's probes.fluid",
+            header.numbers, wanted));
     }
     return record;
 }

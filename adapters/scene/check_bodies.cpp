@@ -9,15 +9,13 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <span>
 
 #include "adapters/scene/field.h"
-#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
 namespace {
-
-constexpr std::string_view axes = "xyz";
 
 // mean_f takes 3 min(l_i, l_j)^2 for the hourglass stiffness; with an in-plane edge below
 // the edge through the thickness that is the wrong one, and bending several times too
@@ -35,24 +33,33 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
         refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
                fmt::format("mean_f elements with the edge {} along {}, shorter than {} "
                            "through the thickness",
-                           format_si(edge[i], "m"), axes[i],
-                           format_si(edge[thickness], "m")),
+                           metres(edge[i]), axis_names[i], metres(edge[thickness])),
                "in-plane edges of at least the edge through the thickness",
                fmt::format("take at most {} elements along {}, more layers along {}, or "
                            "element: assumed_strain",
-                           most, axes[i], axes[thickness]));
+                           most, axis_names[i], axis_names[thickness]));
     }
 }
 
 void check_node_count(const Body& body, const Box& box, const Marks& marks) {
     std::int64_t nodes = 1;
     for (const int n : box.elements) {
-        nodes *= n + 1;
-        // Node numbers are int.
-        if (nodes <= std::numeric_limits<int>::max()) continue;
-        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
-               "a mesh of more than 2147483647 nodes", "fewer elements");
+        nodes *= n + 1;  // node numbers are int
+        require(nodes <= std::numeric_limits<int>::max(),
+                marks.value({"bodies", body.name, "mesh", "box", "elements"}),
+                "a mesh of more than 2147483647 nodes", "fewer elements");
     }
+}
+
+// Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
+// what the face stands in.
+void check_face(const Body& body, const std::string& face, std::string_view list,
+                const Origin& here) {
+    if (std::holds_alternative<MeshFile>(body.mesh)) return;
+    const std::vector<std::string> faces(names<Face>.begin(), names<Face>.end());
+    require(std::ranges::find(faces, face) != faces.end(), here,
+            fmt::format("{} as a face of {}", in_quotes(face), list), joined(faces),
+            did_you_mean(face, faces));
 }
 
 void check_clamps(const Body& body, const Marks& marks) {
@@ -60,10 +67,9 @@ void check_clamps(const Body& body, const Marks& marks) {
         const std::string& clamp = body.clamps[i];
         const Origin& here = marks.item({"bodies", body.name, "clamps"}, i);
         check_face(body, clamp, "clamps", here);
-        const auto earlier = body.clamps.begin() + static_cast<std::ptrdiff_t>(i);
-        if (std::find(body.clamps.begin(), earlier, clamp) != earlier)
-            refuse(here, fmt::format("{} twice in clamps", in_quotes(clamp)),
-                   "each face once");
+        const auto earlier = std::span(body.clamps).first(i);
+        require(std::ranges::find(earlier, clamp) == earlier.end(), here,
+                fmt::format("{} twice in clamps", in_quotes(clamp)), "each face once");
     }
 }
 
@@ -76,14 +82,13 @@ void check_rollers(const Body& body, const Marks& marks) {
     // The relaxed shape is found before the body is turned.
     const auto& turn = body.initial.rotation;
     if (!body.initial.relaxed || !turn) return;
-    for (const Roller& roller : body.rollers) {
-        if (roller.axis != turn->plane[0] && roller.axis != turn->plane[1]) continue;
-        refuse(marks.key({"bodies", body.name, "rollers"}),
-               fmt::format("rollers along {} of a body that is relaxed and then turned "
-                           "about another axis",
-                           axes[static_cast<std::size_t>(roller.axis)]),
-               "rollers along the axis of initial.rotation, or no relaxed shape");
-    }
+    for (const Roller& roller : body.rollers)
+        require(roller.axis != turn->plane[0] && roller.axis != turn->plane[1],
+                marks.key({"bodies", body.name, "rollers"}),
+                fmt::format("rollers along {} of a body that is relaxed and then turned "
+                            "about another axis",
+                            axis_names[roller.axis]),
+                "rollers along the axis of initial.rotation, or no relaxed shape");
 }
 
 // Which regions a mesh has is known when it is built; a block has none. name: the list as
@@ -91,62 +96,49 @@ void check_rollers(const Body& body, const Marks& marks) {
 template <class Item>
 void check_regions(const Body& body, const std::vector<Item>& list, Path here,
                    std::string_view name, const Marks& marks) {
-    if (list.empty()) return;
-    if (std::holds_alternative<Box>(body.mesh))
-        refuse(marks.key(here),
-               fmt::format("{} of a block, whose mesh has no regions", name),
-               "them for the meshes oblique and gmsh");
+    require(list.empty() || !std::holds_alternative<Box>(body.mesh), marks.key(here),
+            fmt::format("{} of a block, whose mesh has no regions", name),
+            "them for the meshes oblique and gmsh");
     std::set<std::string> seen;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        for (const std::string& region : list[i].regions) {
-            if (seen.insert(region).second) continue;
-            refuse(marks.item(here, i),
-                   fmt::format("the region {} twice in {}", in_quotes(region), name),
-                   "each region once");
-        }
+        for (const std::string& region : list[i].regions)
+            require(seen.insert(region).second, marks.item(here, i),
+                    fmt::format("the region {} twice in {}", in_quotes(region), name),
+                    "each region once");
     }
-}
-
-void check_material_regions(const Body& body, const Marks& marks) {
-    check_regions(body, body.material_regions, {"bodies", body.name, "material_regions"},
-                  "material_regions", marks);
 }
 
 void check_magnetization(const Body& body, const Marks& marks) {
     if (!body.magnetization) return;
-    if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization)) {
-        if (m->along == m->into)
-            refuse(
+    if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization))
+        require(m->along != m->into,
                 marks.value({"bodies", body.name, "magnetization", "harmonic", "into"}),
                 fmt::format("along and into both {}", axis_names[m->along]),
                 "two different axes");
-    }
-    if (const auto* m = std::get_if<RegionMagnetization>(&*body.magnetization)) {
+    if (const auto* m = std::get_if<RegionMagnetization>(&*body.magnetization))
         check_regions(body, m->regions, {"bodies", body.name, "magnetization", "regions"},
                       "magnetization regions", marks);
-    }
     const auto* domains = std::get_if<DomainMagnetization>(&*body.magnetization);
     for (std::size_t i = 0; domains && i < domains->domains.size(); ++i) {
         const auto& box = domains->domains[i].box_m;
-        for (int k = 0; box && k < 3; ++k) {
-            if ((*box)[0][k] < (*box)[1][k]) continue;
-            refuse(marks.value({"bodies", body.name, "magnetization", "domains"}),
-                   fmt::format("a domain box (number {}) that is empty along {}", i + 1,
-                               axes[k]),
-                   "[lower corner, upper corner]");
-        }
+        for (int k = 0; box && k < 3; ++k)
+            require((*box)[0][k] < (*box)[1][k],
+                    marks.value({"bodies", body.name, "magnetization", "domains"}),
+                    fmt::format("a domain box (number {}) that is empty along {}", i + 1,
+                                axis_names[k]),
+                    "[lower corner, upper corner]");
     }
 }
 
 void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
-    if (body.initial.relaxed && !body.magnetization)
-        refuse(marks.key({"bodies", body.name, "initial", "relaxed"}),
-               "relaxed for a body without magnetization", "it for magnetized bodies");
-    if (scene.fluid && !body.initial.position_m)
-        refuse(marks.value({"bodies", body.name, "initial"}),
-               fmt::format("no initial position of \"{}\" in a scene with a fluid",
-                           body.name),
-               "initial: {position: [x, y, z]}, where the centre of volume goes");
+    require(!body.initial.relaxed || body.magnetization,
+            marks.key({"bodies", body.name, "initial", "relaxed"}),
+            "relaxed for a body without magnetization", "it for magnetized bodies");
+    require(
+        !scene.fluid || body.initial.position_m,
+        marks.value({"bodies", body.name, "initial"}),
+        fmt::format("no initial position of \"{}\" in a scene with a fluid", body.name),
+        "initial: {position: [x, y, z]}, where the centre of volume goes");
 }
 
 // Half the extent along each axis of the turned block.
@@ -179,24 +171,32 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
         const double from = half[i], to = side - half[i];
         refuse(marks.value({"bodies", body.name, "initial", "position"}),
                fmt::format("\"{}\" reaching {} = {}, outside the fluid box", body.name,
-                           axes[i], format_si(end, "m")),
-               fmt::format("{} from 0 m to {}", axes[i], format_si(side, "m")),
-               from <= to ? fmt::format("put its centre between {} and {}",
-                                        format_si(from, "m"), format_si(to, "m"))
+                           axis_names[i], metres(end)),
+               fmt::format("{} from 0 m to {}", axis_names[i], metres(side)),
+               from <= to ? fmt::format("put its centre between {} and {}", metres(from),
+                                        metres(to))
                           : "take a larger box");
     }
 }
 
-}  // namespace
-
-void check_face(const Body& body, const std::string& face, std::string_view list,
-                const Origin& here) {
-    const std::vector<std::string> faces(names<Face>.begin(), names<Face>.end());
-    if (std::holds_alternative<MeshFile>(body.mesh)) return;
-    if (std::ranges::find(faces, face) == faces.end())
-        refuse(here, fmt::format("{} as a face of {}", in_quotes(face), list),
-               joined(faces), did_you_mean(face, faces));
+void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks) {
+    std::vector<std::string> held = body.clamps;
+    for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i) {
+        const Origin& here = marks.item({"bodies", body.name, "prescribed_motion"}, i);
+        require(!scene.time.equilibrium, here,
+                "a prescribed motion on a path of equilibria", "it in runs over time",
+                "leave time.equilibrium out, or the motion");
+        for (const std::string& face : body.prescribed_motion[i].faces) {
+            check_face(body, face, "prescribed_motion", here);
+            require(std::ranges::find(held, face) == held.end(), here,
+                    fmt::format("the moved face {} held besides", in_quotes(face)),
+                    "each face once in clamps or prescribed_motion");
+            held.push_back(face);
+        }
+    }
 }
+
+}  // namespace
 
 void check_bodies(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
@@ -206,20 +206,14 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         check_clamps(body, marks);
         check_rollers(body, marks);
         check_prescribed_motion(scene, body, marks);
-        check_material_regions(body, marks);
+        check_regions(body, body.material_regions,
+                      {"bodies", body.name, "material_regions"}, "material_regions",
+                      marks);
         check_magnetization(body, marks);
         check_initial(scene, body, marks);
         if (box) check_inside(scene, body, *box, marks);
     }
 }
-
-namespace {
-
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
-}  // namespace
 
 double largest_speed_m_s(const PrescribedMotion& motion) {
     constexpr double pi = std::numbers::pi;
@@ -227,24 +221,6 @@ double largest_speed_m_s(const PrescribedMotion& motion) {
         return 2 * pi * o->frequency_hz * length(o->amplitude_m);
     const auto& ramp = std::get<DisplacementRamp>(motion.course);
     return pi / 2 * length(ramp.displacement_m) / ramp.duration_s;
-}
-
-void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks) {
-    std::vector<std::string> held = body.clamps;
-    for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i) {
-        const Origin& here = marks.item({"bodies", body.name, "prescribed_motion"}, i);
-        if (scene.time.equilibrium)
-            refuse(here, "a prescribed motion on a path of equilibria",
-                   "it in runs over time", "leave time.equilibrium out, or the motion");
-        for (const std::string& face : body.prescribed_motion[i].faces) {
-            check_face(body, face, "prescribed_motion", here);
-            if (std::ranges::find(held, face) != held.end())
-                refuse(here,
-                       fmt::format("the moved face {} held besides", in_quotes(face)),
-                       "each face once in clamps or prescribed_motion");
-            held.push_back(face);
-        }
-    }
 }
 
 }  // namespace magfsi::scene

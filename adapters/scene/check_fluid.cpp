@@ -7,16 +7,15 @@
 #include <cmath>
 
 #include "adapters/scene/effective.h"
-#include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
 
 namespace {
 
 constexpr double divides_within = 1e-6;  // of a side: far below what a cell resolves
-constexpr int least_cells = 4;       // the widest delta kernel spans 4 cells; it wraps
-constexpr double most_cells = 1e11;  // 8 TB of populations in single precision
-constexpr double most_cells_along = 2e9;  // their number is an int
+constexpr int min_cells = 4;        // the widest delta kernel spans 4 cells; it wraps
+constexpr double max_cells = 1e11;  // 8 TB of populations in single precision
+constexpr double max_cells_along = 2e9;  // their number is an int
 
 bool divides(double side, double spacing) {
     const double cells = std::round(side / spacing);
@@ -47,8 +46,8 @@ std::string advice(const Fluid& fluid) {
     Vec3 box{};
     for (int i = 0; i < 3; ++i)
         box[i] = std::max(1.0, std::round(fluid.box_m[i] / wanted)) * wanted;
-    return fmt::format("the nearest box is [{}, {}, {}]", format_si(box[0], "m"),
-                       format_si(box[1], "m"), format_si(box[2], "m"));
+    return fmt::format("the nearest box is [{}, {}, {}]", metres(box[0]), metres(box[1]),
+                       metres(box[2]));
 }
 
 // A slip of a unit, most often, and more than any machine holds.
@@ -59,174 +58,130 @@ void check_cells(const Fluid& fluid, const Marks& marks) {
         all *= cells;
         along = std::max(along, cells);
     }
-    if (all <= most_cells && along <= most_cells_along) return;
-    const double coarser =
-        std::max(std::cbrt(all / most_cells), along / most_cells_along);
-    refuse(marks.value({"fluid", "spacing"}),
-           fmt::format("{:.3g} cells, {:.3g} along the longest side", all, along),
-           fmt::format("at most {:.0e} cells, {:.0e} along a side", most_cells,
-                       most_cells_along),
-           fmt::format("take a spacing above {}, or a smaller box",
-                       format_si(coarser * fluid.spacing_m, "m")));
+    const double coarser = std::max(std::cbrt(all / max_cells), along / max_cells_along);
+    require(all <= max_cells && along <= max_cells_along,
+            marks.value({"fluid", "spacing"}),
+            fmt::format("{:.3g} cells, {:.3g} along the longest side", all, along),
+            fmt::format("at most {:.0e} cells, {:.0e} along a side", max_cells,
+                        max_cells_along),
+            fmt::format("take a spacing above {}, or a smaller box",
+                        metres(coarser * fluid.spacing_m)));
 }
 
 void check_spacing(const Fluid& fluid, const Marks& marks) {
-    for (int i = 0; i < 3; ++i) {
-        const bool periodic = fluid.boundaries[2 * i].kind == BoundaryKind::periodic;
-        if (!periodic &&
-            fluid.box_m[i] / fluid.spacing_m < least_cells * (1 - divides_within))
-            refuse(marks.value({"fluid", "spacing"}),
-                   fmt::format("{:.3g} cells along {}", fluid.box_m[i] / fluid.spacing_m,
-                               axis_names[i]),
-                   fmt::format("at least {} cells between walls", least_cells),
-                   fmt::format("take a spacing of at most {}",
-                               format_si(fluid.box_m[i] / least_cells, "m")));
-        if (!divides(fluid.box_m[i], fluid.spacing_m))
+    const Origin& here = marks.value({"fluid", "spacing"});
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double side = fluid.box_m[d], cells = side / fluid.spacing_m;
+        require(fluid.boundaries[2 * d].kind == BoundaryKind::periodic ||
+                    cells >= min_cells * (1 - divides_within),
+                here, fmt::format("{:.3g} cells along {}", cells, axis_names[d]),
+                fmt::format("at least {} cells between walls", min_cells),
+                fmt::format("take a spacing of at most {}", metres(side / min_cells)));
+        if (!divides(side, fluid.spacing_m))
             refuse(
-                marks.value({"fluid", "spacing"}),
+                here,
                 fmt::format("the spacing {}, which does not divide the box's {} along {}",
-                            format_si(fluid.spacing_m, "m"),
-                            format_si(fluid.box_m[i], "m"), axis_names[i]),
+                            metres(fluid.spacing_m), metres(side), axis_names[d]),
                 "a spacing that divides every side", advice(fluid));
     }
 }
 
 void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
-    for (std::size_t low = 0; low < 6; low += 2) {
-        const bool a = fluid.boundaries[low].kind == BoundaryKind::periodic;
-        const bool b = fluid.boundaries[low + 1].kind == BoundaryKind::periodic;
-        if (a == b) continue;
-        const std::string periodic(names<Face>[a ? low : low + 1]);
-        const std::string other(names<Face>[a ? low + 1 : low]);
-        refuse(marks.value({"fluid", "boundaries", periodic}),
-               fmt::format("{} periodic but {} not", periodic, other),
-               "periodic in pairs", fmt::format("make {} periodic as well", other));
-    }
-}
-
-void check_walls(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
-        if (fluid.boundaries[face].kind != BoundaryKind::no_slip) continue;
-        const double normal = fluid.boundaries[face].wall_velocity_m_s[face / 2];
-        if (normal == 0) continue;
-        const std::string name(names<Face>[face]);
-        refuse(marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
-               fmt::format("the wall {} moving along its normal at {:.6g} m/s", name,
-                           normal),
-               "velocities along the wall",
-               fmt::format("set the {} component to 0 m/s", axis_names[face / 2]));
+        const std::string name(names<Face>[face]), other(names<Face>[face ^ 1]);
+        require(fluid.boundaries[face].kind != BoundaryKind::periodic ||
+                    fluid.boundaries[face ^ 1].kind == BoundaryKind::periodic,
+                marks.value({"fluid", "boundaries", name}),
+                fmt::format("{} periodic but {} not", name, other), "periodic in pairs",
+                fmt::format("make {} periodic as well", other));
     }
 }
 
-void check_inlets(const Fluid& fluid, const Marks& marks) {
+void check_sides(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
-        if (side.kind != BoundaryKind::velocity_inlet ||
-            side.inlet.velocity_m_s != Vec3{})
-            continue;
         const std::string name(names<Face>[face]);
-        refuse(marks.value({"fluid", "boundaries", name}),
-               fmt::format("the inlet {} without a velocity", name),
-               "velocity_inlet: {velocity: [x, y, z]}, not zero");
+        const double normal = side.wall_velocity_m_s[face / 2];
+        require(side.kind != BoundaryKind::no_slip || normal == 0,
+                marks.value({"fluid", "boundaries", name, "no_slip", "velocity"}),
+                fmt::format("the wall {} moving along its normal at {:.6g} m/s", name,
+                            normal),
+                "velocities along the wall",
+                fmt::format("set the {} component to 0 m/s", axis_names[face / 2]));
+        require(side.kind != BoundaryKind::velocity_inlet ||
+                    side.inlet.velocity_m_s != Vec3{},
+                marks.value({"fluid", "boundaries", name}),
+                fmt::format("the inlet {} without a velocity", name),
+                "velocity_inlet: {velocity: [x, y, z]}, not zero");
     }
 }
 
 void check_taylor_green(const Fluid& fluid, const Marks& marks) {
     const Origin& where = marks.key({"fluid", "taylor_green"});
-    if (fluid.initial_velocity_m_s) {
-        refuse(where, "the Taylor-Green vortex and an initial velocity", "one of the two",
-               "leave initial_velocity out");
-    }
+    require(!fluid.initial_velocity_m_s, where,
+            "the Taylor-Green vortex and an initial velocity", "one of the two",
+            "leave initial_velocity out");
     const auto periodic = [](const Boundary& side) {
         return side.kind == BoundaryKind::periodic;
     };
     const Vec3& box = fluid.box_m;
-    if (std::ranges::all_of(fluid.boundaries, periodic) && box[0] == box[1] &&
-        box[0] == box[2])
-        return;
-    refuse(where, "the Taylor-Green vortex in a box that is no periodic cube",
-           "a cube whose six boundaries are periodic");
+    require(std::ranges::all_of(fluid.boundaries, periodic) && box[0] == box[1] &&
+                box[0] == box[2],
+            where, "the Taylor-Green vortex in a box that is no periodic cube",
+            "a cube whose six boundaries are periodic");
 }
-
-}  // namespace
-
-void check_fluid(const Scene& scene, const Marks& marks) {
-    if (!scene.fluid) return;
-    check_cells(*scene.fluid, marks);
-    check_spacing(*scene.fluid, marks);
-    check_periodic_pairs(*scene.fluid, marks);
-    check_walls(*scene.fluid, marks);
-    check_inlets(*scene.fluid, marks);
-    if (scene.fluid->taylor_green) check_taylor_green(*scene.fluid, marks);
-}
-
-namespace {
 
 void check_grading(const Fluid& fluid, const Marks& marks) {
     const auto& [lower, upper] = fluid.grading->uniform_m;
     for (std::size_t d = 0; d < 3; ++d) {
-        if (lower[d] >= 0 && lower[d] < upper[d] && upper[d] <= fluid.box_m[d]) continue;
-        refuse(
-            marks.value({"fluid", "grading", "uniform"}),
-            fmt::format("a uniform part from {} to {} along {}", format_si(lower[d], "m"),
-                        format_si(upper[d], "m"), axis_names[d]),
-            fmt::format("from 0 to the box's {}, in ascending order",
-                        format_si(fluid.box_m[d], "m")));
+        require(lower[d] >= 0 && lower[d] < upper[d] && upper[d] <= fluid.box_m[d],
+                marks.value({"fluid", "grading", "uniform"}),
+                fmt::format("a uniform part from {} to {} along {}", metres(lower[d]),
+                            metres(upper[d]), axis_names[d]),
+                fmt::format("from 0 to the box's {}, in ascending order",
+                            metres(fluid.box_m[d])));
     }
 }
 
-}  // namespace
-
-void check_openfoam(const Scene& scene, const Marks& marks) {
-    if (!scene.fluid) return;
-    const Fluid& fluid = *scene.fluid;
-    if (fluid.grading) check_grading(fluid, marks);
-    if (fluid.solver != FluidSolver::openfoam) return;
-    const auto not_there = [&](const Origin& where, const char* what) {
-        refuse(where, fmt::format("{} with fluid.solver openfoam", what),
-               "only with the solver lbm", "set solver: lbm, or leave it out");
+void check_openfoam(const Fluid& fluid, const Marks& marks) {
+    const auto not_there = [&](bool present, const Origin& where, const char* what) {
+        require(!present, where, fmt::format("{} with fluid.solver openfoam", what),
+                "only with the solver lbm", "set solver: lbm, or leave it out");
     };
-    if (!fluid.obstacles.empty())
-        not_there(marks.key({"fluid", "obstacles"}), "obstacles");
-    if (fluid.smagorinsky_constant > 0)
-        not_there(marks.key({"fluid", "smagorinsky"}), "smagorinsky");
-    if (fluid.taylor_green)
-        not_there(marks.key({"fluid", "taylor_green"}), "the Taylor-Green vortex");
+    not_there(!fluid.obstacles.empty(), marks.key({"fluid", "obstacles"}), "obstacles");
+    not_there(fluid.smagorinsky_constant > 0, marks.key({"fluid", "smagorinsky"}),
+              "smagorinsky");
+    not_there(fluid.taylor_green.has_value(), marks.key({"fluid", "taylor_green"}),
+              "the Taylor-Green vortex");
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
-        if (side.kind == BoundaryKind::pressure_outlet && side.patch)
-            not_there(
-                marks.value({"fluid", "boundaries", std::string(names<Face>[face])}),
-                "an outlet over a part of its side");
+        not_there(side.kind == BoundaryKind::pressure_outlet && side.patch,
+                  marks.value({"fluid", "boundaries", std::string(names<Face>[face])}),
+                  "an outlet over a part of its side");
     }
 }
-
-namespace {
 
 // The lattice's error grows with the square of the speed; beyond a quarter of a cell a
 // step (Mach 0.43) it is no longer a weakly compressible fluid.
-constexpr double most_lattice_speed = 0.25;
+constexpr double max_lattice_speed = 0.25;
 // OpenFOAM's implicit step is stable far beyond, but its explicit coupling is of first
 // order.
-constexpr double most_courant = 1;
+constexpr double max_courant = 1;
 // Above it walls slip.
-constexpr double most_tau = 2;
+constexpr double max_tau = 2;
 
 void check_speed(double speed, std::string_view what, const Origin& where,
                  const Fluid& fluid, double dt_s) {
-    const double most =
-        fluid.solver == FluidSolver::lbm ? most_lattice_speed : most_courant;
+    const double limit =
+        fluid.solver == FluidSolver::lbm ? max_lattice_speed : max_courant;
     const double cells = speed * dt_s / fluid.spacing_m;
-    if (cells <= most * (1 + 1e-9)) return;  // rounding is no fault
-    refuse(where,
-           fmt::format("{} {:.6g} m/s, which is {:.3g} cells a step", what, speed, cells),
-           fmt::format("at most {}", most),
-           fmt::format("take a step of at most {}",
-                       format_si(most * fluid.spacing_m / speed, "s")));
-}
-
-double length(const Vec3& v) {
-    return std::hypot(v[0], v[1], v[2]);
+    if (cells <= limit * (1 + 1e-9)) return;  // rounding is no fault
+    refuse(
+        where,
+        fmt::format("{} {:.6g} m/s, which is {:.3g} cells per step", what, speed, cells),
+        fmt::format("at most {}", limit),
+        fmt::format("take a step of at most {}",
+                    seconds(limit * fluid.spacing_m / speed)));
 }
 
 void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
@@ -264,89 +219,90 @@ std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
     const double factor = wanted / now;
     if (scene.time.step_s)
         return fmt::format("take time.step {} {}, or spacing {} {}",
-                           factor > 1 ? "above" : "below", format_si(dt_s * factor, "s"),
+                           factor > 1 ? "above" : "below", seconds(dt_s * factor),
                            factor > 1 ? "below" : "above",
-                           format_si(fluid.spacing_m / std::sqrt(factor), "m"));
+                           metres(fluid.spacing_m / std::sqrt(factor)));
     // With the step from the lattice speed, 3 nu dt / dx^2 = 3 nu u_lattice / (U dx).
     const double lattice_speed = fluid.lattice_speed * factor;
     const std::string spacing =
         fmt::format("spacing {} {}", factor > 1 ? "below" : "above",
-                    format_si(fluid.spacing_m / factor, "m"));
-    if (lattice_speed > most_lattice_speed) return "take " + spacing;
+                    metres(fluid.spacing_m / factor));
+    if (lattice_speed > max_lattice_speed) return "take " + spacing;
     return fmt::format("take lattice_speed {} {:.3g}, or {}",
                        factor > 1 ? "above" : "below", lattice_speed, spacing);
 }
 
 void check_relaxation(const Scene& scene, const Marks& marks, double dt_s) {
-    const auto relaxation = relaxation_time(scene);
-    if (!relaxation) return;
     const Fluid& fluid = *scene.fluid;
-    const double tau = *relaxation;
-    if (tau >= least_relaxation_time && tau <= most_tau) return;
-    const double wanted = tau < least_relaxation_time ? least_relaxation_time : most_tau;
+    const double tau = relaxation_time(scene).value_or(max_tau);
+    const double wanted = std::clamp(tau, min_relaxation_time, max_tau);
+    if (tau == wanted) return;
     refuse(marks.value({"fluid", "viscosity"}),
            fmt::format(
                "a relaxation time of {:.6g} (viscosity {:.6g} m2/s, step {}, spacing "
                "{})",
-               tau, fluid.viscosity_m2_s, format_si(dt_s, "s"),
-               format_si(fluid.spacing_m, "m")),
-           fmt::format("{} to {}", least_relaxation_time, most_tau),
+               tau, fluid.viscosity_m2_s, seconds(dt_s), metres(fluid.spacing_m)),
+           fmt::format("{} to {}", min_relaxation_time, max_tau),
            advice(scene, dt_s, tau - 0.5, wanted - 0.5));
 }
 
-}  // namespace
-
 void check_step(const Scene& scene, const Marks& marks) {
     const std::optional<double> dt_s = coupled_step_s(scene);
-    if (scene.fluid && !dt_s)
-        refuse(marks.value({"fluid"}), "neither time.step nor fluid.expected_speed",
-               "one of them, to set the coupled step",
-               "add expected_speed, the largest speed that the run should resolve");
+    require(!scene.fluid || dt_s, marks.value({"fluid"}),
+            "neither time.step nor fluid.expected_speed",
+            "one of them, to set the coupled step",
+            "add expected_speed, the largest speed that the run should resolve");
     if (!dt_s) return;
     // Rounding in lattice_speed * spacing / expected_speed is no fault.
-    if (*dt_s > scene.time.end_s * (1 + 1e-9))
-        refuse(marks.value({"time", "end"}),
-               fmt::format("the end {} before the first step of {}",
-                           format_si(scene.time.end_s, "s"), format_si(*dt_s, "s")),
-               "at least one step");
+    require(*dt_s <= scene.time.end_s * (1 + 1e-9), marks.value({"time", "end"}),
+            fmt::format("the end {} before the first step of {}",
+                        seconds(scene.time.end_s), seconds(*dt_s)),
+            "at least one step");
     if (!scene.fluid) return;
     check_speeds(scene, marks, *dt_s);
     check_relaxation(scene, marks, *dt_s);
 }
 
-namespace {
-
-constexpr const char* without = "take checkpoint.on_divergence: stop";
-
 }  // namespace
+
+void check_fluid(const Scene& scene, const Marks& marks) {
+    if (scene.fluid) {
+        const Fluid& fluid = *scene.fluid;
+        check_cells(fluid, marks);
+        check_spacing(fluid, marks);
+        check_periodic_pairs(fluid, marks);
+        check_sides(fluid, marks);
+        if (fluid.taylor_green) check_taylor_green(fluid, marks);
+        if (fluid.grading) check_grading(fluid, marks);
+        if (fluid.solver == FluidSolver::openfoam) check_openfoam(fluid, marks);
+    }
+    check_step(scene, marks);
+}
 
 std::string fault_of_half_step(const Scene& scene) {
     Scene half = scene;
     ++half.time.halvings;
     const auto tau = relaxation_time(half);
-    if (!tau || *tau >= least_relaxation_time) return {};
+    if (!tau || *tau >= min_relaxation_time) return {};
     return fmt::format("half of the step {} has a relaxation time of {:.6g}, below {}",
-                       format_si(*coupled_step_s(scene), "s"), *tau,
-                       least_relaxation_time);
+                       seconds(*coupled_step_s(scene)), *tau, min_relaxation_time);
 }
 
 void check_retry(const Scene& scene, const Marks& marks) {
     const Origin& here = marks.value({"checkpoint", "on_divergence"});
-    if (scene.fluid && scene.fluid->solver != FluidSolver::lbm)
-        refuse(here, "a retry with fluid.solver openfoam",
-               "it with the lattice-Boltzmann fluid, or bodies alone",
-               fmt::format("{}, and a smaller fluid.courant", without));
-    if (scene.fluid && !scene.bodies.empty() &&
-        scene.coupling->scheme != Scheme::serial) {
-        // Impulses under way, or what was learnt, belong to a step of the old length.
-        refuse(here, "a retry in a scheme that is not serial",
-               "it with coupling.scheme serial",
-               fmt::format("{}, and a smaller fluid.lattice_speed", without));
-    }
+    const std::string without = "take checkpoint.on_divergence: stop";
+    require(!scene.fluid || scene.fluid->solver == FluidSolver::lbm, here,
+            "a retry with fluid.solver openfoam",
+            "it with the lattice-Boltzmann fluid, or bodies alone",
+            without + ", and a smaller fluid.courant");
+    // Impulses under way, or what was learnt, belong to a step of the old length.
+    require(
+        !scene.fluid || scene.bodies.empty() || scene.coupling->scheme == Scheme::serial,
+        here, "a retry in a scheme that is not serial", "it with coupling.scheme serial",
+        without + ", and a smaller fluid.lattice_speed");
     const std::string fault = fault_of_half_step(scene);
-    if (!fault.empty())
-        refuse(here, "a retry though " + fault, "room for at least one half step",
-               fmt::format("{}, or a smaller fluid.spacing", without));
+    require(fault.empty(), here, "a retry though " + fault,
+            "room for at least one half step", without + ", or a smaller fluid.spacing");
 }
 
 }  // namespace magfsi::scene

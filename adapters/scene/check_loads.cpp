@@ -6,40 +6,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/scene/quantity.h"
-
 namespace magfsi::scene {
 
 namespace {
 
-void check_has_bodies(const Scene& scene, const Marks& marks, const std::string& effect) {
-    if (scene.bodies.empty())
-        refuse(marks.key({effect}), fmt::format("{} without bodies", effect),
-               "it with bodies only", "add the key \"bodies\" or remove this one");
-}
-
 void check_table(const FieldTable& table, const Marks& marks) {
-    const std::string field = "magnetic_field", name = "table";
+    const auto at = [&](const char* key) -> const Origin& {
+        return marks.value({"magnetic_field", "table", key});
+    };
     const std::size_t rows = table.time_s.size();
-    for (std::size_t i = 1; i < rows; ++i) {
-        if (table.time_s[i] > table.time_s[i - 1]) continue;
-        refuse(marks.value({field, name, "time"}),
-               fmt::format("the time {} after {}", format_si(table.time_s[i], "s"),
-                           format_si(table.time_s[i - 1], "s")),
-               "times that ascend");
-    }
-    if (table.magnitude_t.size() != rows)
-        refuse(marks.value({field, name, "magnitude"}),
-               fmt::format("{} magnitudes for {} times", table.magnitude_t.size(), rows),
-               "one magnitude a time");
-    if (table.direction_rad.size() != 1 && table.direction_rad.size() != rows)
-        refuse(
-            marks.value({field, name, "direction"}),
+    for (std::size_t i = 1; i < rows; ++i)
+        require(table.time_s[i] > table.time_s[i - 1], at("time"),
+                fmt::format("the time {} after {}", seconds(table.time_s[i]),
+                            seconds(table.time_s[i - 1])),
+                "times that ascend");
+    require(table.magnitude_t.size() == rows, at("magnitude"),
+            fmt::format("{} magnitudes for {} times", table.magnitude_t.size(), rows),
+            "one magnitude per time");
+    require(table.direction_rad.size() == 1 || table.direction_rad.size() == rows,
+            at("direction"),
             fmt::format("{} directions for {} times", table.direction_rad.size(), rows),
-            "one direction, or one a time");
-    if (table.repeat && rows < 2)
-        refuse(marks.value({field, name, "repeat"}), "repeat with one row",
-               "it with at least 2 rows");
+            "one direction, or one per time");
+    require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
+            "it with at least 2 rows");
 }
 
 // curl B = 0 and div B = 0 where no current flows.
@@ -52,119 +41,74 @@ void check_gradient(const GradientInput& gradient, const Marks& marks) {
             fault = std::max(fault, std::abs(g[i][j] - g[j][i]));
         }
     }
-    if (fault <= 1e-9 * largest) return;  // rounding of typed numbers is no fault
-    refuse(
-        marks.value({"magnetic_field", "gradient", "matrix"}),
+    // Rounding of typed numbers is no fault.
+    require(
+        fault <= 1e-9 * largest, marks.value({"magnetic_field", "gradient", "matrix"}),
         "a gradient that is not symmetric and traceless",
         "dB_i/dx_j = dB_j/dx_i with a sum of 0 on the diagonal (no current flows here)");
 }
 
-void check_magnetic_field(const Scene& scene, const Marks& marks) {
-    if (!scene.magnetic_field) return;
+void check_magnetic_field(const MagneticField& field, const Scene& scene,
+                          const Marks& marks) {
     const auto magnetized = [](const Body& body) {
         return body.magnetization.has_value();
     };
-    if (std::ranges::none_of(scene.bodies, magnetized))
-        refuse(marks.key({"magnetic_field"}), "magnetic_field without a magnetized body",
-               "it with at least one body that has a magnetization",
-               "add a magnetization or remove this key");
-    if (const auto* table = std::get_if<FieldTable>(&scene.magnetic_field->course))
+    require(std::ranges::any_of(scene.bodies, magnetized), marks.key({"magnetic_field"}),
+            "magnetic_field without a magnetized body",
+            "it with at least one body that has a magnetization",
+            "add a magnetization or remove this key");
+    if (const auto* table = std::get_if<FieldTable>(&field.course))
         check_table(*table, marks);
-    if (scene.magnetic_field->gradient)
-        check_gradient(*scene.magnetic_field->gradient, marks);
+    if (field.gradient) check_gradient(*field.gradient, marks);
 }
 
 void check_equilibrium(const Scene& scene, const Marks& marks) {
-    if (!scene.time.equilibrium) return;
-    const Origin& here = marks.key({"time", "equilibrium"});
-    if (scene.fluid)
-        refuse(here, "an equilibrium in a scene with a fluid", "it without a fluid",
-               "remove the key \"fluid\" (fluid= on the command line)");
-    check_has_bodies(scene, marks, "time");
-    if (scene.time.step_s)
-        refuse(marks.key({"time", "step"}), "a step in a scene of equilibria",
-               "time.step for motion", "the points of the path are the probe rows");
+    require(!scene.time.step_s, marks.key({"time", "step"}),
+            "a step in a scene of equilibria", "time.step for motion",
+            "the points of the path are the probe rows");
     if (scene.time.equilibrium->method != EquilibriumMethod::newton) return;
-    if (scene.magnetic_field && scene.magnetic_field->gradient)
-        refuse(marks.key({"magnetic_field", "gradient"}),
-               "a field gradient with the equilibrium method newton",
-               "it with the method dynamics", "take time.equilibrium.method: dynamics");
-    for (const auto& [present, name] :
-         {std::pair{scene.platform.has_value(), "platform"},
-          std::pair{scene.contact.has_value(), "contact"}}) {
-        if (present)
-            refuse(marks.key({name}),
-                   fmt::format("{} with the equilibrium method newton", name),
-                   "it with the method dynamics",
-                   "take time.equilibrium.method: dynamics");
-    }
-}
-
-void check_gravity(const Scene& scene, const Marks& marks) {
-    if (!scene.gravity) return;
-    check_has_bodies(scene, marks, "gravity");
-    const Vec3& d = scene.gravity->direction;
-    if (d == Vec3{})
-        refuse(marks.value({"gravity", "direction"}), "a direction of length 0",
-               "any other vector such as [0, 0, -1]");
+    const auto without = [&](bool present, Path key, const char* what) {
+        require(!present, marks.key(key),
+                fmt::format("{} with the equilibrium method newton", what),
+                "it with the method dynamics", "take time.equilibrium.method: dynamics");
+    };
+    without(scene.magnetic_field && scene.magnetic_field->gradient,
+            {"magnetic_field", "gradient"}, "a field gradient");
+    without(scene.platform.has_value(), {"platform"}, "platform");
+    without(scene.contact.has_value(), {"contact"}, "contact");
 }
 
 // Beside a body at rest a velocity that alternates from step to step decays for strengths
 // below 1/4 over the part, an eighth, by which the scheme draws it back: 2 in a volume of
 // markers. Above it runs converge in every step and gain energy all the same.
-constexpr double most_implicit_strength = 2;
+constexpr double max_implicit_strength = 2;
 
-void check_coupling(const Scene& scene, const Marks& marks) {
-    if (!scene.coupling) return;
-    if (!scene.fluid)
-        refuse(marks.key({"coupling"}), "coupling without a fluid",
-               "it with a fluid only", "add the key \"fluid\" or remove this one");
-    check_has_bodies(scene, marks, "coupling");
+void check_coupling(const Coupling& coupling, const Marks& marks) {
+    const Scheme scheme = coupling.scheme;
+    const auto& boundary = coupling.immersed_boundary;
     // The impulses of an iteration must act in the step whose slip they answer.
-    if (scene.coupling->immersed_boundary.iterations > 1 &&
-        scene.coupling->scheme != Scheme::serial)
-        refuse(marks.value({"coupling", "immersed_boundary", "iterations"}),
-               "iterations of the forcing outside the serial scheme",
-               "1 in other schemes", "take coupling.scheme: serial");
-    const Coupling& coupling = *scene.coupling;
-    if (coupling.iteration && coupling.scheme != Scheme::implicit)
-        refuse(marks.key({"coupling", "iteration"}),
-               fmt::format("iteration in the {} scheme", name_of(coupling.scheme)),
-               "it in the implicit scheme only",
-               "add scheme: implicit or remove this key");
-    if (coupling.scheme == Scheme::implicit &&
-        coupling.immersed_boundary.strength > most_implicit_strength)
-        refuse(marks.value({"coupling", "immersed_boundary", "strength"}),
-               fmt::format("strength {} in the implicit scheme",
-                           coupling.immersed_boundary.strength),
-               fmt::format("at most {} there", most_implicit_strength),
-               "take a smaller one, or coupling.scheme: serial");
-    if (coupling.scheme == Scheme::parallel &&
-        coupling.sampled_velocity == SampledVelocity::linear)
-        refuse(marks.value({"coupling", "sampled_velocity"}),
-               "sampled_velocity: linear in the parallel scheme",
-               "frozen, which there is the mean of the last two samples",
-               "remove this key or take another scheme");
+    require(boundary.iterations == 1 || scheme == Scheme::serial,
+            marks.value({"coupling", "immersed_boundary", "iterations"}),
+            "iterations of the forcing outside the serial scheme", "1 in other schemes",
+            "take coupling.scheme: serial");
+    require(!coupling.iteration || scheme == Scheme::implicit,
+            marks.key({"coupling", "iteration"}),
+            fmt::format("iteration in the {} scheme", name_of(scheme)),
+            "it in the implicit scheme only", "add scheme: implicit or remove this key");
+    require(scheme != Scheme::implicit || boundary.strength <= max_implicit_strength,
+            marks.value({"coupling", "immersed_boundary", "strength"}),
+            fmt::format("strength {} in the implicit scheme", boundary.strength),
+            fmt::format("at most {} there", max_implicit_strength),
+            "take a smaller one, or coupling.scheme: serial");
+    require(scheme != Scheme::parallel ||
+                coupling.sampled_velocity != SampledVelocity::linear,
+            marks.value({"coupling", "sampled_velocity"}),
+            "sampled_velocity: linear in the parallel scheme",
+            "frozen, which there is the mean of the last two samples",
+            "remove this key or take another scheme");
 }
 
-}  // namespace
-
-void check_loads(const Scene& scene, const Marks& marks) {
-    check_magnetic_field(scene, marks);
-    check_gravity(scene, marks);
-    if (scene.damping) check_has_bodies(scene, marks, "damping");
-    if (scene.platform) check_has_bodies(scene, marks, "platform");
-    check_platform(scene, marks);
-    if (scene.contact) check_has_bodies(scene, marks, "contact");
-    // Markers name atoms by their place on a rank; contact lets atoms change ranks.
-    if (scene.contact && scene.fluid)
-        refuse(marks.key({"contact"}), "contact of bodies in a fluid",
-               "contact without a fluid", "remove one of the two keys");
-    check_equilibrium(scene, marks);
-    check_coupling(scene, marks);
-}
-
-namespace {
+// --- the platform: one that no body can touch is a slip ----------------------------
 
 double dot(const Vec3& a, const Vec3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -177,7 +121,7 @@ double height_m(const Platform& platform, const Vec3& at_m) {
 }
 
 double half_diagonal_m(const Box& box) {
-    return 0.5 * std::hypot(box.size_m[0], box.size_m[1], box.size_m[2]);
+    return 0.5 * length(box.size_m);
 }
 
 Vec3 centre_m(const Body& body, const Box& box) {
@@ -213,12 +157,11 @@ void check_not_behind(const Scene& scene, const Marks& marks) {
         const auto* box = std::get_if<Box>(&body.mesh);
         if (!box) continue;
         const double height = height_m(*scene.platform, centre_m(body, *box));
-        if (height > -half_diagonal_m(*box)) continue;
-        refuse(marks.key({"platform"}),
-               fmt::format("a platform with \"{}\" {} behind it", body.name,
-                           format_si(-height, "m")),
-               "bodies on the side that its normal points to",
-               "turn platform.normal around, or move the body or platform.point");
+        require(height > -half_diagonal_m(*box), marks.key({"platform"}),
+                fmt::format("a platform with \"{}\" {} behind it", body.name,
+                            metres(-height)),
+                "bodies on the side that its normal points to",
+                "turn platform.normal around, or move the body or platform.point");
     }
 }
 
@@ -229,28 +172,52 @@ void check_in_box(const Scene& scene, const Marks& marks) {
     double lowest = height_m(*scene.platform, {});
     for (int i = 0; i < 3; ++i)
         lowest += std::min(0.0, scene.platform->normal[i] * box[i]);
-    if (lowest <= 0) return;
-    refuse(marks.key({"platform"}), "a platform outside the fluid box",
-           "one that a body in the box can touch",
-           "move platform.point into the box or remove the key");
+    require(lowest <= 0, marks.key({"platform"}), "a platform outside the fluid box",
+            "one that a body in the box can touch",
+            "move platform.point into the box or remove the key");
+}
+
+void check_platform(const Scene& scene, const Marks& marks) {
+    require(scene.platform->normal != Vec3{}, marks.value({"platform", "normal"}),
+            "a normal of length 0", "any other vector such as [0, 0, 1]");
+    check_not_behind(scene, marks);
+    check_in_box(scene, marks);
+    require(!std::ranges::all_of(scene.bodies,
+                                 [&](const Body& b) { return out_of_reach(scene, b); }),
+            marks.key({"platform"}), "a platform that no body can touch",
+            "one within reach of a body, or bodies that gravity or a field gradient "
+            "brings to it",
+            "move platform.point, add \"gravity\", or remove the key");
 }
 
 }  // namespace
 
-void check_platform(const Scene& scene, const Marks& marks) {
-    if (!scene.platform) return;
-    if (scene.platform->normal == Vec3{})
-        refuse(marks.value({"platform", "normal"}), "a normal of length 0",
-               "any other vector such as [0, 0, 1]");
-    check_not_behind(scene, marks);
-    check_in_box(scene, marks);
-    if (!std::ranges::all_of(scene.bodies,
-                             [&](const Body& body) { return out_of_reach(scene, body); }))
-        return;
-    refuse(marks.key({"platform"}), "a platform that no body can touch",
-           "one within reach of a body, or bodies that gravity or a field gradient "
-           "brings to it",
-           "move platform.point, add \"gravity\", or remove the key");
+void check_loads(const Scene& scene, const Marks& marks) {
+    const auto with_bodies = [&](bool present, const char* key) {
+        require_with(!present || !scene.bodies.empty(), marks.key({key}), key, "bodies",
+                     "add the key \"bodies\" or remove this one");
+        return present;
+    };
+    if (scene.magnetic_field) check_magnetic_field(*scene.magnetic_field, scene, marks);
+    if (with_bodies(scene.gravity.has_value(), "gravity"))
+        require(scene.gravity->direction != Vec3{}, marks.value({"gravity", "direction"}),
+                "a direction of length 0", "any other vector such as [0, 0, -1]");
+    with_bodies(scene.damping.has_value(), "damping");
+    if (with_bodies(scene.platform.has_value(), "platform")) check_platform(scene, marks);
+    with_bodies(scene.contact.has_value(), "contact");
+    // Markers name atoms by their place on a rank; contact lets atoms change ranks.
+    require(!scene.contact || !scene.fluid, marks.key({"contact"}),
+            "contact of bodies in a fluid", "contact without a fluid",
+            "remove one of the two keys");
+    const bool equilibrium = scene.time.equilibrium.has_value();
+    require(!equilibrium || !scene.fluid, marks.key({"time", "equilibrium"}),
+            "an equilibrium in a scene with a fluid", "it without a fluid",
+            "remove the key \"fluid\" (fluid= on the command line)");
+    if (with_bodies(equilibrium, "time")) check_equilibrium(scene, marks);
+    require_with(!scene.coupling || scene.fluid, marks.key({"coupling"}), "coupling",
+                 "a fluid", "add the key \"fluid\" or remove this one");
+    if (with_bodies(scene.coupling.has_value(), "coupling"))
+        check_coupling(*scene.coupling, marks);
 }
 
 }  // namespace magfsi::scene

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "adapters/scene/document.h"
+#include "adapters/scene/quantity.h"
 #include "adapters/scene/scene.h"
 
 namespace magfsi::scene {
@@ -23,12 +24,21 @@ class Marks {
     const Origin& key(Path path) const;
     // Entry i of the list at the path, or the value itself where it is no such list.
     const Origin& item(Path path, std::size_t i) const;
-    bool has(Path path) const;
 
   private:
     const Node& deepest(Path path) const;
     const Node* root_;
 };
+
+// Refuses unless it is fine.
+inline void require(bool fine, const Origin& where, std::string_view found,
+                    std::string_view allowed, std::string_view suggestion = {}) {
+    if (!fine) refuse(where, found, allowed, suggestion);
+}
+
+// Refuses a key of the scene without what it needs: "gravity without bodies".
+void require_with(bool there, const Origin& where, std::string_view what,
+                  std::string_view need, std::string_view suggestion = {});
 
 // Throws SceneError at the first fault. The scene is complete (wavelengths, coupling).
 void check_scene(const Scene& scene, const Marks& marks);
@@ -36,20 +46,16 @@ void check_scene(const Scene& scene, const Marks& marks);
 // Its parts, a source file each.
 void check_bodies(const Scene& scene, const Marks& marks);
 void check_loads(const Scene& scene, const Marks& marks);
-void check_platform(const Scene& scene, const Marks& marks);  // of scenes with bodies
 void check_fluid(const Scene& scene, const Marks& marks);
-void check_openfoam(const Scene& scene, const Marks& marks);
-void check_step(const Scene& scene, const Marks& marks);
-void check_outputs(const Scene& scene, const Marks& marks);
 void check_retry(const Scene& scene, const Marks& marks);
 
+double length(const Vec3& v);
+inline std::string metres(double value) {
+    return format_si(value, "m");
+}
+inline std::string seconds(double value) {
+    return format_si(value, "s");
+}
 double largest_speed_m_s(const PrescribedMotion& motion);
-
-// Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
-// what the face stands in.
-void check_face(const Body& body, const std::string& face, std::string_view list,
-                const Origin& here);
-
-void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks);
 
 }  // namespace magfsi::scene

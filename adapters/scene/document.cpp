@@ -53,32 +53,6 @@ Origin at(const YAML::Mark& mark, const Origin& whole) {
     return {whole.source, mark.line + 1, mark.column + 1};
 }
 
-class DocumentCounter : public YAML::EventHandler {
-  public:
-    explicit DocumentCounter(const Origin& whole) : whole_(whole) {}
-
-    void OnDocumentStart(const YAML::Mark& mark) override {
-        if (++documents_ == 2)
-            refuse(at(mark, whole_), "a second document", "one scene a file",
-                   "remove the line \"---\"");
-    }
-    void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                  const std::string&) override {}
-    void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                         YAML::EmitterStyle::value) override {}
-    void OnSequenceEnd() override {}
-    void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                    YAML::EmitterStyle::value) override {}
-    void OnMapEnd() override {}
-
-  private:
-    Origin whole_;
-    int documents_ = 0;
-};
-
 void check_encoding(const std::string& text, const Origin& whole) {
     const std::size_t fault = first_fault_in_utf8(text);
     if (fault == std::string::npos) return;
@@ -93,24 +67,6 @@ void check_encoding(const std::string& text, const Origin& whole) {
            "text in UTF-8");
 }
 
-}  // namespace
-
-void check_syntax(const std::string& text, const Origin& whole) {
-    check_encoding(text, whole);
-    DocumentCounter counter(whole);
-    try {
-        std::istringstream stream(text);
-        YAML::Parser parser(stream);
-        while (parser.HandleNextDocument(counter)) {
-        }
-    } catch (const YAML::Exception& error) {
-        refuse(at(error.mark, whole), fmt::format("no valid YAML ({})", error.msg),
-               "YAML: \"key: value\" with indentation by spaces");
-    }
-}
-
-namespace {
-
 // Builds the tree from yaml-cpp's events. YAML::Node would hide keys given twice and lose
 // the marks of keys.
 class Builder : public YAML::EventHandler {
@@ -119,7 +75,11 @@ class Builder : public YAML::EventHandler {
 
     Node take() { return std::move(root_); }
 
-    void OnDocumentStart(const YAML::Mark&) override {}
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (++documents_ == 2)
+            refuse(origin(mark), "a second document", "one scene a file",
+                   "remove the line \"---\"");
+    }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         add(Node::Type::null, mark, anchor, "");
@@ -158,15 +118,12 @@ class Builder : public YAML::EventHandler {
         Origin key_origin;
     };
 
-    Origin origin(const YAML::Mark& mark) const {
-        if (whole_.line == 0) return whole_;
-        return {whole_.source, mark.line + 1, mark.column + 1};
-    }
+    Origin origin(const YAML::Mark& mark) const { return at(mark, whole_); }
 
     // Aliases of aliases grow without bound; no scene needs this many nodes.
     void count(const Node& node, const YAML::Mark& mark) {
-        constexpr std::size_t most_nodes = 200'000;
-        if (++nodes_ > most_nodes)
+        constexpr std::size_t max_nodes = 200'000;
+        if (++nodes_ > max_nodes)
             refuse(origin(mark), "more than 200000 nodes after expansion of aliases",
                    "smaller scenes");
         for (const Node& child : node.children) count(child, mark);
@@ -241,6 +198,7 @@ class Builder : public YAML::EventHandler {
     std::vector<Level> levels_;
     std::map<YAML::anchor_t, Node> anchors_;
     std::size_t nodes_ = 0;
+    int documents_ = 0;
 };
 
 }  // namespace
@@ -258,11 +216,18 @@ Node* Node::find(std::string_view name) {
 }
 
 Node parse_document(const std::string& text, const Origin& whole) {
-    check_syntax(text, whole);
+    check_encoding(text, whole);
+    try {
+        YAML::LoadAll(text);  // faults of syntax are told first
+    } catch (const YAML::Exception& error) {
+        refuse(at(error.mark, whole), fmt::format("no valid YAML ({})", error.msg),
+               "YAML: \"key: value\" with indentation by spaces");
+    }
     Builder builder(whole);
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    parser.HandleNextDocument(builder);
+    while (parser.HandleNextDocument(builder)) {
+    }
     Node root = builder.take();
     if (root.type == Node::Type::null && root.origin.source.empty()) root.origin = whole;
     return root;

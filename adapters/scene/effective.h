@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "adapters/scene/scene.h"
@@ -35,7 +36,7 @@ std::optional<double> coupled_step_s(const Scene& scene);
 
 // The fluid's on its lattice: 3 nu dt / dx^2 + 1/2; empty without such a fluid. Below the
 // least the viscosity is lost in the scheme's own error.
-constexpr double least_relaxation_time = 0.5001;
+constexpr double min_relaxation_time = 0.5001;
 std::optional<double> relaxation_time(const Scene& scene);
 
 // Empty, or why a retry cannot halve the steps once more.
@@ -44,6 +45,8 @@ std::string fault_of_half_step(const Scene& scene);
 // Names of the effects in the order in which a step evaluates them.
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
+
+bool has_effect(const Scene& scene, std::string_view name);
 
 // The same, a line for each of the structure step, the coupled step, the fluid step and
 // the outputs: "fluid step: fluid, obstacles; absent: body force, ...".

@@ -1,6 +1,8 @@
 // The keys of scene.h itself.
 #include "adapters/scene/keys.h"
 
+#include <fmt/format.h>
+
 // The nesting below is that of the file.
 // clang-format off
 
@@ -133,9 +135,18 @@ void keys(Io& io, Scene& scene) {
 MAGFSI_KEYS_OF(Scene)
 // clang-format on
 
-std::string yaml_text(double value, const std::string& unit) {
+std::string yaml_text(const nlohmann::ordered_json& value, const std::string& unit) {
+    if (value.is_array()) {
+        std::string list;
+        for (const auto& item : value)
+            list += (list.empty() ? "[" : ", ") + yaml_text(item, unit);
+        return list + "]";
+    }
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_number_float()) return value.dump();
     const bool angle = unit == "rad";
-    std::string text = fmt::format("{}", angle ? value * 180 / std::numbers::pi : value);
+    std::string text = fmt::format(
+        "{}", angle ? value.get<double>() * 180 / std::numbers::pi : value.get<double>());
     const std::size_t zero = text.find("e-0");  // 1e-06 is 1e-6
     if (zero != std::string::npos) text.erase(zero + 2, 1);
     return unit.empty() ? text : fmt::format("{} {}", text, angle ? "deg" : unit);

@@ -1,7 +1,7 @@
 // The keys of the scene file, each said once. keys_*.cpp have one function a type of
 // options: keys(io, value) names every key with its unit, range and meaning, and the
 // member that it is stored in. Three visitors make the table of all keys from
-// it (describer.h), read a validated tree (TreeReader) and write a scene's values
+// it (Describer), read a validated tree (TreeReader) and write a scene's values
 // (JsonWriter). A key's kind and layout follow from the type of its member, and so does
 // its default.
 #pragma once
@@ -13,12 +13,245 @@
 #include <utility>
 #include <variant>
 
-#include "adapters/scene/describer.h"
+#include "adapters/scene/field.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::scene {
 
 // The whole scene as a group without a name.
 const Field& scene_fields();
+
+template <class E>
+concept Named = std::is_enum_v<E>;
+template <class T>
+concept HasName = requires(T item) {
+    item.name;
+};
+
+// Integers that stand for words: "x" and "xz".
+struct AxisRef {
+    int& axis;
+};
+struct PlaneRef {
+    std::array<int, 2>& axes;
+};
+
+// --- writing ------------------------------------------------------------------------
+
+// Values in SI under the scene file's keys; what is absent has no key.
+class JsonWriter {
+  public:
+    template <class T>
+    static nlohmann::ordered_json of(T& value) {
+        JsonWriter writer;
+        writer.write(value);
+        return std::move(writer.json_);
+    }
+
+    template <class T>
+    void operator()(const Field& key, T&& value) {
+        if constexpr (std::is_arithmetic_v<std::decay_t<T>>) {
+            if (key.presence == Presence::optional && !key.has_default && value == 0)
+                return;
+        }
+        add(key.name, of(value));
+    }
+
+    template <class Body>
+    void group(const Field& key, bool there, const Body& body) {
+        if (!there) return;
+        JsonWriter inner;
+        body(inner);
+        add(key.name, std::move(inner.json_));
+    }
+
+    template <class... T, class... Keys>
+    void alternatives(std::variant<T...>& value, const Keys&... keys) {
+        const Field* list[] = {&keys...};
+        std::visit([&](auto& chosen) { (*this)(*list[value.index()], chosen); }, value);
+    }
+    template <class... T, class... Keys>
+    void alternatives(std::optional<std::variant<T...>>& value, const Keys&... keys) {
+        if (value) alternatives(*value, keys...);
+    }
+
+    template <Named E, class Body>
+    void word_with_map(E& value, E word, std::string_view, bool there, const Body& body) {
+        if (value != word || !there) return;
+        json_ = nullptr;
+        group(key(name_of(word), ""), true, body);
+    }
+
+    template <class T>
+    void whole(T&& value) {
+        write(value);
+    }
+
+  private:
+    void add(const std::string& name, nlohmann::ordered_json value) {
+        if (!value.is_null()) json_[name] = std::move(value);
+    }
+
+    template <class T>
+    requires std::is_arithmetic_v<T> || std::is_same_v<T, std::string>
+    void write(T& value) { json_ = value; }
+    template <Named E>
+    void write(E& value) {
+        json_ = name_of(value);
+    }
+    void write(AxisRef& value) {
+        json_ = axis_names[static_cast<std::size_t>(value.axis)];
+    }
+    void write(PlaneRef& value) {
+        for (const std::string_view plane : plane_names) {
+            if (plane[0] - 'x' == value.axes[0] && plane[1] - 'x' == value.axes[1])
+                json_ = plane;
+        }
+    }
+    template <class T>
+    void write(std::optional<T>& value) {
+        if (value) write(*value);
+    }
+    template <class List>
+    void write_list(List& list) {
+        json_ = nlohmann::ordered_json::array();
+        for (auto& item : list) json_.push_back(of(item));
+    }
+    template <class T, std::size_t N>
+    void write(std::array<T, N>& value) {
+        write_list(value);
+    }
+    template <class T>
+    void write(std::vector<T>& value) {
+        if constexpr (HasName<T>) {
+            for (T& item : value) (*this)(key(item.name, ""), item);
+        } else if (!value.empty()) {
+            write_list(value);
+        }
+    }
+    template <class T>
+    void write(T& value) {
+        keys(*this, value);
+    }
+
+    nlohmann::ordered_json json_;
+};
+
+// --- the table ----------------------------------------------------------------------
+
+// A default as it stands in YAML.
+std::string yaml_text(const nlohmann::ordered_json& value, const std::string& unit);
+
+// Makes the table of keys, with defaults from the members.
+class Describer {
+  public:
+    explicit Describer(Field& field) : field_(&field) {}
+
+    template <class T>
+    void operator()(Field key, T&& value) {
+        if (key.has_default) key.fallback = yaml_text(JsonWriter::of(value), key.unit);
+        Describer(key).describe(value);
+        field_->children.push_back(std::move(key));
+    }
+
+    // Keys of a map that is no type of its own; there: whether the map is written.
+    template <class Body>
+    void group(Field key, bool, const Body& body) {
+        Describer inner(key);
+        body(inner);
+        field_->children.push_back(std::move(key));
+    }
+
+    // Exactly one of the keys, for each type of the variant in its order.
+    template <class... T, class... Keys>
+    void alternatives(std::variant<T...>&, Keys... keys) {
+        (alternative<T>(std::move(keys), Presence::alternative), ...);
+    }
+    // At most one.
+    template <class... T, class... Keys>
+    void alternatives(std::optional<std::variant<T...>>&, Keys... keys) {
+        (alternative<T>(std::move(keys), Presence::optional_alternative), ...);
+    }
+
+    // A word that may stand alone (whole) or carry a map of keys.
+    template <Named E, class Body>
+    void word_with_map(E&, E word, std::string_view doc, bool, const Body& body) {
+        group(key(name_of(word), doc), true, body);
+    }
+
+    // This place itself.
+    template <class T>
+    void whole(T&& value) {
+        describe(value);
+    }
+
+  private:
+    template <class T>
+    void alternative(Field key, Presence presence) {
+        T value{};
+        key.presence = presence;
+        (*this)(std::move(key), value);
+    }
+
+    void leaf(Kind kind) {
+        if (field_->kind == Kind::group) field_->kind = kind;
+    }
+    void describe(double&) { leaf(Kind::quantity); }
+    void describe(int&) { leaf(Kind::integer); }
+    void describe(bool&) { leaf(Kind::boolean); }
+    void describe(std::string&) { leaf(Kind::text); }
+    template <std::size_t N>
+    void words(const std::array<std::string_view, N>& list) {
+        leaf(Kind::choice);
+        field_->choices.assign(list.begin(), list.end());
+    }
+    template <Named E>
+    void describe(E&) {
+        words(names<E>);
+    }
+    void describe(AxisRef&) { words(axis_names); }
+    void describe(PlaneRef&) { words(plane_names); }
+
+    template <class T>
+    void describe(std::optional<T>&) {
+        if (field_->presence == Presence::required) field_->presence = Presence::optional;
+        T value{};
+        describe(value);
+    }
+    template <class T, std::size_t N>
+    void describe(std::array<T, N>& value) {
+        describe(value[0]);
+        field_->layout = Layout::vector;
+        field_->length = field_->count_min = field_->count_max = N;
+    }
+    template <std::size_t N, std::size_t M>
+    void describe(std::array<std::array<double, N>, M>& value) {
+        describe(value[0]);
+        field_->layout = Layout::rows;
+        field_->count_min = field_->count_max = M;
+    }
+    template <std::size_t N>
+    void describe(std::vector<std::array<double, N>>&) {
+        leaf(Kind::quantity);
+        field_->layout = Layout::rows;
+        field_->length = N;
+    }
+    template <class T>
+    void describe(std::vector<T>&) {
+        T item{};
+        describe(item);
+        if (!is_leaf(*field_))
+            field_->kind = HasName<T> ? Kind::named : Kind::list;
+        else if (field_->layout == Layout::single)
+            field_->layout = Layout::list;
+    }
+    template <class T>
+    void describe(T& value) {
+        keys(*this, value);
+    }
+
+    Field* field_;
+};
 
 // --- reading ------------------------------------------------------------------------
 
@@ -51,10 +284,6 @@ class TreeReader {
         (alternative<T>(value, keys), ...);
     }
 
-    template <Named E>
-    void word(E& value) {
-        if (node_->type == Node::Type::scalar) read(value);
-    }
     template <Named E, class Body>
     void word_with_map(E& value, E word, std::string_view, bool, const Body& body) {
         const Node* map = node_->find(name_of(word));
@@ -66,7 +295,8 @@ class TreeReader {
 
     template <class T>
     void whole(T&& value) {
-        read(value);
+        // Of a word with a map, word_with_map.
+        if (!Named<std::decay_t<T>> || node_->type == Node::Type::scalar) read(value);
     }
 
   private:
@@ -143,106 +373,6 @@ class TreeReader {
 
     const Node* node_;
     const Field* field_;
-};
-
-// --- writing ------------------------------------------------------------------------
-
-// Values in SI under the scene file's keys; what is absent has no key.
-class JsonWriter {
-  public:
-    nlohmann::ordered_json take() { return std::move(json_); }
-
-    template <class T>
-    void operator()(const Field& key, T&& value) {
-        if constexpr (std::is_arithmetic_v<std::decay_t<T>>) {
-            if (key.presence == Presence::optional && !key.has_default && value == 0)
-                return;
-        }
-        JsonWriter inner;
-        inner.write(value);
-        add(key.name, std::move(inner));
-    }
-
-    template <class Body>
-    void group(const Field& key, bool there, const Body& body) {
-        if (!there) return;
-        JsonWriter inner;
-        body(inner);
-        add(key.name, std::move(inner));
-    }
-
-    template <class... T, class... Keys>
-    void alternatives(std::variant<T...>& value, const Keys&... keys) {
-        const Field* list[] = {&keys...};
-        std::visit([&](auto& chosen) { (*this)(*list[value.index()], chosen); }, value);
-    }
-    template <class... T, class... Keys>
-    void alternatives(std::optional<std::variant<T...>>& value, const Keys&... keys) {
-        if (value) alternatives(*value, keys...);
-    }
-
-    template <Named E>
-    void word(E& value) {
-        write(value);
-    }
-    template <Named E, class Body>
-    void word_with_map(E& value, E word, std::string_view, bool there, const Body& body) {
-        if (value != word || !there) return;
-        json_ = nullptr;
-        group(key(name_of(word), ""), true, body);
-    }
-
-    template <class T>
-    void whole(T&& value) {
-        write(value);
-    }
-
-  private:
-    void add(const std::string& name, JsonWriter inner) {
-        if (!inner.json_.is_null()) json_[name] = std::move(inner.json_);
-    }
-
-    void write(double& value) { json_ = value; }
-    void write(int& value) { json_ = value; }
-    void write(bool& value) { json_ = value; }
-    void write(std::string& value) { json_ = value; }
-    template <Named E>
-    void write(E& value) {
-        json_ = name_of(value);
-    }
-    void write(AxisRef& value) { json_ = yaml_text(value, ""); }
-    void write(PlaneRef& value) { json_ = yaml_text(value, ""); }
-    template <class T>
-    void write(std::optional<T>& value) {
-        if (value) write(*value);
-    }
-    template <class List>
-    void write_list(List& list) {
-        json_ = nlohmann::ordered_json::array();
-        for (auto& item : list) {
-            JsonWriter inner;
-            inner.write(item);
-            json_.push_back(std::move(inner.json_));
-        }
-    }
-    template <class T, std::size_t N>
-    void write(std::array<T, N>& value) {
-        write_list(value);
-    }
-    template <class T>
-    void write(std::vector<T>& value) {
-        if constexpr (HasName<T>) {
-            for (T& item : value) (*this)(key(item.name, ""), item);
-        } else if (!value.empty()) {
-            write_list(value);
-        }
-    }
-    template <class T>
-    void write(T& value) {
-        keys(*this, value);
-    }
-
-    nlohmann::ordered_json json_;
 };
 
 // --- the keys of each part, a source file each --------------------------------------

@@ -28,7 +28,7 @@ void patch_keys(Io& io, Boundary& side) {
 
 template <class Io>
 void keys(Io& io, Boundary& side) {
-    io.word(side.kind);
+    io.whole(side.kind);
     io.word_with_map(side.kind, BoundaryKind::no_slip, "Moving wall.",
                      side.wall_velocity_m_s != Vec3{}, [&](auto& wall) {
         wall(quantity("velocity", "m/s", "Along the wall."), side.wall_velocity_m_s);

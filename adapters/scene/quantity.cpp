@@ -227,8 +227,7 @@ const Named* find(const Dimension& dimension) {
     return nullptr;
 }
 
-}  // namespace
-
+// "a length", "a density"; a product of base units for what has no name here.
 std::string dimension_name(const Dimension& dimension) {
     if (const Named* entry = find(dimension)) return std::string(entry->name);
     constexpr std::string_view base[] = {"kg", "m", "s", "A", "rad"};
@@ -239,10 +238,7 @@ std::string dimension_name(const Dimension& dimension) {
     return "a quantity in" + product;
 }
 
-std::string dimension_example(const Dimension& dimension) {
-    const Named* entry = find(dimension);
-    return entry ? std::string(entry->example) : "";
-}
+}  // namespace
 
 std::string format_si(double value, std::string_view si_unit) {
     const bool takes_prefix = si_unit == "m" || si_unit == "s" || si_unit == "Pa" ||
@@ -266,10 +262,6 @@ struct Number {
     std::string_view rest;  // the unit
 };
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 std::string_view trim(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return {};
@@ -278,32 +270,21 @@ std::string_view trim(std::string_view text) {
 
 // False when the text does not start with a decimal number.
 bool split(std::string_view text, Number& number) {
-    std::size_t at = 0;
-    if (at < text.size() && (text[at] == '+' || text[at] == '-')) {
-        if (text[at] == '-') number.mantissa = '-';
-        ++at;
-    }
-    bool digits = false;
-    for (bool point = false; at < text.size(); ++at) {
-        if (text[at] == '.' && !point) {
-            point = true;
-        } else if (is_digit(text[at])) {
-            digits = true;
-        } else {
-            break;
-        }
-        number.mantissa += text[at];
-    }
-    if (!digits) return false;
-    if (at + 1 < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-        const char* begin = text.data() + at + 1 + (text[at + 1] == '+' ? 1 : 0);
-        const auto [end, error] =
-            std::from_chars(begin, text.data() + text.size(), number.exponent);
-        if (error == std::errc::result_out_of_range) return false;
-        if (error == std::errc{}) at = static_cast<std::size_t>(end - text.data());
-    }
-    number.rest = trim(text.substr(at));
-    return true;
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    const std::size_t sign = text.starts_with('-') ? 1 : 0;
+    // from_chars takes words such as inf, too.
+    if (text.find_first_of("0123456789.", sign) != sign) return false;
+    double value = 0;
+    const char* begin = text.data();
+    const char* end = std::from_chars(begin, begin + text.size(), value).ptr;
+    if (end == begin) return false;
+    const std::string_view written(begin, end);
+    const std::size_t e = written.find_first_of("eE");
+    number.mantissa = written.substr(0, e);
+    number.rest = trim(text.substr(written.size()));
+    if (e == std::string_view::npos) return true;
+    const char* digits = begin + e + (written[e + 1] == '+' ? 2 : 1);
+    return std::from_chars(digits, end, number.exponent).ec == std::errc{};
 }
 
 template <class Float>
@@ -324,8 +305,9 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
 std::string dimension_expectation(std::string_view si_unit) {
     if (si_unit == "%") return "a share such as 3 %";
     const Dimension dimension = parse_unit(si_unit).dimension;
+    const Named* entry = find(dimension);
     return fmt::format("{} such as {}", dimension_name(dimension),
-                       dimension_example(dimension));
+                       entry ? entry->example : "");
 }
 
 double parse_quantity(std::string_view raw, std::string_view si_unit) {

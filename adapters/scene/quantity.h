@@ -24,11 +24,6 @@ struct Unit {
 // divides by the next factor only, and no product may follow it. Throws Complaint.
 Unit parse_unit(std::string_view text);
 
-// "a length", "a density"; a product of base units for what has no name here.
-std::string dimension_name(const Dimension& dimension);
-// A typical quantity of the dimension, "0.2 mm"; "" when there is none.
-std::string dimension_example(const Dimension& dimension);
-
 // SI value with a handy prefix, "200 um", "17 mT", "1860 kg/m3".
 std::string format_si(double value, std::string_view si_unit);
 

@@ -81,8 +81,6 @@ void clear_checkpoints_after(const fs::path& folder, std::int64_t newest) {
     });
 }
 
-namespace fs = std::filesystem;
-
 namespace {
 
 void check_scene_of(const fs::path& file, const StateHeader& header,
@@ -97,8 +95,8 @@ void check_scene_of(const fs::path& file, const StateHeader& header,
 void check_end(const fs::path& file, const StateHeader& header, const RunPlan& plan) {
     if (header.step <= Clock(header.step_s, plan.end_s).steps()) return;
     throw std::invalid_argument(fmt::format(
-        "--restart: {} is of {:.6g} s, the run ends at {:.6g} s; give a later "
-        "time.end, or an earlier checkpoint's file",
+        "--restart: {} is of {:.6g} s, the run ends at {:.6g} s; give a later time.end, "
+        "or an earlier checkpoint's file",
         file.string(), static_cast<double>(header.step) * header.step_s, plan.end_s));
 }
 

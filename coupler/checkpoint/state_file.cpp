@@ -77,12 +77,31 @@ hid_t checked(hid_t returned, const std::string& what) {
     throw Hdf5Error(what + ": " + reason);
 }
 
+using Sizes = std::vector<hsize_t>;
+
+// A block of a table, and memory of its size.
+struct Block {
+    Hdf5Handle memory, place;
+};
+
+Block block_of(hid_t table, const Sizes& start, const Sizes& count) {
+    Block block{
+        {checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                 "block"),
+         &H5Sclose},
+        {checked(H5Dget_space(table), "block"), &H5Sclose}};
+    checked(H5Sselect_hyperslab(block.place.get(), H5S_SELECT_SET, start.data(), nullptr,
+                                count.data(), nullptr),
+            "block");
+    return block;
+}
+
 }  // namespace
 
 struct StateWriter::Files {
     Hdf5Handle file;
     Hdf5Handle table;  // the one that planes go to
-    std::vector<hsize_t> shape;
+    Sizes shape;
 };
 
 namespace {
@@ -109,9 +128,8 @@ Hdf5Handle create_file(const std::string& path) {
 }
 
 // One chunk a plane with a checksum: damage is found when it is read.
-Hdf5Handle create_table(hid_t file, const std::string& name,
-                        const std::vector<hsize_t>& shape,
-                        const std::vector<hsize_t>& chunk, hid_t type) {
+Hdf5Handle create_table(hid_t file, const std::string& name, const Sizes& shape,
+                        const Sizes& chunk, hid_t type) {
     const auto rank = static_cast<int>(shape.size());
     const Hdf5Handle space(checked(H5Screate_simple(rank, shape.data(), nullptr), name),
                            &H5Sclose);
@@ -160,7 +178,7 @@ StateWriter::~StateWriter() {
 void StateWriter::table(const std::string& name, std::span<const double> values,
                         std::vector<std::size_t> shape) {
     if (values.empty()) return;
-    const std::vector<hsize_t> sizes(shape.begin(), shape.end());
+    const Sizes sizes(shape.begin(), shape.end());
     guarded([&] {
         const Hdf5Handle data =
             create_table(files_->file.get(), name, sizes, sizes, H5T_IEEE_F64LE);
@@ -173,7 +191,7 @@ void StateWriter::table(const std::string& name, std::span<const double> values,
 void StateWriter::begin_table(const std::string& name, std::vector<std::size_t> shape,
                               StoredAs stored_as) {
     files_->shape.assign(shape.begin(), shape.end());
-    std::vector<hsize_t> chunk = files_->shape;
+    Sizes chunk = files_->shape;
     chunk[0] = 1;
     guarded([&] {
         files_->table =
@@ -183,20 +201,14 @@ void StateWriter::begin_table(const std::string& name, std::vector<std::size_t> 
 }
 
 void StateWriter::plane(std::size_t index, std::span<const double> values) {
-    std::vector<hsize_t> start(files_->shape.size(), 0), count = files_->shape;
+    Sizes start(files_->shape.size(), 0), count = files_->shape;
     start[0] = index;
     count[0] = 1;
-    const auto rank = static_cast<int>(count.size());
     guarded([&] {
-        const Hdf5Handle memory(
-            checked(H5Screate_simple(rank, count.data(), nullptr), "plane"), &H5Sclose);
-        const Hdf5Handle place(checked(H5Dget_space(files_->table.get()), "plane"),
-                               &H5Sclose);
-        checked(H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr,
-                                    count.data(), nullptr),
-                "plane");
-        checked(H5Dwrite(files_->table.get(), H5T_NATIVE_DOUBLE, memory.get(),
-                         place.get(), H5P_DEFAULT, values.data()),
+        const hid_t table = files_->table.get();
+        const Block block = block_of(table, start, count);
+        checked(H5Dwrite(table, H5T_NATIVE_DOUBLE, block.memory.get(), block.place.get(),
+                         H5P_DEFAULT, values.data()),
                 "plane");
     });
 }
@@ -215,8 +227,6 @@ struct StateReader::Files {
 };
 
 namespace {
-
-using Sizes = std::vector<hsize_t>;
 
 // Numbers; a larger table is one of planes (StateWriter::begin_table).
 constexpr std::size_t largest_at_once = std::size_t{1} << 24;
@@ -244,17 +254,10 @@ Sizes sizes_of(hid_t table) {
 }
 
 void read_block(hid_t table, const Sizes& start, const Sizes& count, double* out) {
-    const Hdf5Handle memory(
-        checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                "block"),
-        &H5Sclose);
-    const Hdf5Handle place(checked(H5Dget_space(table), "block"), &H5Sclose);
-    checked(H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr,
-                                count.data(), nullptr),
+    const Block block = block_of(table, start, count);
+    checked(H5Dread(table, H5T_NATIVE_DOUBLE, block.memory.get(), block.place.get(),
+                    H5P_DEFAULT, out),
             "block");
-    checked(
-        H5Dread(table, H5T_NATIVE_DOUBLE, memory.get(), place.get(), H5P_DEFAULT, out),
-        "block");
 }
 
 herr_t collect_name(hid_t, const char* name, const H5L_info_t*, void* names) {

@@ -80,10 +80,10 @@ void check_header(std::span<const double> message, const Occasion& when,
     const auto got_markers = static_cast<std::size_t>(message[2]);
     const bool now = got.step == when.step && got.iteration == when.iteration;
     if (now && got_markers == markers) return;
-    throw PartnerLost(fmt::format(
-        "the two sides are out of step: a message of {} carries {} with {} markers, "
-        "expected {} with {}",
-        sender, in_words(got), got_markers, in_words(when), markers));
+    throw PartnerLost(
+        fmt::format("the two sides are out of step: a message of {} carries {} with {} "
+                    "markers, expected {} with {}",
+                    sender, in_words(got), got_markers, in_words(when), markers));
 }
 
 bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& point_m) {

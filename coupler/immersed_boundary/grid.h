@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "grid/cells.h"
+
 namespace magfsi::coupler {
 
 using Vec3 = std::array<double, 3>;
@@ -17,15 +19,8 @@ auto flat(Vectors&& v) {
     return std::span(v.empty() ? nullptr : v.front().data(), 3 * v.size());
 }
 
-// Half-open box of cells in global indices.
-struct CellBox {
-    std::array<int, 3> lo{}, hi{};
-};
-
-// Cells x_begin <= x < x_end of one row, global indices.
-struct GridRow {
-    int y = 0, z = 0, x_begin = 0, x_end = 0;
-};
+using magfsi::CellBox;
+using GridRow = magfsi::CellRow;
 
 struct Grid {
     double spacing_m = 0;

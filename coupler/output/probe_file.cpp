@@ -19,10 +19,10 @@ std::vector<std::string> checked(std::vector<std::string> columns) {
     std::set<std::string> seen{time_column};
     for (const auto& name : columns) {
         if (name.empty() || name.find_first_of(",\"\r\n") != std::string::npos)
-            throw std::invalid_argument(fmt::format(
-                "probe column '{}': a name must not be empty nor hold a comma, "
-                "a quote or a line break",
-                name));
+            throw std::invalid_argument(
+                fmt::format("probe column '{}': a name must not be empty nor hold a "
+                            "comma, a quote or a line break",
+                            name));
         if (!seen.insert(name).second)
             throw std::invalid_argument(
                 fmt::format("probe column '{}' is there twice; names must differ", name));

@@ -84,8 +84,7 @@ std::string AppendedArrays::add(std::string_view name, std::string_view type,
     offset_bytes_ += sizeof(std::uint64_t) + data.size();
     return fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
-        "format=\"appended\" "
-        "offset=\"{}\"/>\n",
+        "format=\"appended\" offset=\"{}\"/>\n",
         type, xml_escaped(name), components, offset);
 }
 

@@ -11,7 +11,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "coupler/output/summary.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/world.h"
 
@@ -49,6 +48,17 @@ ParticipantArguments parse_arguments(int argc, char** argv,
         throw std::invalid_argument(error.what());
     }
     return a;
+}
+
+output::Summary summary_of(const RunState& state) {
+    output::Summary summary;
+    summary.scene = state.plan.name;
+    summary.scene_hash = state.plan.scene_hash;
+    summary.effects = state.plan.effects;
+    summary.absent_effects = state.plan.absent_effects;
+    summary.steps = state.step;
+    summary.simulated_s = state.time_s;
+    return summary;
 }
 
 std::filesystem::path default_out(const std::string& scene_name) {
@@ -93,15 +103,9 @@ void write_failure(const RunState& state, const Ending& ending) {
     // Told to end because another process failed: that one has named the cause already.
     const bool told = ending.outcome == output::Outcome::stopped;
     if (told && std::filesystem::exists(state.out / "summary.json")) return;
-    output::Summary summary;
-    summary.scene = state.plan.name;
-    summary.scene_hash = state.plan.scene_hash;
+    output::Summary summary = summary_of(state);
     summary.outcome = ending.outcome;
     summary.cause = ending.cause;
-    summary.effects = state.plan.effects;
-    summary.absent_effects = state.plan.absent_effects;
-    summary.steps = state.step;
-    summary.simulated_s = state.time_s;
     try {
         // Both sides may end at the same moment: each writes a file of its own first.
         const auto mine = state.out / fmt::format("summary.{}.json", ::getpid());

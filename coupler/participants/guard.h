@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupler/output/log.h"
+#include "coupler/output/summary.h"
 #include "coupler/participants/run_plan.h"
 
 namespace magfsi::coupler {
@@ -42,6 +43,9 @@ struct RunState {
     double time_s = 0;
     bool started = false;  // the run folder exists and is ours
 };
+
+// What a summary says of it, however it ends.
+output::Summary summary_of(const RunState& state);
 
 using ParticipantBody = std::function<void(const ParticipantArguments&, RunState&)>;
 

@@ -1,5 +1,6 @@
-// What both participants do alike before the first step: find the partner, agree with it,
-// claim the run folder.
+// One participant's part in a run: its partner, the plan, the clock, the run folder and
+// the checkpoint to go on from. Both participants start alike: they find each other,
+// check that they agree, and take over the run folder.
 #pragma once
 
 #include <spdlog/logger.h>
@@ -16,36 +17,40 @@ namespace magfsi::coupler {
 
 class Session {
   public:
-    // Puts plan and run folder into state and joins the world. Throws PartnerLost.
+    // Joins the partner's processes (World). Writes plan and run folder into `state`,
+    // from which the guard reports a run that fails. Throws PartnerLost.
     Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
             RunState& state);
 
-    // step_s: the coupled step. Finds the checkpoint that was asked for, shakes hands,
-    // makes the run folder and, on the lead, its log. Throws std::invalid_argument on a
-    // checkpoint that this run cannot go on from.
+    // step_s: the coupled time step. Reads the header of the checkpoint that the user
+    // asked for, compares scene and steps with the partner, and makes the run folder; the
+    // leading process (World::leads) opens the log. Throws std::invalid_argument on a
+    // checkpoint that this run cannot continue, PartnerLost where the two sides differ.
     void begin(double step_s);
 
     const World& world() const { return world_; }
+    const RunState& state() const { return state_; }
     const RunPlan& plan() const { return state_.plan; }
     const std::filesystem::path& out() const { return state_.out; }
     Clock& clock() { return *clock_; }
     const Clock& clock() const { return *clock_; }
     double timeout_s() const;
 
-    // The checkpoint that this run goes on from; null when it starts anew.
+    // The checkpoint that this run continues; null for a run from time 0.
     const RestartPoint* restart() const { return restart_ ? &*restart_ : nullptr; }
 
-    // Ends the step loop in order; the summary names the cause.
+    // Ends the run after this step, with all its files complete; the summary names the
+    // cause.
     void stop(const std::string& cause) { stop_cause_ = cause; }
     const std::optional<std::string>& stop_cause() const { return stop_cause_; }
     bool running() const { return !clock_->done() && !stop_cause_; }
 
-    // Writes to the lead's log; nothing elsewhere.
+    // Writes a line to run.log, on the leading process; does nothing on the others.
     void log(const std::string& line) const;
     spdlog::logger* logger() const { return logger_.get(); }
 
-    // Ends a step: counts it, and throws Stopped when a signal came that the
-    // scene has no checkpoint for.
+    // At the end of each coupled step: advances the clock. Throws Stopped after a signal
+    // to end, unless checkpoints answer it (postpone_stop).
     void complete_step();
 
   private:

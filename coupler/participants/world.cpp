@@ -46,20 +46,18 @@ World::World(Role self, bool partner_expected) : self_(self) {
     MPI_Allgather(&mine, 1, MPI_INT, roles.data(), 1, MPI_INT, MPI_COMM_WORLD);
     const int partner = first_rank(roles, other());
     if (partner < 0 && partner_expected) {
-        throw PartnerLost(fmt::format(
-            "{0} was started without its partner: the scene couples structure and fluid, "
-            "and "
-            "no {1} process is in this MPI job; start both in one mpirun (mpirun -n 1 "
-            "magfsi-structure SCENE : -n 1 magfsi-fluid-lbm SCENE) or use ./magfsi run "
-            "SCENE",
-            to_string(self_), to_string(other())));
+        throw PartnerLost(
+            fmt::format("{0} was started without its partner: the scene couples "
+                        "structure and fluid, and no {1} process is in this MPI job; "
+                        "start both in one mpirun (mpirun -n 1 magfsi-structure SCENE : "
+                        "-n 1 magfsi-fluid-lbm SCENE) or use ./magfsi run SCENE",
+                        to_string(self_), to_string(other())));
     }
     if (partner >= 0 && !partner_expected) {
-        throw PartnerLost(
-            fmt::format("a {1} process was started beside the {0}, but the {0}'s scene "
-                        "has no {1}: start "
-                        "only magfsi's {0}, or give both sides the same scene",
-                        to_string(self_), to_string(other())));
+        throw PartnerLost(fmt::format(
+            "a {1} process was started beside the {0}, but the {0}'s scene has no {1}: "
+            "start only magfsi's {0}, or give both sides the same scene",
+            to_string(self_), to_string(other())));
     }
     if (partner >= 0) {
         MPI_Intercomm_create(local_, 0, MPI_COMM_WORLD, partner, intercommunicator_tag,
@@ -129,10 +127,10 @@ void wait_until(Done done, double timeout_s, const std::string& what) {
                                       stop_requested(), what));
         }
         if (std::chrono::duration<double>(waited).count() > timeout_s) {
-            throw PartnerLost(fmt::format(
-                "no {} within {:g} s: the partner hangs or is much slower than expected "
-                "(coupling.timeout sets the limit)",
-                what, timeout_s));
+            throw PartnerLost(
+                fmt::format("no {} within {:g} s: the partner hangs or is much slower "
+                            "than expected (coupling.timeout sets the limit)",
+                            what, timeout_s));
         }
         if (waited < spin_time) {
             sched_yield();
@@ -204,13 +202,13 @@ namespace {
 constexpr int swap_tag = 72;
 constexpr int numbers_tag = 73;
 
-void compare(const World& world, const char* item, std::uint64_t mine,
-             std::uint64_t theirs, const char* format) {
+template <class Number>
+void compare(const World& world, const char* item, Number mine, Number theirs,
+             const char* format = "{}") {
     if (mine == theirs) return;
     throw PartnerLost(
         fmt::format("{} and {} disagree on the {}: {} here, {} there; start both with "
-                    "the same scene file "
-                    "and the same --set options, from the same build",
+                    "the same scene file and the same --set options, from the same build",
                     to_string(world.self()), to_string(world.other()), item,
                     fmt::format(fmt::runtime(format), mine),
                     fmt::format(fmt::runtime(format), theirs)));
@@ -236,17 +234,12 @@ void shake_hands(const World& world, const Agreement& mine, double timeout_s) {
     Agreement theirs;
     swap_with_partner(world, &mine, sizeof mine, &theirs, sizeof theirs, timeout_s,
                       "handshake");
-    compare(world, "protocol version", static_cast<std::uint64_t>(mine.protocol),
-            static_cast<std::uint64_t>(theirs.protocol), "{}");
+    compare(world, "protocol version", mine.protocol, theirs.protocol);
     compare(world, "scene (hash)", mine.scene_hash, theirs.scene_hash, "{:016x}");
-    compare(world, "number of coupled steps", static_cast<std::uint64_t>(mine.steps),
-            static_cast<std::uint64_t>(theirs.steps), "{}");
-    compare(world, "coupled step in picoseconds",
-            static_cast<std::uint64_t>(mine.step_ps),
-            static_cast<std::uint64_t>(theirs.step_ps), "{}");
-    compare(world, "step of the checkpoint to go on from",
-            static_cast<std::uint64_t>(mine.first_step),
-            static_cast<std::uint64_t>(theirs.first_step), "{}");
+    compare(world, "number of coupled steps", mine.steps, theirs.steps);
+    compare(world, "coupled step in picoseconds", mine.step_ps, theirs.step_ps);
+    compare(world, "step of the checkpoint to go on from", mine.first_step,
+            theirs.first_step);
 }
 
 std::string swap_text(const World& world, const std::string& mine, double timeout_s,

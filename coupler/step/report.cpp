@@ -111,9 +111,7 @@ std::string end_line(const Session& session, double wall_s) {
 
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
                    double wall_s, const output::ProbeFile* probes) {
-    output::Summary summary;
-    summary.scene = session.plan().name;
-    summary.scene_hash = session.plan().scene_hash;
+    output::Summary summary = summary_of(session.state());
     summary.outcome = output::Outcome::completed;
     if (session.stop_cause()) {
         summary.outcome = output::Outcome::stopped;
@@ -121,10 +119,6 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
     }
     if (session.restart())
         summary.extra["restarted_at_step"] = session.clock().first_step();
-    summary.effects = session.plan().effects;
-    summary.absent_effects = session.plan().absent_effects;
-    summary.steps = session.clock().step();
-    summary.simulated_s = session.clock().time_s();
     summary.wall_s = wall_s;
     if (probes) {
         const auto last = probes->last_row();
@@ -155,8 +149,8 @@ output::BoundarySummary boundary_summary(const SlipReport& slip, double given_sp
 
 std::string to_text(const output::BoundarySummary& b) {
     return fmt::format(
-        "immersed boundary: no-slip error {:.2g} %, leakage {:.2g} % of {:.3g} m/s "
-        "({} markers, {} samples)",
+        "immersed boundary: no-slip error {:.2g} %, leakage {:.2g} % of {:.3g} m/s ({} "
+        "markers, {} samples)",
         100 * b.error, 100 * b.leakage, b.reference_speed_m_s, b.markers, b.samples);
 }
 

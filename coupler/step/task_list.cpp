@@ -9,24 +9,8 @@
 
 namespace magfsi::coupler {
 
-void TaskList::add(TaskKind kind, std::string name, std::function<void()> work) {
+void TaskList::add(std::string name, Work work, TaskKind kind) {
     tasks_.push_back({{std::move(name), kind}, std::move(work)});
-}
-
-void TaskList::add(std::string name, std::function<void()> work) {
-    add(TaskKind::solver, std::move(name), std::move(work));
-}
-
-void TaskList::add_immersed_boundary(std::string name, std::function<void()> work) {
-    add(TaskKind::immersed_boundary, std::move(name), std::move(work));
-}
-
-void TaskList::add_coupling(std::string name, std::function<void()> work) {
-    add(TaskKind::coupling, std::move(name), std::move(work));
-}
-
-void TaskList::add_output(std::string name, std::function<void()> work) {
-    add(TaskKind::output, std::move(name), std::move(work));
 }
 
 void TaskList::repeat_from(std::size_t first, std::function<bool()> again) {

@@ -4,9 +4,9 @@
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "coupler/output/probe_file.h"
@@ -25,10 +25,17 @@ struct TaskTime {
 
 class TaskList {
   public:
-    void add(std::string name, std::function<void()> work);  // of the solver
-    void add_immersed_boundary(std::string name, std::function<void()> work);
-    void add_coupling(std::string name, std::function<void()> work);  // exchange, waiting
-    void add_output(std::string name, std::function<void()> work);
+    using Work = std::function<void()>;
+    void add(std::string name, Work work, TaskKind kind = TaskKind::solver);
+    void add_immersed_boundary(std::string name, Work work) {
+        add(std::move(name), std::move(work), TaskKind::immersed_boundary);
+    }
+    void add_coupling(std::string name, Work work) {  // exchange, waiting
+        add(std::move(name), std::move(work), TaskKind::coupling);
+    }
+    void add_output(std::string name, Work work) {
+        add(std::move(name), std::move(work), TaskKind::output);
+    }
 
     // The tasks from number `first` on up to here are done again as long as `again` says
     // so after the last of them.
@@ -46,7 +53,7 @@ class TaskList {
   private:
     struct Task {
         TaskTime time;
-        std::function<void()> work;
+        Work work;
         bool ran = false;
     };
     struct Loop {
@@ -54,7 +61,6 @@ class TaskList {
         std::function<bool()> again;
     };
     void run(Task& task);
-    void add(TaskKind kind, std::string name, std::function<void()> work);
 
     std::vector<Task> tasks_;
     std::vector<Loop> loops_;  // in order, none inside another

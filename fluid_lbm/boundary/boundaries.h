@@ -4,7 +4,6 @@
 
 #include <mpi.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 

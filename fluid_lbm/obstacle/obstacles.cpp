@@ -1,7 +1,6 @@
 #include "fluid_lbm/obstacle/obstacles.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "fluid_lbm/refuse.h"
 
@@ -95,51 +94,42 @@ bool has_fluid_behind(const SolidMap& map, const Cell& cell, int q) {
     return map.in_box(behind) && !map.solid(behind);
 }
 
-class LinkList {
-  public:
-    LinkList(const Populations& populations, const RowLayout& layout)
-        : populations_(populations), layout_(layout) {}
-
-    // from_wall: the population that comes from the obstacle.
-    void add(const Cell& cell, int from_wall, const int (&push)[3], double distance,
-             int obstacle) {
-        CutLink link;
-        for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
-            const int i = static_cast<int>(a);
-            const CellSlots slots = populations_.visit(
-                [&](const auto& rows) { return cell_slots(rows, layout_, a, cell); });
-            link.from_wall[i] = slots[from_wall];
-            link.to_wall[i] = slots[opposite(from_wall)];
-        }
-        for (int a = 0; a < 3; ++a) link.push[a] = static_cast<signed char>(push[a]);
-        link.distance = distance;
-        link.obstacle = static_cast<short>(obstacle);
-        links_.push_back(link);
+// from_wall: the population that comes from the obstacle.
+CutLink cut_link(const Populations& populations, const RowLayout& layout,
+                 const Cell& cell, int from_wall, const int (&push)[3], double distance,
+                 int obstacle) {
+    CutLink link;
+    for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
+        const int i = static_cast<int>(a);
+        const CellSlots slots = populations.visit(
+            [&](const auto& rows) { return cell_slots(rows, layout, a, cell); });
+        link.from_wall[i] = slots[from_wall];
+        link.to_wall[i] = slots[opposite(from_wall)];
     }
+    for (int a = 0; a < 3; ++a) link.push[a] = static_cast<signed char>(push[a]);
+    link.distance = distance;
+    link.obstacle = static_cast<short>(obstacle);
+    return link;
+}
 
-    std::vector<CutLink> take() { return std::move(links_); }
-
-  private:
-    const Populations& populations_;
-    const RowLayout& layout_;
-    std::vector<CutLink> links_;
-};
-
+// add(cell, from_wall, push, distance, obstacle) for each link.
+template <class Add>
 void add_direct(const SolidMap& map, const Solids& solids, const Cell& cell,
-                LinkList& links) {
+                const Add& add) {
     for (int q = 1; q < directions; ++q) {
         const int hit = map.obstacle(neighbour(cell, q, 1));
         if (hit == SolidMap::fluid) continue;
         const double distance = has_fluid_behind(map, cell, q)
                                     ? wall_distance(map, *solids[hit], cell, q)
                                     : 0.5;
-        links.add(cell, opposite(q), c[q], distance, hit);
+        add(cell, opposite(q), c[q], distance, hit);
     }
 }
 
-// Links to the sides with free slip that are reflected into an obstacle.
+// The same of links to the sides with free slip that are reflected into an obstacle.
+template <class Add>
 void add_reflected(const FluidConfig& config, const SolidMap& map, const Cell& cell,
-                   LinkList& links) {
+                   const Add& add) {
     for (int side = 0; side < 6; ++side) {
         if (config.boundaries[side].kind != BoundaryKind::free_slip) continue;
         const int axis = axis_of(side);
@@ -155,26 +145,31 @@ void add_reflected(const FluidConfig& config, const SolidMap& map, const Cell& c
                 if (a != axis) partner[a] -= c[q][a];
             }
             if (!map.in_box(partner) || !map.solid(partner)) continue;
-            links.add(cell, q, push, 0.5, map.obstacle(partner));
+            add(cell, q, push, 0.5, map.obstacle(partner));
         }
     }
 }
 
 CutLinks cut_links(const FluidConfig& config, const SolidMap& map, const Solids& solids,
                    const Populations& populations, const RowLayout& layout) {
-    LinkList direct(populations, layout), reflected(populations, layout);
+    CutLinks links;
+    const auto into = [&](std::vector<CutLink>& list) {
+        return [&](const auto&... link) {
+            list.push_back(cut_link(populations, layout, link...));
+        };
+    };
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {
             if (!map.near_solid(y, z)) continue;
             for (int x = 0; x < layout.nx; ++x) {
                 const Cell cell{x, y, z};
                 if (map.solid(cell)) continue;
-                add_direct(map, solids, cell, direct);
-                add_reflected(config, map, cell, reflected);
+                add_direct(map, solids, cell, into(links.direct));
+                add_reflected(config, map, cell, into(links.reflected));
             }
         }
     }
-    return {direct.take(), reflected.take()};
+    return links;
 }
 
 }  // namespace
@@ -185,17 +180,17 @@ Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
     : map_(config, solids, owned),
       links_(cut_links(config, map_, solids, populations, layout)),
       impulses_(solids.size()) {
-    find_runs(layout);
+    find_rows(layout);
 }
 
-void Obstacles::find_runs(const RowLayout& layout) {
+void Obstacles::find_rows(const RowLayout& layout) {
     for (int z = 0; z < layout.nz; ++z) {
         for (int y = 0; y < layout.ny; ++y) {
             for (int x = 0; x < layout.nx; ++x) {
                 if (!map_.solid({x, y, z})) continue;
                 const int begin = x;
                 while (x < layout.nx && map_.solid({x, y, z})) ++x;
-                runs_.push_back({begin, x, y, z});
+                rows_.push_back({y, z, begin, x});
             }
         }
     }
@@ -252,7 +247,7 @@ void Obstacles::reset_solid_cells(const Populations& populations, const RowLayou
                                   Arrangement arrangement) const {
     populations.visit([&](const auto& rows) {
         auto* const base = rows.row(0, 0);
-        for (const Run& run : runs_) {
+        for (const CellRow& run : rows_) {
             const auto p = pointers(rows, layout, arrangement, run.y, run.z);
             // The row's pointers do not hold at its ends.
             const int begin = std::max(run.x_begin, 1);

@@ -102,20 +102,17 @@ class Obstacles {
     // Impulse of the last step on this rank's links, by obstacle.
     const std::vector<Vec3>& impulses() const { return impulses_; }
 
-    // Solid cells x_begin <= x < x_end of a row; local indices.
-    struct Run {
-        int x_begin, x_end, y, z;
-    };
-    const std::vector<Run>& runs() const { return runs_; }
+    // The solid cells; local indices.
+    const std::vector<CellRow>& rows() const { return rows_; }
 
   private:
-    void find_runs(const RowLayout& layout);
+    void find_rows(const RowLayout& layout);
     void add_impulse(const CutLink& link, double populations);
 
     SolidMap map_;
     CutLinks links_;
     std::vector<double> sent_to_slip_;  // by reflected link
-    std::vector<Run> runs_;
+    std::vector<CellRow> rows_;
     std::vector<Vec3> impulses_;
 };
 

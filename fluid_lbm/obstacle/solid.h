@@ -11,10 +11,6 @@
 
 namespace magfsi::fluid {
 
-struct Bounds {
-    Vec3 low{}, high{};
-};
-
 class Solid {
   public:
     virtual ~Solid() = default;

@@ -89,10 +89,9 @@ std::vector<Triangle> read_stl(const std::filesystem::path& file) {
     const std::string bytes = contents(file);
     const bool binary = is_binary(bytes);
     if (!binary && bytes.compare(0, 5, "solid") != 0) {
-        refuse_file(
-            file, "has ", bytes.size(),
-            " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + 50 "
-            "bytes per triangle of its count (binary)");
+        refuse_file(file, "has ", bytes.size(),
+                    " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + "
+                    "50 bytes per triangle of its count (binary)");
     }
     std::vector<Triangle> triangles =
         binary ? read_binary(bytes) : read_ascii(bytes, file);
@@ -312,10 +311,9 @@ double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
 }  // namespace
 
 std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m) {
-    const double dx = spacing_m;
-    return std::make_shared<TriangulatedSolid>(
-        surface.file, surface.unit_m / dx,
-        Vec3{surface.shift_m[0] / dx, surface.shift_m[1] / dx, surface.shift_m[2] / dx});
+    need("scale", surface.unit_m);
+    return std::make_shared<TriangulatedSolid>(surface.file, surface.unit_m / spacing_m,
+                                               in_cells(surface.shift_m, spacing_m));
 }
 
 }  // namespace magfsi::fluid

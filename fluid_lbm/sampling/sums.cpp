@@ -147,8 +147,8 @@ void Fluid::macroscopic(std::span<float> velocity, std::span<float> density) con
     const std::size_t cells = s.cells();
     if (velocity.size() != 3 * cells || density.size() != cells) {
         refuse(
-            "macroscopic() needs 3 velocity values and 1 density value for each of "
-            "this rank's ",
+            "macroscopic() needs 3 velocity values and 1 density value for each of this "
+            "rank's ",
             cells, " cells");
     }
     RowMoments m;

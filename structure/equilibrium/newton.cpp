@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "structure/equilibrium/iteration.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -16,6 +17,13 @@ constexpr int max_mixed = 12;
 constexpr int max_descent = 400;
 // Residual of the equilibria that a load step only passes through.
 constexpr double passing_tolerance = 1e-4;
+// A load step that moves a node further than this share of the longest side is halved, so
+// that the branch is not lost in a jump.
+constexpr double largest_share_moved = 0.5;
+// Steps, as shares of the way between two points of the path, are halved down to this;
+// then the body is released.
+constexpr double smallest_step = 1.0 / 64;
+constexpr int max_load_steps = 500;  // between two points
 
 double now_s() {
     return std::chrono::duration<double>(
@@ -112,7 +120,7 @@ Equilibrium NewtonSolver::release(const std::vector<Vec3>& start,
 
 void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
                            const Eigen::VectorXd& to) {
-    const double largest_move = options_.largest_move * problem_.longest_side_m();
+    const double largest_move = largest_share_moved * problem_.longest_side_m();
     double reached = 0;
     double step = 1;
     while (reached < 1) {
@@ -128,14 +136,14 @@ void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
         const double room = 0.7 * largest_move / found.first_step_m;
         if (found.converged) {
             state.take(found);
-        } else if (step > options_.smallest_step) {
-            step = std::max((ahead - reached) * std::clamp(room, 0.02, 0.5),
-                            options_.smallest_step);
+        } else if (step > smallest_step) {
+            step =
+                std::max((ahead - reached) * std::clamp(room, 0.02, 0.5), smallest_step);
             continue;
         } else {
             release_at(state, load);
         }
-        if (state.load_steps > options_.max_load_steps) {
+        if (state.load_steps > max_load_steps) {
             fail(state, load, found.response.element);
         }
         step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
@@ -152,7 +160,7 @@ void NewtonSolver::release_at(Progress& state, const Eigen::VectorXd& load) {
     if (!found.converged) fail(state, load, found.response.element);
 }
 
-void NewtonSolver::leave_unstable(Progress& state, const Eigen::VectorXd& load) {
+void NewtonSolver::push_off(Progress& state, const Eigen::VectorXd& load) {
     const double push_m = 0.05 * problem_.shortest_side_m();
     const Eigen::VectorXd mode = lowest_mode(problem_, state.x);
     const Eigen::VectorXd balanced = state.x;
@@ -176,9 +184,8 @@ void NewtonSolver::leave_unstable(Progress& state, const Eigen::VectorXd& load) 
 Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) const {
     const std::size_t nodes = problem_.body().mesh.nodes.size();
     if (start.size() != nodes) {
-        throw std::invalid_argument(
-            fmt::format("body {}: {} start positions found for {} nodes",
-                        problem_.body().name, start.size(), nodes));
+        refuse("body {}: {} start positions found for {} nodes", problem_.body().name,
+               start.size(), nodes);
     }
     return flat_positions(start);
 }
@@ -190,7 +197,7 @@ Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
     // A second mode may be left after the first; as many pushes as there are modes.
     const int pushes = options_.leave_unstable ? out.negative_eigenvalues : 0;
     for (int push = 0; push < pushes && out.negative_eigenvalues > 0; ++push) {
-        leave_unstable(state, load);
+        push_off(state, load);
         out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
     }
     const auto response = problem_.response(state.x, load);
@@ -212,15 +219,14 @@ void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
     const auto response = problem_.response(state.x, load);
     Eigen::Index worst = 0;
     response.residual_n.cwiseAbs().maxCoeff(&worst);
-    throw std::runtime_error(fmt::format(
-        "body {}: no equilibrium at {:.3g} of the load after {} load steps and {} "
-        "iterations; the residual is {:.2g} of the load, largest at node {}, and the "
-        "smallest J is {:.3g} in element {}: use weaker loads, a finer mesh or more "
-        "points "
-        "on the way",
-        problem_.body().name, state.load_factor, state.load_steps, state.iterations,
-        problem_.relative_residual(response, load), worst / 3, response.smallest_j,
-        worst_element));
+    throw std::runtime_error(
+        fmt::format("body {}: no equilibrium at {:.3g} of the load after {} load steps "
+                    "and {} iterations; the residual is {:.2g} of the load, largest at "
+                    "node {}, and the smallest J is {:.3g} in element {}: use weaker "
+                    "loads, a finer mesh or more points on the way",
+                    problem_.body().name, state.load_factor, state.load_steps,
+                    state.iterations, problem_.relative_residual(response, load),
+                    worst / 3, response.smallest_j, worst_element));
 }
 
 std::vector<Vec3> relaxed_shape(const Body& body, const Vec3& field_t) {

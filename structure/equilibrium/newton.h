@@ -11,13 +11,6 @@ namespace magfsi::structure {
 
 struct EquilibriumOptions {
     double force_tolerance = 1e-9;  // largest residual over the largest nodal load
-    // A load step that moves a node further than this share of the longest side is
-    // halved, so that the branch is not lost in a jump.
-    double largest_move = 0.5;
-    // Steps, as shares of the way between two points of the path, are halved down to
-    // this; then the body is released (see below).
-    double smallest_step = 1.0 / 64;
-    int max_load_steps = 500;  // between two points
     // Pushes the body off an equilibrium that turns out unstable and releases it.
     bool leave_unstable = false;
 };
@@ -76,7 +69,7 @@ class NewtonSolver {
     struct Progress;
     void advance(Progress& state, const Eigen::VectorXd& from, const Eigen::VectorXd& to);
     void release_at(Progress& state, const Eigen::VectorXd& load);
-    void leave_unstable(Progress& state, const Eigen::VectorXd& load);
+    void push_off(Progress& state, const Eigen::VectorXd& load);
     Eigen::VectorXd checked_start(const std::vector<Vec3>& start) const;
     Equilibrium finish(Progress& state, const StaticLoads& loads);
     [[noreturn]] void fail(const Progress& state, const Eigen::VectorXd& load,

@@ -1,42 +1,30 @@
 #include "structure/equilibrium/static_problem.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "structure/magnetics/magnetic_forces.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
 
 const Body& with_elements(const Body& body) {
     if (!body.mesh.elements.empty()) return body;
-    throw std::invalid_argument(
-        fmt::format("body {} has no elements, at least one is needed", body.name));
+    refuse("body {} has no elements, at least one is needed", body.name);
 }
 
 }  // namespace
 
 Eigen::VectorXd flat_positions(const std::vector<Vec3>& nodes_m) {
-    Eigen::VectorXd out(3 * static_cast<Eigen::Index>(nodes_m.size()));
-    for (std::size_t n = 0; n < nodes_m.size(); ++n) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            out[static_cast<Eigen::Index>(3 * n + d)] = nodes_m[n][d];
-        }
-    }
-    return out;
+    const auto size = static_cast<Eigen::Index>(3 * nodes_m.size());
+    return Eigen::Map<const Eigen::VectorXd>(nodes_m.front().data(), size);
 }
 
 std::vector<Vec3> nodes_from(const Eigen::VectorXd& x) {
     std::vector<Vec3> out(static_cast<std::size_t>(x.size() / 3));
-    for (std::size_t n = 0; n < out.size(); ++n) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            out[n][d] = x[static_cast<Eigen::Index>(3 * n + d)];
-        }
-    }
+    std::copy_n(x.data(), x.size(), out.front().data());
     return out;
 }
 
@@ -62,22 +50,13 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice)
             held_along_[d] = held_along_[d] || node[d];
         }
     }
-    measure_sides();
     measure_stiffness();
 }
 
-void StaticProblem::measure_sides() {
-    std::array<double, 3> side{};
-    for (std::size_t d = 0; d < 3; ++d) {
-        const auto [low, high] = std::ranges::minmax(
-            body_.mesh.nodes, {}, [d](const Vec3& node) { return node[d]; });
-        side[d] = high[d] - low[d];
-    }
-    shortest_side_m_ = *std::ranges::min_element(side);
-    longest_side_m_ = *std::ranges::max_element(side);
-}
-
 void StaticProblem::measure_stiffness() {
+    const Vec3 side_m = bounds(body_.mesh.nodes).extent_m();
+    shortest_side_m_ = std::ranges::min(side_m);
+    longest_side_m_ = std::ranges::max(side_m);
     double softest = INFINITY;
     for (const Material& material : used_materials(body_)) {
         const double g = material.shear_modulus_pa;
@@ -102,10 +81,10 @@ Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
         std::ranges::any_of(node_mass_kg_, [](double mass) { return mass != 0; });
     for (std::size_t d = 0; d < 3; ++d) {
         if (!massive || held_along_[d] || loads.gravity_m_s2[d] == 0) continue;
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "body {} has weight but no clamp or roller that holds it along {}: only the "
             "field may load a body along an axis on which it is free",
-            body_.name, "xyz"[d]));
+            body_.name, "xyz"[d]);
     }
     return out;
 }

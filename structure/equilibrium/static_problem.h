@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <string>
 #include <vector>
 
 #include "structure/body.h"
@@ -73,7 +72,6 @@ class StaticProblem {
 
   private:
     StaticProblem(const Body& body, const Lattice& lattice);
-    void measure_sides();
     void measure_stiffness();
 
     Body body_;

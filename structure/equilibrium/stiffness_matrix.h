@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "structure/body.h"
-#include "structure/equilibrium/tangent.h"
+#include "structure/lattice/tangent.h"
 
 namespace magfsi::structure {
 

@@ -7,10 +7,13 @@
 #include "modify.h"
 #include "pointers.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "structure/lammps/script.h"
@@ -90,6 +93,17 @@ std::unique_ptr<BodyForce> make_force(LAMMPS_NS::LAMMPS* lammps, const MagtticeB
 
 // --- the effect
 
+// A fix of LAMMPS.
+struct FixStyle {
+    const char* name = nullptr;
+    LAMMPS_NS::Fix* (*make)(LAMMPS_NS::LAMMPS*, int narg, char** arg) = nullptr;
+};
+
+template <class Fix>
+LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) {
+    return new Fix(lammps, narg, arg);
+}
+
 // All but the first two and the last two members are used only where the effect is asked
 // for. Null: nothing.
 struct Effect {
@@ -117,7 +131,8 @@ struct Effect {
     double (*neighbour_skin_m)(const LammpsInput&) = nullptr;
 
     BodyForceStyle force{};
-    // Makes its fixes, computes and pair styles known (add_fix_style).
+    FixStyle fix{};
+    // Makes its computes and pair styles known.
     void (*register_styles)(LAMMPS_NS::LAMMPS&) = nullptr;
 };
 
@@ -130,17 +145,15 @@ std::string integrated_group(const LammpsInput& input);
 
 // --- for the LAMMPS styles of effects
 
-template <class Style>
-void add_fix_style(LAMMPS_NS::LAMMPS& lammps, const char* name) {
-    (*lammps.modify->fix_map)[name] = [](LAMMPS_NS::LAMMPS* made_for, int narg,
-                                         char** arg) -> LAMMPS_NS::Fix* {
-        return new Style(made_for, narg, arg);
-    };
-}
-
 // Ends a run that cannot go on: hands the cause to the handler of register_styles.h, or
 // to LAMMPS's error->one. One rank is enough.
 [[noreturn]] void fail(LAMMPS_NS::Error& error, const std::string& cause);
+template <class First, class... Args>
+[[noreturn]] void fail(LAMMPS_NS::Error& error, fmt::format_string<First, Args...> cause,
+                       First&& first, Args&&... args) {
+    fail(error,
+         fmt::format(cause, std::forward<First>(first), std::forward<Args>(args)...));
+}
 
 // A word of a command as a number; ends the run where it is none.
 double number(const char* word, LAMMPS_NS::LAMMPS* lammps);

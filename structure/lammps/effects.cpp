@@ -1,14 +1,12 @@
 // The effects of this build: the list and what is asked of all of them.
 #include "structure/lammps/effect.h"
+#include "structure/refuse.h"
 
 #include "error.h"
 #include "utils.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -34,8 +32,7 @@ void refuse_absent(const LammpsInput& input) {
     const auto need = [](bool asked, std::string_view name) {
         const auto is_it = [&](const Effect* e) { return e->name == name; };
         if (!asked || std::ranges::any_of(effects(), is_it)) return;
-        throw std::invalid_argument(
-            fmt::format("{} is asked for, and this program was built without it", name));
+        refuse("{} is asked for, and this program was built without it", name);
     };
     need(input.field.has_value(), "magnetic_field");
     need(input.gradient.has_value(), "field_gradient");
@@ -93,8 +90,10 @@ double surface_spring_pa_m(const LammpsInput& input, const Body& body) {
 }
 
 void register_styles(LAMMPS_NS::LAMMPS& lammps) {
-    add_fix_style<FixMagttice>(lammps, "magttice");
+    auto& fixes = *lammps.modify->fix_map;
+    fixes["magttice"] = make_fix<FixMagttice>;
     for (const Effect* effect : effects()) {
+        if (effect->fix.name) fixes[effect->fix.name] = effect->fix.make;
         if (effect->register_styles) effect->register_styles(lammps);
     }
 }

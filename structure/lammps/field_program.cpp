@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "structure/lammps/law_words.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
@@ -85,17 +85,16 @@ void check(const FieldTable& table) {
     const std::size_t directions = table.direction_rad.size();
     if (rows == 0 || table.magnitude_t.size() != rows ||
         (directions != 1 && directions != rows)) {
-        throw std::invalid_argument(fmt::format(
-            "field table with {} times, {} magnitudes and {} directions "
-            "found; it needs one magnitude per time and one direction, or one "
-            "per time",
-            rows, table.magnitude_t.size(), directions));
+        refuse(
+            "field table with {} times, {} magnitudes and {} directions found; it needs "
+            "one magnitude per time and one direction, or one per time",
+            rows, table.magnitude_t.size(), directions);
     }
     if (!std::ranges::is_sorted(table.time_s)) {
-        throw std::invalid_argument("the times of a field table must not fall");
+        refuse("the times of a field table must not fall");
     }
     if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
-        throw std::invalid_argument("a repeated field table needs a period above zero");
+        refuse("a repeated field table needs a period above zero");
     }
 }
 
@@ -103,7 +102,7 @@ void check_plane(const std::array<int, 2>& plane) {
     const bool axes =
         std::ranges::all_of(plane, [](int axis) { return axis >= 0 && axis <= 2; });
     if (!axes || plane[0] == plane[1]) {
-        throw std::invalid_argument("a field plane is two different ones of x, y, z");
+        refuse("a field plane is two different ones of x, y, z");
     }
 }
 
@@ -139,8 +138,7 @@ std::string field_arguments(const FieldProgram& program) {
 
 FieldProgram parse_field_arguments(const std::vector<std::string>& words) {
     if (words.size() < 2 || words[0].size() != 2) {
-        throw std::invalid_argument(
-            "a plane such as xz, a course and its numbers are needed");
+        refuse("a plane such as xz, a course and its numbers are needed");
     }
     FieldProgram program;
     program.plane = {words[0][0] - 'x', words[0][1] - 'x'};

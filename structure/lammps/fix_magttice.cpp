@@ -18,6 +18,7 @@
 
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/step_limit.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -32,8 +33,7 @@ const BodyForceStyle& force_of(const std::string& keyword) {
         if (keyword == effect->force.keyword) return effect->force;
         allowed += std::string(", ") + effect->force.keyword;
     }
-    throw std::invalid_argument(
-        fmt::format("\"{}\" found; allowed are {}", keyword, allowed));
+    refuse("\"{}\" found; allowed are {}", keyword, allowed);
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
             forces.push_back({force_of("viscosity"), nullptr});
         read_body(arg[3], forces);
     } catch (const std::exception& cause) {
-        fail(*error, fmt::format("{}: {}", who_, cause.what()));
+        fail(*error, "{}: {}", who_, cause.what());
     }
     declare_output();
 }
@@ -78,8 +78,7 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
     const std::string keyword = arg[0];
     const auto with = [&](int values) {
         if (left > values) return 1 + values;
-        throw std::invalid_argument(fmt::format(
-            "\"{}\" with {} values found, it takes {}", keyword, left - 1, values));
+        refuse("\"{}\" with {} values found, it takes {}", keyword, left - 1, values);
     };
     if (keyword == "element") {
         const int words = with(1);
@@ -100,8 +99,7 @@ int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& as
     const auto same = [&](const AskedForce& other) {
         return other.style.keyword == found.keyword;
     };
-    if (std::ranges::any_of(asked, same))
-        throw std::invalid_argument(fmt::format("\"{}\" found twice", keyword));
+    if (std::ranges::any_of(asked, same)) refuse("\"{}\" found twice", keyword);
     asked.push_back({found, arg + 1});
     return with(found.values);
 }
@@ -159,9 +157,10 @@ void FixMagttice::init() {
     int present = 0;
     MPI_Allreduce(&here, &present, 1, MPI_INT, MPI_SUM, world);
     if (present != range_.count) {
-        fail(*error, fmt::format("{} has {} nodes in its lattice file, but {} atoms with "
-                                 "IDs from {} on are there",
-                                 who_, range_.count, present, range_.first_id));
+        fail(*error,
+             "{} has {} nodes in its lattice file, but {} atoms with IDs from {} on are "
+             "there",
+             who_, range_.count, present, range_.first_id);
     }
     for (const auto& added : forces_) added->init();
 }
@@ -193,11 +192,10 @@ void FixMagttice::rebuild() {
     const OwnedElements owned = owned_elements();
     if (owned.missing_id != 0) {
         fail(*error,
-             fmt::format("{}: atom {} of an element is not known on the rank that owns "
-                         "the element at step {}; raise comm_modify cutoff above the "
-                         "longest element diagonal ({:g} m at rest)",
-                         who_, owned.missing_id, update->ntimestep,
-                         lattice_.longest_diagonal_m));
+             "{}: atom {} of an element is not known on the rank that owns the element "
+             "at step {}; raise comm_modify cutoff above the longest element diagonal "
+             "({:g} m at rest)",
+             who_, owned.missing_id, update->ntimestep, lattice_.longest_diagonal_m);
     }
     kernel_.assign(lattice_, owned.element, owned.atom);
     for (const auto& added : forces_) added->rebuild(owned);
@@ -260,9 +258,9 @@ void FixMagttice::refuse_inverted(const KernelResult& result) {
                               ? "which is not a number"
                               : std::to_string(result.smallest_j);
     fail(*error,
-         fmt::format("{}: element {} is inverted at step {}, its volume ratio J is {} "
-                     "({}); use a smaller time step, a finer mesh or a weaker field",
-                     who_, result.element, update->ntimestep, j, place(result.element)));
+         "{}: element {} is inverted at step {}, its volume ratio J is {} ({}); use a "
+         "smaller time step, a finer mesh or a weaker field",
+         who_, result.element, update->ntimestep, j, place(result.element));
 }
 
 // Energies cost a second pass over the elements, so only those who ask pay for it.
@@ -298,7 +296,7 @@ double FixMagttice::compute_vector(int i) {
 
 int FixMagttice::modify_param(int narg, char** arg) {
     if (std::strcmp(arg[0], "work") != 0) return 0;
-    if (narg < 2) fail(*error, fmt::format("fix_modify {} work needs one value", id));
+    if (narg < 2) fail(*error, "fix_modify {} work needs one value", id);
     const double value = number(arg[1], lmp);
     work_j_ = comm->me == 0 ? value : 0.0;
     return 2;

@@ -1,41 +1,31 @@
 #include "structure/lammps/lattice_file.h"
 
-#include <fmt/format.h>
-#include <fmt/os.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include "structure/mesh/mesh_file.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
 void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path& file) {
-    try {
-        auto out = fmt::output_file(file.string());
-        out.print("# magttice lattice [m, A/m]\nnodes {}\n", lattice.nodes_m.size());
-        for (const Vec3& x : lattice.nodes_m) {
-            out.print("{:.17g} {:.17g} {:.17g}\n", x[0], x[1], x[2]);
-        }
+    write_text_file("lattice file", file, [&](fmt::ostream& out) {
+        out.print("# magttice lattice [m, A/m]\n");
+        write_nodes(out, lattice.nodes_m);
         out.print("elements {}\n", lattice.elements.size());
         for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
-            for (int node : lattice.elements[e]) out.print("{} ", node);
             const Vec3 m =
                 lattice.magnetization_a_m.empty() ? Vec3{} : lattice.magnetization_a_m[e];
-            out.print("{:.17g} {:.17g} {:.17g}", m[0], m[1], m[2]);
-            if (!lattice.element_material.empty()) {
+            out.print("{} {:.17g}", fmt::join(lattice.elements[e], " "),
+                      fmt::join(m, " "));
+            if (!lattice.element_material.empty())
                 out.print(" {}", lattice.element_material[e]);
-            }
             out.print("\n");
         }
-    } catch (const std::system_error& error) {
-        throw std::runtime_error(fmt::format("cannot write the lattice file {}: {}",
-                                             file.string(), error.what()));
-    }
+    });
 }
 
 LatticeFile read_lattice_file(const std::filesystem::path& file) {
@@ -66,43 +56,31 @@ LatticeFile read_lattice_file(const std::filesystem::path& file) {
 
 void write_data_file(const std::vector<DataAtom>& atoms,
                      const std::filesystem::path& file) {
-    Vec3 low{INFINITY, INFINITY, INFINITY};
-    Vec3 high{-INFINITY, -INFINITY, -INFINITY};
-    for (const DataAtom& atom : atoms) {
-        for (int d = 0; d < 3; ++d) {
-            low[d] = std::min(low[d], atom.position_m[d]);
-            high[d] = std::max(high[d], atom.position_m[d]);
-        }
-    }
+    Bounds box;
+    for (const DataAtom& atom : atoms) box.add(atom.position_m);
     // The shrink-wrapped boundary replaces these bounds; they only have to hold the
     // atoms.
-    const double margin =
-        0.01 * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    try {
-        auto out = fmt::output_file(file.string());
+    const double margin = 0.01 * std::ranges::max(box.extent_m());
+    write_text_file("data file", file, [&](fmt::ostream& out) {
         out.print("Nodes of all bodies, SI\n\n{} atoms\n1 atom types\n\n", atoms.size());
-        for (int d = 0; d < 3; ++d) {
-            out.print("{:.17g} {:.17g} {}lo {}hi\n", low[d] - margin, high[d] + margin,
-                      "xyz"[d], "xyz"[d]);
+        for (std::size_t d = 0; d < 3; ++d) {
+            out.print("{:.17g} {:.17g} {}lo {}hi\n", box.low_m[d] - margin,
+                      box.high_m[d] + margin, "xyz"[d], "xyz"[d]);
         }
         out.print("\nAtoms # sphere: id type diameter mass x y z\n\n");
         for (std::size_t i = 0; i < atoms.size(); ++i) {
-            const Vec3& x = atoms[i].position_m;
-            out.print("{} 1 0 {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, atoms[i].mass_kg,
-                      x[0], x[1], x[2]);
+            out.print("{} 1 0 {:.17g} {:.17g}\n", i + 1, atoms[i].mass_kg,
+                      fmt::join(atoms[i].position_m, " "));
         }
-    } catch (const std::system_error& error) {
-        throw std::runtime_error(fmt::format("cannot write the data file {}: {}",
-                                             file.string(), error.what()));
-    }
+    });
 }
 
 ElementVariant parse_element_name(const std::string& word) {
     constexpr auto words = words_of(ElementVariant{});
     const auto found = std::ranges::find(words, word);
     if (found != words.end()) return static_cast<ElementVariant>(found - words.begin());
-    throw std::invalid_argument("element " + word +
-                                " found; full, mean_f and assumed_strain are allowed");
+    refuse("{}",
+           "element " + word + " found; full, mean_f and assumed_strain are allowed");
 }
 
 }  // namespace magfsi::structure

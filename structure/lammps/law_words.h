@@ -15,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "structure/refuse.h"
+
 namespace magfsi::structure {
 
 template <class Law>
@@ -60,8 +62,7 @@ inline std::vector<double> numbers_of(std::span<const std::string> words) {
             read = 0;
         }
         if (read == 0 || read != word.size()) {
-            throw std::invalid_argument(
-                fmt::format("\"{}\" found, a number is needed", word));
+            refuse("\"{}\" found, a number is needed", word);
         }
     }
     return out;
@@ -70,7 +71,7 @@ inline std::vector<double> numbers_of(std::span<const std::string> words) {
 // The law that the words name. Throws std::invalid_argument, naming the laws there are.
 template <class... Laws>
 void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
-    if (words.empty()) throw std::invalid_argument("a name is needed");
+    if (words.empty()) refuse("a name is needed");
     const auto values = numbers_of(words.subspan(1));
     const auto read = [&]<class Law>(std::optional<Law> law) {
         if (law) out = *law;
@@ -78,8 +79,8 @@ void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
     };
     if ((read(LawWords<Laws>::read(words[0], values)) || ...)) return;
     const std::array<std::string, sizeof...(Laws)> known{LawWords<Laws>::usage()...};
-    throw std::invalid_argument(fmt::format("\"{}\" with {} numbers found; {}", words[0],
-                                            values.size(), fmt::join(known, ", ")));
+    refuse("\"{}\" with {} numbers found; {}", words[0], values.size(),
+           fmt::join(known, ", "));
 }
 
 }  // namespace magfsi::structure

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -27,10 +28,9 @@ std::string sanitized(const std::string& name) {
 std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
                                       std::size_t motions) {
     if (bodies.size() + motions > max_bodies_and_motions) {
-        throw std::invalid_argument(fmt::format(
-            "{} bodies and {} prescribed motions found, LAMMPS has groups for "
-            "{} of both",
-            bodies.size(), motions, max_bodies_and_motions));
+        refuse(
+            "{} bodies and {} prescribed motions found, LAMMPS has groups for {} of both",
+            bodies.size(), motions, max_bodies_and_motions);
     }
     std::vector<std::string> taken = own_groups;
     for (std::size_t m = 0; m < motions; ++m) taken.push_back(moved_group(m));
@@ -56,8 +56,8 @@ std::string moved_group(std::size_t motion) {
 
 std::string quoted(const std::string& path) {
     if (path.find_first_of("\"$") != std::string::npos) {
-        throw std::invalid_argument(fmt::format(
-            "the path {} has a quote or a dollar sign, which LAMMPS cannot read", path));
+        refuse("the path {} has a quote or a dollar sign, which LAMMPS cannot read",
+               path);
     }
     return '"' + path + '"';
 }

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <stdexcept>
 
 #include "structure/body.h"
 #include "structure/lammps/effect.h"
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/names.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -18,32 +17,28 @@ namespace {
 // All bodies together: nodes numbered one body after the other.
 struct Assembly {
     std::vector<DataAtom> atoms;
-    Vec3 low{INFINITY, INFINITY, INFINITY};  // bounds of the bodies before relaxing
-    Vec3 high{-INFINITY, -INFINITY, -INFINITY};
+    Bounds bounds;  // of the bodies before relaxing
     std::vector<int> first_node;
     std::vector<std::string> name;  // fit for LAMMPS IDs and file names
     double longest_diagonal_m = 0;  // of an element, where it starts
 };
 
 void check_input(const LammpsInput& input) {
-    if (input.bodies.empty()) throw std::invalid_argument("no body found, one is needed");
+    if (input.bodies.empty()) refuse("no body found, one is needed");
     if (!input.placements.empty() && input.placements.size() != input.bodies.size()) {
-        throw std::invalid_argument(fmt::format(
-            "{} placements for {} bodies found, one per body or none is allowed",
-            input.placements.size(), input.bodies.size()));
+        refuse("{} placements for {} bodies found, one per body or none is allowed",
+               input.placements.size(), input.bodies.size());
     }
     if (!(input.time_step_s > 0)) {
-        throw std::invalid_argument(fmt::format(
-            "time step of {:g} s found, it must be positive", input.time_step_s));
+        refuse("time step of {:g} s found, it must be positive", input.time_step_s);
     }
     for (const Body& body : input.bodies) {
         check_materials(body.element_material, body.mesh.elements.size(),
                         body.other_materials.size());
         for (const Material& material : used_materials(body)) {
             if (material.density_kg_m3 > 0) continue;
-            throw std::invalid_argument(fmt::format(
-                "body {} has an effective density of {:g} kg/m3, it must be positive",
-                body.name, material.density_kg_m3));
+            refuse("body {} has an effective density of {:g} kg/m3, it must be positive",
+                   body.name, material.density_kg_m3);
         }
     }
 }
@@ -52,10 +47,8 @@ double longest_diagonal(const std::vector<Vec3>& nodes, const Body& body) {
     double longest = 0;
     for (const Hexahedron& element : body.mesh.elements) {
         for (int a = 0; a < 4; ++a) {
-            const Vec3& x = nodes[element[a]];
-            const Vec3& y = nodes[element[7 - a]];
             longest =
-                std::max(longest, std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]));
+                std::max(longest, distance_m(nodes[element[a]], nodes[element[7 - a]]));
         }
     }
     return longest;
@@ -71,15 +64,6 @@ void add_body(Assembly& all, const Body& body, const std::vector<Vec3>& nodes) {
         std::max(all.longest_diagonal_m, longest_diagonal(nodes, body));
 }
 
-void add_bounds(Assembly& all, const std::vector<Vec3>& nodes) {
-    for (const Vec3& x : nodes) {
-        for (int d = 0; d < 3; ++d) {
-            all.low[d] = std::min(all.low[d], x[d]);
-            all.high[d] = std::max(all.high[d], x[d]);
-        }
-    }
-}
-
 Assembly assemble(const LammpsInput& input) {
     Assembly all;
     all.name = lammps_names(input.bodies, input.motions.size());
@@ -90,19 +74,11 @@ Assembly assemble(const LammpsInput& input) {
             input.placements.empty() ? Placement{} : input.placements[i];
         add_body(all, input.bodies[i], placed_nodes(input.bodies[i], placement, plane));
         placement.relaxed.reset();
-        add_bounds(all, placed_nodes(input.bodies[i], placement, plane));
+        for (const Vec3& x : placed_nodes(input.bodies[i], placement, plane))
+            all.bounds.add(x);
     }
     all.first_node.push_back(static_cast<int>(all.atoms.size()) + 1);
     return all;
-}
-
-// Along the bodies' length, also where they start rolled up.
-int longest_axis(const Assembly& all) {
-    int longest = 0;
-    for (int d = 1; d < 3; ++d) {
-        if (all.high[d] - all.low[d] > all.high[longest] - all.low[longest]) longest = d;
-    }
-    return longest;
 }
 
 // Of the effects between nodes that come and go near each other; 0 without one.
@@ -120,7 +96,9 @@ double neighbour_skin_m(const LammpsInput& input) {
 // nodes.
 void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
                 const std::string& data_file) {
-    const int axis = longest_axis(all);
+    // Along the bodies' length, also where they start rolled up.
+    const Vec3 extent_m = all.bounds.extent_m();
+    const auto axis = std::ranges::max_element(extent_m) - extent_m.begin();
     std::array<const char*, 3> ranks{"1", "1", "1"};
     ranks[axis] = "*";
     // Ghosts must reach across an element, even one that has been stretched by half.

@@ -2,7 +2,6 @@
 // lines, with only the commands that the scene needs.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>

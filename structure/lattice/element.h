@@ -118,11 +118,6 @@ HourglassState hourglass_energy(const HourglassReference& reference,
 Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& material,
                            const Positions8& x_m);
 
-// Stiffness at rest, K_e = G L + (K + G) / V0 dV dV^T - G d2V + hourglass_tangent, all at
-// J = 1 [N/m].
-Matrix24 stiffness_at_rest(const ElementReference& reference, const Material& material,
-                           const Positions8& nodes_m);
-
 // Kelvin-Voigt damping of one element in its plainest form: what the fast kernel is held
 // to. Second Piola-Kirchhoff stress 2 eta Edot of the mean deformation gradient F, with
 // Green's rate Edot = sym(F^T Fdot), and the like for the strains that the hourglass

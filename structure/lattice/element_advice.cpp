@@ -5,9 +5,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <initializer_list>
-#include <stdexcept>
 
-#include "structure/lattice/element.h"
+#include "structure/lattice/tangent.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -122,13 +122,12 @@ PlateStiffness kirchhoff_plate(const Material& material, double thickness_m) {
 PlateStiffness lattice_plate(ElementVariant variant, const Positions8& layer_m,
                              int thickness_axis, int layers, const Material& material) {
     if (layers < 1) {
-        throw std::invalid_argument(
-            fmt::format("a plate of {} layers found, at least one is needed", layers));
+        refuse("a plate of {} layers found, at least one is needed", layers);
     }
     const auto z = layer_m.col(thickness_axis);
     const double height = z.maxCoeff() - z.minCoeff();
     const ElementReference reference = element_reference(layer_m, variant, 0);
-    const Matrix24 stiffness = stiffness_at_rest(reference, material, layer_m);
+    const Matrix24 stiffness = element_tangent(reference, material, layer_m);
     const auto spread = level_map(layer_m, thickness_axis);
 
     // Energy 1/2 (f^T a f + 2 f^T b k + k^T c k) over the displacements f of the levels.
@@ -160,9 +159,8 @@ ElementAdvice element_advice(ElementVariant variant, const Vec3& edges_m,
                              int thickness_axis, int layers, const Material& material) {
     for (double edge : edges_m) {
         if (!(edge > 0)) {
-            throw std::invalid_argument(fmt::format(
-                "an element of {:g} x {:g} x {:g} m found, its edges must be positive",
-                edges_m[0], edges_m[1], edges_m[2]));
+            refuse("an element of {:g} x {:g} x {:g} m found, its edges must be positive",
+                   edges_m[0], edges_m[1], edges_m[2]);
         }
     }
     ElementAdvice out = errors(variant, edges_m, thickness_axis, layers, material);

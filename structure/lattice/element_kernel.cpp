@@ -1,12 +1,11 @@
 #include "structure/lattice/element_kernel.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -88,8 +87,8 @@ double general_entry(const ElementModes& modes, std::size_t k) {
 void check_viscosity(const Material& material) {
     const double viscosity = material.viscosity_pa_s;
     if (viscosity >= 0 && !std::isinf(viscosity)) return;
-    throw std::invalid_argument(fmt::format(
-        "a solid viscosity of {:g} Pa s found, it must be zero or positive", viscosity));
+    refuse("a solid viscosity of {:g} Pa s found, it must be zero or positive",
+           viscosity);
 }
 
 }  // namespace

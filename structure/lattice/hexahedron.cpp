@@ -1,10 +1,9 @@
 #include "structure/lattice/hexahedron.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <cmath>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -19,10 +18,10 @@ void refuse_inverted(const Positions8& nodes_m, int element_number) {
         const Vec3 xi{node_sign(corner, 0), node_sign(corner, 1), node_sign(corner, 2)};
         const double det = jacobian(nodes_m, xi).determinant();
         if (!(det > 0)) {
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "element {} of the mesh is inverted or flat at its corner {} (Jacobian "
                 "{:.3g} m3, must be positive): nodes go a = i + 2 j + 4 k, right-handed",
-                element_number, corner, det));
+                element_number, corner, det);
         }
     }
 }

@@ -1,10 +1,9 @@
 #include "structure/lattice/lattice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -79,18 +78,16 @@ double longest_diagonal(const Positions8& x) {
 void check_nodes(const Hexahedron& element, int number, std::size_t node_count) {
     for (int node : element) {
         if (node < 0 || static_cast<std::size_t>(node) >= node_count) {
-            throw std::invalid_argument(
-                fmt::format("element {} names node {}, but the mesh has nodes 0 to {}",
-                            number, node, node_count - 1));
+            refuse("element {} names node {}, but the mesh has nodes 0 to {}", number,
+                   node, node_count - 1);
         }
     }
 }
 
 void check_material(const Material& material) {
     if (!(material.shear_modulus_pa > 0) || !(material.lame_lambda_pa > 0)) {
-        throw std::invalid_argument(
-            fmt::format("G = {:g} Pa and K = {:g} Pa found, both must be positive",
-                        material.shear_modulus_pa, material.lame_lambda_pa));
+        refuse("G = {:g} Pa and K = {:g} Pa found, both must be positive",
+               material.shear_modulus_pa, material.lame_lambda_pa);
     }
 }
 
@@ -130,11 +127,11 @@ void refuse_soft_bending(const std::vector<Vec3>& nodes_m,
         const double thickness = edges.length_m[thickness_edge(edges, extent_m)];
         const double shortest = *std::ranges::min_element(edges.length_m);
         if (shortest < shortest_edge * thickness) {
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "element {} has an in-plane edge of {:.4g} m, shorter than its thickness "
                 "of {:.4g} m, where the element mean_f bends too softly: use element "
                 "assumed_strain, more layers or fewer elements in the plane",
-                e, shortest, thickness));
+                e, shortest, thickness);
         }
     }
 }

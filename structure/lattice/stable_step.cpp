@@ -1,18 +1,63 @@
 #include "structure/lattice/stable_step.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "structure/lattice/element.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
 
 using Vector24 = Eigen::Matrix<double, 24, 1>;
+
+Vector24 flat(const Positions8& p) {
+    Vector24 out;
+    for (int a = 0; a < 8; ++a) {
+        for (int d = 0; d < 3; ++d) out(3 * a + d) = p(a, d);
+    }
+    return out;
+}
+
+// d2V / dx dx. The gradient is quadratic in x, so a central difference is exact.
+Matrix24 volume_curvature(const ElementReference& reference, const Positions8& x) {
+    const double h = std::cbrt(reference.volume);
+    Matrix24 out;
+    for (int q = 0; q < 24; ++q) {
+        Positions8 plus = x;
+        Positions8 minus = x;
+        plus(q / 3, q % 3) += h;
+        minus(q / 3, q % 3) -= h;
+        const Positions8 change = element_volume(reference, plus).gradient_m2 -
+                                  element_volume(reference, minus).gradient_m2;
+        out.col(q) = flat(change) / (2 * h);
+    }
+    return out;
+}
+
+// K_e = G L + (K + G) / V0 dV dV^T - G d2V + hourglass_tangent, all at J = 1 [N/m]. That
+// is element_tangent there but for rounding, which would move the last digit of the time
+// step, and with it that of every result.
+Matrix24 stiffness_at_rest(const ElementReference& reference, const Material& material,
+                           const Positions8& nodes_m) {
+    const double g = material.shear_modulus_pa;
+    const Vector24 slope = flat(element_volume(reference, nodes_m).gradient_m2);
+    Matrix24 out =
+        (material.lame_lambda_pa + g) / reference.volume * slope * slope.transpose() -
+        g * volume_curvature(reference, nodes_m);
+    for (int a = 0; a < 8; ++a) {
+        for (int b = 0; b < 8; ++b) {
+            for (int d = 0; d < 3; ++d) {
+                out(3 * a + d, 3 * b + d) += g * reference.spring_matrix(a, b);
+            }
+        }
+    }
+    if (reference.variant == ElementVariant::assumed_strain) {
+        out += hourglass_tangent(reference.hourglass, material, nodes_m);
+    }
+    return out;
+}
 
 double largest_over_mass(const Matrix24& matrix, const Vector24& inverse_root_mass) {
     const Matrix24 scaled =
@@ -40,16 +85,14 @@ double element_step_s(const Positions8& x, ElementVariant variant,
 
 void check(const Body& body, const Material& material) {
     if (!(material.density_kg_m3 > 0)) {
-        throw std::invalid_argument(
-            fmt::format("body {} has an effective density of {:g} kg/m3, it must be "
-                        "positive (explicit "
-                        "steps cannot carry a body that is lighter than its fluid)",
-                        body.name, material.density_kg_m3));
+        refuse(
+            "body {} has an effective density of {:g} kg/m3, it must be positive "
+            "(explicit steps cannot carry a body that is lighter than its fluid)",
+            body.name, material.density_kg_m3);
     }
     if (!(material.viscosity_pa_s >= 0)) {
-        throw std::invalid_argument(fmt::format(
-            "body {} has a viscosity of {:g} Pa s, it must be zero or positive",
-            body.name, material.viscosity_pa_s));
+        refuse("body {} has a viscosity of {:g} Pa s, it must be zero or positive",
+               body.name, material.viscosity_pa_s);
     }
 }
 

@@ -10,37 +10,42 @@
 
 namespace magfsi::structure {
 
-// Bound [s] from the elements: omega_max^2 <= max over elements of the largest eigenvalue
-// of K_e p = omega^2 M_e p, with K_e the tangent stiffness at rest and M_e the element's
-// own lumped masses, each of its own material (the body's masses are their sum, also
-// where materials meet); step = 2 / omega_max. Large compression stiffens the material:
-// run at 0.9 of it. Throws std::invalid_argument on a density that is not positive.
+// A stable time step [s] of the undeformed body: 2 / omega, omega an upper bound of the
+// highest natural frequency of the mesh, which is the highest of any one element with its
+// own lumped mass, K_e p = omega^2 M_e p (K_e the stiffness at rest). Where materials
+// meet, each element keeps the mass of its own. A body under large compression is stiffer
+// than at rest: run at 0.9 of this step. Throws std::invalid_argument on a density that
+// is not positive.
 //
-// With Kelvin-Voigt damping, whose forces a velocity-Verlet step takes at
-// the velocity of the half step before, the bound is the largest step with step^2 omega^2
-// + 2 step c <= 4: step = 2 / omega (sqrt(1 + z^2) - z), z = c / (2 omega), with omega^2
-// and c the largest eigenvalues of stiffness and damping over mass.
+// A viscous material (Kelvin-Voigt) needs a shorter step, since the velocity-Verlet
+// scheme takes the damping force at the velocity of half a step before: with c the
+// largest eigenvalue of the element's damping matrix over its mass, the step h must
+// satisfy h^2 omega^2 + 2 h c <= 4, that is h = 2 / omega (sqrt(1 + z^2) - z), z = c / (2
+// omega).
 double stable_step_s(const Body& body);
 
-// As if no material were viscous.
+// The same with all viscosities set to zero.
 double stable_elastic_step_s(Body body);
 
-// The springs of an element are linear; what changes is its volume term, of rank one,
-//   d2U/dJ2 / V0 dV dV^T,   d2U/dJ2 = (K (1 - ln J) + G) / J^2,
-// whose eigenvalue over the masses is r = d2U/dJ2 / V0 sum_a |dV/dx_a|^2 / m_a. It rises
-// where an element is compressed, and where it is squeezed flat at its volume: its faces
-// grow. The frequencies of the body rise by no more than the largest rise of r beside
-// what the pressure adds, p d2V, which is left to the margin of the step.
+// The stable step of a body while it deforms. The springs of an element are linear, and
+// so their stiffness is that at rest; what changes is the stiffness of its volume term,
+//   d2U/dJ2 / V0 dV dV^T,   d2U/dJ2 = (K (1 - ln J) + G) / J^2.
+// This matrix has rank one; over the masses m_a its one eigenvalue is
+//   r = d2U/dJ2 / V0 sum_a |dV/dx_a|^2 / m_a.
+// r rises where an element is compressed, and where it is flattened at constant volume,
+// for then its faces grow. The square of the body's highest frequency rises by no more
+// than the largest rise of r in an element. The pressure's own contribution, p d2V, is
+// left out; the margin of the step covers it.
 class CurrentStep {
   public:
-    // As stable_step_s; about 300 bytes an element.
+    // Throws as stable_step_s does. Takes about 300 bytes an element.
     explicit CurrentStep(const Body& body);
 
-    // Largest r - r(rest) over the elements [1/s2], not below 0. nodes_m: where the
-    // body's nodes are. Infinite where an element is inverted.
+    // The largest rise of r over its value at rest in any element [1/s2]; 0 where none
+    // has risen, infinite where an element is inverted. nodes_m: the present positions.
     double rise_1_s2(std::span<const Vec3> nodes_m) const;
 
-    // The largest stable step [s] then, from that at rest.
+    // The largest stable step [s] after such a rise, from the one at rest.
     static double step_s(double step_at_rest_s, double rise_1_s2);
 
   private:

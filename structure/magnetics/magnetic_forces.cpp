@@ -1,20 +1,17 @@
 #include "structure/magnetics/magnetic_forces.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <cmath>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
 
 void check_count(std::size_t vectors, std::size_t elements) {
     if (vectors == elements) return;
-    throw std::invalid_argument(
-        fmt::format("{} magnetisation vectors for {} elements found, one per element is "
-                    "needed",
-                    vectors, elements));
+    refuse("{} magnetisation vectors for {} elements found, one per element is needed",
+           vectors, elements);
 }
 
 // Gradients are typed with a few digits; what is left of the trace acts like a source.
@@ -22,27 +19,26 @@ constexpr double allowed_defect = 1e-6;
 
 void check(const Eigen::Matrix3d& a) {
     if (!a.allFinite()) {
-        throw std::invalid_argument(
-            "a field gradient with an entry that is not finite "
-            "found, all nine must be numbers");
+        refuse(
+            "a field gradient with an entry that is not finite found, all nine must be "
+            "numbers");
     }
     const double allowed = allowed_defect * a.cwiseAbs().maxCoeff();
     for (int d = 0; d < 3; ++d) {
         for (int e = d + 1; e < 3; ++e) {
             if (std::abs(a(d, e) - a(e, d)) <= allowed) continue;
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "field gradient with dB_{0}/d{1} = {2:g} T/m and dB_{1}/d{0} = {3:g} T/m "
                 "found; they must be equal, a static field outside its sources has no "
                 "curl",
-                "xyz"[d], "xyz"[e], a(d, e), a(e, d)));
+                "xyz"[d], "xyz"[e], a(d, e), a(e, d));
         }
     }
     if (std::abs(a.trace()) > allowed) {
-        throw std::invalid_argument(
-            fmt::format("field gradient with the diagonal {:g}, {:g}, {:g} T/m found; "
-                        "its sum must be "
-                        "zero, a magnetic field has no divergence",
-                        a(0, 0), a(1, 1), a(2, 2)));
+        refuse(
+            "field gradient with the diagonal {:g}, {:g}, {:g} T/m found; its sum must "
+            "be zero, a magnetic field has no divergence",
+            a(0, 0), a(1, 1), a(2, 2));
     }
 }
 

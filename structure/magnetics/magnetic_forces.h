@@ -11,17 +11,21 @@
 
 namespace magfsi::structure {
 
-// q_a = sum over elements of M_e . b_a(e) [A m], b_a = integral of grad N_a. In a uniform
-// field B the energy -integral of (F M) . B gives the node the force q_a B, whatever the
-// deformation. The sum over a body is zero. One value a node; zeros where the
-// magnetisation (one vector an element [A/m]) is empty. Throws std::invalid_argument if
-// the number of vectors is neither zero nor that of the elements.
+// Magnetic charge of each node [A m],
+//   q_a = sum over the elements e of M_e . integral over e of grad N_a,
+// N_a the node's shape function. A body with the magnetisation M, fixed to the material,
+// has in a uniform flux density B the energy - integral of (F M) . B, F the deformation
+// gradient. That is linear in the positions of the nodes: each feels the force q_a B,
+// whatever the deformation. The charges of a body sum to zero: a uniform field turns and
+// bends it and does not carry it away. magnetization_a_m: one vector an element [A/m], or
+// none at all, which gives zeros; throws std::invalid_argument on another number.
 std::vector<double> nodal_charges(const std::vector<Vec3>& nodes_m,
                                   const std::vector<Hexahedron>& elements,
                                   const std::vector<Vec3>& magnetization_a_m);
 
-// B(x) = B0 + A (x - origin). Outside its sources a static field has no divergence and no
-// curl, so A is symmetric and traceless. A(d, e) = dB_d / dx_e [T/m].
+// A flux density that varies linearly in space, B(x) = B0 + A (x - origin), with the
+// gradient A(d, e) = dB_d / dx_e [T/m]. Maxwell's equations without currents leave a
+// static field no divergence and no curl, so A is symmetric and its trace is zero.
 class FieldGradient {
   public:
     // Throws std::invalid_argument, naming the entries, where A is not symmetric or not
@@ -36,23 +40,26 @@ class FieldGradient {
     Vec3 origin_m_;
 };
 
-// S_ab = integral of (M . grad N_a) N_b + (M . grad N_b) N_a [A m2], over the undeformed
-// element; symmetric. Its rows sum to the nodal charges q_a.
+// What an element's forces in a field gradient need: the integral over the undeformed
+// element
+//   S_ab = integral of (M . grad N_a) N_b + (M . grad N_b) N_a [A m2],
+// which is symmetric. Its row a sums to the element's part of the nodal charge q_a.
 struct GradientElement {
     Matrix8 coupling = Matrix8::Zero();
 };
 
-// One an element of the mesh, from one magnetisation vector [A/m] an element. Throws
-// std::invalid_argument if the numbers differ.
+// For each element of the mesh. magnetization_a_m: one vector an element [A/m]; throws
+// std::invalid_argument on another number.
 std::vector<GradientElement> gradient_elements(
     const std::vector<Vec3>& nodes_m, const std::vector<Hexahedron>& elements,
     const std::vector<Vec3>& magnetization_a_m);
 
-// Adds to f the forces of the gradient alone, A sum_b S_ab (x_b - origin) on node a [N],
-// and returns their energy -1/2 sum_ab S_ab (x_a - origin) . A (x_b - origin) [J]. They
-// are -d/dx_a of -integral of (F M) . A (x - origin); the uniform part B0 adds q_a B0 and
-// the energy -B0 . sum q_a x_a (nodal_charges). Not a dead load: it follows the shape.
-// nodes: for each element the eight indices of its nodes in x and f, three values a node.
+// Adds the forces of the gradient alone to f: on node a
+//   A sum_b S_ab (x_b - origin) [N].
+// Returns their energy -1/2 sum_ab S_ab (x_a - origin) . A (x_b - origin) [J], which is
+// - integral of (F M) . A (x - origin). Unlike the force q_a B0 of the uniform part
+// (nodal_charges), they change with the body's shape and place. nodes: for each element
+// the eight indices of its nodes in x and f, which hold three values a node.
 double add_gradient_forces(std::span<const GradientElement> elements,
                            std::span<const std::array<int, 8>> nodes,
                            const FieldGradient& gradient, const double* x, double* f);

@@ -8,9 +8,10 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -42,10 +43,10 @@ void check(const HarmonicMagnetization& profile) {
     const bool axes = profile.along >= 0 && profile.along <= 2 && profile.into >= 0 &&
                       profile.into <= 2 && profile.along != profile.into;
     if (!(profile.wavelength_m > 0) || !axes) {
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "harmonic magnetisation with wavelength {:g} m and axes {} and {} found; the "
             "wavelength must be positive and the axes two different ones of 0, 1, 2",
-            profile.wavelength_m, profile.along, profile.into));
+            profile.wavelength_m, profile.along, profile.into);
     }
 }
 
@@ -81,8 +82,7 @@ class TableReader {
   public:
     explicit TableReader(const std::filesystem::path& file) : file_(file), stream_(file) {
         if (!stream_) {
-            throw std::invalid_argument(
-                fmt::format("cannot open the magnetisation table {}", file.string()));
+            refuse("cannot open the magnetisation table {}", file.string());
         }
     }
 
@@ -175,8 +175,7 @@ class TableReader {
     }
 
     [[noreturn]] void fail(const std::string& why) const {
-        throw std::invalid_argument(fmt::format("magnetisation table {}, line {}: {}",
-                                                file_.string(), number_, why));
+        refuse("magnetisation table {}, line {}: {}", file_.string(), number_, why);
     }
 
     std::filesystem::path file_;
@@ -238,11 +237,11 @@ std::vector<Vec3> nearest_vectors(const Mesh& mesh, const std::vector<Row>& rows
         const Row& row = rows[nearest(centre)];
         const double away = std::sqrt(squared_distance(row.point_m, centre));
         if (away > far_m) {
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "magnetisation table {}: its point nearest to element {} with the centre "
                 "({:.6g}, {:.6g}, {:.6g}) m is {:.3g} m away, at most {:.3g} m, half the "
                 "body's diagonal, is allowed; see that unit and frame are the body's",
-                file.string(), e, centre[0], centre[1], centre[2], away, far_m));
+                file.string(), e, centre[0], centre[1], centre[2], away, far_m);
         }
         out.push_back(row.vector_a_m);
     }
@@ -288,11 +287,10 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
         const auto owner = std::ranges::find_if(
             domains, [&](const MagneticDomain& domain) { return holds(domain, centre); });
         if (owner == domains.end()) {
-            throw std::invalid_argument(
-                fmt::format("element {} with its centre at ({:.6g}, {:.6g}, {:.6g}) m "
-                            "lies in none of "
-                            "the {} magnetisation domains; every element must lie in one",
-                            e, centre[0], centre[1], centre[2], domains.size()));
+            refuse(
+                "element {} with its centre at ({:.6g}, {:.6g}, {:.6g}) m lies in none "
+                "of the {} magnetisation domains; every element must lie in one",
+                e, centre[0], centre[1], centre[2], domains.size());
         }
         out[e] = owner->vector_a_m;
     }
@@ -302,21 +300,18 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
 std::vector<Vec3> region_magnetization(const Mesh& mesh,
                                        const std::map<std::string, Vec3>& vector_a_m) {
     if (mesh.region_names.empty()) {
-        throw std::invalid_argument(
-            "a magnetisation by region found for a mesh without regions");
+        refuse("a magnetisation by region found for a mesh without regions");
     }
     const auto& names = mesh.region_names;
     for (const auto& [name, unused] : vector_a_m) {
         if (std::ranges::find(names, name) != names.end()) continue;
-        throw std::invalid_argument(
-            fmt::format("magnetisation of the region \"{}\" found; the mesh has {}", name,
-                        fmt::join(names, ", ")));
+        refuse("magnetisation of the region \"{}\" found; the mesh has {}", name,
+               fmt::join(names, ", "));
     }
     for (const std::string& name : names) {
         if (vector_a_m.contains(name)) continue;
-        throw std::invalid_argument(fmt::format(
-            "no magnetisation of the region \"{}\" found; each of {} needs one", name,
-            fmt::join(names, ", ")));
+        refuse("no magnetisation of the region \"{}\" found; each of {} needs one", name,
+               fmt::join(names, ", "));
     }
     std::vector<Vec3> out(mesh.elements.size());
     for (std::size_t e = 0; e < out.size(); ++e) {
@@ -331,10 +326,10 @@ std::vector<Vec3> table_magnetization(const Mesh& mesh,
     const std::vector<Row> rows = table.rows();
     if (table.has_points()) return nearest_vectors(mesh, rows, file);
     if (rows.size() != mesh.elements.size()) {
-        throw std::invalid_argument(
-            fmt::format("magnetisation table {}: {} rows found for {} elements; without "
-                        "the columns x, y, z one row per element is needed",
-                        file.string(), rows.size(), mesh.elements.size()));
+        refuse(
+            "magnetisation table {}: {} rows found for {} elements; without the columns "
+            "x, y, z one row per element is needed",
+            file.string(), rows.size(), mesh.elements.size());
     }
     std::vector<Vec3> out;
     for (const Row& row : rows) out.push_back(row.vector_a_m);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <stdexcept>
 
 #include "structure/lattice/hexahedron.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -56,8 +56,7 @@ Mesh grid_mesh(const GridCounts& elements,
     const auto [nx, ny, nz] = elements;
     const double nodes = (nx + 1.0) * (ny + 1.0) * (nz + 1.0);
     if (nodes > INT_MAX) {
-        throw std::invalid_argument(fmt::format(
-            "mesh of {:g} nodes found, at most {} are allowed", nodes, INT_MAX));
+        refuse("mesh of {:g} nodes found, at most {} are allowed", nodes, INT_MAX);
     }
     Mesh mesh;
     for (int k = 0; k <= nz; ++k) {
@@ -79,9 +78,9 @@ Mesh grid_mesh(const GridCounts& elements,
 void check(const Box& box) {
     for (int d = 0; d < 3; ++d) {
         if (!(box.size_m[d] > 0) || box.elements[d] < 1) {
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "box mesh of {:g} m in {} elements along {} found, both must be positive",
-                box.size_m[d], box.elements[d], "xyz"[d]));
+                box.size_m[d], box.elements[d], "xyz"[d]);
         }
     }
 }
@@ -90,22 +89,22 @@ void check(const ObliquePlate& plate) {
     const auto [along_a, along_b, layers] = plate.elements_per_cell;
     if (plate.cells[0] < 1 || plate.cells[1] < 1 || along_a < 1 || along_b < 1 ||
         layers < 1) {
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "oblique plate of {} columns and {} rows in {} x {} x {} elements per cell "
             "found; each must be at least 1",
-            plate.cells[0], plate.cells[1], along_a, along_b, layers));
+            plate.cells[0], plate.cells[1], along_a, along_b, layers);
     }
     if (!(plate.length_a_m > 0 && plate.length_b_m > 0 && plate.thickness_m > 0)) {
-        throw std::invalid_argument(
-            fmt::format("oblique plate with sides of {:g} m and {:g} m and {:g} m "
-                        "thickness found; each must be positive",
-                        plate.length_a_m, plate.length_b_m, plate.thickness_m));
+        refuse(
+            "oblique plate with sides of {:g} m and {:g} m and {:g} m thickness found; "
+            "each must be positive",
+            plate.length_a_m, plate.length_b_m, plate.thickness_m);
     }
     if (!(plate.angle_rad > 0 && plate.angle_rad < std::numbers::pi)) {
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "oblique plate with an angle of {:g} rad between its sides found; it must be "
             "above 0 and below pi",
-            plate.angle_rad));
+            plate.angle_rad);
     }
 }
 

@@ -1,14 +1,12 @@
 #include "structure/mesh/body_points.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "structure/lattice/hexahedron.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -110,9 +108,8 @@ std::vector<SurfacePoint> surface_points(const Mesh& mesh,
 
 std::vector<VolumePoint> volume_points(const Mesh& mesh, double spacing_m) {
     if (!(spacing_m > 0)) {
-        throw std::invalid_argument(fmt::format(
-            "points {:g} m apart in a body found, the spacing must be positive",
-            spacing_m));
+        refuse("points {:g} m apart in a body found, the spacing must be positive",
+               spacing_m);
     }
     std::vector<VolumePoint> points;
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {

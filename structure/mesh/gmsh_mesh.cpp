@@ -12,6 +12,7 @@
 
 #include "structure/mesh/mesh_check.h"
 #include "structure/mesh/mesh_file.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -44,10 +45,10 @@ void check_header(const std::filesystem::path& file) {
             "allowed");
     }
     if (version != "2.2" && version != "4.1") {
-        throw std::runtime_error(fmt::format(
-            "version {} of the format found, 2.2 and 4.1 are allowed; save it again with "
-            "Mesh.MshFileVersion = 4.1",
-            version));
+        throw std::runtime_error(
+            fmt::format("version {} of the format found, 2.2 and 4.1 are allowed; save "
+                        "it again with Mesh.MshFileVersion = 4.1",
+                        version));
     }
 }
 
@@ -70,11 +71,10 @@ void refuse_other_elements() {
     throw std::runtime_error(fmt::format(
         "volume elements of the kinds {} found, hexahedra of 8 nodes are allowed; {}",
         found.empty() ? "(none)" : found,
-        other_order
-            ? "set Mesh.ElementOrder = 1"
-            : "extrude a surface meshed with Mesh.RecombineAll = 1 with Layers and "
-              "Recombine, or use Transfinite Surface, Transfinite Volume and Recombine, "
-              "or Mesh.SubdivisionAlgorithm = 2, and mesh in 3D"));
+        other_order ? "set Mesh.ElementOrder = 1"
+                    : "extrude a surface meshed with Mesh.RecombineAll = 1 with Layers "
+                      "and Recombine, or use Transfinite Surface, Transfinite Volume and "
+                      "Recombine, or Mesh.SubdivisionAlgorithm = 2, and mesh in 3D"));
 }
 
 std::string group_name(int dimension, int tag) {
@@ -155,10 +155,10 @@ void refuse_empty_groups(const Mesh& mesh) {
     for (const auto* groups : {&mesh.faces, &mesh.points}) {
         for (const auto& [name, nodes] : *groups) {
             if (!nodes.empty()) continue;
-            throw std::runtime_error(fmt::format(
-                "the physical group \"{}\" has no node of a hexahedron; embed "
-                "its points in the volume's mesh or leave it out",
-                name));
+            throw std::runtime_error(
+                fmt::format("the physical group \"{}\" has no node of a hexahedron; "
+                            "embed its points in the volume's mesh or leave it out",
+                            name));
         }
     }
 }
@@ -193,8 +193,7 @@ GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
 
 GmshMesh read_gmsh_mesh(const std::filesystem::path& file, double metres_per_unit) {
     if (!(metres_per_unit > 0)) {
-        throw std::invalid_argument(fmt::format(
-            "a mesh unit of {:g} m found, it must be positive", metres_per_unit));
+        refuse("a mesh unit of {:g} m found, it must be positive", metres_per_unit);
     }
     const auto refused = [&](const std::string& why) {
         return std::runtime_error(fmt::format("mesh {}: {}", file.string(), why));

@@ -1,11 +1,10 @@
 #include "structure/mesh/locate.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -92,7 +91,7 @@ std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) 
 
 PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
     if (mesh.elements.empty()) {
-        throw std::invalid_argument("a mesh without elements holds no point");
+        refuse("a mesh without elements holds no point");
     }
     surface_ = boundary_quads(mesh);
     Bounds all;
@@ -102,9 +101,7 @@ PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
             std::max(longest_diagonal_m_, bounds(mesh.nodes, element).diagonal_m());
     }
     low_m_ = all.low_m;
-    high_m_ = all.high_m;
-    Vec3 extent{};
-    for (int d = 0; d < 3; ++d) extent[d] = high_m_[d] - low_m_[d];
+    const Vec3 extent = all.extent_m();
     bins_ = bin_counts(extent, mesh.elements.size());
     for (int d = 0; d < 3; ++d) bin_size_m_[d] = extent[d] / bins_[d];
 
@@ -192,8 +189,7 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
             trial.weight[local[a]] = shape[a];
             for (int d = 0; d < 3; ++d) foot[d] += shape[a] * x[a][d];
         }
-        const double away =
-            std::hypot(foot[0] - point_m[0], foot[1] - point_m[1], foot[2] - point_m[2]);
+        const double away = distance_m(foot, point_m);
         if (away > least) continue;
         least = away;
         best = trial;
@@ -204,10 +200,10 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
 MaterialPoint PointLocator::nearest(const Vec3& point_m) const {
     for (const double x : point_m) {
         if (!std::isfinite(x)) {
-            throw std::invalid_argument(
-                fmt::format("point ({}, {}, {}) m to be located in a mesh found, its "
-                            "coordinates must be finite",
-                            point_m[0], point_m[1], point_m[2]));
+            refuse(
+                "point ({}, {}, {}) m to be located in a mesh found, its coordinates "
+                "must be finite",
+                point_m[0], point_m[1], point_m[2]);
         }
     }
     const auto found = find(point_m);

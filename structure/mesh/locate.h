@@ -42,7 +42,7 @@ class PointLocator {
 
     const Mesh& mesh_;
     std::vector<SurfaceQuad> surface_;
-    Vec3 low_m_{}, high_m_{};
+    Vec3 low_m_{};
     Vec3 bin_size_m_{};
     double longest_diagonal_m_ = 0;  // of an element's bounding box
     std::array<int, 3> bins_{1, 1, 1};

@@ -17,6 +17,10 @@ namespace magfsi::structure {
 // {0,1}.
 using Hexahedron = std::array<int, 8>;
 
+inline double distance_m(const Vec3& a, const Vec3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
 // A point carried by an element: position = sum of weight[a] * x[node[a]].
 struct MaterialPoint {
     std::array<int, 8> node{};

@@ -1,23 +1,17 @@
 #include "structure/mesh/mesh_check.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "structure/lattice/hexahedron.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
-
-double distance(const Vec3& a, const Vec3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -91,7 +85,7 @@ double shortest_edge_m(const Mesh& mesh) {
                 const int b = a | (1 << d);
                 if (b == a) continue;
                 shortest = std::min(
-                    shortest, distance(mesh.nodes[element[a]], mesh.nodes[element[b]]));
+                    shortest, distance_m(mesh.nodes[element[a]], mesh.nodes[element[b]]));
             }
         }
     }
@@ -114,7 +108,7 @@ std::optional<std::array<int, 2>> coincident_nodes(const Mesh& mesh, double tole
                 if (at[0] != from[0] || at[1] != from[1] || at[2] > cell[2] + 1) break;
                 const int n = other->second;
                 if (n > node &&
-                    distance(mesh.nodes[n], mesh.nodes[node]) <= tolerance_m) {
+                    distance_m(mesh.nodes[n], mesh.nodes[node]) <= tolerance_m) {
                     return std::array{node, n};
                 }
             }
@@ -157,25 +151,24 @@ std::vector<int> connected_parts(const Mesh& mesh) {
 }
 
 void refuse_broken_mesh(const Mesh& mesh) {
-    if (mesh.elements.empty()) throw std::invalid_argument("the mesh has no hexahedra");
+    if (mesh.elements.empty()) refuse("the mesh has no hexahedra");
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         integrate_hexahedron(gather(mesh.nodes, mesh.elements[e]), static_cast<int>(e));
     }
     if (const auto twins = duplicate_elements(mesh)) {
-        throw std::invalid_argument(
-            fmt::format("elements {} and {} of the mesh have the same nodes; put every "
-                        "volume into one physical group only",
-                        (*twins)[0], (*twins)[1]));
+        refuse(
+            "elements {} and {} of the mesh have the same nodes; put every volume into "
+            "one physical group only",
+            (*twins)[0], (*twins)[1]);
     }
     if (const auto pair = coincident_nodes(mesh, 1e-3 * shortest_edge_m(mesh))) {
         const Vec3& x = mesh.nodes[(*pair)[0]];
-        throw std::invalid_argument(fmt::format(
+        refuse(
             "nodes {} and {} of the mesh coincide at ({:.6g}, {:.6g}, {:.6g}) m: the "
             "parts they belong to touch without being joined; join them (in Gmsh: "
             "Coherence or BooleanFragments before meshing, or Coherence Mesh after it) "
-            "or "
-            "leave a gap between them",
-            (*pair)[0], (*pair)[1], x[0], x[1], x[2]));
+            "or leave a gap between them",
+            (*pair)[0], (*pair)[1], x[0], x[1], x[2]);
     }
 }
 

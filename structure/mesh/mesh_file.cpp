@@ -1,12 +1,11 @@
 #include "structure/mesh/mesh_file.h"
 
-#include <fmt/format.h>
-#include <fmt/os.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -57,8 +56,7 @@ std::map<std::string, std::vector<int>> read_groups(NumberedLines& lines,
     return groups;
 }
 
-template <typename Out>
-void write_groups(Out& out, const char* keyword,
+void write_groups(fmt::ostream& out, const char* keyword,
                   const std::map<std::string, std::vector<int>>& groups) {
     out.print("{} {}\n", keyword, groups.size());
     for (const auto& [name, nodes] : groups) {
@@ -68,13 +66,15 @@ void write_groups(Out& out, const char* keyword,
 
 }  // namespace
 
+void write_nodes(fmt::ostream& out, const std::vector<Vec3>& nodes_m) {
+    out.print("nodes {}\n", nodes_m.size());
+    for (const Vec3& x : nodes_m) out.print("{:.17g}\n", fmt::join(x, " "));
+}
+
 void write_mesh_file(const Mesh& mesh, const std::filesystem::path& file) {
-    try {
-        auto out = fmt::output_file(file.string());
-        out.print("# magfsi mesh [m]\nnodes {}\n", mesh.nodes.size());
-        for (const Vec3& x : mesh.nodes) {
-            out.print("{:.17g} {:.17g} {:.17g}\n", x[0], x[1], x[2]);
-        }
+    write_text_file("mesh file", file, [&](fmt::ostream& out) {
+        out.print("# magfsi mesh [m]\n");
+        write_nodes(out, mesh.nodes);
         out.print("regions {}\n", mesh.region_names.size());
         for (const std::string& name : mesh.region_names) out.print("{}\n", name);
         out.print("elements {}\n", mesh.elements.size());
@@ -84,10 +84,7 @@ void write_mesh_file(const Mesh& mesh, const std::filesystem::path& file) {
         }
         write_groups(out, "faces", mesh.faces);
         write_groups(out, "points", mesh.points);
-    } catch (const std::system_error& error) {
-        throw std::runtime_error(fmt::format("cannot write the mesh file {}: {}",
-                                             file.string(), error.what()));
-    }
+    });
 }
 
 Mesh read_mesh_file(const std::filesystem::path& file) {
@@ -125,9 +122,9 @@ std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> n
     std::vector<MaterialPoint> line;
     for (const int node : ordered) {
         if (of_node[node].element < 0) {
-            throw std::invalid_argument(fmt::format(
+            refuse(
                 "node {} of a line belongs to no element; a line runs through the body",
-                node));
+                node);
         }
         line.push_back(of_node[node]);
     }

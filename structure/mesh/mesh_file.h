@@ -9,11 +9,15 @@
 //   points P                the same for named points and lines
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/os.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +35,23 @@ Mesh read_mesh_file(const std::filesystem::path& file);
 // (x before y before z): the centre line, which does not turn back. Throws
 // std::invalid_argument for a node of no element.
 std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> nodes);
+
+// Writes a text file by print(out), out as of fmt::output_file. Throws std::runtime_error
+// that names the kind of file, such as "mesh file", and the file.
+template <class Print>
+void write_text_file(const char* kind, const std::filesystem::path& file,
+                     const Print& print) {
+    try {
+        auto out = fmt::output_file(file.string());
+        print(out);
+    } catch (const std::system_error& error) {
+        throw std::runtime_error(
+            fmt::format("cannot write the {} {}: {}", kind, file.string(), error.what()));
+    }
+}
+
+// "nodes N" and a line of three coordinates each, which read back exactly.
+void write_nodes(fmt::ostream& out, const std::vector<Vec3>& nodes_m);
 
 // Text files of nodes and elements, line by line, without comments and blank lines. Every
 // error is a std::runtime_error with the kind of file, its name, the line and what was

@@ -32,39 +32,20 @@ Eigen::Vector3d face_centre(const Mesh& mesh, int element, int face) {
     return sum;
 }
 
-// From the outer face `start` inwards, or once round a ring from its first element.
-Chord follow(const Mesh& mesh, const Neighbours& behind, const FaceOfElement& start) {
-    Chord chord;
+// Visits the elements from `start`, the face by which the first one is entered, on
+// through opposite faces; returns the face where this leaves the mesh, none where it is a
+// ring.
+template <class Visit>
+FaceOfElement follow(const Neighbours& behind, const FaceOfElement& start,
+                     const Visit& visit) {
     FaceOfElement at = start;
     do {
-        chord.elements.push_back(at.element);
-        const int out = opposite(at.face);
-        chord.length_m +=
-            (face_centre(mesh, at.element, out) - face_centre(mesh, at.element, at.face))
-                .norm();
-        chord.ends[1] = {at.element, out};
-        at = behind[at.element][out];
-    } while (at.element >= 0 && (at.element != start.element || at.face != start.face));
-    if (at.element < 0) {
-        chord.ends[0] = start;
-    } else {
-        chord.ends[1] = {};
-        chord.length_m = INFINITY;
-    }
-    return chord;
-}
-
-// The outer face where the chord through an element begins; the element's own low face
-// along d on a ring.
-FaceOfElement beginning(const Neighbours& behind, int element, int d) {
-    const FaceOfElement first{element, 2 * d};
-    FaceOfElement at = first;
-    while (true) {
-        const FaceOfElement next = behind[at.element][at.face];
-        if (next.element < 0) return at;
-        at = {next.element, opposite(next.face)};
-        if (at.element == element && at.face == first.face) return first;
-    }
+        visit(at);
+        const FaceOfElement out{at.element, opposite(at.face)};
+        at = behind[out.element][out.face];
+        if (at.element < 0) return out;
+    } while (at.element != start.element || at.face != start.face);
+    return {};
 }
 
 struct Chords {
@@ -75,18 +56,22 @@ struct Chords {
 Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
     Chords out;
     out.of_element.assign(mesh.elements.size(), {-1, -1, -1});
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
         for (int d = 0; d < 3; ++d) {
             if (out.of_element[e][d] >= 0) continue;
-            const FaceOfElement start = beginning(behind, static_cast<int>(e), d);
-            FaceOfElement at = start;
-            do {
-                out.of_element[at.element][at.face / 2] =
-                    static_cast<int>(out.all.size());
-                at = behind[at.element][opposite(at.face)];
-            } while (at.element >= 0 &&
-                     (at.element != start.element || at.face != start.face));
-            out.all.push_back(follow(mesh, behind, start));
+            const int number = static_cast<int>(out.all.size());
+            Chord& chord = out.all.emplace_back();
+            chord.ends[0] = follow(behind, {e, 2 * d + 1}, [](const FaceOfElement&) {});
+            const bool ring = chord.ends[0].element < 0;
+            const FaceOfElement start = ring ? FaceOfElement{e, 2 * d} : chord.ends[0];
+            chord.ends[1] = follow(behind, start, [&](const FaceOfElement& at) {
+                chord.elements.push_back(at.element);
+                out.of_element[at.element][at.face / 2] = number;
+                chord.length_m += (face_centre(mesh, at.element, opposite(at.face)) -
+                                   face_centre(mesh, at.element, at.face))
+                                      .norm();
+            });
+            if (ring) chord.length_m = INFINITY;
         }
     }
     return out;
@@ -174,8 +159,7 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
     SheetColumn column{{}, {}, bottom, top};
     const auto& b = bottom.node;
     column.levels.push_back({b[0], b[3], b[2], b[1]});  // turned towards the top
-    for (FaceOfElement at{bottom.element, bottom.face}; at.element >= 0;
-         at = behind[at.element][opposite(at.face)]) {
+    follow(behind, {bottom.element, bottom.face}, [&](const FaceOfElement& at) {
         column.elements.push_back(at.element);
         const Hexahedron& nodes = mesh.elements[at.element];
         std::array<int, 4> next{};
@@ -184,7 +168,7 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
             next[a] = nodes[(corner - nodes.begin()) ^ (1 << (at.face / 2))];
         }
         column.levels.push_back(next);
-    }
+    });
     return column;
 }
 
@@ -243,22 +227,19 @@ MaterialPoint point_in(const Mesh& mesh, const SheetColumn& column, SheetSide si
 }  // namespace
 
 MeshEnds::MeshEnds(const Mesh& mesh, const Continues& continues)
-    : mesh_(mesh), continues_(continues) {
-    const Bounds box = bounds(mesh.nodes);
-    low_m_ = box.low_m;
-    high_m_ = box.high_m;
-    slack_m_ = 1e-9 * box.diagonal_m();  // rounding of nodes
-}
+    : mesh_(mesh), continues_(continues), box_(bounds(mesh.nodes)) {}
 
 bool MeshEnds::hold(const SurfaceQuad& quad) const {
+    const double slack_m = 1e-9 * box_.diagonal_m();  // rounding of nodes
     const auto all_at = [&](std::size_t d, double plane_m) {
         return std::ranges::all_of(quad.node, [&](int node) {
             const Vec3& x = mesh_.nodes[static_cast<std::size_t>(node)];
-            return std::abs(x[d] - plane_m) <= slack_m_;
+            return std::abs(x[d] - plane_m) <= slack_m;
         });
     };
     for (std::size_t d = 0; d < 3; ++d) {
-        if (continues_[d] && (all_at(d, low_m_[d]) || all_at(d, high_m_[d]))) return true;
+        if (continues_[d] && (all_at(d, box_.low_m[d]) || all_at(d, box_.high_m[d])))
+            return true;
     }
     return false;
 }

@@ -25,8 +25,7 @@ class MeshEnds {
   private:
     const Mesh& mesh_;
     Continues continues_;
-    Vec3 low_m_{}, high_m_{};
-    double slack_m_ = 0;
+    Bounds box_;
 };
 
 // One column across the thickness: its elements from bottom to top, and the four nodes of

@@ -1,13 +1,11 @@
 #include "structure/mesh/surface.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <tuple>
-#include <utility>
+
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -38,11 +36,11 @@ std::vector<Face> sorted_faces(const Mesh& mesh) {
 }
 
 [[noreturn]] void refuse_shared(const Face& a, const Face& b, const Face& c) {
-    throw std::invalid_argument(
-        fmt::format("elements {}, {} and {} share one face (nodes {} {} {} {}); a face "
-                    "belongs to one element or to two",
-                    a.element, b.element, c.element, a.sorted[0], a.sorted[1],
-                    a.sorted[2], a.sorted[3]));
+    refuse(
+        "elements {}, {} and {} share one face (nodes {} {} {} {}); a face belongs to "
+        "one element or to two",
+        a.element, b.element, c.element, a.sorted[0], a.sorted[1], a.sorted[2],
+        a.sorted[3]);
 }
 
 Vector3d vector(const Vec3& x) {
@@ -204,9 +202,8 @@ std::array<double, 2> nearest_on_quad(const Corners4& corners_m, const Vec3& poi
 
 std::vector<QuadCell> cut_quad(const Corners4& corners_m, double spacing_m) {
     if (!(spacing_m > 0)) {
-        throw std::invalid_argument(fmt::format(
-            "points {:g} m apart on a surface found, the spacing must be positive",
-            spacing_m));
+        refuse("points {:g} m apart on a surface found, the spacing must be positive",
+               spacing_m);
     }
     const Corners x = vectors(corners_m);
     const int nu = parts(std::max((x[1] - x[0]).norm(), (x[2] - x[3]).norm()), spacing_m);

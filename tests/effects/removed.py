@@ -23,7 +23,7 @@ BOUND = 1e-3
 STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 # The lists of effects, each with the folder beside it; of outputs, by the program that writes.
 STRUCTURE_LIST, FLUID_LIST = "structure/lammps/effects.inc", "fluid_lbm/effects.inc"
-OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/outputs.inc", FLUID: "adapters/fluids/effects.inc"}
+OUTPUT_LISTS = {STRUCTURE: "adapters/lammps/outputs.inc", FLUID: "adapters/fluids/outputs.inc"}
 
 # Scenes with every effect but the one that is looked at, and settings that shorten them.
 TESTS = testing.ROOT / "tests"

@@ -28,7 +28,7 @@ class Crushed(unittest.TestCase):
         self.assertEqual(run.code, 3, run.err)
         # Whichever comes first.
         self.assertRegex(run.err, r"element \d+ is inverted at step \d+.*body cube|"
-                                  r"the run has gained energy that nothing gave")
+                                  r"the run has gained energy without a source")
         self.assertEqual(run.summary()["outcome"], "diverged")
 
 

@@ -43,7 +43,7 @@ class MapInParts(unittest.TestCase):
         row = study("lattice", Path(testing.new_folder()), relaxation_time=0.503,
                     lattice_speed=0.1, collision="trt")
         self.assertEqual(row["verdict"], "diverged")
-        self.assertIn("gained energy that nothing gave", row["cause"])
+        self.assertIn("gained energy without a source", row["cause"])
 
 
 if __name__ == "__main__":

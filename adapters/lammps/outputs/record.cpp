@@ -65,7 +65,7 @@ void check(const StructureRun& run) {
     if (options.immersed_boundary.iterations > 1)
         throw std::invalid_argument(
             "--record: coupling.immersed_boundary.iterations above 1 exchange more "
-            "messages a step than a record holds; take iterations: 1");
+            "messages per step than a record holds; take iterations: 1");
     if (options.scheme == coupler::Scheme::implicit) {
         throw std::invalid_argument(
             "--record: an implicit step has many exchanges, which cannot be played; take "

@@ -1,16 +1,35 @@
 #include "adapters/openfoam/engine/box_mesh.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
+#include "DynamicList.H"
 #include "cyclicPolyPatch.H"
+#include "face.H"
+#include "pointField.H"
 #include "processorCyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 
 namespace magfsi::openfoam {
 
+const std::array<const char*, 6> side_names = {"x_min", "x_max", "y_min",
+                                               "y_max", "z_min", "z_max"};
+
 namespace {
 
 using Index = std::array<int, 3>;
+
+// Of this rank's slab.
+Index slab_cells(const BoxMesh& box) {
+    Index cells{};
+    for (std::size_t d = 0; d < 3; ++d)
+        cells[d] = static_cast<int>(box.planes_m[d].size()) - 1;
+    const auto rank = static_cast<std::size_t>(box.rank);
+    cells[static_cast<std::size_t>(box.cut_axis)] =
+        box.first_cell[rank + 1] - box.first_cell[rank];
+    return cells;
+}
 
 // Cells and points of this rank's slab.
 class Slab {
@@ -61,6 +80,10 @@ class Slab {
     Index cells_{}, first_{};
 };
 
+// A face: the cell above it along its axis, or where that would be, and whether its
+// normal points that way.
+using VisitFace = std::function<void(const Index&, int axis, bool upwards)>;
+
 template <class Visit>
 void for_each_cell(const Index& lo, const Index& hi, Visit&& visit) {
     for (int k = lo[2]; k < hi[2]; ++k)
@@ -90,50 +113,6 @@ void visit_side(const Index& cells, int side, const VisitFace& visit) {
     });
 }
 
-}  // namespace
-
-std::array<int, 3> slab_cells(const BoxMesh& box) {
-    std::array<int, 3> cells{};
-    for (std::size_t d = 0; d < 3; ++d)
-        cells[d] = static_cast<int>(box.planes_m[d].size()) - 1;
-    const auto rank = static_cast<std::size_t>(box.rank);
-    cells[static_cast<std::size_t>(box.cut_axis)] =
-        box.first_cell[rank + 1] - box.first_cell[rank];
-    return cells;
-}
-
-void visit_faces(const BoxMesh& box, const std::vector<int>& side_order,
-                 const VisitFace& visit) {
-    const Index cells = slab_cells(box);
-    visit_inner(cells, visit);
-    for (const int side : side_order) visit_side(cells, side, visit);
-}
-
-BoxFaces make_faces(const BoxMesh& box, const std::vector<int>& side_order) {
-    const Slab slab(box);
-    BoxFaces out;
-    out.points = slab.points();
-    visit_faces(box, side_order, [&](const Index& i, int axis, bool upwards) {
-        const auto d = static_cast<std::size_t>(axis);
-        const bool inner = i[d] > 0 && i[d] < slab.cells()[d];
-        Index below = i;
-        --below[d];
-        out.faces.append(slab.face(i, d, upwards));
-        out.owner.append(slab.cell(upwards ? below : i));
-        if (inner)
-            out.neighbor.append(slab.cell(i));
-        else
-            ++out.of_side[2 * axis + (upwards ? 1 : 0)];
-    });
-    out.inner = out.neighbor.size();
-    return out;
-}
-
-const std::array<const char*, 6> side_names = {"x_min", "x_max", "y_min",
-                                               "y_max", "z_min", "z_max"};
-
-namespace {
-
 // What a side of this rank's slab meets.
 struct Meeting {
     int neighbor = -1;  // rank; -1: the box's side itself
@@ -147,6 +126,58 @@ Meeting meeting(const BoxMesh& box, int side) {
     if (next >= 0 && next < ranks) return {next, false};
     const bool periodic = box.sides[static_cast<std::size_t>(side)] == SideType::periodic;
     return periodic ? Meeting{(next + ranks) % ranks, true} : Meeting{};
+}
+
+// The sides of this rank's slab in the mesh's list of faces: those of the box, then those
+// towards other ranks. Two ranks on a periodic axis meet twice; OpenFOAM wants the plain
+// meeting first.
+std::vector<int> side_order(const BoxMesh& box) {
+    std::vector<int> order(6);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        const auto rank = [&](int side) {
+            const Meeting m = meeting(box, side);
+            return m.neighbor < 0 ? 0 : m.wraps ? 2 : 1;
+        };
+        return rank(a) < rank(b);
+    });
+    return order;
+}
+
+// In the order of their numbers.
+void visit_faces(const BoxMesh& box, const VisitFace& visit) {
+    const Index cells = slab_cells(box);
+    visit_inner(cells, visit);
+    for (const int side : side_order(box)) visit_side(cells, side, visit);
+}
+
+struct BoxFaces {
+    Foam::pointField points;
+    Foam::DynamicList<Foam::face> faces;      // inner ones, then side by side
+    Foam::DynamicList<Foam::label> owner;     // of every face
+    Foam::DynamicList<Foam::label> neighbor;  // of the inner ones
+    Foam::label inner = 0;                    // faces between two cells of this rank
+    Foam::label of_side[6] = {};              // faces
+};
+
+BoxFaces make_faces(const BoxMesh& box) {
+    const Slab slab(box);
+    BoxFaces out;
+    out.points = slab.points();
+    visit_faces(box, [&](const Index& i, int axis, bool upwards) {
+        const auto d = static_cast<std::size_t>(axis);
+        const bool inner = i[d] > 0 && i[d] < slab.cells()[d];
+        Index below = i;
+        --below[d];
+        out.faces.append(slab.face(i, d, upwards));
+        out.owner.append(slab.cell(upwards ? below : i));
+        if (inner)
+            out.neighbor.append(slab.cell(i));
+        else
+            ++out.of_side[2 * axis + (upwards ? 1 : 0)];
+    });
+    out.inner = out.neighbor.size();
+    return out;
 }
 
 const char* type_name(SideType type) {
@@ -171,9 +202,7 @@ class Patches {
 
     Foam::List<Foam::polyPatch*> make() {
         for (int side = 0; side < 6; ++side) add_side(side);
-        for (const bool wraps : {false, true}) {
-            for (int side = 0; side < 6; ++side) add_neighbor(side, wraps);
-        }
+        for (const int side : side_order(box_)) add_neighbor(side);
         return Foam::List<Foam::polyPatch*>(made_.begin(), made_.end());
     }
 
@@ -197,13 +226,12 @@ class Patches {
         next_face_ += size;
     }
 
-    // Two ranks on a periodic axis meet twice; OpenFOAM wants the plain meeting first.
-    void add_neighbor(int side, bool wraps) {
+    void add_neighbor(int side) {
         const Meeting m = meeting(box_, side);
-        if (m.neighbor < 0 || m.wraps != wraps) return;
+        if (m.neighbor < 0) return;
         const Foam::label size = faces_.of_side[side];
         const auto& boundary = mesh_.boundaryMesh();
-        if (wraps) {
+        if (m.wraps) {
             made_.push_back(new Foam::processorCyclicPolyPatch(
                 size, next_face_, index(), boundary, box_.rank, m.neighbor,
                 side_names[static_cast<std::size_t>(side)]));
@@ -225,22 +253,8 @@ class Patches {
 
 }  // namespace
 
-// As Patches has them.
-std::vector<int> side_order(const BoxMesh& box) {
-    std::vector<int> order;
-    for (int side = 0; side < 6; ++side)
-        if (meeting(box, side).neighbor < 0) order.push_back(side);
-    for (const bool wraps : {false, true}) {
-        for (int side = 0; side < 6; ++side) {
-            const Meeting m = meeting(box, side);
-            if (m.neighbor >= 0 && m.wraps == wraps) order.push_back(side);
-        }
-    }
-    return order;
-}
-
 Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box) {
-    BoxFaces faces = make_faces(box, side_order(box));
+    BoxFaces faces = make_faces(box);
     // Read if present: so that fvSchemes and fvSolution are; there are no files of a
     // mesh.
     Foam::autoPtr<Foam::fvMesh> mesh(new Foam::fvMesh(
@@ -272,20 +286,15 @@ void for_each_face(Field& phi, Inside& inside, const std::vector<FacePlace>& pla
 
 }  // namespace
 
-std::vector<FacePlace> face_places(const BoxMesh& box,
-                                   const std::vector<int>& side_order) {
-    const std::array<int, 3> n = slab_cells(box);
+std::vector<FacePlace> face_places(const BoxMesh& box) {
     std::vector<FacePlace> places;
-    visit_faces(
-        box, side_order, [&](const std::array<int, 3>& i, int axis, bool upwards) {
-            const auto d = static_cast<std::size_t>(axis);
-            std::array<std::size_t, 3> layers{};
-            for (std::size_t a = 0; a < 3; ++a)
-                layers[a] = static_cast<std::size_t>(n[a]) + (a == d ? 1 : 0);
-            const auto at = [&](std::size_t a) { return static_cast<std::size_t>(i[a]); };
-            places.push_back({axis, upwards ? 1 : -1,
-                              at(0) + layers[0] * (at(1) + layers[1] * at(2))});
-        });
+    visit_faces(box, [&](const Index& i, int axis, bool upwards) {
+        Index layers = slab_cells(box);
+        ++layers[static_cast<std::size_t>(axis)];
+        places.push_back(
+            {axis, upwards ? 1 : -1,
+             static_cast<std::size_t>(i[0] + layers[0] * (i[1] + layers[1] * i[2]))});
+    });
     return places;
 }
 

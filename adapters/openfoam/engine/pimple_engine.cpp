@@ -121,7 +121,7 @@ class PimpleEngine final : public Engine {
                 Foam::fileName(setup.case_folder).name(), "system", "constant", false,
                 false),
           mesh_(make_mesh(time_, setup.mesh)),
-          places_(face_places(setup.mesh, side_order(setup.mesh))),
+          places_(face_places(setup.mesh)),
           pimple_(mesh_()),
           p_(field_file("p", mesh_()), mesh_()),
           u_(field_file("U", mesh_()), mesh_()),

@@ -25,9 +25,9 @@ class FixMagtticeDrag : public LAMMPS_NS::Fix {
         const auto allowed = [](double value) { return value >= 0; };
         if (!complete || !std::ranges::all_of(numbers, allowed)) {
             fail(*error,
-                 fmt::format("fix {} magttice/drag with \"{}\" found; it takes the rate, "
-                             "which must not be negative",
-                             id, fmt::join(arg + 3, arg + narg, " ")));
+                 "fix {} magttice/drag with \"{}\" found; it takes the rate, which must "
+                 "not be negative",
+                 id, fmt::join(arg + 3, arg + narg, " "));
         }
         drag_ = std::bit_cast<Drag>(numbers);
         dynamic_group_allow = 1;
@@ -69,9 +69,6 @@ extern const Effect drag_effect{
                 fmt::format("fix drag all magttice/drag {:.17g}",
                             fmt::join(std::bit_cast<DragNumbers>(*input.drag), " ")));
         },
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeDrag>(lammps, "magttice/drag");
-        }};
+    .fix = {"magttice/drag", make_fix<FixMagtticeDrag>}};
 
 }  // namespace magfsi::structure

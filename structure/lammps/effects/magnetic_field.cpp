@@ -27,7 +27,7 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
         try {
             program_ = parse_field_arguments({arg + 3, arg + narg});
         } catch (const std::exception& cause) {
-            fail(*error, fmt::format("fix {} magttice/field: {}", id, cause.what()));
+            fail(*error, "fix {} magttice/field: {}", id, cause.what());
         }
         vector_flag = 1;
         size_vector = 3;
@@ -71,9 +71,9 @@ class UniformField : public BodyForce {
             component.variable = input->variable->find(component.name.c_str());
             if (component.variable < 0 ||
                 input->variable->equalstyle(component.variable) == 0) {
-                fail(*error, fmt::format("{}: the field names variable {}, an "
-                                         "equal-style variable is needed",
-                                         who_, component.name));
+                fail(*error,
+                     "{}: the field names variable {}, an equal-style variable is needed",
+                     who_, component.name);
             }
         }
     }
@@ -174,9 +174,6 @@ extern const Effect magnetic_field_effect{
         return body.magnetization_a_m.empty() ? "" : " field v_Bx v_By v_Bz";
     },
     .force = {"field", 3, make_force<UniformField>},
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeFieldSource>(lammps, "magttice/field");
-        }};
+    .fix = {"magttice/field", make_fix<FixMagtticeFieldSource>}};
 
 }  // namespace magfsi::structure

@@ -45,8 +45,7 @@ class FixMagtticeQuiet : public LAMMPS_NS::Fix {
 
 FixMagtticeQuiet::FixMagtticeQuiet(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg) {
-    if (narg != 3)
-        fail(*error, fmt::format("fix {} magttice/quiet takes no argument", id));
+    if (narg != 3) fail(*error, "fix {} magttice/quiet takes no argument", id);
     scalar_flag = 1;
     vector_flag = 1;
     size_vector = 2;
@@ -123,9 +122,6 @@ extern const Effect quiet_effect{
     .name = "quiet",
     .asked = [](const LammpsInput& input) { return input.quiet; },
     .commands = add_quiet,
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeQuiet>(lammps, "magttice/quiet");
-        }};
+    .fix = {"magttice/quiet", make_fix<FixMagtticeQuiet>}};
 
 }  // namespace magfsi::structure

@@ -81,11 +81,10 @@ void PairMagtticeContact::settings(int narg, char** arg) {
     if (narg == 4) law_.excluded = number(arg[3], lmp);
     if (!(law_.distance_m > 0) || !(law_.stiffness_pa_m > 0) || !(law_.excluded >= 1)) {
         fail(*error,
-             fmt::format(
-                 "pair_style magttice/contact: distance {} and stiffness {} found; "
-                 "both must be positive, and \"excluded\" at least 1, or bodies at "
-                 "rest would feel themselves",
-                 arg[0], arg[1]));
+             "pair_style magttice/contact: distance {} and stiffness {} found; both must "
+             "be positive, and \"excluded\" at least 1, or bodies at rest would feel "
+             "themselves",
+             arg[0], arg[1]);
     }
 }
 
@@ -109,8 +108,8 @@ void PairMagtticeContact::init_style() {
     node_ = surface_nodes(*modify);
     if (node_.empty()) {
         fail(*error,
-             "pair_style magttice/contact found no fix magttice, it needs the surface "
-             "of at least one");
+             "pair_style magttice/contact found no fix magttice, it needs the surface of "
+             "at least one");
     }
     neighbor->request(this, instance_me);
 }
@@ -122,10 +121,7 @@ double PairMagtticeContact::init_one(int, int) {
 bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b) const {
     if (a.area_m2 == 0 || b.area_m2 == 0) return false;
     if (a.body != b.body) return true;
-    const double at_rest =
-        std::hypot(a.at_rest_m[0] - b.at_rest_m[0], a.at_rest_m[1] - b.at_rest_m[1],
-                   a.at_rest_m[2] - b.at_rest_m[2]);
-    return at_rest >= law_.excluded * law_.distance_m;
+    return distance_m(a.at_rest_m, b.at_rest_m) >= law_.excluded * law_.distance_m;
 }
 
 // Most neighbours of a node belong to its own part of the sheet; leaving them out here
@@ -213,7 +209,7 @@ ComputeMagtticeContact::ComputeMagtticeContact(LAMMPS_NS::LAMMPS* lammps, int na
                                                char** arg)
     : Compute(lammps, narg, arg) {
     if (narg != 3) {
-        fail(*error, fmt::format("compute {} magttice/contact takes no argument", id));
+        fail(*error, "compute {} magttice/contact takes no argument", id);
     }
     scalar_flag = 1;
     extscalar = 1;
@@ -233,10 +229,8 @@ void ComputeMagtticeContact::init() {
     pair_ = dynamic_cast<const PairMagtticeContact*>(
         force->pair_match("magttice/contact", 1));
     if (pair_ == nullptr) {
-        fail(
-            *error,
-            fmt::format(
-                "compute {} magttice/contact needs the pair_style magttice/contact", id));
+        fail(*error, "compute {} magttice/contact needs the pair_style magttice/contact",
+             id);
     }
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "structure/body.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/mesh/surface.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
@@ -25,10 +25,9 @@ double contact_distance_m(const std::vector<Body>& bodies) {
         const auto& x = body.mesh.nodes;
         for (const SurfaceQuad& quad : boundary_quads(body.mesh)) {
             for (std::size_t c = 0; c < 2; ++c) {
-                const Vec3& a = x[static_cast<std::size_t>(quad.node[c])];
-                const Vec3& b = x[static_cast<std::size_t>(quad.node[c + 2])];
-                longest =
-                    std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+                const auto a = static_cast<std::size_t>(quad.node[c]);
+                const auto b = static_cast<std::size_t>(quad.node[c + 2]);
+                longest = std::max(longest, distance_m(x[a], x[b]));
             }
         }
     }
@@ -37,8 +36,7 @@ double contact_distance_m(const std::vector<Body>& bodies) {
 
 double contact_stiffness_pa_m(const std::vector<Body>& bodies, double distance_m) {
     if (bodies.empty() || !(distance_m > 0)) {
-        throw std::invalid_argument(
-            "contact needs at least one body and a positive distance");
+        refuse("contact needs at least one body and a positive distance");
     }
     double softest = INFINITY;
     for (const Body& body : bodies) {

@@ -81,9 +81,10 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
 FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg) {
     if (narg < first_keyword) {
-        fail(*error, fmt::format("fix {} magttice/platform needs a point, a normal and a "
-                                 "stiffness: seven numbers",
-                                 id));
+        fail(*error,
+             "fix {} magttice/platform needs a point, a normal and a stiffness: seven "
+             "numbers",
+             id);
     }
     parse_plane(arg);
     parse_keywords(narg, arg);
@@ -112,9 +113,9 @@ void FixMagtticePlatform::parse_plane(char** arg) {
     platform_.stiffness_pa_m = number(arg[9], lmp);
     if (!(length > 0) || !(platform_.stiffness_pa_m > 0)) {
         fail(*error,
-             fmt::format("fix {} magttice/platform: a normal of length {} and the "
-                         "stiffness {} found, both must be positive",
-                         id, length, arg[9]));
+             "fix {} magttice/platform: a normal of length {} and the stiffness {} "
+             "found, both must be positive",
+             id, length, arg[9]);
     }
     for (double& component : platform_.normal) component /= length;
 }
@@ -129,10 +130,10 @@ void FixMagtticePlatform::parse_keywords(int narg, char** arg) {
             *value = number(arg[i + 1], lmp);
         }
         if (value == nullptr || i + 1 >= narg || !(*value >= 0)) {
-            fail(*error, fmt::format("fix {} magttice/platform: \"{}\" found; "
-                                     "\"friction\" and \"damping\" with one value, not "
-                                     "negative, are allowed",
-                                     id, keyword));
+            fail(*error,
+                 "fix {} magttice/platform: \"{}\" found; \"friction\" and \"damping\" "
+                 "with one value, not negative, are allowed",
+                 id, keyword);
         }
     }
 }
@@ -163,9 +164,9 @@ void FixMagtticePlatform::init() {
     node_ = surface_nodes(*modify);
     if (node_.empty()) {
         fail(*error,
-             fmt::format("fix {} magttice/platform found no fix magttice, it needs "
-                         "the surface of at least one",
-                         id));
+             "fix {} magttice/platform found no fix magttice, it needs the surface of at "
+             "least one",
+             id);
     }
 }
 
@@ -237,21 +238,19 @@ double FixMagtticePlatform::compute_scalar() {
 }
 
 double FixMagtticePlatform::compute_vector(int i) {
+    double all[8];
     if (i == 3) {
-        double smallest = 0;
-        MPI_Allreduce(&smallest_gap_m_, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
-        return smallest;
+        MPI_Allreduce(&smallest_gap_m_, all, 1, MPI_DOUBLE, MPI_MIN, world);
+        return all[0];
     }
-    const std::array<double, 6> mine{normal_n_,   energy_j_,   force_n_[0],
-                                     force_n_[1], force_n_[2], slid_j_};
-    std::array<double, 6> all{};
-    MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_SUM, world);
-    if (i == 0) return all[0];
-    if (i == 2) return all[1];
-    if (i > 3) return all[static_cast<std::size_t>(i - 2)];
-    double squared = 0;  // the part of the force that lies in the plane
+    // By i; the force along the plane, 1, follows from the others.
+    const double mine[8] = {normal_n_,   0,           energy_j_,   0,
+                            force_n_[0], force_n_[1], force_n_[2], slid_j_};
+    MPI_Allreduce(mine, all, 8, MPI_DOUBLE, MPI_SUM, world);
+    if (i != 1) return all[i];
+    double squared = 0;
     for (std::size_t d = 0; d < 3; ++d) {
-        const double part = all[2 + d] - all[0] * platform_.normal[d];
+        const double part = all[4 + d] - all[0] * platform_.normal[d];
         squared += part * part;
     }
     return std::sqrt(squared);
@@ -329,9 +328,6 @@ extern const Effect platform_effect{
     .commands = add_platform,
     .surface_spring_pa_m = [](const LammpsInput& input,
                               const Body&) { return platform_of(input).stiffness_pa_m; },
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticePlatform>(lammps, "magttice/platform");
-        }};
+    .fix = {"magttice/platform", make_fix<FixMagtticePlatform>}};
 
 }  // namespace magfsi::structure

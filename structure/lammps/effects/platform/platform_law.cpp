@@ -1,12 +1,10 @@
 #include "structure/lammps/effects/platform/platform_law.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "structure/body.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 namespace {
@@ -43,18 +41,6 @@ void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
     }
     for (std::size_t d = 0; d < 3; ++d) out.force_n[d] -= spring * kept * slip[d];
     out.energy_j += 0.5 * spring * kept * length * kept * length;
-}
-
-double thickness_m(const Mesh& mesh) {
-    Vec3 low = mesh.nodes.front();
-    Vec3 high = low;
-    for (const Vec3& x : mesh.nodes) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            low[d] = std::min(low[d], x[d]);
-            high[d] = std::max(high[d], x[d]);
-        }
-    }
-    return std::min({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
 }  // namespace
@@ -95,8 +81,7 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
 
 double platform_stiffness_pa_m(const Material& material, double thickness_m) {
     if (!(thickness_m > 0)) {
-        throw std::invalid_argument(
-            fmt::format("thickness of {:g} m found, it must be positive", thickness_m));
+        refuse("thickness of {:g} m found, it must be positive", thickness_m);
     }
     return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
 }
@@ -105,10 +90,10 @@ Platform platform_of(const LammpsInput& input) {
     Platform platform = *input.platform;
     if (platform.stiffness_pa_m > 0) return platform;
     for (const Body& body : input.bodies) {
+        const double thickness_m = std::ranges::min(bounds(body.mesh.nodes).extent_m());
         for (const Material& material : used_materials(body)) {
-            platform.stiffness_pa_m =
-                std::max(platform.stiffness_pa_m,
-                         platform_stiffness_pa_m(material, thickness_m(body.mesh)));
+            platform.stiffness_pa_m = std::max(
+                platform.stiffness_pa_m, platform_stiffness_pa_m(material, thickness_m));
         }
     }
     return platform;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <stdexcept>
 
 #include "structure/lammps/law_words.h"
+#include "structure/refuse.h"
 
 namespace magfsi::structure {
 
@@ -39,8 +39,7 @@ Vec3 way(const Oscillation& o) {
     return o.amplitude_m;
 }
 void check(const Oscillation& o) {
-    if (!(o.frequency_hz > 0))
-        throw std::invalid_argument("an oscillation needs a frequency above zero");
+    if (!(o.frequency_hz > 0)) refuse("an oscillation needs a frequency above zero");
 }
 
 Vec3 displacement(const DisplacementRamp& r, double time_s) {
@@ -57,41 +56,14 @@ Vec3 way(const DisplacementRamp& r) {
     return r.displacement_m;
 }
 void check(const DisplacementRamp& r) {
-    if (!(r.duration_s > 0))
-        throw std::invalid_argument("a ramp needs a duration above zero");
+    if (!(r.duration_s > 0)) refuse("a ramp needs a duration above zero");
 }
 
-[[noreturn]] void refuse_face(const Body& body, const std::string& face,
-                              const char* fault) {
-    throw std::invalid_argument(fmt::format(
-        "prescribed_motion of body {}: the face {} {}", body.name, face, fault));
-}
-
-const std::vector<int>& nodes_of(const Body& body, const std::string& face) {
-    const auto found = body.mesh.faces.find(face);
-    if (found != body.mesh.faces.end()) return found->second;
-    refuse_face(body, face, "is none of its mesh");
-}
-
-// Nodes of faces that hold the body where it is, and those on rollers across the
-// direction.
-std::set<int> held_otherwise(const Body& body, const std::set<std::string>& moved,
-                             const MotionCourse& course) {
-    const Vec3 direction = std::visit([](const auto& c) { return way(c); }, course);
-    std::set<int> held;
-    for (const std::string& face : body.clamps) {
-        if (moved.contains(face)) continue;
-        const auto& nodes = nodes_of(body, face);
-        held.insert(nodes.begin(), nodes.end());
-    }
-    for (const Roller& roller : body.rollers) {
-        if (direction[static_cast<std::size_t>(roller.axis)] == 0) continue;
-        for (const std::string& face : roller.faces) {
-            const auto& nodes = nodes_of(body, face);
-            held.insert(nodes.begin(), nodes.end());
-        }
-    }
-    return held;
+// Held where it is, or on rollers across the motion's way.
+bool holds(const HeldAxes& held, const Vec3& way) {
+    if (held == HeldAxes{true, true, true}) return true;
+    return (held[0] && way[0] != 0) || (held[1] && way[1] != 0) ||
+           (held[2] && way[2] != 0);
 }
 
 }  // namespace
@@ -99,7 +71,7 @@ std::set<int> held_otherwise(const Body& body, const std::set<std::string>& move
 std::vector<int> moved_nodes(const Body& body, const PrescribedMotion& motion) {
     std::set<int> nodes;
     for (const std::string& face : motion.faces) {
-        const auto& more = nodes_of(body, face);
+        const auto& more = face_nodes(body, face, "moved");
         nodes.insert(more.begin(), more.end());
     }
     return {nodes.begin(), nodes.end()};
@@ -113,12 +85,16 @@ void check_motions(const std::vector<Body>& bodies,
     std::vector<std::set<int>> moved(bodies.size());
     for (const PrescribedMotion& motion : motions) {
         const Body& body = bodies[motion.body];
-        const auto held = held_otherwise(body, faces[motion.body], motion.course);
+        const std::vector<HeldAxes> held = held_axes(body, faces[motion.body]);
+        const Vec3 its_way =
+            std::visit([](const auto& c) { return way(c); }, motion.course);
         for (const int node : moved_nodes(body, motion)) {
-            if (moved[motion.body].insert(node).second && !held.contains(node)) continue;
-            refuse_face(body, fmt::format("{}", fmt::join(motion.faces, ", ")),
-                        "touches one that is held or moved differently; they must be "
-                        "apart");
+            if (moved[motion.body].insert(node).second && !holds(held[node], its_way))
+                continue;
+            refuse(
+                "prescribed_motion of body {}: the face {} touches one that is held or "
+                "moved differently; they must be apart",
+                body.name, fmt::join(motion.faces, ", "));
         }
     }
 }

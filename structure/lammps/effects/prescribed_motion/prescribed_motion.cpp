@@ -40,7 +40,7 @@ FixMagtticeMotion::FixMagtticeMotion(LAMMPS_NS::LAMMPS* lammps, int narg, char**
     try {
         course_ = motion_from({arg + 3, arg + narg});
     } catch (const std::invalid_argument& fault) {
-        fail(*error, fmt::format("fix {} magttice/motion: {}", id, fault.what()));
+        fail(*error, "fix {} magttice/motion: {}", id, fault.what());
     }
     dynamic_group_allow = 1;
 }
@@ -112,9 +112,6 @@ extern const Effect prescribed_motion_effect{
     .asked = [](const LammpsInput& input) { return !input.motions.empty(); },
     .check = [](const LammpsInput& input) { check_motions(input.bodies, input.motions); },
     .after_integration = add_motions,
-    .register_styles =
-        [](LAMMPS_NS::LAMMPS& lammps) {
-            add_fix_style<FixMagtticeMotion>(lammps, "magttice/motion");
-        }};
+    .fix = {"magttice/motion", make_fix<FixMagtticeMotion>}};
 
 }  // namespace magfsi::structure

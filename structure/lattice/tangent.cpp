@@ -1,4 +1,4 @@
-#include "structure/equilibrium/tangent.h"
+#include "structure/lattice/tangent.h"
 
 #include <cmath>
 #include <span>

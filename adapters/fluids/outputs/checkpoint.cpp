@@ -1,0 +1,26 @@
+#include "adapters/fluids/fluid_run.h"
+#include "coupler/checkpoint/checkpoints.h"
+
+namespace magfsi::fluids {
+
+namespace {
+
+void save(FluidRun& run, coupler::StateWriter* file) {
+    run.fluid.save(file);
+    if (!run.balance) return;
+    const auto mine = run.balance->values();
+    const auto all = coupler::gather_shares(run.session.world().local(), mine);
+    if (file && !mine.empty())
+        file->table("balance", all, {all.size() / mine.size(), mine.size()});
+}
+
+}  // namespace
+
+extern const FluidOutput checkpoint_output{
+    "checkpoint", "checkpoint", [](FluidRun& run) -> std::unique_ptr<coupler::Output> {
+        if (!run.scene.checkpoint) return nullptr;
+        return std::make_unique<coupler::Checkpoints>(
+            run.session, [&run](coupler::StateWriter* file) { save(run, file); });
+    }};
+
+}  // namespace magfsi::fluids

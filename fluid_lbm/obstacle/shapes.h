@@ -1,0 +1,126 @@
+// The shapes of obstacles, as users choose them: SI, coordinates from the box's lowest
+// corner. A new one is a struct here that says where it is, its place in ObstacleShape,
+// and its keys in adapters/scene/keys_fluid.cpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "fluid_lbm/refuse.h"
+
+namespace magfsi::fluid {
+
+using Vec3 = std::array<double, 3>;
+
+struct Bounds {
+    Vec3 low{}, high{};
+};
+
+// A body by a function that is negative inside. Lengths in cells.
+struct LevelSet {
+    Bounds bounds;
+    std::function<double(const Vec3&)> level;
+};
+
+// A size that a shape needs to be one. Written so that NaN is refused, too.
+inline void need(const char* what, double size_m) {
+    if (!(size_m > 0)) refuse("has the ", what, " ", size_m, " m; it must be above 0");
+}
+
+inline Vec3 in_cells(const Vec3& metres, double spacing_m) {
+    return {metres[0] / spacing_m, metres[1] / spacing_m, metres[2] / spacing_m};
+}
+
+struct Sphere {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+
+    LevelSet level_set(double spacing_m, const std::array<int, 3>& /*box_cells*/) const {
+        need("diameter", diameter_m);
+        const Vec3 centre = in_cells(centre_m, spacing_m);
+        const double radius = diameter_m / (2 * spacing_m);
+        Bounds bounds;
+        for (int a = 0; a < 3; ++a) {
+            bounds.low[a] = centre[a] - radius;
+            bounds.high[a] = centre[a] + radius;
+        }
+        return {bounds, [centre, radius](const Vec3& x) {
+                    const double r[3] = {x[0] - centre[0], x[1] - centre[1],
+                                         x[2] - centre[2]};
+                    return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - radius * radius;
+                }};
+    }
+};
+
+// Along the axis 0 x, 1 y or 2 z; the centre is the middle of its length.
+struct Cylinder {
+    Vec3 centre_m{};
+    double diameter_m = 0;
+    int axis = 2;
+    std::optional<double> length_m;  // absent: through the box
+
+    LevelSet level_set(double spacing_m, const std::array<int, 3>& box_cells) const {
+        need("diameter", diameter_m);
+        if (length_m) need("length", *length_m);
+        Vec3 centre = in_cells(centre_m, spacing_m);
+        const double radius = diameter_m / (2 * spacing_m);
+        // Through the box: a margin of cells, so that what lies beyond a periodic side is
+        // inside as well.
+        double half_length = box_cells[axis] + 2.0;
+        if (length_m) {
+            half_length = *length_m / (2 * spacing_m);
+        } else {
+            centre[axis] = 0.5 * box_cells[axis];
+        }
+        Bounds bounds;
+        for (int a = 0; a < 3; ++a) {
+            const double reach = a == axis ? half_length : radius;
+            bounds.low[a] = centre[a] - reach;
+            bounds.high[a] = centre[a] + reach;
+        }
+        return {bounds, [centre, radius, half_length, along = axis](const Vec3& x) {
+                    double across = 0;
+                    for (int a = 0; a < 3; ++a) {
+                        if (a != along) across += (x[a] - centre[a]) * (x[a] - centre[a]);
+                    }
+                    return std::max(across - radius * radius,
+                                    std::abs(x[along] - centre[along]) - half_length);
+                }};
+    }
+};
+
+struct Block {
+    Vec3 low_m{}, high_m{};  // opposite corners
+
+    LevelSet level_set(double spacing_m, const std::array<int, 3>& /*box_cells*/) const {
+        constexpr const char* lengths[3] = {"length along x", "length along y",
+                                            "length along z"};
+        for (int a = 0; a < 3; ++a) need(lengths[a], high_m[a] - low_m[a]);
+        const Bounds bounds{in_cells(low_m, spacing_m), in_cells(high_m, spacing_m)};
+        return {bounds, [bounds](const Vec3& x) {
+                    double level = bounds.low[0] - x[0];
+                    for (int a = 0; a < 3; ++a) {
+                        level = std::max(
+                            {level, bounds.low[a] - x[a], x[a] - bounds.high[a]});
+                    }
+                    return level;
+                }};
+    }
+};
+
+// A closed triangulated surface from an STL file, ASCII or binary (stl_solid.cpp). A
+// point x of the file comes to shift_m + unit_m * x.
+struct StlSurface {
+    std::string file;
+    double unit_m = 1;  // length of the file's unit
+    Vec3 shift_m{};
+};
+
+using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
+
+}  // namespace magfsi::fluid

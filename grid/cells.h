@@ -1,0 +1,20 @@
+// Parts of a uniform grid, in global indices of cells: what fluids and the coupling say
+// to each other where values belong. Both sides see this header, and neither the other.
+#pragma once
+
+#include <array>
+
+namespace magfsi {
+
+// Half-open box.
+struct CellBox {
+    std::array<int, 3> lo{}, hi{};
+};
+
+// Cells x_begin <= x < x_end of one row along x.
+struct CellRow {
+    int y = 0, z = 0, x_begin = 0, x_end = 0;
+    int size() const { return x_end - x_begin; }
+};
+
+}  // namespace magfsi
