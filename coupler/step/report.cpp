@@ -119,8 +119,7 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         summary.outcome = output::Outcome::stopped;
         summary.cause = *session.stop_cause();
     }
-    if (session.restart())
-        summary.extra["restarted_at_step"] = session.clock().first_step();
+    if (session.restart()) summary.restarted_at_step = session.clock().first_step();
     summary.effects = session.plan().effects;
     summary.absent_effects = session.plan().absent_effects;
     summary.steps = session.clock().step();

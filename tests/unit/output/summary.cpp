@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "tests/unit/output/temporary_folder.h"
 
@@ -40,7 +41,7 @@ Summary diverged_run() {
     s.participants = {structure, ParticipantReport::from_text(fluid.to_text())};
     s.probes = {{"robot.com_z[m]", std::numeric_limits<double>::quiet_NaN()},
                 {"robot.bend[rad]", 0.5}};
-    s.extra["restart"] = 3;
+    s.restarted_at_step = 3;
     return s;
 }
 
@@ -74,7 +75,7 @@ TEST(Summary, has_the_keys_that_readers_rely_on) {
     EXPECT_EQ(json["fluid"]["relaxation_time"], 0.5015);
     EXPECT_EQ(json["memory_bytes"]["structure"], 50000000);
     EXPECT_EQ(json["probes"]["robot.bend[rad]"], 0.5);
-    EXPECT_EQ(json["extra"]["restart"], 3);
+    EXPECT_EQ(json["extra"]["restarted_at_step"], 3);
 }
 
 TEST(Summary, absent_solvers_have_no_key_and_what_is_not_finite_is_null) {

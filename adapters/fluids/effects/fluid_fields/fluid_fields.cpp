@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "adapters/fluids/fluid_run.h"
-#include "adapters/scene/keys.h"
+#include "adapters/scene/scene.h"
 #include "coupler/output/vtk.h"
 
 namespace magfsi::fluids {
