@@ -9,8 +9,11 @@
 #include "structure/body.h"
 #include "structure/lattice/hexahedron.h"
 #include "structure/mesh/block_mesh.h"
+#include "tests/support/checks.h"
 
 namespace magfsi::structure::test {
+
+using namespace magfsi::test;
 
 inline constexpr std::array all_variants{ElementVariant::full, ElementVariant::mean_f,
                                          ElementVariant::assumed_strain};
