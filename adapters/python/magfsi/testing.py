@@ -50,6 +50,17 @@ def good_run(*args, **named):
     return result
 
 
+_shared_runs = {}
+
+
+def shared_run(scene, settings=None, ranks=None):
+    """One good run for all tests of a script that only read what it left."""
+    key = (scene, tuple(sorted((settings or {}).items())), ranks)
+    if key not in _shared_runs:
+        _shared_runs[key] = good_run(scene, settings, ranks)
+    return _shared_runs[key]
+
+
 def check_refused(test, result, message=""):
     """Bad input ends with exit code 2 and one line."""
     test.assertEqual(result.code, EXIT_INPUT, result.err)
@@ -75,7 +86,28 @@ def process_of(folder, name):
     return found[0]
 
 
-def wait_until(condition, process, step_s=0.005, limit_s=15):
+def get_going(scene, settings, ranks=None, rows=3):
+    """A run that has written some rows of probes, and its folder."""
+    folder = new_folder()
+    process = start(run_command(scene, folder, settings, ranks))
+    wait_for_rows(folder, process, rows)
+    return process, folder
+
+
+def wait_for_rows(folder, process, rows):
+    probes = os.path.join(folder, "probes.csv")
+
+    def written():
+        if not os.path.exists(probes):
+            return False
+        with open(probes) as file:
+            return len(file.readlines()) > rows
+
+    if not wait_until(written, process):
+        raise AssertionError(f"ended before its time: {process.communicate()}")
+
+
+def wait_until(condition, process, step_s=0.005, limit_s=120):
     """False if the process ended before."""
     for _ in range(round(limit_s / step_s)):
         if condition():

@@ -7,7 +7,6 @@
 #include "structure/lattice/stable_step.h"
 #include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
-#include "tests/unit/structure/two_materials.h"
 
 namespace magfsi::structure {
 namespace {

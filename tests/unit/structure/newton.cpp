@@ -9,7 +9,6 @@
 #include "structure/magnetics/magnetization.h"
 #include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
-#include "tests/unit/structure/two_materials.h"
 
 namespace magfsi::structure {
 namespace {

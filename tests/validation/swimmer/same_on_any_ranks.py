@@ -13,7 +13,7 @@ BOUND = 1e-9
 
 
 def run(ranks):
-    return testing.good_run(testing.SWIMMER, SETTINGS, ranks)
+    return testing.shared_run(testing.SWIMMER, SETTINGS, ranks)
 
 
 def scales(probes):
@@ -50,7 +50,7 @@ class Ranks(unittest.TestCase):
                     self.assertLess(worst[0], BOUND)
 
     def test_same_bytes_on_same_ranks(self):
-        again = run("structure=1,fluid=1")
+        again = testing.good_run(testing.SWIMMER, SETTINGS, "structure=1,fluid=1")
         self.assertEqual((self.reference.folder / "probes.csv").read_bytes(),
                          (again.folder / "probes.csv").read_bytes())
 
