@@ -1,6 +1,8 @@
 """Runs of the built magfsi for tests: start, read what it left, compare."""
 import atexit
+import math
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -121,6 +123,24 @@ def wait_until(condition, process, step_s=0.005, limit_s=120):
 def report(text):
     """Figures go to CTest's log."""
     print(text, file=sys.stderr, flush=True)
+
+
+def difference(a, b, column):
+    """Root mean square over time, of the largest value."""
+    pairs = list(zip(a[column], b[column], strict=True))
+    return math.sqrt(sum((x - y)**2 for x, y in pairs) / len(pairs)) / max(map(abs, a[column]))
+
+
+def worst_difference(expected, found):
+    """(largest difference of the physics, its column), of the largest value of the column or of
+    its vector: a component may be zero by symmetry."""
+    vector = {name: re.sub(r"_(u?)[xyz]\[", r"_\1[", name) for name in expected}
+    scale = {}
+    for name, values in expected.items():
+        scale[vector[name]] = max([scale.get(vector[name], 0.0)] + [abs(v) for v in values])
+    return max((abs(a - b) / scale[vector[n]], n) for n in expected
+               if scale[vector[n]] > 0 and not n.startswith("interface.")
+               for a, b in zip(expected[n], found[n], strict=True))
 
 
 # Of the worst step: two orders above the 1e-16 of a sum of some 1e4 terms of either sign.

@@ -3,10 +3,10 @@ gives the fluid all the momentum and power that the body gives, repeats itself b
 depends neither on the ranks nor, within its tolerance, on how it is accelerated. A step that does
 not converge ends the run with a name, or is counted."""
 
-import math
 import unittest
 
 from magfsi import testing
+from magfsi.testing import difference
 
 STEP_US = 25  # of the scene
 COLUMNS = ("robot.com_z[m]", "robot.speed_z[m/s]", "kinetic_energy[J]")
@@ -42,12 +42,6 @@ def implicit(acceleration="iqn_ils", **iteration):
     extra = {f"coupling.iteration.{key}": value for key, value in iteration.items()}
     return {"coupling.iteration.velocity_tolerance": TOLERANCE,
             "coupling.iteration.acceleration": acceleration, **extra}
-
-
-def difference(a, b, column):
-    """Root mean square over time, of the largest value."""
-    pairs = list(zip(a[column], b[column], strict=True))
-    return math.sqrt(sum((x - y)**2 for x, y in pairs) / len(pairs)) / max(map(abs, a[column]))
 
 
 class ImplicitScheme(unittest.TestCase):
