@@ -34,4 +34,3 @@ if(MAGFSI_OPENFOAM)
   magfsi_cold(magfsi_openfoam_engine)  # the work is in OpenFOAM's libraries
 endif()
 magfsi_cold(magfsi_openfoam_scene magfsi_openfoam_participant magfsi-fluid-openfoam)
-magfsi_precompiled(magfsi_openfoam_scene magfsi_openfoam_participant)
