@@ -2,10 +2,9 @@
 set(MAGFSI_PYTHON_ENVIRONMENT PYTHONPATH=${PROJECT_SOURCE_DIR}/adapters/python
   PYTHONPYCACHEPREFIX=${CMAKE_BINARY_DIR}/pycache MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 
-# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [COST s] [SERIAL]
-# [ARGUMENTS ...]): a Python
-# script (standard library only) that runs the built programs. It counts as one core: of the
-# two sides of a run one waits, asleep. The dear ones, by COST, start first.
+# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [COST s] [SERIAL] [ARGUMENTS ...]):
+# a Python script (standard library only) that runs the built programs. It counts as one core:
+# of the two sides of a run one waits, asleep. The dear ones, by COST, start first.
 function(magfsi_python_test name)
   cmake_parse_arguments(arg "SERIAL" "SCRIPT;TIMEOUT;COST" "LABELS;ARGUMENTS" ${ARGN})
   if(NOT arg_TIMEOUT)
