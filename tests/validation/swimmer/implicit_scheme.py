@@ -83,7 +83,7 @@ class ImplicitScheme(unittest.TestCase):
 
     def test_interface_balance(self):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            testing.check_interface_balance(self, run("implicit", ranks=ranks, **implicit()), ranks)
+            testing.check_interface_balance(self, run("implicit", ranks=ranks), ranks)
 
     def test_every_acceleration_gives_the_same_and_takes_its_iterations(self):
         mean, probes = {}, {}
