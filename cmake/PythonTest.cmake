@@ -2,17 +2,22 @@
 set(MAGFSI_PYTHON_ENVIRONMENT PYTHONPATH=${PROJECT_SOURCE_DIR}/adapters/python
   PYTHONPYCACHEPREFIX=${CMAKE_BINARY_DIR}/pycache MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 
-# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [ARGUMENTS ...]): a Python script
-# (standard library only) that runs the built programs.
+# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [COST s] [SERIAL] [ARGUMENTS ...]):
+# a Python script (standard library only) that runs the built programs. It counts as one core:
+# of the two sides of a run one waits, asleep. The dear ones, by COST, start first.
 function(magfsi_python_test name)
-  cmake_parse_arguments(arg "" "SCRIPT;TIMEOUT" "LABELS;ARGUMENTS" ${ARGN})
+  cmake_parse_arguments(arg "SERIAL" "SCRIPT;TIMEOUT;COST" "LABELS;ARGUMENTS" ${ARGN})
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 300)
+    set(arg_TIMEOUT 900)
+  endif()
+  if(NOT arg_COST)
+    set(arg_COST 5)
   endif()
   add_test(NAME ${name} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT}
            ${arg_ARGUMENTS})
   set_tests_properties(${name} PROPERTIES
-    LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ON)
+    LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${arg_COST}
+    RUN_SERIAL $<BOOL:${arg_SERIAL}>)
   set_property(TEST ${name} PROPERTY ENVIRONMENT
     ${MAGFSI_MPI_ENVIRONMENT} ${MAGFSI_PYTHON_ENVIRONMENT})
 endfunction()

@@ -12,6 +12,25 @@ set(MAGFSI_MPI_ENVIRONMENT
 # optimised all the same.
 set(MAGFSI_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 
+# GoogleTest's headers beside those of Precompiled.cmake.
+add_library(magfsi_precompiled_tests OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+target_link_libraries(magfsi_precompiled_tests PRIVATE
+  magfsi_options Eigen3::Eigen fmt::fmt GTest::gtest)
+target_precompile_headers(magfsi_precompiled_tests PRIVATE
+  ${MAGFSI_COMMON_HEADERS} <gtest/gtest.h>)
+
+function(magfsi_test_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} fmt::fmt)
+  target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
+  if(NOT "OpenMP::OpenMP_CXX" IN_LIST arg_LIBRARIES)  # which sets macros of its own
+    # GCC 12's false alarm at std::string (its bug 105651).
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+    target_precompile_headers(${name} REUSE_FROM magfsi_precompiled_tests)
+  endif()
+endfunction()
+
 # magfsi_unit_test(NAME SOURCES ... LIBRARIES ... [LABELS ...]): one GoogleTest program, one
 # CTest. The label is quick unless given.
 function(magfsi_unit_test name)
@@ -19,28 +38,41 @@ function(magfsi_unit_test name)
   if(NOT arg_LABELS)
     set(arg_LABELS quick)
   endif()
-  add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} GTest::gtest_main)
-  target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
+  magfsi_test_program(${name}
+    SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES} GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 900)
   set_property(TEST ${name} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
 endfunction()
 
-# magfsi_mpi_test(NAME RANKS 1 2 ... SOURCES ... LIBRARIES ... [LABELS ...]): the same program
-# as one CTest for each number of ranks. Assertions count on every rank.
+# magfsi_mpi_test(NAME RANKS 1 2 ... SOURCES ... LIBRARIES ... [LABELS ...] [PARTS ...]): the
+# same program as one CTest for each number of ranks, and for each test suite in PARTS.
+# Assertions count on every rank.
 function(magfsi_mpi_test name)
-  cmake_parse_arguments(arg "" "" "RANKS;SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "RANKS;SOURCES;LIBRARIES;LABELS;PARTS" ${ARGN})
   if(NOT arg_LABELS)
     set(arg_LABELS quick)
   endif()
-  add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi/mpi_main.cpp)
-  target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} GTest::gtest MPI::MPI_CXX)
-  target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
+  magfsi_test_program(${name}
+    SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES} magfsi_mpi_main)
+  if(NOT arg_PARTS)
+    set(arg_PARTS "*")
+  endif()
   foreach(ranks ${arg_RANKS})
-    add_test(NAME ${name}_${ranks} COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}_${ranks} PROPERTIES
-      LABELS "${arg_LABELS}" TIMEOUT 900 PROCESSORS 2)
-    set_property(TEST ${name}_${ranks} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
+    set(cores 2)
+    if(ranks EQUAL 1)
+      set(cores 1)
+    endif()
+    foreach(part ${arg_PARTS})
+      set(test ${name}_${ranks})
+      if(NOT part STREQUAL "*")
+        set(test ${name}_${part}_${ranks})
+      endif()
+      add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:${name}>
+        --gtest_filter=${part}.*)
+      set_tests_properties(${test} PROPERTIES
+        LABELS "${arg_LABELS}" TIMEOUT 900 PROCESSORS ${cores})
+      set_property(TEST ${test} PROPERTY ENVIRONMENT ${MAGFSI_MPI_ENVIRONMENT})
+    endforeach()
   endforeach()
 endfunction()

@@ -13,3 +13,4 @@ target_link_libraries(magfsi_lbm_participant
 add_executable(magfsi-fluid-lbm lbm/main.cpp)
 target_link_libraries(magfsi-fluid-lbm PRIVATE magfsi_lbm_participant)
 set_property(GLOBAL APPEND PROPERTY MAGFSI_FLUID_PROGRAMS magfsi-fluid-lbm)
+magfsi_precompiled(magfsi_lbm_scene magfsi_lbm_participant)

@@ -2,7 +2,7 @@
 // seconds and bytes that the calibration has measured.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "adapters/bodies/fluid_inside.h"
@@ -12,7 +13,7 @@
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/keys.h"
+#include "adapters/scene/scene.h"
 #include "structure/lattice/element_advice.h"
 
 namespace magfsi::launch {

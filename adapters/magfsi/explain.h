@@ -1,7 +1,7 @@
 // magfsi explain: what a scene will do, before it does it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "adapters/magfsi/participants.h"

@@ -3,13 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/keys.h"
 #include "adapters/scene/reader.h"
+#include "adapters/scene/scene.h"
 #include "adapters/scene/schema.h"
 #include "coupler/participants/errors.h"
 

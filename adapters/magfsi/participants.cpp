@@ -10,7 +10,7 @@
 #include "adapters/lbm/explain.h"
 #include "adapters/magfsi/job.h"
 #include "adapters/openfoam/explain.h"
-#include "adapters/scene/keys.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

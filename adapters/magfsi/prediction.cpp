@@ -5,11 +5,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/job.h"
-#include "adapters/scene/keys.h"
+#include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/explain.h"
@@ -11,8 +12,8 @@
 #include "adapters/magfsi/retries.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-#include "adapters/scene/keys.h"
 #include "adapters/scene/reader.h"
+#include "adapters/scene/scene.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/file.h"
 #include "coupler/output/summary.h"

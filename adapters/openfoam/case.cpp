@@ -7,7 +7,7 @@
 
 #include "adapters/openfoam/inlet.h"
 #include "adapters/openfoam/mesh.h"
-#include "adapters/scene/keys.h"
+#include "adapters/scene/scene.h"
 #include "coupler/output/file.h"
 
 namespace magfsi::openfoam {

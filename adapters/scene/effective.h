@@ -1,7 +1,7 @@
 // What a scene comes to: its values in SI, its hash, its effects and its step.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // What the field table says, for machines and for readers.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace magfsi::scene {

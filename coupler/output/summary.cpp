@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "coupler/output/file.h"
@@ -35,60 +36,68 @@ void read(const Json& json, std::tuple<T&...> into) {
     into = json.get<std::tuple<T...>>();
 }
 
+void add_section(Named<std::string>& sections, const char* key, const Json& values) {
+    sections.emplace_back(key, values.dump());
+}
+
 }  // namespace
 
 void ParticipantReport::add(const FluidSummary& fluid) {
-    sections["fluid"] = {{"cells", fluid.cells},
-                         {"mlups", fluid.mlups},
-                         {"relaxation_time", fluid.relaxation_time},
-                         {"spacing_m", fluid.spacing_m},
-                         {"collision", fluid.collision},
-                         {"kernel", fluid.kernel}};
+    add_section(sections, "fluid",
+                {{"cells", fluid.cells},
+                 {"mlups", fluid.mlups},
+                 {"relaxation_time", fluid.relaxation_time},
+                 {"spacing_m", fluid.spacing_m},
+                 {"collision", fluid.collision},
+                 {"kernel", fluid.kernel}});
 }
 
 void ParticipantReport::add(const StructureSummary& structure) {
-    Json& out =
-        sections["structure"] = {{"elements", structure.elements},
-                                 {"ns_per_element_step", structure.ns_per_element_step},
-                                 {"substeps_per_step", structure.substeps_per_step}};
+    Json out{{"elements", structure.elements},
+             {"ns_per_element_step", structure.ns_per_element_step},
+             {"substeps_per_step", structure.substeps_per_step}};
     substeps = structure.substeps;
     if (structure.fewest_substeps_per_step)
         out["fewest_substeps_per_step"] = *structure.fewest_substeps_per_step;
+    add_section(sections, "structure", out);
 }
 
 void ParticipantReport::add(const BoundarySummary& b) {
-    sections["immersed_boundary"] = {{"markers", b.markers},
-                                     {"samples", b.samples},
-                                     {"no_slip_error", b.error},
-                                     {"no_slip_error_m_s", b.error_m_s},
-                                     {"largest_no_slip_error_m_s", b.largest_error_m_s},
-                                     {"leakage", b.leakage},
-                                     {"leakage_m3_s", b.leakage_m3_s},
-                                     {"marker_speed_m_s", b.marker_speed_m_s},
-                                     {"reference_speed_m_s", b.reference_speed_m_s}};
+    add_section(sections, "immersed_boundary",
+                {{"markers", b.markers},
+                 {"samples", b.samples},
+                 {"no_slip_error", b.error},
+                 {"no_slip_error_m_s", b.error_m_s},
+                 {"largest_no_slip_error_m_s", b.largest_error_m_s},
+                 {"leakage", b.leakage},
+                 {"leakage_m3_s", b.leakage_m3_s},
+                 {"marker_speed_m_s", b.marker_speed_m_s},
+                 {"reference_speed_m_s", b.reference_speed_m_s}});
 }
 
 void ParticipantReport::add(const EnergySummary& e) {
     const auto share = [&](double energy_j) { return energy_j / e.work_j; };
-    Json& out = sections["energy_audit"] = {{"work_j", e.work_j},
-                                            {"residual_j", e.residual_j},
-                                            {"residual", share(e.residual_j)}};
+    Json out{{"work_j", e.work_j},
+             {"residual_j", e.residual_j},
+             {"residual", share(e.residual_j)}};
     if (e.gained_j) {
         out["gained_j"] = *e.gained_j;
         out["gained"] = share(*e.gained_j);
     }
+    add_section(sections, "energy_audit", out);
 }
 
 void ParticipantReport::add(const IterationSummary& i) {
     const double steps = i.steps > 0 ? static_cast<double>(i.steps) : 1;
-    sections["iterations"] = {{"acceleration", i.acceleration},
-                              {"measure", i.measure},
-                              {"tolerance", i.tolerance},
-                              {"mean", static_cast<double>(i.iterations) / steps},
-                              {"most", i.most},
-                              {"unconverged_steps", i.unconverged},
-                              {"mean_residual", i.residual_sum / steps},
-                              {"worst_residual", i.worst_residual}};
+    add_section(sections, "iterations",
+                {{"acceleration", i.acceleration},
+                 {"measure", i.measure},
+                 {"tolerance", i.tolerance},
+                 {"mean", static_cast<double>(i.iterations) / steps},
+                 {"most", i.most},
+                 {"unconverged_steps", i.unconverged},
+                 {"mean_residual", i.residual_sum / steps},
+                 {"worst_residual", i.worst_residual}});
 }
 
 std::string ParticipantReport::to_text() const {
@@ -146,10 +155,12 @@ Json to_json(const Summary& summary) {
                                   {"waiting_s", side.load.waiting_s},
                                   {"imbalance", side.load.imbalance}};
         out["memory_bytes"][side.name] = side.memory_bytes;
-        out.update(side.sections);
+        for (const auto& [key, text] : side.sections) out[key] = Json::parse(text);
     }
     out["probes"] = object(summary.probes);
-    out["extra"] = summary.extra;
+    out["extra"] = Json::object();
+    if (summary.restarted_at_step)
+        out["extra"]["restarted_at_step"] = *summary.restarted_at_step;
     return out;
 }
 

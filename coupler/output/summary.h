@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -93,8 +93,8 @@ struct ParticipantReport {
     SideLoad load;
     std::int64_t memory_bytes = 0;  // all ranks
     Named<std::string> versions;
-    std::int64_t substeps = 0;       // of a structure, in the whole run
-    Json sections = Json::object();  // by their keys in summary.json: "fluid", ...
+    std::int64_t substeps = 0;    // of a structure, in the whole run
+    Named<std::string> sections;  // JSON by its key in summary.json: "fluid", ...
 
     void add(const FluidSummary& fluid);
     void add(const StructureSummary& structure);
@@ -119,7 +119,7 @@ struct Summary {
     std::optional<double> immersed_boundary_share;  // the same
     std::string advice;                             // empty where there is none
     Named<double> probes;                           // last values by column
-    Json extra = Json::object();
+    std::optional<std::int64_t> restarted_at_step;
 };
 
 // scene_hash is 16 hexadecimal digits in a string; what is not finite becomes null, for

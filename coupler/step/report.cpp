@@ -117,8 +117,7 @@ void write_summary(const Session& session, std::span<const ParticipantReport> re
         summary.outcome = output::Outcome::stopped;
         summary.cause = *session.stop_cause();
     }
-    if (session.restart())
-        summary.extra["restarted_at_step"] = session.clock().first_step();
+    if (session.restart()) summary.restarted_at_step = session.clock().first_step();
     summary.wall_s = wall_s;
     if (probes) {
         const auto last = probes->last_row();

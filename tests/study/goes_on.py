@@ -30,7 +30,7 @@ class GoesOn(unittest.TestCase):
         process = testing.start(study.command())
         wait_for_one(study)
         process.send_signal(signal.SIGTERM)
-        ended = testing.finish(process, time.monotonic(), study.out, 20)
+        ended = testing.finish(process, time.monotonic(), study.out, 120)
         before = study.records()
         self.assertEqual(ended.code, 1, ended.err)
         self.assertIn("the same command goes on", ended.err)

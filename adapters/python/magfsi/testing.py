@@ -1,6 +1,8 @@
 """Runs of the built magfsi for tests: start, read what it left, compare."""
 import atexit
+import math
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -50,6 +52,17 @@ def good_run(*args, **named):
     return result
 
 
+_shared_runs = {}
+
+
+def shared_run(scene, settings=None, ranks=None):
+    """One good run for all tests of a script that only read what it left."""
+    key = (scene, tuple(sorted((settings or {}).items())), ranks)
+    if key not in _shared_runs:
+        _shared_runs[key] = good_run(scene, settings, ranks)
+    return _shared_runs[key]
+
+
 def check_refused(test, result, message=""):
     """Bad input ends with exit code 2 and one line."""
     test.assertEqual(result.code, EXIT_INPUT, result.err)
@@ -75,7 +88,28 @@ def process_of(folder, name):
     return found[0]
 
 
-def wait_until(condition, process, step_s=0.005, limit_s=15):
+def get_going(scene, settings, ranks=None, rows=3):
+    """A run that has written some rows of probes, and its folder."""
+    folder = new_folder()
+    process = start(run_command(scene, folder, settings, ranks))
+    wait_for_rows(folder, process, rows)
+    return process, folder
+
+
+def wait_for_rows(folder, process, rows):
+    probes = os.path.join(folder, "probes.csv")
+
+    def written():
+        if not os.path.exists(probes):
+            return False
+        with open(probes) as file:
+            return len(file.readlines()) > rows
+
+    if not wait_until(written, process):
+        raise AssertionError(f"ended before its time: {process.communicate()}")
+
+
+def wait_until(condition, process, step_s=0.005, limit_s=120):
     """False if the process ended before."""
     for _ in range(round(limit_s / step_s)):
         if condition():
@@ -89,6 +123,24 @@ def wait_until(condition, process, step_s=0.005, limit_s=15):
 def report(text):
     """Figures go to CTest's log."""
     print(text, file=sys.stderr, flush=True)
+
+
+def difference(a, b, column):
+    """Root mean square over time, of the largest value."""
+    pairs = list(zip(a[column], b[column], strict=True))
+    return math.sqrt(sum((x - y)**2 for x, y in pairs) / len(pairs)) / max(map(abs, a[column]))
+
+
+def worst_difference(expected, found):
+    """(largest difference of the physics, its column), of the largest value of the column or of
+    its vector: a component may be zero by symmetry."""
+    vector = {name: re.sub(r"_(u?)[xyz]\[", r"_\1[", name) for name in expected}
+    scale = {}
+    for name, values in expected.items():
+        scale[vector[name]] = max([scale.get(vector[name], 0.0)] + [abs(v) for v in values])
+    return max((abs(a - b) / scale[vector[n]], n) for n in expected
+               if scale[vector[n]] > 0 and not n.startswith("interface.")
+               for a, b in zip(expected[n], found[n], strict=True))
 
 
 # Of the worst step: two orders above the 1e-16 of a sum of some 1e4 terms of either sign.

@@ -1,4 +1,4 @@
-#include "tests/bench/lbm/copy_bandwidth.h"
+#include "tests/bench/lbm/measure.h"
 
 #include <sys/mman.h>
 

@@ -13,7 +13,6 @@
 
 #include "isa/instruction_set.h"
 #include "tests/bench/lbm/measure.h"
-#include "tests/bench/lbm/peer.h"
 
 namespace magfsi::bench {
 namespace {

@@ -4,6 +4,8 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,5 +40,33 @@ struct Result {
 
 // Steps and copies in turn. Collective.
 Result measure(MPI_Comm comm, const Settings& settings, const Variant& variant);
+
+// What in-place streaming is held against: every number of an array read and written back
+// changed, by the same ranks and threads, with the same prefetch.
+class InPlaceCopy {
+  public:
+    // bytes: of this rank. Threads touch first what they will change.
+    InPlaceCopy(MPI_Comm comm, std::size_t bytes);
+
+    // Bytes read plus bytes written by all ranks, per second; about this long.
+    // Collective.
+    double bytes_per_second(double seconds);
+
+  private:
+    void pass();
+
+    struct Free {
+        void operator()(double* memory) const;
+    };
+    MPI_Comm comm_;
+    std::ptrdiff_t lines_;
+    std::unique_ptr<double[], Free> memory_;
+};
+
+// Another program on the same box, run by its own command: million cells stepped per
+// second that it prints as its last number; called on one rank. Throws std::runtime_error
+// if it cannot be run.
+double peer_mlups(const std::string& program, const Settings& settings,
+                  const std::string& kind, int ranks);
 
 }  // namespace magfsi::bench

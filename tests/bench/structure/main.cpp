@@ -4,6 +4,8 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <time.h>
+#include "atom.h"
+#include "fix.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -22,12 +24,68 @@
 #include "structure/lammps/script.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/mesh/block_mesh.h"
-#include "tests/bench/structure/plain_lattice.h"
+#include "tests/unit/structure/plain_element.h"
 
 namespace {
 
 using namespace magfsi::structure;
 using LAMMPS_NS::LAMMPS;
+
+// fix ID group bench/plain FILE G K ELEMENT: the forces of fix magttice, element by
+// element in the plainest form. What the fast kernel is measured against.
+class PlainLattice : public LAMMPS_NS::Fix {
+  public:
+    PlainLattice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
+    int setmask() override;
+    void setup_pre_reverse(int, int) override { add_forces(); }
+    void pre_reverse(int, int) override { add_forces(); }
+
+  private:
+    void add_forces();
+
+    Material material_;
+    std::vector<Hexahedron> elements_;  // node n is atom n + 1
+    std::vector<ElementReference> reference_;
+};
+
+PlainLattice::PlainLattice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
+    : Fix(lammps, narg, arg) {
+    if (narg != 7) throw std::invalid_argument("fix bench/plain takes four arguments");
+    const LatticeFile file = read_lattice_file(arg[3]);
+    material_.shear_modulus_pa = std::stod(arg[4]);
+    material_.lame_lambda_pa = std::stod(arg[5]);
+    elements_ = file.elements;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+        reference_.push_back(element_reference(gather(file.nodes_m, elements_[e]),
+                                               parse_element_name(arg[6]),
+                                               static_cast<int>(e)));
+    }
+}
+
+int PlainLattice::setmask() {
+    return LAMMPS_NS::FixConst::PRE_REVERSE;
+}
+
+// One rank: every node is a local atom.
+void PlainLattice::add_forces() {
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+        std::array<int, 8> atoms{};
+        Positions8 x;
+        for (int a = 0; a < 8; ++a) {
+            atoms[static_cast<std::size_t>(a)] =
+                atom->map(elements_[e][static_cast<std::size_t>(a)] + 1);
+            for (int d = 0; d < 3; ++d) {
+                x(a, d) = atom->x[atoms[static_cast<std::size_t>(a)]][d];
+            }
+        }
+        const ElementState state = element_energy(reference_[e], material_, x);
+        for (int a = 0; a < 8; ++a) {
+            for (int d = 0; d < 3; ++d) {
+                atom->f[atoms[static_cast<std::size_t>(a)]][d] += state.force_n(a, d);
+            }
+        }
+    }
+}
 
 constexpr int rounds = 15;
 constexpr int steps_a_round = 20;
@@ -42,7 +100,7 @@ Body sheet(ElementVariant variant) {
 }
 
 LAMMPS_NS::Fix* create_plain(LAMMPS* lammps, int narg, char** arg) {
-    return new bench::PlainLattice(lammps, narg, arg);
+    return new PlainLattice(lammps, narg, arg);
 }
 
 // Steps once so that the body vibrates in both forms alike.

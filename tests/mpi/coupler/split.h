@@ -7,6 +7,7 @@
 
 #include "coupler/exchange/exchange.h"
 #include "coupler/participants/world.h"
+#include "tests/support/checks.h"
 
 namespace magfsi::coupler::testing {
 

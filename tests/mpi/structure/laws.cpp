@@ -8,6 +8,7 @@
 #include "structure/lammps/field_program.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
+#include "tests/support/checks.h"
 
 namespace magfsi::structure {
 namespace {
@@ -216,19 +217,15 @@ struct Stopped : std::runtime_error {
 // Expects each part in the cause that the failure handler is given by `lines` after the
 // strip's own script. One rank: the handler throws, which would leave others waiting.
 void expect_stop(const std::vector<std::string>& lines,
-                 const std::vector<std::string>& parts) {
+                 std::initializer_list<std::string> parts) {
     set_failure_handler([](const std::string& cause) { throw Stopped(cause); });
-    std::string cause = "no failure";
-    try {
+    const auto cause = test::message_of<Stopped>([&] {
         const test::SharedScript script(test::strip_in_field());
         test::LammpsRun run(MPI_COMM_SELF, script.lines());
         for (const std::string& line : lines) run.command(line);
-    } catch (const Stopped& stopped) {
-        cause = stopped.what();
-    }
+    });
     set_failure_handler({});
-    for (const std::string& part : parts)
-        EXPECT_NE(cause.find(part), std::string::npos) << part << " in: " << cause;
+    test::expect_says(cause, parts);
 }
 
 TEST(InvertedElement, IsNamedInTheStepItHappens) {

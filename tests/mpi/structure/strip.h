@@ -9,7 +9,7 @@
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/block_mesh.h"
-#include "tests/unit/structure/two_materials.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure::test {
 

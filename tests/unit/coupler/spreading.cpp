@@ -6,7 +6,7 @@
 #include <set>
 
 #include "coupler/immersed_boundary/spreading.h"
-#include "tests/mpi/coupler/travelling_markers.h"
+#include "tests/mpi/coupler/array_fluid.h"
 #include "tests/unit/coupler/grids.h"
 
 namespace magfsi::coupler {

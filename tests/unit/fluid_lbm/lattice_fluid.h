@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fluid_lbm/fluid.h"
+#include "tests/support/checks.h"
 
 namespace magfsi::fluid {
 
@@ -91,15 +92,8 @@ inline bool on_any_rank(bool here) {
     return any != 0;
 }
 
-template <class Do>
-void expect_refused(const Do& attempt, const std::string& wanted) {
-    try {
-        attempt();
-        FAIL() << "accepted; wanted a refusal with: " << wanted;
-    } catch (const std::invalid_argument& error) {
-        EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos)
-            << error.what();
-    }
+void expect_refused(const auto& attempt, const std::string& wanted) {
+    test::expect_refusal<std::invalid_argument>(attempt, {wanted});
 }
 
 }  // namespace magfsi::fluid

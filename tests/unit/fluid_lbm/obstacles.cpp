@@ -160,15 +160,6 @@ std::vector<Triangle> block_surface(const Vec3& lo, const Vec3& hi) {
 
 class StlFile : public testing::Test {
   protected:
-    // A file for each rank: they write and remove it on their own.
-    void SetUp() override {
-        path_ = std::filesystem::temp_directory_path() /
-                (std::string("magfsi_") +
-                 testing::UnitTest::GetInstance()->current_test_info()->name() +
-                 std::to_string(::getpid()) + ".stl");
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     void write_ascii(const std::vector<Triangle>& triangles) {
         std::ofstream out(path_);
         out << "solid part\n";
@@ -205,7 +196,8 @@ class StlFile : public testing::Test {
             wanted);
     }
 
-    std::filesystem::path path_;
+    const test::TemporaryFolder folder_;  // of each rank
+    const std::filesystem::path path_ = folder_ / "part.stl";
 };
 
 std::vector<char> cells_of(const Solid& solid) {

@@ -1,16 +1,18 @@
 #include "coupler/output/summary.h"
-
 #include <gtest/gtest.h>
-
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+#include "coupler/output/log.h"
+#include "tests/support/checks.h"
 
-#include "tests/unit/output/temporary_folder.h"
-
-using namespace magfsi::output;
-using magfsi::test::read;
-using magfsi::test::TemporaryFolder;
-
+namespace magfsi::output {
 namespace {
+
+using namespace test;
+
+namespace fs = std::filesystem;
 
 Summary diverged_run() {
     Summary s;
@@ -40,11 +42,9 @@ Summary diverged_run() {
     s.participants = {structure, ParticipantReport::from_text(fluid.to_text())};
     s.probes = {{"robot.com_z[m]", std::numeric_limits<double>::quiet_NaN()},
                 {"robot.bend[rad]", 0.5}};
-    s.extra["restart"] = 3;
+    s.restarted_at_step = 3;
     return s;
 }
-
-}  // namespace
 
 TEST(Summary, has_the_keys_that_readers_rely_on) {
     TemporaryFolder folder;
@@ -74,7 +74,7 @@ TEST(Summary, has_the_keys_that_readers_rely_on) {
     EXPECT_EQ(json["fluid"]["relaxation_time"], 0.5015);
     EXPECT_EQ(json["memory_bytes"]["structure"], 50000000);
     EXPECT_EQ(json["probes"]["robot.bend[rad]"], 0.5);
-    EXPECT_EQ(json["extra"]["restart"], 3);
+    EXPECT_EQ(json["extra"]["restarted_at_step"], 3);
 }
 
 TEST(Summary, absent_solvers_have_no_key_and_what_is_not_finite_is_null) {
@@ -123,3 +123,79 @@ TEST(Summary, a_cause_that_is_not_utf8_does_not_lose_the_summary) {
     const auto json = nlohmann::json::parse(read(folder / "summary.json"));
     EXPECT_EQ(json["cause"], "line \xef\xbf\xbd of the mesh");  // U+FFFD
 }
+
+namespace fs = std::filesystem;
+
+// 200 steps to 0.04 s, on a clock that the test sets.
+struct Rehearsal {
+    explicit Rehearsal(ProgressMode mode, std::int64_t first_step = 0)
+        : progress(
+              mode, {200, 0.04, first_step},
+              [this](std::string_view text) { given.emplace_back(text); },
+              [this] { return now_s; }) {}
+
+    void advance(std::int64_t step, double seconds) {
+        now_s = 1000 + seconds;
+        progress.update(step);
+    }
+
+    double now_s = 1000;
+    std::vector<std::string> given;
+    Progress progress;
+};
+
+using Lines = std::vector<std::string>;
+
+TEST(Progress, plain_lines_come_at_the_marks) {
+    Rehearsal run(ProgressMode::plain);
+    for (int step = 1; step <= 24; ++step) run.advance(step, 20.0 * step);
+    EXPECT_EQ(run.given,
+              (Lines{"  1 %   0.0004 of 0.04 s   0.05 steps/s   1:06:00 left",
+                     "  5 %   0.002 of 0.04 s   0.05 steps/s   1:03:20 left",
+                     " 10 %   0.004 of 0.04 s   0.05 steps/s   1:00:00 left"}));
+}
+
+TEST(Progress, plain_lines_keep_ten_seconds_apart) {
+    Rehearsal run(ProgressMode::plain);
+    for (int step = 1; step <= 200; ++step) run.advance(step, 0.125 * step);
+    run.progress.finish(200);
+    EXPECT_EQ(run.given, (Lines{" 40 %   0.016 of 0.04 s   8 steps/s   0:15 left",
+                                " 80 %   0.032 of 0.04 s   8 steps/s   0:05 left",
+                                "100 %   0.04 of 0.04 s   8 steps/s   0:00 left"}));
+}
+
+TEST(Progress, the_terminal_line_is_rewritten_and_the_longer_one_wiped) {
+    Rehearsal run(ProgressMode::terminal);
+    run.advance(1, 0.1);  // sooner than anyone can read
+    EXPECT_TRUE(run.given.empty());
+    run.advance(7, 0.5);
+    run.advance(50, 1.0);
+    ASSERT_EQ(run.given.size(), 2u);
+    EXPECT_EQ(run.given[0], "\r  3 %   0.0014 of 0.04 s   14 steps/s   0:14 left");
+    EXPECT_EQ(run.given[1], "\r 25 %   0.01 of 0.04 s   50 steps/s   0:03 left  ");
+    run.progress.clear();
+    EXPECT_EQ(run.given.back(), "\r" + std::string(47, ' ') + "\r");
+    run.progress.finish(200);
+    EXPECT_EQ(run.given.back(), "\n");
+}
+
+TEST(Progress, after_a_restart_only_new_steps_count_for_the_rate) {
+    Rehearsal run(ProgressMode::plain, 100);
+    run.advance(150, 25);
+    EXPECT_EQ(run.given, (Lines{" 75 %   0.03 of 0.04 s   2 steps/s   0:25 left"}));
+}
+
+TEST(Progress, off_says_nothing) {
+    Rehearsal run(ProgressMode::off);
+    run.advance(100, 100);
+    run.progress.finish(200);
+    EXPECT_TRUE(run.given.empty());
+}
+
+TEST(Progress, before_the_first_step_the_time_left_is_not_known) {
+    Rehearsal run(ProgressMode::plain);
+    EXPECT_EQ(run.progress.line(0, 1000), "  0 %   0 of 0.04 s   0 steps/s   ? left");
+}
+
+}  // namespace
+}  // namespace magfsi::output

@@ -1,6 +1,7 @@
 // Every key of the table reaches its member; defaults.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "adapters/scene/effective.h"

@@ -1,13 +1,12 @@
 // The scene files of these tests.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
+
+#include "tests/support/checks.h"
 
 namespace magfsi::scene {
 
@@ -24,28 +23,15 @@ inline std::vector<std::filesystem::path> right_scenes() {
             source_folder / "tutorials/swimmer/paper.yaml"};
 }
 
-inline std::string text_of(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // A scene file of that text, removed when it goes out of scope.
 class TemporaryScene {
   public:
-    explicit TemporaryScene(const std::string& text) {
-        static int count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("magfsi_scene_" + std::to_string(::getpid()) + "_" +
-                 std::to_string(count++) + ".yaml");
-        std::ofstream(path_) << text;
-    }
-    ~TemporaryScene() { std::filesystem::remove(path_); }
-    TemporaryScene(const TemporaryScene&) = delete;
-    TemporaryScene& operator=(const TemporaryScene&) = delete;
+    explicit TemporaryScene(const std::string& text) { std::ofstream(path_) << text; }
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "scene.yaml";
 };
 
 }  // namespace magfsi::scene

@@ -29,7 +29,7 @@ Json to_json(const Node& node) {
 }
 
 Json load(const std::filesystem::path& file) {
-    return to_json(parse_document(text_of(file), {file.string(), 1, 1}));
+    return to_json(parse_document(test::read(file), {file.string(), 1, 1}));
 }
 
 TEST(Schema, accepts_right_scenes) {
@@ -115,7 +115,7 @@ TEST(Schema, accepts_its_own_defaults) {
 // docs/scene.md is what the field table says.
 
 TEST(Reference, page_is_up_to_date) {
-    EXPECT_EQ(text_of(source_folder / "docs/scene.md"), scene_reference_markdown())
+    EXPECT_EQ(test::read(source_folder / "docs/scene.md"), scene_reference_markdown())
         << "run: magfsi-scene-reference > docs/scene.md";
 }
 

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "tests/unit/structure/elements.h"
 #include "tests/unit/structure/plain_element.h"
-#include "tests/unit/structure/two_materials.h"
 
 namespace magfsi::structure {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/body_points.h"
+#include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
@@ -278,25 +279,19 @@ TEST(FieldGradient, CouplingRowsSumToTheCharges) {
 }
 
 std::string refusal(const Eigen::Matrix3d& a) {
-    try {
-        FieldGradient(a, {});
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::message_of<std::invalid_argument>([&] { FieldGradient(a, {}); });
 }
 
 TEST(FieldGradient, RefusesFieldsThatMaxwellForbids) {
     Eigen::Matrix3d a = Eigen::Vector3d(1, 1, -2).asDiagonal();
-    EXPECT_EQ(refusal(a), "accepted");
+    EXPECT_EQ(refusal(a), "");
     a(0, 1) = 0.5;
-    EXPECT_NE(refusal(a).find("dB_x/dy = 0.5 T/m and dB_y/dx = 0 T/m"),
-              std::string::npos);
+    test::expect_says(refusal(a), {"dB_x/dy = 0.5 T/m and dB_y/dx = 0 T/m"});
     a(0, 1) = 0;
     a(2, 2) = -1;
-    EXPECT_NE(refusal(a).find("diagonal 1, 1, -1 T/m"), std::string::npos);
+    test::expect_says(refusal(a), {"diagonal 1, 1, -1 T/m"});
     a(2, 2) = std::nan("");
-    EXPECT_NE(refusal(a).find("not finite"), std::string::npos);
+    test::expect_says(refusal(a), {"not finite"});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "structure/mesh/block_mesh.h"
+#include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
@@ -17,20 +18,13 @@ const Mesh strip = box_mesh({{4e-3, 1e-3, 0.2e-3}, {4, 1, 1}});
 
 class Table : public testing::Test {
   protected:
-    ~Table() override { std::filesystem::remove(file); }
     void write(const std::string& text) { std::ofstream(file) << text; }
     std::string refusal() const {
-        try {
-            table_magnetization(strip, file);
-        } catch (const std::invalid_argument& error) {
-            return error.what();
-        }
-        return "nothing";
+        return test::message_of<std::invalid_argument>(
+            [&] { table_magnetization(strip, file); });
     }
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() /
-        fmt::format("magfsi_table_{}.csv",
-                    testing::UnitTest::GetInstance()->current_test_info()->name());
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "table.csv";
 };
 
 TEST_F(Table, OneRowAnElement) {
@@ -96,12 +90,11 @@ TEST_F(Table, ErrorsNameTheLineAndWhatIsAllowed) {
          "element 0 with the centre (0.0005, 0.0005, 0.0001) m"}};
     for (const auto& [text, expected] : wrong) {
         write(text);
-        EXPECT_NE(refusal().find(expected), std::string::npos)
-            << expected << "\n  in: " << refusal();
-        EXPECT_NE(refusal().find(file.string()), std::string::npos);
+        test::expect_says(refusal(), {expected});
+        test::expect_says(refusal(), {file.string()});
     }
     std::filesystem::remove(file);
-    EXPECT_NE(refusal().find("cannot open"), std::string::npos);
+    test::expect_says(refusal(), {"cannot open"});
 }
 
 TEST(RegionMagnetization, EachElementHasTheVectorOfItsRegion) {
@@ -156,15 +149,9 @@ TEST(Magnetization, FirstDomainThatHoldsACentreWins) {
 TEST(Magnetization, AnElementInNoDomainIsNamedWithItsCentre) {
     MagneticDomain left;
     left.box_m = {Vec3{0, 0, 0}, Vec3{2.6e-3, 1e-3, 1e-3}};
-    try {
-        domain_magnetization(strip, std::vector<MagneticDomain>{left});
-        FAIL() << "nothing thrown";
-    } catch (const std::invalid_argument& error) {
-        const std::string text = error.what();
-        EXPECT_NE(text.find("element 3 with its centre at (0.0035, 0.0005, 0.0001)"),
-                  std::string::npos)
-            << text;
-    }
+    test::expect_refusal<std::invalid_argument>(
+        [&] { domain_magnetization(strip, std::vector<MagneticDomain>{left}); },
+        {"element 3 with its centre at (0.0035, 0.0005, 0.0001)"});
 }
 
 TEST(Magnetization, HarmonicRefusesBadProfiles) {

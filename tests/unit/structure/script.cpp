@@ -1,15 +1,18 @@
 // The generated script: what is asked for and nothing else.
 #include <gtest/gtest.h>
 #include <stdlib.h>
-
 #include <cmath>
-
+#include <numbers>
+#include "structure/equilibrium/newton.h"
 #include "structure/lammps/effects/contact/contact_law.h"
 #include "structure/lammps/effects/platform/platform_law.h"
+#include "structure/lammps/field_program.h"
 #include "structure/lammps/names.h"
+#include "structure/lammps/placement.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
+#include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
@@ -18,9 +21,6 @@ namespace {
 class Script : public ::testing::Test {
   protected:
     Script() {
-        std::string name = std::filesystem::temp_directory_path() / "magfsi.XXXXXX";
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-        folder_ = name;
         Body body;
         body.name = "strip";
         body.mesh = box_mesh({{4e-4, 2e-4, 1e-4}, {4, 2, 1}});
@@ -29,11 +29,10 @@ class Script : public ::testing::Test {
         input_.bodies = {body};
         input_.time_step_s = 1e-7;
     }
-    ~Script() override { std::filesystem::remove_all(folder_); }
 
     std::string text() {
         std::string out;
-        for (const auto& line : write_lammps_input(input_, folder_).setup)
+        for (const auto& line : write_lammps_input(input_, folder_.path()).setup)
             out += line + "\n";
         return out;
     }
@@ -44,14 +43,9 @@ class Script : public ::testing::Test {
                                                                     << lines;
     }
     std::string error() {
-        try {
-            write_lammps_input(input_, folder_);
-        } catch (const std::exception& cause) {
-            return cause.what();
-        }
-        return "nothing thrown";
+        return test::message_of([&] { write_lammps_input(input_, folder_.path()); });
     }
-    std::filesystem::path folder_;
+    test::TemporaryFolder folder_;
     LammpsInput input_;
 };
 
@@ -100,7 +94,7 @@ TEST_F(Script, FillsInWhatIsNotGiven) {
 
 TEST_F(Script, NumbersBodiesOneAfterTheOther) {
     input_.bodies.push_back(input_.bodies[0]);
-    const LammpsScript script = write_lammps_input(input_, folder_);
+    const LammpsScript script = write_lammps_input(input_, folder_.path());
     EXPECT_EQ(script.first_node, (std::vector<int>{1, 31, 61}));
     EXPECT_EQ(script.fix_id,
               (std::vector<std::string>{"magttice_strip", "magttice_strip_2"}));
@@ -142,6 +136,155 @@ TEST(Names, AreFitForLammps) {
               (std::vector<std::string>{"left_arm_1", "left_arm_1_2", "all_2", "body"}));
     EXPECT_EQ(id_ranges({1, 5, 9, 13, 14, 20}), "1:13:4 14 20");
     EXPECT_THROW(quoted("a$b"), std::invalid_argument);
+}
+
+constexpr double pi = std::numbers::pi;
+constexpr double roundoff = 1e-17;  // of fields of 0.02 T
+
+FieldProgram strokes() {
+    return {
+        {0, 2},
+        FieldTable{{0, 0.02, 0.03, 0.04}, {-0.017, 0.017, -0.017, -0.017}, {0.3}, true}};
+}
+
+void expect_polar(const FieldProgram& program, double t, double magnitude, double angle) {
+    const Vec3 b = field_at(program, t);
+    EXPECT_NEAR(b[program.plane[0]], magnitude * std::cos(angle), roundoff) << t;
+    EXPECT_NEAR(b[program.plane[1]], magnitude * std::sin(angle), roundoff) << t;
+    EXPECT_EQ(b[3 - program.plane[0] - program.plane[1]], 0);
+}
+
+TEST(FieldProgram, ConstantKeepsItsDirectionInItsPlane) {
+    expect_polar({{1, 0}, ConstantField{0.02, 2.0}}, 5, 0.02, 2.0);
+}
+
+TEST(FieldProgram, TableIsLinearBetweenItsRowsAndRepeats) {
+    const FieldProgram program = strokes();
+    expect_polar(program, 0, -0.017, 0.3);
+    expect_polar(program, 0.01, 0, 0.3);
+    expect_polar(program, 0.0275, -0.0085, 0.3);
+    expect_polar(program, 0.035, -0.017, 0.3);
+    // Ten periods later; 0.41 is rounded by 1e-17 s, the slope is 1.7 T/s.
+    const Vec3 later = field_at(program, 0.415);
+    EXPECT_NEAR(later[0], 0.0085 * std::cos(0.3), 1e-15);
+}
+
+TEST(FieldProgram, TableHoldsItsEndsAndJumps) {
+    const FieldProgram program{
+        {0, 2},
+        FieldTable{{1, 2, 2, 3}, {0.01, 0.02, 0.005, 0.005}, {0, 1, 1, 2}, false}};
+    expect_polar(program, -1, 0.01, 0);
+    expect_polar(program, 1.5, 0.015, 0.5);
+    expect_polar(program, 2, 0.005, 1);
+    expect_polar(program, 2.5, 0.005, 1.5);
+    expect_polar(program, 9, 0.005, 2);
+}
+
+TEST(FieldProgram, RotationTurnsFromTheFirstAxisToTheSecond) {
+    const FieldProgram program{{0, 1}, RotatingField{0.01, pi / 2, 4}};
+    expect_polar(program, 0.0625, 0.01, pi / 2 + pi / 2);
+}
+
+TEST(FieldProgram, ArgumentsReadBackExactly) {
+    const FieldProgram rotating{{2, 1}, RotatingField{0.01 / 3, pi / 7, -25}};
+    const FieldProgram constant{{0, 2}, ConstantField{-0.02, 1.0 / 3}};
+    for (const FieldProgram& program : {strokes(), rotating, constant}) {
+        std::vector<std::string> words;
+        std::istringstream text(field_arguments(program));
+        for (std::string word; text >> word;) words.push_back(word);
+        const FieldProgram back = parse_field_arguments(words);
+        for (double t : {0.0, 0.0123, 0.0377, 1.1111}) {
+            EXPECT_EQ(field_at(back, t), field_at(program, t));
+        }
+    }
+}
+
+TEST(FieldProgram, RefusesWhatIsNoProgram) {
+    using Words = std::vector<std::string>;
+    for (const Words& words :
+         {Words{}, Words{"xz"}, Words{"xx", "constant", "1", "2"},
+          Words{"xw", "constant", "1", "2"}, Words{"xz", "constant", "1"},
+          Words{"xz", "constant", "1", "2mT"}, Words{"xz", "table", "0", "1"},
+          Words{"xz", "table", "1", "0", "0", "0", "0", "0"},
+          Words{"xz", "repeat", "1", "0", "0"}, Words{"xz", "spiral", "1", "0", "0"}}) {
+        EXPECT_THROW(parse_field_arguments(words), std::invalid_argument);
+    }
+    EXPECT_THROW(field_arguments({{0, 2}, FieldTable{{0, 1}, {1, 1}, {0, 1, 2}, false}}),
+                 std::invalid_argument);
+}
+
+// Where a body starts: its relaxed shape, turned and moved.
+Body strip() {
+    Body body;
+    body.name = "strip";
+    body.mesh = box_mesh({{3.7e-3, 1.5e-3, 0.185e-3}, {20, 8, 2}});
+    body.material = test::soft_material();
+    body.element = ElementVariant::mean_f;
+    body.magnetization_a_m =
+        harmonic_magnetization(body.mesh, {62e3, 3.7e-3, pi / 4, 0, 2});
+    return body;
+}
+
+TEST(Placement, TurnsAndMovesTheCentreOfVolume) {
+    const Body body = strip();
+    Placement placement;
+    placement.rotation = PlaneRotation{{0, 2}, pi / 2};
+    placement.position_m = Vec3{8e-3, 4e-3, 5e-3};
+    const auto nodes = placed_nodes(body, placement, {0, 2});
+    // The length now points along z: the first node, at (-L/2, -w/2, -h/2) of the centre,
+    // comes to (h/2, -w/2, -L/2).
+    EXPECT_NEAR(nodes[0][0], 8e-3 + 0.0925e-3, 1e-15);
+    EXPECT_NEAR(nodes[0][1], 4e-3 - 0.75e-3, 1e-15);
+    EXPECT_NEAR(nodes[0][2], 5e-3 - 1.85e-3, 1e-15);
+}
+
+TEST(Placement, KeepsTheCentreOfARelaxedFreeBody) {
+    const Body body = strip();
+    const auto nodes = relaxed_shape(body, field_vector({17e-3, 255 * pi / 180}, {0, 2}));
+    const double thirds[3] = {0.5 * 3.7e-3, 0.5 * 1.5e-3, 0.5 * 0.185e-3};
+    for (int d = 0; d < 3; ++d) {
+        double moment = 0;
+        double mass = 0;
+        for (const Hexahedron& element : body.mesh.elements) {
+            for (int node : element) {
+                moment += nodes[node][d];
+                mass += 1;
+            }
+        }
+        EXPECT_NEAR(moment / mass, thirds[d], 1e-12);  // 1e-9 of the length
+    }
+}
+
+// Held along y by rollers, the strip still turns and bends in the x-z plane as the free
+// one does.
+TEST(Placement, RelaxesOnRollers) {
+    Body body = strip();
+    body.material.lame_lambda_pa = 1e-3 * body.material.shear_modulus_pa;  // no Poisson
+    const Vec3 field = field_vector({5e-3, 270 * pi / 180}, {0, 2});
+    const auto free = relaxed_shape(body, field);
+    body.rollers = {{{"y_min"}, 1}, {{"y_max"}, 1}};
+    const auto held = relaxed_shape(body, field);
+    for (std::size_t n = 0; n < free.size(); ++n) {
+        EXPECT_NEAR(held[n][0], free[n][0], 0.02 * 3.7e-3);
+        EXPECT_NEAR(held[n][2], free[n][2], 0.02 * 3.7e-3);
+    }
+    for (const char* face : {"y_min", "y_max"}) {
+        for (int node : body.mesh.faces.at(face)) {
+            EXPECT_EQ(held[node][1], body.mesh.nodes[node][1]);
+        }
+    }
+}
+
+TEST(Placement, NamesTheBodyThatFindsNoRelaxedShape) {
+    Body body = strip();
+    body.mesh = box_mesh({{3.7e-3, 1.5e-3, 0.185e-3}, {6, 2, 2}});
+    body.magnetization_a_m =
+        harmonic_magnetization(body.mesh, {62e3, 3.7e-3, pi / 4, 0, 2});
+    const auto what = test::message_of<std::runtime_error>([&] {
+        relaxed_shape(body, {0, 0, 500.0});
+    });
+    EXPECT_TRUE(what.starts_with("body strip: no equilibrium at 1 of the load")) << what;
+    test::expect_says(what, {"relaxed in the field (0, 0, 500) T"});
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // The laws of one node on a platform and of two nodes in contact.
 #include <gtest/gtest.h>
-
 #include <cmath>
-
+#include <fstream>
 #include "structure/lammps/effects/contact/contact_law.h"
 #include "structure/lammps/effects/platform/platform_law.h"
+#include "structure/lammps/lattice_file.h"
+#include "tests/support/checks.h"
+#include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
 namespace {
@@ -96,6 +98,56 @@ TEST(ContactLawOfNodes, IsThatOfSurfacesWhateverTheMesh) {
     }
     EXPECT_EQ(contact_force(law, 1e-16, 0).force_n, 0);
     EXPECT_EQ(contact_force(law, 1e-16, 2e-4).force_n, 0);
+}
+
+class LatticeFileTest : public ::testing::Test {
+  protected:
+    void write(const std::string& text) { std::ofstream(file_) << text; }
+    std::string error() {
+        return test::message_of<std::runtime_error>([&] { read_lattice_file(file_); });
+    }
+    test::TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "strip.lattice";
+};
+
+TEST_F(LatticeFileTest, ReadsBackExactly) {
+    const Mesh mesh = test::distorted_block({{1e-3, 6e-4, 3e-4}, {3, 2, 1}}, 1e-6, 20);
+    LatticeFile out{mesh.nodes, mesh.elements, {}, {}};
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        out.magnetization_a_m.push_back({62e3 / 3, -1.0 / static_cast<double>(e + 1), 0});
+    }
+    write_lattice_file(out, file_);
+    const LatticeFile back = read_lattice_file(file_);
+    EXPECT_EQ(back.nodes_m, out.nodes_m);
+    EXPECT_EQ(back.elements, out.elements);
+    EXPECT_EQ(back.magnetization_a_m, out.magnetization_a_m);
+    EXPECT_TRUE(back.element_material.empty());
+}
+
+TEST_F(LatticeFileTest, KeepsTheMaterialsOfTheElements) {
+    const Mesh mesh = box_mesh({{1e-3, 6e-4, 3e-4}, {3, 1, 1}});
+    write_lattice_file({mesh.nodes, mesh.elements, {}, {0, 2, 1}}, file_);
+    EXPECT_EQ(read_lattice_file(file_).element_material, (std::vector{0, 2, 1}));
+    write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2 3 soft\n");
+    test::expect_says(error(), {"number of its material"});
+    write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2 3 -1\n");
+    test::expect_says(error(), {"number of its material"});
+}
+
+TEST_F(LatticeFileTest, ErrorsNameTheLineAndWhatItShouldHold) {
+    write("# comment\nnodes two\n");
+    test::expect_says(error(), {"line 2: expected \"nodes N\""});
+    write("nodes 1\n0 0\n");
+    test::expect_says(error(), {"line 2: expected three coordinates"});
+    write("nodes 1\n0 0 0\nelements 1\n0 0 0 0 0 0 0 0 1 2\n");
+    test::expect_says(error(), {"line 4: expected eight node numbers"});
+    write("nodes 1\n0 0 0\n");
+    test::expect_says(error(), {"expected \"elements N\""});
+}
+
+TEST_F(LatticeFileTest, AFileThatIsNotThereIsNamed) {
+    test::expect_says(error(), {file_.string()});
+    EXPECT_THROW(write_lattice_file({}, "/nowhere/strip.lattice"), std::runtime_error);
 }
 
 }  // namespace

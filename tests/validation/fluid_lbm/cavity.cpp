@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
-#include "tests/validation/fluid_lbm/reference_table.h"
+#include "tests/validation/fluid_lbm/references.h"
 
 namespace magfsi::fluid {
 namespace {

@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
-#include "tests/validation/fluid_lbm/observed_order.h"
+#include "tests/validation/fluid_lbm/references.h"
 
 namespace magfsi::fluid {
 namespace {

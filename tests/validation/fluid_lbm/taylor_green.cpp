@@ -17,7 +17,7 @@
 
 #include "tests/support/taylor_green_vortex.h"
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
-#include "tests/validation/fluid_lbm/observed_order.h"
+#include "tests/validation/fluid_lbm/references.h"
 
 namespace magfsi::fluid {
 namespace {

@@ -9,7 +9,7 @@ IB = "coupling.immersed_boundary."
 
 
 def quality(settings=None, ranks="structure=1,fluid=1"):
-    summary = testing.good_run(testing.SMALL, settings, ranks).summary()
+    summary = testing.shared_run(testing.SMALL, settings, ranks).summary()
     boundary = summary["immersed_boundary"]
     testing.report(f"{settings} {ranks}: no-slip error {boundary['no_slip_error']:.4f}, "
                   f"leakage {boundary['leakage']:.4f}")

@@ -2,10 +2,10 @@
 coupled step; it repeats itself byte by byte, does not depend on the ranks, and gives the fluid
 all the momentum and power that the body gives, as the serial one does."""
 
-import math
 import unittest
 
 from magfsi import testing
+from magfsi.testing import difference
 
 STEP_US = 25  # of the scene
 HALVINGS = 3
@@ -19,18 +19,12 @@ LARGEST = 0.02
 RANKS_BOUND = 1e-9
 
 
-def run(scheme, halving=0, ranks="structure=1,fluid=1"):
+def run(scheme, halving=0, ranks="structure=1,fluid=1", start=testing.shared_run):
     # The drag's coefficient is strength / dt: with strength ~ dt all steps solve one problem.
-    return testing.good_run(testing.SMALL, {
+    return start(testing.SMALL, {
         "coupling.scheme": scheme,
         "time.step": f"{STEP_US / 2**halving} us",
         "coupling.immersed_boundary.strength": str(1 / 2**halving)}, ranks)
-
-
-def difference(a, b, column):
-    """Root mean square over time, of the largest value."""
-    pairs = list(zip(a[column], b[column], strict=True))
-    return math.sqrt(sum((x - y)**2 for x, y in pairs) / len(pairs)) / max(map(abs, a[column]))
 
 
 class ParallelScheme(unittest.TestCase):
@@ -48,7 +42,7 @@ class ParallelScheme(unittest.TestCase):
                 self.assertLess(ratio, most)
 
     def test_same_bytes_and_same_on_other_ranks(self):
-        first, again = run("parallel"), run("parallel")
+        first, again = run("parallel"), run("parallel", start=testing.good_run)
         self.assertEqual((first.folder / "probes.csv").read_bytes(),
                          (again.folder / "probes.csv").read_bytes())
         expected = first.probes()

@@ -1,7 +1,6 @@
 """Structure on 1 and 2 ranks, fluid on 1, 2 and 3: the same probes within rounding; and the same
 bytes on the same ranks. The interface gives and receives the same momentum and power."""
 
-import re
 import unittest
 
 from magfsi import testing
@@ -13,21 +12,7 @@ BOUND = 1e-9
 
 
 def run(ranks):
-    return testing.good_run(testing.SWIMMER, SETTINGS, ranks)
-
-
-def scales(probes):
-    """Largest value of each column, or of its vector: a component may be zero by symmetry."""
-    vector = {name: re.sub(r"_(u?)[xyz]\[", r"_\1[", name) for name in probes}
-    largest = {}
-    for name, values in probes.items():
-        key = vector[name]
-        largest[key] = max([largest.get(key, 0.0)] + [abs(v) for v in values])
-    return {name: largest[vector[name]] for name in probes}
-
-
-def physical(probes):
-    return {n: v for n, v in probes.items() if not n.startswith("interface.")}
+    return testing.shared_run(testing.SWIMMER, SETTINGS, ranks)
 
 
 class Ranks(unittest.TestCase):
@@ -36,21 +21,19 @@ class Ranks(unittest.TestCase):
         cls.reference = run("structure=1,fluid=1")
 
     def test_same_probes(self):
-        expected = physical(self.reference.probes())
-        scale = scales(expected)
+        expected = self.reference.probes()
         for structure in (1, 2):
             for fluid in (1, 2, 3):
                 with self.subTest(structure=structure, fluid=fluid):
-                    found = physical(run(f"structure={structure},fluid={fluid}").probes())
+                    found = run(f"structure={structure},fluid={fluid}").probes()
                     self.assertEqual(list(found), list(expected))
-                    worst = max((abs(a - b) / scale[n], n) for n in expected if scale[n] > 0
-                                for a, b in zip(expected[n], found[n], strict=True))
+                    worst = testing.worst_difference(expected, found)
                     testing.report(f"structure {structure} x fluid {fluid}: {worst[0]:.1e} "
                                   f"in {worst[1]}")
                     self.assertLess(worst[0], BOUND)
 
     def test_same_bytes_on_same_ranks(self):
-        again = run("structure=1,fluid=1")
+        again = testing.good_run(testing.SWIMMER, SETTINGS, "structure=1,fluid=1")
         self.assertEqual((self.reference.folder / "probes.csv").read_bytes(),
                          (again.folder / "probes.csv").read_bytes())
 
