@@ -20,6 +20,9 @@ struct FluidConfig : Options {
     // Velocity [m/s] and gauge pressure [Pa] at a cell centre [m]; absent: rest.
     std::function<Vec3(const Vec3&)> initial_velocity;
     std::function<double(const Vec3&)> initial_pressure;
+    // Bodies hold the fluid without slip: the automatic collision is one whose layers at
+    // them do not depend on the time step.
+    bool holds_no_slip = false;
 };
 
 Units units(const FluidConfig& config);

@@ -37,8 +37,9 @@ struct PlacedMarker {
 // those nearest to the surface for all of it. Nothing is drawn back from where a body is
 // clamped, and so stands on something, nor from its ends along axes on which it
 // continues. Where the scene does not say, sheets have both faces, other bodies the
-// volume. number: of the body. Throws std::invalid_argument on faces asked for of a body
-// that is no sheet.
+// volume. In forcing no_slip: rows about a grid spacing apart, in one layer through
+// sheets thinner than 1.3 spacings (no_slip_markers.cpp). number: of the body. Throws
+// std::invalid_argument on faces asked for of a body that is no sheet.
 std::vector<PlacedMarker> place_markers(const scene::Body& body,
                                         const coupler::ImmersedBoundary& boundary,
                                         double grid_spacing_m, int number,

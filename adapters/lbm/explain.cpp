@@ -183,7 +183,7 @@ struct FluidMemory {
 // What bodies touch depends on their motion: it is that of a sheet that is a little bent.
 FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
                          std::span<const fluid::Vec3> markers_m) {
-    const auto config = to_config(*scene.fluid, *scene::coupled_step_s(scene));
+    const auto config = to_config(scene, *scene::coupled_step_s(scene));
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
     const auto storage = fluid::storage_of(config.precision);
@@ -274,7 +274,7 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
 
 std::string explain(const scene::Scene& scene, int ranks) {
     const scene::Fluid& fluid = *scene.fluid;
-    const auto config = to_config(fluid, *scene::coupled_step_s(scene));
+    const auto config = to_config(scene, *scene::coupled_step_s(scene));
     fluid::check(config);
     const LatticeValues v = lattice_values(fluid, config);
     const auto& n = config.cells;

@@ -26,7 +26,8 @@ void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid
 
 }  // namespace
 
-fluid::FluidConfig to_config(const scene::Fluid& fluid, double time_step_s) {
+fluid::FluidConfig to_config(const scene::Scene& scene, double time_step_s) {
+    const scene::Fluid& fluid = *scene.fluid;
     fluid::FluidConfig config;
     static_cast<fluid::Options&>(config) = fluid;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -38,6 +39,8 @@ fluid::FluidConfig to_config(const scene::Fluid& fluid, double time_step_s) {
         const auto velocity = *fluid.initial_velocity_m_s;
         config.initial_velocity = [velocity](const fluid::Vec3&) { return velocity; };
     }
+    config.holds_no_slip = scene.coupling && scene.coupling->immersed_boundary.forcing ==
+                                                 coupler::Forcing::no_slip;
     if (fluid.taylor_green) start_as_taylor_green(config, fluid);
     return config;
 }

@@ -6,6 +6,6 @@
 
 namespace magfsi::lbm {
 
-fluid::FluidConfig to_config(const scene::Fluid& fluid, double time_step_s);
+fluid::FluidConfig to_config(const scene::Scene& scene, double time_step_s);
 
 }  // namespace magfsi::lbm

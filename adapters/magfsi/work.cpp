@@ -54,7 +54,7 @@ double wall_cells(const fluid::FluidConfig& config) {
 
 // What the lattice does to each cell in each step.
 void add_lattice(const scene::Scene& scene, FluidWork& work) {
-    const auto config = lbm::to_config(*scene.fluid, *scene::coupled_step_s(scene));
+    const auto config = lbm::to_config(scene, *scene::coupled_step_s(scene));
     work.cells = static_cast<double>(config.cells[0]) * config.cells[1] * config.cells[2];
     work.wall_cells = wall_cells(config);
     work.recursive_regularized =

@@ -96,6 +96,58 @@ TEST_P(SpreadingAndInterpolation, a_uniform_velocity_is_sampled_exactly) {
 INSTANTIATE_TEST_SUITE_P(AllKernels, SpreadingAndInterpolation,
                          ::testing::ValuesIn(all_kernels));
 
+// Forcing no_slip: with the row sums one pass is exact where the slip is uniform. A plane
+// of markers one cell apart, anywhere between the cells, of unequal volumes.
+TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_speed) {
+    const Grid grid = cut_grid({8, 7, 12}, {true, true, true});
+    ArrayFluid fluid(grid, 0);
+    FluidSide side(fluid, grid.owned_by_rank[0], GetParam(), ArrayFluid::step_s,
+                   Forcing::no_slip);
+    std::vector<Vec3> points;
+    std::vector<double> volume;
+    for (int y = 0; y < 7; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            points.push_back({(x + 0.3) * grid.spacing_m, (y + 0.8) * grid.spacing_m,
+                              5.27 * grid.spacing_m});
+            volume.push_back(0.7 * cell_volume_m3());
+        }
+    }
+    const auto sampled = side.sample(points);
+    const std::vector<Vec3> before(sampled.begin(), sampled.end());
+    NoSlipAnswer answer;
+    answer.make_room(points.size());
+    side.add_row_sums(volume, answer);
+    const Vec3 slip{0.2, -0.1, 0.3};
+    std::vector<Vec3> impulse(points.size());
+    for (std::size_t m = 0; m < points.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            impulse[m][d] =
+                2 * ArrayFluid::density_kg_m3 * volume[m] / answer.row_sum[m] * slip[d];
+    }
+    side.spread(points, impulse);
+    side.add_passed(ArrayFluid::density_kg_m3, answer);
+    for (std::size_t m = 0; m < points.size(); ++m) {
+        for (std::size_t d = 0; d < 3; ++d)
+            ASSERT_NEAR(answer.passed[m][d], before[m][d] + slip[d], rounding);
+    }
+}
+
+// Without the memory half of the slip would be left here.
+TEST(SlipMemory, removes_a_steady_slip) {
+    const Vec3 body{1, 0, 0};
+    SlipMemory memory(1);
+    double passed = 0;
+    for (int step = 0; step < 400; ++step) {
+        // A fluid of which half a felt slip is left, whatever it does.
+        const Vec3 fluid{0, 0, 0};
+        const auto felt = memory.felt(std::vector<Vec3>{fluid});
+        passed = 0.5 * (body[0] - felt[0][0]);
+        memory.add(std::vector<Vec3>{body}, std::vector<Vec3>{{passed, 0, 0}});
+    }
+    // In steady state leak p = gain (1 - q), and q = (1 + p) / 2 here.
+    EXPECT_NEAR(1 - passed, 1.0 / 27, 1e-9);
+}
+
 // However the grid is cut into ranks' boxes, the shares add up to the answer of one box.
 constexpr std::array<int, 3> cut_cells{10, 12, 9};
 constexpr std::array<bool, 3> periodic{true, true, false};

@@ -20,6 +20,9 @@ TEST(CollisionChoice, FollowsTheRelaxationTime) {
         return choose_collision(lattice_fluid({4, 4, 4}, tau, Collision::automatic));
     };
     EXPECT_EQ(chosen(0.5015), Collision::recursive_regularized);
+    FluidConfig with_bodies = lattice_fluid({4, 4, 4}, 0.5015, Collision::automatic);
+    with_bodies.holds_no_slip = true;
+    EXPECT_EQ(choose_collision(with_bodies), Collision::recursive_mrt);
     EXPECT_EQ(chosen(0.53), Collision::recursive_regularized);
     EXPECT_EQ(chosen(0.6), Collision::trt);
     EXPECT_EQ(chosen(1.5), Collision::trt);

@@ -85,12 +85,15 @@ TEST_P(Poiseuille, IsSecondOrder) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Collisions, Poiseuille,
-    testing::Values(std::tuple{Collision::bgk, 2}, std::tuple{Collision::trt, 2},
-                    std::tuple{Collision::recursive_regularized, 0},
-                    std::tuple{Collision::recursive_regularized, 1},
-                    std::tuple{Collision::recursive_regularized, 2}));
+INSTANTIATE_TEST_SUITE_P(Collisions, Poiseuille,
+                         testing::Values(std::tuple{Collision::bgk, 2},
+                                         std::tuple{Collision::trt, 2},
+                                         std::tuple{Collision::recursive_regularized, 0},
+                                         std::tuple{Collision::recursive_regularized, 1},
+                                         std::tuple{Collision::recursive_regularized, 2},
+                                         std::tuple{Collision::recursive_mrt, 0},
+                                         std::tuple{Collision::recursive_mrt, 1},
+                                         std::tuple{Collision::recursive_mrt, 2}));
 
 // ---- A shear wave u_x = U cos(k z) decays as exp(-nu k^2 t): measures the viscosity.
 
@@ -127,8 +130,8 @@ TEST_P(ShearWave, DecaysWithTheGivenViscosity) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, ShearWave,
-                         testing::Values(Collision::bgk,
-                                         Collision::recursive_regularized));
+                         testing::Values(Collision::bgk, Collision::recursive_regularized,
+                                         Collision::recursive_mrt));
 
 // ---- A plate set in motion at t = 0 over fluid at rest, the other plate at rest:
 // u / U = z/H + sum 2 (-1)^n / (n pi) exp(-n^2 pi^2 nu t / H^2) sin(n pi z / H).
@@ -172,8 +175,8 @@ TEST_P(StartingCouette, IsSecondOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, StartingCouette,
-                         testing::Values(Collision::bgk,
-                                         Collision::recursive_regularized));
+                         testing::Values(Collision::bgk, Collision::recursive_regularized,
+                                         Collision::recursive_mrt));
 
 }  // namespace
 }  // namespace magfsi::fluid

@@ -201,8 +201,8 @@ TEST_P(TaylorGreen1600, StaysStableThroughItsPeak) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, TaylorGreen1600,
-                         testing::Values(Collision::trt,
-                                         Collision::recursive_regularized));
+                         testing::Values(Collision::trt, Collision::recursive_regularized,
+                                         Collision::recursive_mrt));
 
 #endif
 

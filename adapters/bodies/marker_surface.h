@@ -1,0 +1,61 @@
+// What both ways to place markers share: the surface that markers stand for, what of it
+// meets fluid, and how far below it they lie.
+#pragma once
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "adapters/bodies/marker_placement.h"
+#include "structure/mesh/surface.h"
+
+namespace magfsi::bodies {
+
+// For each point the nearest of the markers. spacing_m: about that of the markers.
+std::vector<std::size_t> nearest_markers(std::span<const PlacedMarker> markers,
+                                         const structure::Mesh& mesh,
+                                         std::span<const structure::Vec3> points,
+                                         double spacing_m);
+
+// The marker stands for this vector area [m2], outward, of the undeformed body: there
+// leakage is measured.
+void set_area(PlacedMarker& marker, const structure::Mesh& mesh,
+              const structure::Vec3& area_m2);
+
+// Each quad of the surface goes to the marker nearest to its middle: the areas of the
+// markers add up to that of the surface.
+// faces: 2 where one side of a sheet stands for both.
+void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
+                   std::span<const structure::SurfaceQuad> surface, double spacing_m,
+                   int faces = 1);
+
+// Thins the markers out towards a part of the surface: none within skin_m, smooth over
+// one spacing so that the skin is not rounded to rows of markers.
+void draw_back(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+               std::span<const structure::SurfaceQuad> surface, double skin_m,
+               double spacing_m);
+
+// What bounds the body but no fluid: the ends along axes on which it continues, and where
+// it is clamped to something. A body that is held all around has fluid there.
+class DryFaces {
+  public:
+    DryFaces(const scene::Body& body, const structure::Mesh& mesh,
+             const structure::Continues& continues);
+
+    std::vector<structure::SurfaceQuad> without(
+        std::vector<structure::SurfaceQuad> surface) const;
+
+  private:
+    structure::MeshEnds ends_;
+    std::vector<std::set<int>> clamped_;
+};
+
+// Of a body in forcing no_slip, where the marker system must be well conditioned
+// (coupler/immersed_boundary/no_slip.h); volumes are shares of the body's.
+std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
+                                          const structure::Mesh& mesh,
+                                          const DryFaces& dry, coupler::Kernel kernel,
+                                          double grid_m,
+                                          const structure::Continues& continues);
+
+}  // namespace magfsi::bodies

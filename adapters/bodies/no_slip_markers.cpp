@@ -1,0 +1,216 @@
+// Markers of forcing no_slip: even rows about a grid spacing apart, in one layer through
+// thin sheets.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "adapters/bodies/marker_surface.h"
+#include "structure/mesh/body_points.h"
+#include "structure/mesh/locate.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+using structure::Vec3;
+
+// Distances of markers, in grid spacings: closer ones make the marker system nearly
+// singular, wider ones leak.
+constexpr double widest_row = 1.2, thinned_to = 1.0;
+// Sheets below this thickness, in grid spacings, have one layer of markers.
+constexpr double one_layer_below = 1.3;
+
+// In grid spacings. face: how far outside of a plane of markers its wall stands,
+// E|X - Y| / 2 of two points spread by the kernel. edge: how far one layer, without
+// thickness, reaches beyond the area of its markers; layered: the same of layers at both
+// faces, which make the thickness themselves. Edges are those with which a plate of
+// finite thickness, swung broadside, has the added mass of fine grids
+// (docs/coupling_measurements.md); not known for the 4-point kernel.
+struct KernelReach {
+    double face, edge, layered;
+};
+KernelReach reach_of(coupler::Kernel kernel) {
+    if (kernel == coupler::Kernel::two_point) return {0.233, 0.49, 0.5};
+    return {0.312, 0.89, 0.75};
+}
+
+// A sheet of thickness t with square edges moves as much fluid as one without thickness
+// that reaches 0.31 to 0.35 t further (boundary elements; t up to a tenth of the width).
+constexpr double square_edge = 0.345;
+
+double rim_depth_m(const KernelReach& reach, double thickness_m, double grid_m) {
+    if (thickness_m >= one_layer_below * grid_m) return reach.layered * grid_m;
+    return std::max(0.0, reach.edge * grid_m - square_edge * thickness_m);
+}
+
+// Even rows over one axis of a box: their places and their distance.
+struct Rows {
+    std::vector<double> at_m;
+    double apart_m = 0;
+};
+
+Rows even_rows(double low_m, double high_m, double widest_m) {
+    const int n =
+        std::max(1, static_cast<int>(std::ceil((high_m - low_m) / widest_m - 1e-9)));
+    Rows rows{{}, (high_m - low_m) / n};
+    for (int i = 0; i < n; ++i) rows.at_m.push_back(low_m + (i + 0.5) * rows.apart_m);
+    return rows;
+}
+
+// Across the thickness: in the middle, or from one face to the other.
+Rows layers(double low_m, double high_m, double face_m, double grid_m) {
+    const double thickness_m = high_m - low_m;
+    if (thickness_m < one_layer_below * grid_m)
+        return {{low_m + 0.5 * thickness_m}, grid_m};
+    const double between_m = thickness_m - 2 * face_m;
+    const int gaps = std::max(1, static_cast<int>(between_m / grid_m));  // none closer
+    Rows rows{{}, between_m / gaps};
+    for (int i = 0; i <= gaps; ++i)
+        rows.at_m.push_back(low_m + face_m + i * rows.apart_m);
+    return rows;
+}
+
+// Whether fluid meets an end of a box.
+bool wet(std::span<const structure::SurfaceQuad> surface, const structure::Mesh& mesh,
+         std::size_t axis, double end_m, double slack_m) {
+    return std::ranges::any_of(surface, [&](const structure::SurfaceQuad& quad) {
+        return std::ranges::all_of(quad.node, [&](int node) {
+            return std::abs(mesh.nodes[static_cast<std::size_t>(node)][axis] - end_m) <
+                   slack_m;
+        });
+    });
+}
+
+std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
+    std::vector<structure::SurfaceQuad> top;
+    for (const auto& column : sheet.columns) top.push_back(column.top);
+    return top;
+}
+
+// A block: rows along its two longer axes, layers across the thinnest.
+std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
+                                   const std::optional<structure::Sheet>& sheet,
+                                   const DryFaces& dry, coupler::Kernel kernel,
+                                   double grid_m) {
+    const structure::Bounds block = structure::bounds(mesh.nodes);
+    const Vec3 size = block.extent_m();
+    const auto thin =
+        static_cast<std::size_t>(std::ranges::min_element(size) - size.begin());
+    const auto surface = dry.without(structure::boundary_quads(mesh));
+    const KernelReach reach = reach_of(kernel);
+    const double depth_m = rim_depth_m(reach, size[thin], grid_m);
+    std::array<Rows, 3> rows;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double slack_m = 1e-6 * size[d];
+        const bool low = wet(surface, mesh, d, block.low_m[d], slack_m);
+        const bool high = wet(surface, mesh, d, block.high_m[d], slack_m);
+        if (d == thin) {
+            rows[d] =
+                layers(block.low_m[d], block.high_m[d], reach.face * grid_m, grid_m);
+            continue;
+        }
+        const double most_m = 0.25 * size[d];  // of tiny bodies half is left
+        rows[d] = even_rows(block.low_m[d] + (low ? std::min(depth_m, most_m) : 0),
+                            block.high_m[d] - (high ? std::min(depth_m, most_m) : 0),
+                            widest_row * grid_m);
+    }
+    const structure::PointLocator locator(mesh);
+    const double volume_m3 = rows[0].apart_m * rows[1].apart_m * rows[2].apart_m;
+    std::vector<PlacedMarker> markers;
+    for (const double z : rows[2].at_m)
+        for (const double y : rows[1].at_m)
+            for (const double x : rows[0].at_m)
+                markers.push_back({locator.nearest({x, y, z}), volume_m3});
+    // One layer stands for both faces, whose areas would cancel.
+    if (sheet && rows[thin].at_m.size() == 1)
+        share_surface(markers, mesh, top_of(*sheet), grid_m, 2);
+    else
+        share_surface(markers, mesh, surface, grid_m);
+    return markers;
+}
+
+// Of points that are close together those that are at least `apart_m` from each other;
+// each stands for the points that are nearest to it.
+std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
+                                  const structure::Mesh& mesh, double apart_m) {
+    std::vector<PlacedMarker> kept;
+    std::map<std::array<long, 3>, std::vector<Vec3>> taken;
+    for (const PlacedMarker& p : points) {
+        const Vec3 x = structure::position(mesh, p.point);
+        std::array<long, 3> bin;
+        for (std::size_t d = 0; d < 3; ++d) bin[d] = std::lround(x[d] / apart_m);
+        bool free = true;
+        for (int n = 0; n < 27 && free; ++n) {
+            const auto found = taken.find(
+                {bin[0] + n % 3 - 1, bin[1] + n / 3 % 3 - 1, bin[2] + n / 9 - 1});
+            if (found == taken.end()) continue;
+            free = std::ranges::none_of(found->second, [&](const Vec3& other) {
+                return std::hypot(other[0] - x[0], other[1] - x[1], other[2] - x[2]) <
+                       apart_m;
+            });
+        }
+        if (!free) continue;
+        taken[bin].push_back(x);
+        kept.push_back(p);
+        kept.back().volume_m3 = 0;
+    }
+    std::vector<Vec3> at;
+    for (const PlacedMarker& p : points) at.push_back(structure::position(mesh, p.point));
+    const auto nearest = nearest_markers(kept, mesh, at, apart_m);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        kept[nearest[i]].volume_m3 += points[i].volume_m3;
+    return kept;
+}
+
+// Any other mesh: thin sheets in the middle of their thickness, bodies through their
+// volume, both below what bounds them, thinned out.
+std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
+                                  const std::optional<structure::Sheet>& sheet,
+                                  const DryFaces& dry, coupler::Kernel kernel,
+                                  double grid_m) {
+    const KernelReach reach = reach_of(kernel);
+    const auto surface = dry.without(structure::boundary_quads(mesh));
+    const double apart_m = thinned_to * grid_m, fine_m = 0.25 * grid_m;
+    std::vector<PlacedMarker> points;
+    double area_m2 = 0;
+    if (sheet) {
+        for (const auto& p : structure::mid_surface_points(mesh, *sheet, fine_m)) {
+            points.push_back({p.point, p.area_m2 * grid_m});
+            area_m2 += p.area_m2;
+        }
+    }
+    const double thickness_m = sheet ? structure::volume_m3(mesh) / area_m2 : INFINITY;
+    const bool thin = thickness_m < one_layer_below * grid_m;
+    if (thin) {
+        draw_back(points, mesh, dry.without(structure::rim_of(mesh, *sheet)),
+                  rim_depth_m(reach, thickness_m, grid_m), fine_m);
+    } else {
+        points.clear();
+        for (const auto& p : structure::volume_points(mesh, 2 * fine_m))
+            points.push_back({p.point, p.volume_m3});
+        draw_back(points, mesh, surface, reach.face * grid_m, fine_m);
+    }
+    auto markers = thinned(points, mesh, apart_m);
+    if (thin)
+        share_surface(markers, mesh, top_of(*sheet), grid_m, 2);
+    else
+        share_surface(markers, mesh, surface, grid_m);
+    return markers;
+}
+
+}  // namespace
+
+std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
+                                          const structure::Mesh& mesh,
+                                          const DryFaces& dry, coupler::Kernel kernel,
+                                          double grid_m,
+                                          const structure::Continues& continues) {
+    const auto sheet = structure::find_sheet(mesh, continues);
+    if (std::holds_alternative<structure::Box>(body.mesh))
+        return in_block(mesh, sheet, dry, kernel, grid_m);
+    return in_mesh(mesh, sheet, dry, kernel, grid_m);
+}
+
+}  // namespace magfsi::bodies
