@@ -16,8 +16,7 @@ int main(int argc, char** argv) {
             if (!scene.fluid) throw std::runtime_error("the scene has no fluid");
             session.begin(*scene::coupled_step_s(scene));
             const MPI_Comm comm = session.world().local();
-            fluid::Fluid lattice(comm,
-                                 lbm::to_config(scene, session.clock().step_s()));
+            fluid::Fluid lattice(comm, lbm::to_config(scene, session.clock().step_s()));
             lbm::LbmFluid fluid(comm, lattice);
             fluids::Participant(scene, session, fluid, arguments.progress).run();
         });
