@@ -252,9 +252,10 @@ void check_loads(const Scene& scene, const Marks& marks) {
     if (with_bodies(equilibrium, "time")) check_equilibrium(scene, marks);
     require_with(!scene.coupling || scene.fluid, marks.key({"coupling"}), "coupling",
                  "a fluid", "add the key \"fluid\" or remove this one");
-    if (with_bodies(scene.coupling.has_value(), "coupling"))
+    if (with_bodies(scene.coupling.has_value(), "coupling")) {
         check_coupling(*scene.coupling, marks);
-    check_no_slip(scene, marks);
+        check_no_slip(scene, marks);
+    }
 }
 
 }  // namespace magfsi::scene
