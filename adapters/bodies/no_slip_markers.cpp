@@ -93,11 +93,12 @@ std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
 std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
                                    const std::optional<structure::Sheet>& sheet,
                                    const DryFaces& dry, coupler::Kernel kernel,
-                                   double grid_m) {
+                                   double grid_m, const structure::Continues& continues) {
     const structure::Bounds block = structure::bounds(mesh.nodes);
     const Vec3 size = block.extent_m();
-    const auto thin =
-        static_cast<std::size_t>(std::ranges::min_element(size) - size.begin());
+    std::size_t thin = 0;  // never along an axis on which the body goes on
+    for (std::size_t d = 1; d < 3; ++d)
+        if (continues[thin] || (!continues[d] && size[d] < size[thin])) thin = d;
     const auto surface = dry.without(structure::boundary_quads(mesh));
     const KernelReach reach = reach_of(kernel);
     const double depth_m = rim_depth_m(reach, size[thin], grid_m);
@@ -209,7 +210,7 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
                                           const structure::Continues& continues) {
     const auto sheet = structure::find_sheet(mesh, continues);
     if (std::holds_alternative<structure::Box>(body.mesh))
-        return in_block(mesh, sheet, dry, kernel, grid_m);
+        return in_block(mesh, sheet, dry, kernel, grid_m, continues);
     return in_mesh(mesh, sheet, dry, kernel, grid_m);
 }
 

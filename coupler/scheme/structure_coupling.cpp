@@ -136,9 +136,9 @@ void StructureCoupling::receive(const Occasion& when, std::span<Vec3> velocity) 
 
 void StructureCoupling::begin() {
     now_m_ = marker_positions();
-    if (session_.restart() && !under_way_.empty())
+    if (session_.restart() && !under_way_.empty()) {
         send(-1, under_way_);
-    else {
+    } else {
         before_m_ = now_m_;
         send(-1, std::vector<Vec3>(now_m_.size()));
     }
