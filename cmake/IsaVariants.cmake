@@ -6,7 +6,6 @@
 # The default build thus runs on any x86-64 and picks its kernels at start-up:
 # isa/instruction_set.h. What kernels are written in: isa/simd.h.
 add_library(magfsi_isa STATIC ${CMAKE_CURRENT_LIST_DIR}/isa/instruction_set.cpp)
-target_include_directories(magfsi_isa PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_link_libraries(magfsi_isa PUBLIC magfsi_options)
 
 function(magfsi_isa_variants target file)

@@ -11,7 +11,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # Every target of ours links this: warnings are errors, headers are found from the top
 # ("structure/mesh/mesh.h"), and never -ffast-math, which would defeat the NaN checks.
 add_library(magfsi_options INTERFACE)
-target_include_directories(magfsi_options INTERFACE ${PROJECT_SOURCE_DIR})
+# What all wings share stands beside the build's own files: cmake/isa, cmake/grid.
+target_include_directories(magfsi_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/cmake)
 target_compile_options(magfsi_options INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
 
