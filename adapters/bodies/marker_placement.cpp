@@ -72,18 +72,20 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
     for (const PlacedMarker& m : markers) sum += m.volume_m3;
     for (PlacedMarker& m : markers) {
         m.displaced_m3 = m.volume_m3 * body_m3 / sum;
+        m.carried_m3 *= body_m3 / sum;
         m.body = number;
     }
 }
 
 }  // namespace
 
-std::vector<PlacedMarker> place_markers(const scene::Body& body,
-                                        const coupler::ImmersedBoundary& boundary,
-                                        double grid_spacing_m, int number,
-                                        const structure::Continues& continues) {
+std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t number) {
+    const scene::Body& body = scene.bodies[number];
+    const coupler::ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
+    const structure::Continues continues = spans_fluid(*scene.fluid, body);
     const structure::Mesh mesh = to_mesh(body);
-    const Spacings spacing{grid_spacing_m, boundary.marker_spacing * grid_spacing_m};
+    const double grid_m = scene.fluid->spacing_m;
+    const Spacings spacing{grid_m, boundary.marker_spacing * grid_m};
     const auto sheet = structure::find_sheet(mesh, continues);
     const bool surface =
         boundary.markers && *boundary.markers != coupler::Markers::volume;
@@ -97,11 +99,11 @@ std::vector<PlacedMarker> place_markers(const scene::Body& body,
     const bool both_faces = boundary.markers != coupler::Markers::mid_surface;
     auto markers =
         boundary.forcing == coupler::Forcing::no_slip
-            ? no_slip_markers(body, mesh, dry, boundary.kernel, grid_spacing_m, continues)
+            ? no_slip_markers(body, mesh, dry, reach_in(scene), continues)
         : surface || (sheet && !boundary.markers)
             ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
             : through_volume(mesh, dry, boundary, spacing);
-    share_body(markers, structure::volume_m3(mesh), number);
+    share_body(markers, structure::volume_m3(mesh), static_cast<int>(number));
     return markers;
 }
 

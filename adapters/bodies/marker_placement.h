@@ -15,6 +15,7 @@ struct PlacedMarker {
     structure::MaterialPoint point;
     double volume_m3 = 0;     // of fluid that it moves
     double displaced_m3 = 0;  // of the body that it stands for
+    double carried_m3 = 0;    // as in coupler::Marker
     int body = 0;
     // Of the surface that it stands for, as in MarkerArea of
     // coupler/immersed_boundary/slip.h; zero where it stands for none.
@@ -37,13 +38,10 @@ struct PlacedMarker {
 // those nearest to the surface for all of it. Nothing is drawn back from where a body is
 // clamped, and so stands on something, nor from its ends along axes on which it
 // continues. Where the scene does not say, sheets have both faces, other bodies the
-// volume. In forcing no_slip: rows about a grid spacing apart, in one layer through
-// sheets thinner than 1.3 spacings (no_slip_markers.cpp). number: of the body. Throws
-// std::invalid_argument on faces asked for of a body that is no sheet.
-std::vector<PlacedMarker> place_markers(const scene::Body& body,
-                                        const coupler::ImmersedBoundary& boundary,
-                                        double grid_spacing_m, int number,
-                                        const structure::Continues& continues = {});
+// volume. In forcing no_slip: rows about a grid spacing apart (no_slip_markers.cpp).
+// body: its number in a scene with coupling. Throws std::invalid_argument on faces asked
+// for of a body that is no sheet.
+std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
 
 // Along which axes a body spans the fluid's box from one periodic side to the other.
 structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body);

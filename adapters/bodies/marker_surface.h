@@ -50,12 +50,22 @@ class DryFaces {
     std::vector<std::set<int>> clamped_;
 };
 
+// How far markers of a kernel reach, in metres.
+struct KernelReach {
+    double grid_m;
+    // Half the thickness of the fluid that one layer of markers carries along, and how
+    // far outside of the outer one of several their wall stands.
+    double face_m;
+    // How far one layer reaches beyond the area of its markers where it moves broadside.
+    double edge_m;
+};
+KernelReach reach_in(const scene::Scene& scene);
+
 // Of a body in forcing no_slip, where the marker system must be well conditioned
 // (coupler/immersed_boundary/no_slip.h); volumes are shares of the body's.
 std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
                                           const structure::Mesh& mesh,
-                                          const DryFaces& dry, coupler::Kernel kernel,
-                                          double grid_m,
+                                          const DryFaces& dry, const KernelReach& reach,
                                           const structure::Continues& continues);
 
 }  // namespace magfsi::bodies

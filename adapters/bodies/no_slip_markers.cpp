@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "adapters/bodies/marker_surface.h"
+#include "adapters/scene/effective.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
 
@@ -19,30 +20,28 @@ using structure::Vec3;
 // Distances of markers, in grid spacings: closer ones make the marker system nearly
 // singular, wider ones leak.
 constexpr double widest_row = 1.2, thinned_to = 1.0;
-// Sheets below this thickness, in grid spacings, have one layer of markers.
-constexpr double one_layer_below = 1.3;
+// Layers through the thickness, in grid spacings; where two would be closer, one is.
+constexpr double closest_layers = 0.9;
 
-// In grid spacings. face: how far outside of a plane of markers its wall stands,
-// E|X - Y| / 2 of two points spread by the kernel. edge: how far one layer, without
-// thickness, reaches beyond the area of its markers; layered: the same of layers at both
-// faces, which make the thickness themselves. Edges are those with which a plate of
-// finite thickness, swung broadside, has the added mass of fine grids
-// (docs/coupling_measurements.md); not known for the 4-point kernel.
-struct KernelReach {
-    double face, edge, layered;
-};
-KernelReach reach_of(coupler::Kernel kernel) {
-    if (kernel == coupler::Kernel::two_point) return {0.233, 0.49, 0.5};
-    return {0.312, 0.89, 0.75};
+bool has_one_layer(const KernelReach& reach, double thickness_m) {
+    return thickness_m < 2 * reach.face_m + closest_layers * reach.grid_m;
 }
 
 // A sheet of thickness t with square edges moves as much fluid as one without thickness
-// that reaches 0.31 to 0.35 t further (boundary elements; t up to a tenth of the width).
-constexpr double square_edge = 0.345;
+// that reaches 0.31 to 0.35 t further (boundary elements; t up to a tenth of the width),
+// from which 0.1 t is taken for the fluid that the thickness displaces.
+constexpr double square_edge = 0.44;
 
-double rim_depth_m(const KernelReach& reach, double thickness_m, double grid_m) {
-    if (thickness_m >= one_layer_below * grid_m) return reach.layered * grid_m;
-    return std::max(0.0, reach.edge * grid_m - square_edge * thickness_m);
+// From the rim to where the area of the markers ends.
+double rim_depth_m(const KernelReach& reach, double thickness_m) {
+    const double of_layers_m = reach.face_m - 0.5 * reach.grid_m;
+    if (!has_one_layer(reach, thickness_m)) return of_layers_m;
+    return std::max(0.0, reach.edge_m - square_edge * thickness_m);
+}
+
+// Of fluid to the body's volume in one layer through this thickness.
+double carried_share(const KernelReach& reach, double thickness_m) {
+    return 2 * reach.face_m / thickness_m - 1;
 }
 
 // Even rows over one axis of a box: their places and their distance.
@@ -60,15 +59,15 @@ Rows even_rows(double low_m, double high_m, double widest_m) {
 }
 
 // Across the thickness: in the middle, or from one face to the other.
-Rows layers(double low_m, double high_m, double face_m, double grid_m) {
+Rows layers(double low_m, double high_m, const KernelReach& reach) {
     const double thickness_m = high_m - low_m;
-    if (thickness_m < one_layer_below * grid_m)
-        return {{low_m + 0.5 * thickness_m}, grid_m};
-    const double between_m = thickness_m - 2 * face_m;
-    const int gaps = std::max(1, static_cast<int>(between_m / grid_m));  // none closer
-    Rows rows{{}, between_m / gaps};
-    for (int i = 0; i <= gaps; ++i)
-        rows.at_m.push_back(low_m + face_m + i * rows.apart_m);
+    if (has_one_layer(reach, thickness_m))
+        return {{low_m + 0.5 * thickness_m}, reach.grid_m};
+    const double between_m = thickness_m - 2 * reach.face_m;
+    const int gaps = static_cast<int>(between_m / reach.grid_m + 1 - closest_layers);
+    Rows rows{{}, between_m / std::max(1, gaps)};
+    for (int i = 0; i <= std::max(1, gaps); ++i)
+        rows.at_m.push_back(low_m + reach.face_m + i * rows.apart_m);
     return rows;
 }
 
@@ -89,27 +88,34 @@ std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
     return top;
 }
 
+// One layer stands for both faces, whose areas would cancel.
+void make_layer(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+                const structure::Sheet& sheet, const KernelReach& reach,
+                double thickness_m) {
+    for (PlacedMarker& m : markers)
+        m.carried_m3 = m.volume_m3 * carried_share(reach, thickness_m);
+    share_surface(markers, mesh, top_of(sheet), reach.grid_m, 2);
+}
+
 // A block: rows along its two longer axes, layers across the thinnest.
 std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
                                    const std::optional<structure::Sheet>& sheet,
-                                   const DryFaces& dry, coupler::Kernel kernel,
-                                   double grid_m, const structure::Continues& continues) {
+                                   const DryFaces& dry, const KernelReach& reach,
+                                   const structure::Continues& continues) {
     const structure::Bounds block = structure::bounds(mesh.nodes);
     const Vec3 size = block.extent_m();
     std::size_t thin = 0;  // never along an axis on which the body goes on
     for (std::size_t d = 1; d < 3; ++d)
         if (continues[thin] || (!continues[d] && size[d] < size[thin])) thin = d;
     const auto surface = dry.without(structure::boundary_quads(mesh));
-    const KernelReach reach = reach_of(kernel);
-    const double depth_m = rim_depth_m(reach, size[thin], grid_m);
+    const double depth_m = rim_depth_m(reach, size[thin]), grid_m = reach.grid_m;
     std::array<Rows, 3> rows;
     for (std::size_t d = 0; d < 3; ++d) {
         const double slack_m = 1e-6 * size[d];
         const bool low = wet(surface, mesh, d, block.low_m[d], slack_m);
         const bool high = wet(surface, mesh, d, block.high_m[d], slack_m);
         if (d == thin) {
-            rows[d] =
-                layers(block.low_m[d], block.high_m[d], reach.face * grid_m, grid_m);
+            rows[d] = layers(block.low_m[d], block.high_m[d], reach);
             continue;
         }
         const double most_m = 0.25 * size[d];  // of tiny bodies half is left
@@ -124,9 +130,8 @@ std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
         for (const double y : rows[1].at_m)
             for (const double x : rows[0].at_m)
                 markers.push_back({locator.nearest({x, y, z}), volume_m3});
-    // One layer stands for both faces, whose areas would cancel.
     if (sheet && rows[thin].at_m.size() == 1)
-        share_surface(markers, mesh, top_of(*sheet), grid_m, 2);
+        make_layer(markers, mesh, *sheet, reach, size[thin]);
     else
         share_surface(markers, mesh, surface, grid_m);
     return markers;
@@ -169,9 +174,8 @@ std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
 // volume, both below what bounds them, thinned out.
 std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
                                   const std::optional<structure::Sheet>& sheet,
-                                  const DryFaces& dry, coupler::Kernel kernel,
-                                  double grid_m) {
-    const KernelReach reach = reach_of(kernel);
+                                  const DryFaces& dry, const KernelReach& reach) {
+    const double grid_m = reach.grid_m;
     const auto surface = dry.without(structure::boundary_quads(mesh));
     const double apart_m = thinned_to * grid_m, fine_m = 0.25 * grid_m;
     std::vector<PlacedMarker> points;
@@ -183,35 +187,57 @@ std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
         }
     }
     const double thickness_m = sheet ? structure::volume_m3(mesh) / area_m2 : INFINITY;
-    const bool thin = thickness_m < one_layer_below * grid_m;
+    const bool thin = has_one_layer(reach, thickness_m);
     if (thin) {
         draw_back(points, mesh, dry.without(structure::rim_of(mesh, *sheet)),
-                  rim_depth_m(reach, thickness_m, grid_m), fine_m);
+                  rim_depth_m(reach, thickness_m), fine_m);
     } else {
         points.clear();
         for (const auto& p : structure::volume_points(mesh, 2 * fine_m))
             points.push_back({p.point, p.volume_m3});
-        draw_back(points, mesh, surface, reach.face * grid_m, fine_m);
+        draw_back(points, mesh, surface, reach.face_m, fine_m);
     }
     auto markers = thinned(points, mesh, apart_m);
     if (thin)
-        share_surface(markers, mesh, top_of(*sheet), grid_m, 2);
+        make_layer(markers, mesh, *sheet, reach, thickness_m);
     else
         share_surface(markers, mesh, surface, grid_m);
     return markers;
 }
 
+// In grid spacings, of one layer of markers along which the fluid is moved: half of the
+// thickness that it seems to have, from the response of the lattice (shear wave by shear
+// wave) to its force where the Stokes layer is a spacing thick; it changes by a tenth of a
+// spacing over thicker ones and thinner ones.
+double half_layer(coupler::Kernel kernel, bool small_magic_number) {
+    if (kernel == coupler::Kernel::two_point) return small_magic_number ? 0.73 : 0.58;
+    return small_magic_number ? 0.875 : 0.77;
+}
+
+// In grid spacings: with which a plate swung broadside has the exact added mass
+// (tests/validation/no_slip); not known for the 4-point kernel.
+double edge(coupler::Kernel kernel) {
+    return kernel == coupler::Kernel::two_point ? 0.64 : 0.93;
+}
+
 }  // namespace
+
+KernelReach reach_in(const scene::Scene& scene) {
+    const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
+    const double grid_m = scene.fluid->spacing_m;
+    // Below, the collision has a small magic number.
+    const bool small = scene::relaxation_time(scene).value_or(1) < 0.55;
+    return {grid_m, half_layer(kernel, small) * grid_m, edge(kernel) * grid_m};
+}
 
 std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
                                           const structure::Mesh& mesh,
-                                          const DryFaces& dry, coupler::Kernel kernel,
-                                          double grid_m,
+                                          const DryFaces& dry, const KernelReach& reach,
                                           const structure::Continues& continues) {
     const auto sheet = structure::find_sheet(mesh, continues);
     if (std::holds_alternative<structure::Box>(body.mesh))
-        return in_block(mesh, sheet, dry, kernel, grid_m, continues);
-    return in_mesh(mesh, sheet, dry, kernel, grid_m);
+        return in_block(mesh, sheet, dry, reach, continues);
+    return in_mesh(mesh, sheet, dry, reach);
 }
 
 }  // namespace magfsi::bodies

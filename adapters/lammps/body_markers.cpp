@@ -19,9 +19,7 @@ using Placed = std::vector<bodies::PlacedMarker>;
 Placed place_all(const scene::Scene& scene) {
     Placed all;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const auto markers = bodies::place_markers(
-            scene.bodies[b], scene.coupling->immersed_boundary, scene.fluid->spacing_m,
-            static_cast<int>(b), bodies::spans_fluid(*scene.fluid, scene.bodies[b]));
+        const auto markers = bodies::place_markers(scene, b);
         all.insert(all.end(), markers.begin(), markers.end());
     }
     return all;
@@ -44,6 +42,7 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
     marker.weight = placed.point.weight;
     marker.volume_m3 = placed.volume_m3;
     marker.displaced_m3 = placed.displaced_m3;
+    marker.carried_m3 = placed.carried_m3;
     marker.body = placed.body;
     return marker;
 }

@@ -44,12 +44,9 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
         boundary.forcing == coupler::Forcing::no_slip ? coupler::least_row_sum : 1;
     const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
-        const scene::Body& body = scene.bodies[b];
         const auto mass = structure::build_lattice(solids[b]).node_mass_kg;
         std::vector<double> drag(mass.size());
-        for (const auto& m :
-             bodies::place_markers(body, boundary, scene.fluid->spacing_m, 0,
-                                   bodies::spans_fluid(*scene.fluid, body))) {
+        for (const auto& m : bodies::place_markers(scene, b)) {
             const double kappa = scale.drag_coefficient_kg_s(m.volume_m3) / row_sum;
             for (std::size_t a = 0; a < 8; ++a) {
                 drag[static_cast<std::size_t>(m.point.node[a])] +=

@@ -83,9 +83,7 @@ std::vector<fluid::Vec3> markers_m(const scene::Scene& scene) {
         structure::Placement placement = body.initial;
         placement.relaxed.reset();
         placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
-        for (const bodies::PlacedMarker& marker : bodies::place_markers(
-                 body, scene.coupling->immersed_boundary, scene.fluid->spacing_m,
-                 static_cast<int>(b), bodies::spans_fluid(*scene.fluid, body)))
+        for (const bodies::PlacedMarker& marker : bodies::place_markers(scene, b))
             all.push_back(structure::position(placed.mesh, marker.point));
     }
     return all;

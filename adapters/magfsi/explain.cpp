@@ -57,7 +57,8 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
-std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
+std::string explain_body(const scene::Scene& scene, std::size_t number) {
+    const scene::Body& body = scene.bodies[number];
     const structure::Body solid = bodies::to_body(body);
     std::string text = fmt::format("  body '{}': ", body.name);
     const auto* box = std::get_if<structure::Box>(&body.mesh);
@@ -81,10 +82,7 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers\n",
-                            bodies::place_markers(body, scene.coupling->immersed_boundary,
-                                                  scene.fluid->spacing_m, 0,
-                                                  bodies::spans_fluid(*scene.fluid, body))
-                                .size());
+                            bodies::place_markers(scene, number).size());
     }
     return text;
 }
@@ -107,7 +105,7 @@ std::string explain_structure(const scene::Scene& scene) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"
                               : "\nstructure (LAMMPS, fix magttice)\n";
-    for (const scene::Body& body : scene.bodies) text += explain_body(scene, body);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) text += explain_body(scene, b);
     if (!scene.time.equilibrium) return text + explain_steps(scene);
     const double points = scene.time.end_s / scene::path_step_s(scene);
     text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);

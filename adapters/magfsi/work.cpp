@@ -79,20 +79,14 @@ FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     return work;
 }
 
-double markers_of(const scene::Scene& scene, const scene::Body& body) {
-    const auto markers = bodies::place_markers(body, scene.coupling->immersed_boundary,
-                                               scene.fluid->spacing_m, 0,
-                                               bodies::spans_fluid(*scene.fluid, body));
-    return static_cast<double>(markers.size());
-}
-
 StructureWork structure_work(const scene::Scene& scene, int ranks) {
     StructureWork work;
-    for (const scene::Body& body : scene.bodies) {
-        const structure::Body solid = bodies::to_body(body);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const structure::Body solid = bodies::to_body(scene.bodies[b]);
         work.elements += static_cast<double>(solid.mesh.elements.size());
         work.nodes += static_cast<double>(solid.mesh.nodes.size());
-        if (scene.coupling) work.markers += markers_of(scene, body);
+        if (scene.coupling)
+            work.markers += static_cast<double>(bodies::place_markers(scene, b).size());
     }
     if (scene.probes) work.probe_rows = rows(scene.time.end_s, scene.probes->every_s);
     if (scene.output.structure)

@@ -6,6 +6,10 @@
 
 namespace magfsi::coupler {
 
+bool carries_fluid(std::span<const Marker> markers) {
+    return std::ranges::any_of(markers, [](const Marker& m) { return m.carried_m3 != 0; });
+}
+
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
                              const EnclosedFluidScale& scale)
     : scale_(scale),
@@ -15,6 +19,9 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
     mass_kg_.reserve(markers.size());
     for (const Marker& m : markers)
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
+    if (carries_fluid(markers))
+        for (const Marker& m : markers)
+            carried_kg_.push_back(scale.fluid_density_kg_m3 * m.carried_m3);
 }
 
 void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
@@ -26,6 +33,17 @@ void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
         follow<true>(fluid_velocity);
     else
         follow<false>(fluid_velocity);
+    add_carried();
+}
+
+void EnclosedFluid::add_carried() {
+    for (std::size_t m = 0; m < carried_kg_.size(); ++m) {
+        const Vec3 &a = acceleration_[m], &n = unit_normal_[m];
+        if (n == Vec3{}) continue;
+        const double through = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+        for (std::size_t d = 0; d < 3; ++d)
+            force_[m][d] += carried_kg_[m] * (a[d] - through * n[d]);
+    }
 }
 
 template <bool Weighs>
