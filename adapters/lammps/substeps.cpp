@@ -40,14 +40,15 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
                                       coupled_step_s};
     // Row sums are not known before the run; the least is what it allows.
-    const double row_sum =
-        boundary.forcing == coupler::Forcing::no_slip ? coupler::least_row_sum : 1;
+    const double share = boundary.forcing == coupler::Forcing::no_slip
+                             ? coupler::no_slip_strength / coupler::least_row_sum
+                             : 1;
     const auto solids = bodies::bodies_in_fluid(scene);
     for (std::size_t b = 0; b < solids.size(); ++b) {
         const auto mass = structure::build_lattice(solids[b]).node_mass_kg;
         std::vector<double> drag(mass.size());
         for (const auto& m : bodies::place_markers(scene, b)) {
-            const double kappa = scale.drag_coefficient_kg_s(m.volume_m3) / row_sum;
+            const double kappa = share * scale.drag_coefficient_kg_s(m.volume_m3);
             for (std::size_t a = 0; a < 8; ++a) {
                 drag[static_cast<std::size_t>(m.point.node[a])] +=
                     m.point.weight[a] * kappa;

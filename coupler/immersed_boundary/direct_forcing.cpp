@@ -78,7 +78,7 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
 
 void PenaltyForce::divide_by(std::span<const double> row_sum) {
     for (std::size_t m = 0; m < kappa_.size(); ++m)
-        kappa_[m] = own_kappa_[m] / std::max(row_sum[m], least_row_sum);
+        kappa_[m] = no_slip_strength * own_kappa_[m] / std::max(row_sum[m], least_row_sum);
 }
 
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity,

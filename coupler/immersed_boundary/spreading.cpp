@@ -290,12 +290,14 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
     // Impulses act where the velocities were sampled last, as a rule; in a step that is
     // repeated, where they acted before.
     if (!spread_rows_.placed_at(points_m)) {
-        if (sample_rows_.placed_at(points_m)) {
+        if (sample_rows_.placed_at(points_m))
             std::swap(spread_rows_, sample_rows_);
-            if (forcing_ == Forcing::no_slip) felt_ = velocity_;
-        } else {
+        else
             spread_rows_.place(points_m);
-        }
+    }
+    if (forcing_ == Forcing::no_slip) {
+        felt_.resize(3 * spread_rows_.cells());
+        fluid_.velocity(spread_rows_.rows(), felt_);
     }
     if (!more) density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(impulse, coupled_step_s_, density_);
