@@ -72,7 +72,6 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
     for (const PlacedMarker& m : markers) sum += m.volume_m3;
     for (PlacedMarker& m : markers) {
         m.displaced_m3 = m.volume_m3 * body_m3 / sum;
-        m.carried_m3 *= body_m3 / sum;
         m.body = number;
     }
 }
@@ -97,12 +96,11 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
     }
     const DryFaces dry(body, mesh, continues);
     const bool both_faces = boundary.markers != coupler::Markers::mid_surface;
-    auto markers =
-        boundary.forcing == coupler::Forcing::no_slip
-            ? no_slip_markers(body, mesh, dry, reach_in(scene), continues)
-        : surface || (sheet && !boundary.markers)
-            ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
-            : through_volume(mesh, dry, boundary, spacing);
+    auto markers = boundary.forcing == coupler::Forcing::no_slip
+                       ? no_slip_markers(body, mesh, dry, reach_in(scene), continues)
+                   : surface || (sheet && !boundary.markers)
+                       ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
+                       : through_volume(mesh, dry, boundary, spacing);
     share_body(markers, structure::volume_m3(mesh), static_cast<int>(number));
     return markers;
 }

@@ -15,7 +15,6 @@ struct PlacedMarker {
     structure::MaterialPoint point;
     double volume_m3 = 0;     // of fluid that it moves
     double displaced_m3 = 0;  // of the body that it stands for
-    double carried_m3 = 0;    // as in coupler::Marker
     int body = 0;
     // Of the surface that it stands for, as in MarkerArea of
     // coupler/immersed_boundary/slip.h; zero where it stands for none.

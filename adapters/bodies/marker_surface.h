@@ -53,8 +53,7 @@ class DryFaces {
 // How far markers of a kernel reach, in metres.
 struct KernelReach {
     double grid_m;
-    // Half the thickness of the fluid that one layer of markers carries along, and how
-    // far outside of the outer one of several their wall stands.
+    // How far outside of the outer one of several layers their wall stands.
     double face_m;
     // How far one layer reaches beyond the area of its markers where it moves broadside.
     double edge_m;

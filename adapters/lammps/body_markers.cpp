@@ -42,7 +42,6 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
     marker.weight = placed.point.weight;
     marker.volume_m3 = placed.volume_m3;
     marker.displaced_m3 = placed.displaced_m3;
-    marker.carried_m3 = placed.carried_m3;
     marker.body = placed.body;
     return marker;
 }

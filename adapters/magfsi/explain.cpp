@@ -81,8 +81,8 @@ std::string explain_body(const scene::Scene& scene, std::size_t number) {
     if (box) text += explain_elements(solid, *box);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
-        text += fmt::format("    {} markers\n",
-                            bodies::place_markers(scene, number).size());
+        text +=
+            fmt::format("    {} markers\n", bodies::place_markers(scene, number).size());
     }
     return text;
 }

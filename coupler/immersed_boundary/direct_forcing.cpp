@@ -6,10 +6,6 @@
 
 namespace magfsi::coupler {
 
-bool carries_fluid(std::span<const Marker> markers) {
-    return std::ranges::any_of(markers, [](const Marker& m) { return m.carried_m3 != 0; });
-}
-
 EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
                              const EnclosedFluidScale& scale)
     : scale_(scale),
@@ -19,9 +15,6 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
     mass_kg_.reserve(markers.size());
     for (const Marker& m : markers)
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
-    if (carries_fluid(markers))
-        for (const Marker& m : markers)
-            carried_kg_.push_back(scale.fluid_density_kg_m3 * m.carried_m3);
 }
 
 void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
@@ -33,17 +26,6 @@ void EnclosedFluid::begin_step(std::span<const Vec3> fluid_velocity) {
         follow<true>(fluid_velocity);
     else
         follow<false>(fluid_velocity);
-    add_carried();
-}
-
-void EnclosedFluid::add_carried() {
-    for (std::size_t m = 0; m < carried_kg_.size(); ++m) {
-        const Vec3 &a = acceleration_[m], &n = unit_normal_[m];
-        if (n == Vec3{}) continue;
-        const double through = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
-        for (std::size_t d = 0; d < 3; ++d)
-            force_[m][d] += carried_kg_[m] * (a[d] - through * n[d]);
-    }
 }
 
 template <bool Weighs>
@@ -78,7 +60,8 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
 
 void PenaltyForce::divide_by(std::span<const double> row_sum) {
     for (std::size_t m = 0; m < kappa_.size(); ++m)
-        kappa_[m] = no_slip_strength * own_kappa_[m] / std::max(row_sum[m], least_row_sum);
+        kappa_[m] =
+            no_slip_strength * own_kappa_[m] / std::max(row_sum[m], least_row_sum);
 }
 
 void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity,

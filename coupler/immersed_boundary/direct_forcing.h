@@ -11,7 +11,6 @@
 
 #include <array>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "coupler/immersed_boundary/grid.h"
@@ -21,15 +20,13 @@ namespace magfsi::coupler {
 // Lagrangian markers: material points of the body, carried by its elements through their
 // shape functions, so that the fluid's grid and the body's mesh can be refined alone. As
 // one structure rank sees it: eight nodes by local index, their weights (which add up to
-// one), the volume of fluid that it moves, that of the fluid inside the body whose inertia
-// is its force, and what fluid it carries along the surface beyond what the body
-// displaces (EnclosedFluid) [m3].
+// one), the volume of fluid that it moves and that of the fluid inside the body whose
+// inertia is its force (EnclosedFluid) [m3].
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};
     double volume_m3 = 0;
     double displaced_m3 = 0;
-    double carried_m3 = 0;
     int body = 0;
 };
 
@@ -50,8 +47,6 @@ inline void to_nodes(const Marker& marker, const Vec3& force, double* nodal) {
         for (std::size_t d = 0; d < 3; ++d) f[d] += marker.weight[a] * force[d];
     }
 }
-
-bool carries_fluid(std::span<const Marker> markers);
 
 struct EnclosedFluidScale {
     double fluid_density_kg_m3 = 0;
@@ -74,11 +69,6 @@ struct EnclosedFluidScale {
 // rate below 0.05. At a tenth a sheet of 0.01 times the fluid's density runs. All this is
 // so for U from before the step; in a step that is repeated until U is that of its own
 // end, A may follow at once.
-//
-// A sheet of markers carries a layer of fluid as thick as the kernel is wide, whatever
-// its own thickness. Where that counts, in motion along its surface, the inertia of the
-// difference is taken away too (it may be negative), without weight:
-//   F = rho_f dV_c (A - (A . n) n).
 class EnclosedFluid {
   public:
     EnclosedFluid(std::span<const Marker> markers, const EnclosedFluidScale& scale);
@@ -87,9 +77,6 @@ class EnclosedFluid {
     // it is taken to move steadily; then for each coming step.
     void start(std::span<const Vec3> fluid_velocity);
     void begin_step(std::span<const Vec3> fluid_velocity);
-
-    // Of the surface at every marker, for the coming steps; zero where it has none.
-    void turn(std::vector<Vec3> unit_normal) { unit_normal_ = std::move(unit_normal); }
 
     // On every marker, constant over the coupled step [N].
     std::span<const Vec3> force() const { return force_; }
@@ -101,11 +88,9 @@ class EnclosedFluid {
   private:
     template <bool Weighs>  // in gravity
     void follow(std::span<const Vec3> fluid_velocity);
-    void add_carried();
 
     EnclosedFluidScale scale_;
-    std::vector<double> mass_kg_, carried_kg_;
-    std::vector<Vec3> unit_normal_;
+    std::vector<double> mass_kg_;
     std::vector<Vec3> last_velocity_;
     std::vector<Vec3> acceleration_;
     std::vector<Vec3> force_;

@@ -31,18 +31,6 @@ Vec3 area_vector(const Marker& marker, const MarkerArea& area, const double* nod
             a[0] * b[1] - a[1] * b[0]};
 }
 
-std::vector<Vec3> unit_normals(std::span<const Marker> markers,
-                               std::span<const MarkerArea> areas, const double* nodal) {
-    std::vector<Vec3> all(markers.size());
-    for (const MarkerArea& area : areas) {
-        const auto m = static_cast<std::size_t>(area.marker);
-        const Vec3 a = area_vector(markers[m], area, nodal);
-        const double size = std::sqrt(dot(a, a));
-        if (size > 0) all[m] = {a[0] / size, a[1] / size, a[2] / size};
-    }
-    return all;
-}
-
 void SlipRecord::add(std::span<const Marker> markers,
                      std::span<const Vec3> fluid_velocity, std::span<const Vec3> velocity,
                      const double* position) {

@@ -31,10 +31,6 @@ struct MarkerArea {
 // Vector area [m2] at nodal positions (three numbers a node).
 Vec3 area_vector(const Marker& marker, const MarkerArea& area, const double* nodal);
 
-// Of each marker; zero where it has no area.
-std::vector<Vec3> unit_normals(std::span<const Marker> markers,
-                               std::span<const MarkerArea> areas, const double* nodal);
-
 struct SlipReport {
     std::int64_t markers = 0, samples = 0;
     double error_m_s = 0;          // the no-slip error
@@ -53,8 +49,6 @@ class SlipRecord {
     // nodes (three numbers a node).
     void add(std::span<const Marker> markers, std::span<const Vec3> fluid_velocity,
              std::span<const Vec3> velocity, const double* position);
-
-    std::span<const MarkerArea> areas() const { return areas_; }
 
     // Of all ranks. Collective.
     SlipReport collect(MPI_Comm comm) const;

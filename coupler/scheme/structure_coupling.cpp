@@ -77,8 +77,7 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
       exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
                 session.timeout_s(), options_.immersed_boundary.forcing),
-      slip_(std::move(markers_.areas)),
-      carries_fluid_(coupler::carries_fluid(force_.markers())) {
+      slip_(std::move(markers_.areas)) {
     const std::size_t count = force_.markers().size();
     if (options_.immersed_boundary.iterations > 1) {
         iterated_ =
@@ -164,9 +163,6 @@ void StructureCoupling::begin_force(std::span<const Vec3> fluid_velocity,
         for (std::size_t m = 0; m < start_velocity_.size(); ++m)
             start_velocity_[m] = at_marker(force_.markers()[m], solver_.velocities());
     }
-    if (carries_fluid_)
-        force_.enclosed().turn(
-            unit_normals(force_.markers(), slip_.areas(), solver_.positions()));
     force_.begin_step(fluid_velocity, owed);
     if (no_slip_) hold(fluid_velocity);
 }

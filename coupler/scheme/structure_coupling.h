@@ -149,7 +149,6 @@ class StructureCoupling {
     std::unique_ptr<NoSlip> no_slip_;  // null in other forcings
     StructureExchange exchange_;
     SlipRecord slip_;
-    bool carries_fluid_;
     std::unique_ptr<BalanceRecord> balance_;
     std::unique_ptr<MarkerWork> work_;
     std::int64_t advances_ = 0;
