@@ -30,7 +30,7 @@ namespace {
 
 structure::EquilibriumOptions to_options(const scene::Equilibrium& wanted) {
     structure::EquilibriumOptions options;
-    options.force_tolerance = wanted.tolerance;
+    options.tolerance = wanted.tolerance;
     options.leave_unstable = true;  // what is reported is what a body would rest in
     return options;
 }
@@ -54,9 +54,12 @@ class LoadPath {
     bodies::BodyLoads loads() const;
 
     void advance(double to_s);  // along the path, from where it is
+    // Whether there were loads, but none that rounding leaves a shape to.
+    bool unresolved() const { return loaded_ && !resolved_; }
 
   private:
     structure::StaticLoads loads_at(double time_s) const;
+    void note_point(const structure::StaticLoads& loads);
     void add_work(const structure::StaticLoads& before,
                   const structure::StaticLoads& after,
                   const std::vector<structure::Vec3>& from_m);
@@ -70,6 +73,7 @@ class LoadPath {
     structure::Equilibrium now_;
     double time_s_ = 0;
     double work_magnetic_j_ = 0;
+    bool loaded_ = false, resolved_ = false;
 };
 
 LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
@@ -92,6 +96,7 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();
         if (at_rest) now_.releases = 0;  // meant, not met on the way
     }
+    note_point(start);
     // Let go, the body moves in the field at full strength.
     add_work(at_rest ? start : structure::StaticLoads{}, start, placed_m_);
 }
@@ -108,8 +113,15 @@ void LoadPath::advance(double to_s) {
     const structure::StaticLoads before = loads_at(time_s_), after = loads_at(to_s);
     const auto from_m = now_.nodes_m;
     now_ = solver_.follow(from_m, before, {&after, 1}).front();
+    note_point(after);
     add_work(before, after, from_m);
     time_s_ = to_s;
+}
+
+void LoadPath::note_point(const structure::StaticLoads& loads) {
+    if (!loaded(loads)) return;
+    loaded_ = true;
+    resolved_ = resolved_ || now_.resolved();
 }
 
 // Trapezium rule: sum q_a (B_before + B_after)/2 . (x_after - x_before).
@@ -160,7 +172,7 @@ class Participant {
   private:
     void assemble(output::ProgressMode progress);
     void advance();
-    void report_branch(const LoadPath& path);
+    void report_branch(const LoadPath& path, double time_s);
     void write_probes();
     void write_fields();
     bodies::NodalState state() const;
@@ -187,7 +199,7 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
     for (const scene::Body& body : scene.bodies) {
         or_diverged([&] { paths_.push_back(std::make_unique<LoadPath>(scene, body)); });
         const LoadPath& path = *paths_.back();
-        report_branch(path);
+        report_branch(path, 0);
         solids.push_back(path.body());
         append(start, path.placed_m(), path.masses_kg());
     }
@@ -221,18 +233,23 @@ void Participant::advance() {
         static_cast<double>(session_.clock().step() + 1) * session_.clock().step_s();
     for (const auto& path : paths_) {
         or_diverged([&] { path->advance(to_s); });
-        report_branch(*path);
+        report_branch(*path, to_s);
     }
 }
 
-void Participant::report_branch(const LoadPath& path) {
+void Participant::report_branch(const LoadPath& path, double time_s) {
     const structure::Equilibrium& now = path.now();
     iterations_ += now.iterations;
     if (now.releases > 0) {
         session_.log(fmt::format(
             "body '{}' at {:.6g} s: the equilibrium could not be followed (a limit point "
             "or an instability); the body was released there and found another",
-            path.body().name, session_.clock().time_s() + session_.clock().step_s()));
+            path.body().name, time_s));
+    }
+    if (!now.resolved()) {
+        session_.log(fmt::format("warning: {} ({:.6g} s, an error of {:.0f} %)",
+                                 structure::unresolved_loads(path.body().name), time_s,
+                                 100 * now.displacement_error));
     }
     if (now.negative_eigenvalues > 0) {
         session_.log(
@@ -269,6 +286,10 @@ void Participant::run() {
     if (probes_) write_probes();
     if (files_) write_fields();
     while (!session_.clock().done()) tasks_.run();
+    for (const auto& path : paths_) {
+        if (path->unresolved())
+            throw coupler::Diverged(structure::unresolved_loads(path->body().name));
+    }
     finish(output::steady_seconds() - start_s_);
 }
 

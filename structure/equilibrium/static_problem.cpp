@@ -106,14 +106,24 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     return out;
 }
 
+double StaticProblem::rounding_n() const {
+    // Positions are rounded to 1e-16 of the longest side, which strains an element of
+    // edge l by 1e-16 L / l and gives forces of about (K + G) l^2 times that; a node has
+    // eight elements, which sum up some ten of them.
+    const double edge = std::cbrt(volume_m3_ / static_cast<double>(references_.size()));
+    return 10 * 1e-16 * largest_modulus_pa_ * edge * longest_side_m_;
+}
+
 double StaticProblem::relative_residual(const Response& response,
                                         const Eigen::VectorXd& load) const {
-    // Positions are rounded to 1e-16 of the longest side, which strains an element of
-    // edge l by 1e-16 L / l and gives forces of about (K + G) l^2 times that.
-    const double edge = std::cbrt(volume_m3_ / static_cast<double>(references_.size()));
-    const double rounding = 1e-16 * largest_modulus_pa_ * edge * longest_side_m_;
-    const double scale = std::max(load.cwiseAbs().maxCoeff(), 1e10 * rounding);
-    return response.residual_n.cwiseAbs().maxCoeff() / scale;
+    const double largest = load.cwiseAbs().maxCoeff();
+    return response.residual_n.cwiseAbs().maxCoeff() /
+           (largest > 0 ? largest : rounding_n());
+}
+
+double StaticProblem::allowed_residual_n(const Eigen::VectorXd& load,
+                                         double tolerance) const {
+    return std::max(tolerance * load.cwiseAbs().maxCoeff(), rounding_n());
 }
 
 double StaticProblem::rigid_foundation() const {

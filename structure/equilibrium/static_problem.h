@@ -47,9 +47,11 @@ class StaticProblem {
     };
     Response response(const Eigen::VectorXd& x, const Eigen::VectorXd& load) const;
 
-    // Largest component over the largest load. Loads below 1e10 times the rounding of the
-    // internal forces count as that much: a residual of 1e-9 can always be reached.
+    // Largest component over the largest load; over the rounding where there is no load.
     double relative_residual(const Response& response, const Eigen::VectorXd& load) const;
+    // What may be left of the residual: this share of the present load, but not less than
+    // the rounding of the internal forces.
+    double allowed_residual_n(const Eigen::VectorXd& load, double tolerance) const;
 
     StiffnessMatrix& matrix() { return matrix_; }
     // Puts the second derivative of the energy at x into the matrix.
@@ -73,6 +75,8 @@ class StaticProblem {
   private:
     StaticProblem(const Body& body, const Lattice& lattice);
     void measure_stiffness();
+    // Of the residual: what internal forces that balance each other leave.
+    double rounding_n() const;
 
     Body body_;
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;
