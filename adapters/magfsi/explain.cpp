@@ -14,7 +14,9 @@
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
+#include "structure/equilibrium/static_problem.h"
 #include "structure/lattice/element_advice.h"
+#include "structure/lattice/lattice.h"
 
 namespace magfsi::launch {
 
@@ -57,8 +59,29 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
+// What only shows once the mesh is there; the run would refuse it, too. On a platform
+// even parts that nothing holds come to rest.
+void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
+    (void)structure::held_axes(solid);
+    (void)structure::build_lattice(solid);
+    if (by_newton(scene))
+        structure::require_held(solid, bodies::to_gravity(scene).value_or(scene::Vec3{}));
+    else if (scene.time.equilibrium && !scene.platform)
+        structure::require_held(solid, {});
+}
+
+void refuse_lost_points(const scene::Scene& scene, const scene::Body& body,
+                        const structure::Mesh& mesh) {
+    if (!scene.probes) return;
+    for (const scene::PointProbe& point : scene.probes->points) {
+        if (point.body == body.name) (void)bodies::locate(body, mesh, point.at_m);
+    }
+}
+
 std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
+    refuse_what_cannot_run(scene, solid);
+    refuse_lost_points(scene, body, solid.mesh);
     std::string text = fmt::format("  body '{}': ", body.name);
     const auto* box = std::get_if<structure::Box>(&body.mesh);
     if (box) {

@@ -16,6 +16,11 @@ struct StaticLoads {
     Vec3 gravity_m_s2{};
 };
 
+// What has no equilibrium: a body of parts that are not joined, one of which is not held
+// along all axes, and a body with weight along an axis on which nothing holds it: it
+// would fall without end. Throws std::invalid_argument.
+void require_held(const Body& body, const Vec3& gravity_m_s2);
+
 // Three values a node throughout.
 class StaticProblem {
   public:
@@ -35,8 +40,7 @@ class StaticProblem {
     const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
     double volume_m3() const { return volume_m3_; }
 
-    // Nodal loads [N]. Throws std::invalid_argument where a body has weight along an axis
-    // on which nothing holds it: it would fall without end.
+    // Nodal loads [N].
     Eigen::VectorXd load(const StaticLoads& loads) const;
 
     struct Response {

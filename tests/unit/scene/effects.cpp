@@ -95,6 +95,13 @@ struct Case {
     Sets overrides;
 };
 
+TEST(IdleEffects, are_not_a_gradient_without_a_uniform_field) {
+    EXPECT_EQ(of_minimal({"magnetic_field.table.magnitude=[0 T]",
+                          "magnetic_field.gradient.matrix=[[1 T/m, 0 T/m, 0 T/m], "
+                          "[0 T/m, -1 T/m, 0 T/m], [0 T/m, 0 T/m, 0 T/m]]"}),
+              "");
+}
+
 TEST(IdleEffects, are_named_with_the_reason) {
     const std::string gradient =
         "magnetic_field.gradient.matrix=[[0 T/m, 0 T/m, 0 T/m], [0 T/m, 0 T/m, 0 T/m], "
