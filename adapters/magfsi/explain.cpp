@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/mesh_estimate.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
@@ -22,27 +24,48 @@ namespace magfsi::launch {
 
 namespace {
 
-// Elements, what they do to the stiffness, steps.
+// Elements, what they do to the displacements, steps.
+
+constexpr double error_to_warn_of = 0.05;
+
+std::string in_percent(double error) {
+    return fmt::format("{:+.2g} %", 100 * error);
+}
+
+std::string explain_error(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const auto estimate = bodies::estimate_mesh_error(scene, body, solid);
+    if (!estimate) return "    error of the displacements: not estimated\n";
+    std::string text = fmt::format(
+        "    error of the displacements: about {} (linear response to {}, "
+        "against a finer mesh)",
+        in_percent(estimate->largest), estimate->loads);
+    double worst = estimate->largest;
+    for (const auto& [point, error] : estimate->points) {
+        text += fmt::format(", of {} {}", point, in_percent(error));
+        if (std::abs(error) > std::abs(worst)) worst = error;
+    }
+    text += "\n";
+    if (std::abs(worst) <= error_to_warn_of) return text;
+    return text +
+           fmt::format(
+               "    warning: body '{}' moves about {:.0f} % too {} on this mesh of "
+               "{}: take finer elements{}\n",
+               body.name, 100 * std::abs(worst), worst < 0 ? "little" : "far",
+               scene::name_of(body.element),
+               body.element == structure::ElementVariant::assumed_strain
+                   ? ""
+                   : ", more layers or element assumed_strain");
+}
 
 // Of the block's bricks; thickness: the body's shortest side.
-std::string explain_elements(const structure::Body& solid, const structure::Box& box) {
+std::string explain_bricks(const structure::Body& solid, const structure::Box& box) {
     structure::Vec3 edges{};
     for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
     const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
     const structure::ElementAdvice advice = structure::element_advice(
         solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
-    const auto percent = [](double error) {
-        // An error of rounding is none.
-        return fmt::format("{:+.3g} %", std::abs(error) < 5e-5 ? 0.0 : 100 * error);
-    };
-    std::string text = fmt::format(
-        "    stiffness of the mesh against the exact plate: bending {}, twist {}, dome "
-        "{}, "
-        "saddle {}\n",
-        percent(advice.bending_error), percent(advice.twist_error),
-        percent(advice.dome_error), percent(advice.saddle_error));
-    if (!advice.text.empty()) text += fmt::format("    warning: {}\n", advice.text);
-    return text;
+    return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
 }
 
 // Of the fluid that the grid has inside the body.
@@ -100,7 +123,8 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
                         fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
                         entry.material.lame_lambda_pa, entry.material.density_kg_m3);
     }
-    if (box) text += explain_elements(solid, *box);
+    text += explain_error(scene, body, solid);
+    if (box) text += explain_bricks(solid, *box);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers\n",
@@ -236,6 +260,18 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling) text += explain_coupling(scene);
     return text;
+}
+
+std::vector<std::string> warnings(const std::string& explanation) {
+    constexpr std::string_view mark = "warning: ";
+    std::vector<std::string> out;
+    std::istringstream lines(explanation);
+    for (std::string line; std::getline(lines, line);) {
+        const auto at = line.find_first_not_of(' ');
+        if (at != std::string::npos && line.substr(at).starts_with(mark))
+            out.push_back(line.substr(at + mark.size()));
+    }
+    return out;
 }
 
 nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {

@@ -176,7 +176,7 @@ void keys(Io& io, Body& body) {
             key("gmsh", "Hexahedra from a Gmsh file; physical volumes are regions, physical "
                 "surfaces faces to clamp."));
     });
-    io(key("element", "full: the paper's element; mean_f: accurate in bending with few layers; "
+    io(key("element", "full: the paper's element, for four and more layers; mean_f: accurate in bending with few layers; "
            "assumed_strain: in every mode, for elements of any proportion.").by_default(),
        body.element);
     io(key("material", "Neo-Hookean solid, eq. (1)."), body.material);

@@ -266,9 +266,9 @@ Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
     }
 }
 
-double largest_deformation_m(const StaticProblem& problem, const Eigen::VectorXd& x,
-                             const Eigen::VectorXd& step) {
-    return Motion(problem, x, step).deformation().cwiseAbs().maxCoeff();
+Eigen::VectorXd deformation(const StaticProblem& problem, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& step) {
+    return Motion(problem, x, step).deformation();
 }
 
 }  // namespace magfsi::structure

@@ -38,8 +38,8 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
 Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
                        const Eigen::VectorXd& load, double allowed_n, int max_iterations);
 
-// Largest component of the step at x, the rigid motion apart that nothing holds.
-double largest_deformation_m(const StaticProblem& problem, const Eigen::VectorXd& x,
-                             const Eigen::VectorXd& step);
+// The step at x without the rigid motion that nothing holds.
+Eigen::VectorXd deformation(const StaticProblem& problem, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& step);
 
 }  // namespace magfsi::structure

@@ -69,7 +69,9 @@ Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x) {
 double displacement_error(StaticProblem& problem, const Eigen::VectorXd& x,
                           const Eigen::VectorXd& load) {
     const auto deformation_m = [&](const Eigen::VectorXd& force_n) {
-        return largest_deformation_m(problem, x, problem.matrix().solve(force_n));
+        return deformation(problem, x, problem.matrix().solve(force_n))
+            .cwiseAbs()
+            .maxCoeff();
     };
     const double response_m = deformation_m(load);
     const double error_m = deformation_m(problem.response(x, load).residual_n);

@@ -163,7 +163,7 @@ bodies:
       lame_lambda: 0.66 MPa
       shear_modulus: 33000 N/m2
     mesh: {box: {elements: [4, 2, 1], size: [4e-3 m, 0.2 cm, 200 um]}}
-    element: full
+    element: assumed_strain
   b: *same
 time: {end: 0.12 s}
 name: "strip"
