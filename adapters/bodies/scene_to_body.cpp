@@ -221,6 +221,7 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
     out.element = body.element;
+    out.inertia = body.inertia;
     out.clamps = body.clamps;
     out.rollers = body.rollers;
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)

@@ -18,6 +18,7 @@
 #include "adapters/scene/scene.h"
 #include "structure/equilibrium/static_problem.h"
 #include "structure/lattice/element_advice.h"
+#include "structure/lattice/inertia.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::launch {
@@ -27,6 +28,7 @@ namespace {
 // Elements, what they do to the displacements, steps.
 
 constexpr double error_to_warn_of = 0.05;
+constexpr double inertia_to_warn_of = 0.1;
 
 std::string in_percent(double error) {
     return fmt::format("{:+.2g} %", 100 * error);
@@ -66,6 +68,23 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
     const structure::ElementAdvice advice = structure::element_advice(
         solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
     return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
+}
+
+// Of turning about the axes through the centre of mass.
+std::string explain_moments(const scene::Scene& scene, const structure::Body& solid) {
+    const structure::Vec3 error = structure::inertia_error(solid);
+    std::string text =
+        fmt::format("    moments of inertia against the body's: x {}, y {}, z {}\n",
+                    in_percent(error[0]), in_percent(error[1]), in_percent(error[2]));
+    const bool turns = !scene.time.equilibrium && solid.clamps.empty();
+    if (!turns || std::ranges::max(error) <= inertia_to_warn_of) return text;
+    return text + fmt::format(
+                      "    warning: body '{}' turns as if its inertia were {:.0f} % "
+                      "larger: take {}finer elements\n",
+                      solid.name, 100 * std::ranges::max(error),
+                      solid.inertia == structure::Inertia::lumped
+                          ? "inertia: corrected, or "
+                          : "");
 }
 
 // Of the fluid that the grid has inside the body.
@@ -125,6 +144,7 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     }
     text += explain_error(scene, body, solid);
     if (box) text += explain_bricks(solid, *box);
+    if (!scene.time.equilibrium) text += explain_moments(scene, solid);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers\n",

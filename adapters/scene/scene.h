@@ -74,6 +74,7 @@ struct Body {
     std::string name;
     MeshOptions mesh;
     ElementVariant element = ElementVariant::assumed_strain;
+    Inertia inertia = Inertia::lumped;
     Material material;
     std::vector<RegionMaterial> material_regions;
     std::optional<Magnetization> magnetization;

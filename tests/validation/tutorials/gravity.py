@@ -76,10 +76,14 @@ class Gravity(unittest.TestCase):
         self.assertLess(path.middle[1], STANDING_DEG)
         self.assert_between_rods(path.heading[0], 2, 9)
 
+    # Finite elements have the middle of the V turned out of the field's symmetry by its
+    # stretch, which the rods do not know (strip_harmonic.csv, theta_B = 45: 90 here).
     def test_stands_without_weight(self):
         path = FieldPath("0 g", "weightless.yaml", {"probes.every": "1 s"})
-        for heading in path.heading:
-            self.assertAlmostEqual(heading, 90, delta=ROD_DEG)  # the rods' is 90 by symmetry
+        for at_mt, tilt_deg, within_deg in ((1, -0.830, 1), (5, -3.195, 1),
+                                            # One layer (tests/validation/structure/strip.cpp).
+                                            (20, -25.691, 4)):
+            self.assertAlmostEqual(path.middle[at_mt - 1], 90 + tilt_deg, delta=within_deg)
 
 
 if __name__ == "__main__":
