@@ -13,6 +13,11 @@ STANDING_DEG = 30
 # Two rods, narrow and wide, have the strip between them; thickness, friction and the mesh of 20
 # elements move its heading by at most 3 degrees (tutorials/gravity/README.md).
 ROD_DEG = 3
+# The rods do not stretch. A bent solid does, which turns it, without weight by this much
+# (weightless.yaml with two layers; finite elements say the same, see below) and with weight by
+# less. At 10 mT under 1 g and at 5 mT under g/2 two layers of assumed_strain and of mean_f have
+# 66.3 and 67.1, 74.2 and 74.6 degrees.
+STRETCH_DEG = {5: 2.4, 9: 4.2, 10: 4.7, 20: 12.3}
 
 
 def headings_deg(probes, start, end):
@@ -50,7 +55,7 @@ def rods_at(weight_g, field_mt):
 class Gravity(unittest.TestCase):
     def assert_between_rods(self, heading, weight_g, field_mt):
         rods = rods_at(weight_g, field_mt)
-        self.assertGreater(heading, min(rods) - ROD_DEG)
+        self.assertGreater(heading, min(rods) - ROD_DEG - STRETCH_DEG[field_mt])
         self.assertLess(heading, max(rods) + ROD_DEG)
 
     def test_stands_under_one_g(self):
