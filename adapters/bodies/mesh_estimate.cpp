@@ -23,16 +23,6 @@ double length(const Vec3& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
-Vec3 strongest_field_t(const scene::Scene& scene) {
-    Vec3 strongest{};
-    for (int i = 0; i <= samples_of_field; ++i) {
-        const Vec3 field = structure::field_at(*scene.magnetic_field,
-                                               scene.time.end_s * i / samples_of_field);
-        if (length(field) > length(strongest)) strongest = field;
-    }
-    return strongest;
-}
-
 struct Loads {
     structure::StaticLoads loads;
     std::string words;
@@ -70,6 +60,16 @@ Vec3 at(const structure::Mesh& mesh, const std::vector<Vec3>& displacement_m,
 }
 
 }  // namespace
+
+Vec3 strongest_field_t(const scene::Scene& scene) {
+    Vec3 strongest{};
+    for (int i = 0; i <= samples_of_field; ++i) {
+        const Vec3 field = structure::field_at(*scene.magnetic_field,
+                                               scene.time.end_s * i / samples_of_field);
+        if (length(field) > length(strongest)) strongest = field;
+    }
+    return strongest;
+}
 
 std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
                                                 const scene::Body& body,

@@ -11,6 +11,9 @@
 
 namespace magfsi::bodies {
 
+// Of the run, at 200 times of it; the scene must have a field.
+structure::Vec3 strongest_field_t(const scene::Scene& scene);
+
 struct MeshEstimate {
     std::string loads;   // in words
     double largest = 0;  // error of the largest displacement over it

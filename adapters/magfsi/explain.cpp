@@ -120,6 +120,40 @@ void refuse_lost_points(const scene::Scene& scene, const scene::Body& body,
     }
 }
 
+// What holds it, and what loads it: M B / G is about the strain that the field makes.
+std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const structure::Vec3 size = structure::bounds(solid.mesh.nodes).extent_m();
+    double mass = 0;
+    for (const double m : structure::build_lattice(solid).node_mass_kg) mass += m;
+    std::string text =
+        fmt::format("    size {:.4g} x {:.4g} x {:.4g} mm, mass {:.4g} mg\n",
+                    1e3 * size[0], 1e3 * size[1], 1e3 * size[2], 1e6 * mass);
+    std::vector<std::string> held;
+    for (const std::string& face : body.clamps) held.push_back(face + " clamped");
+    for (const structure::Roller& roller : body.rollers) {
+        held.push_back(fmt::format("{} along {}", fmt::join(roller.faces, ", "),
+                                   scene::axis_names[roller.axis]));
+    }
+    for (const structure::PrescribedMotion& motion : body.prescribed_motion)
+        held.push_back(fmt::format("{} moved", fmt::join(motion.faces, ", ")));
+    text +=
+        fmt::format("    held: {}\n",
+                    held.empty() ? "nowhere" : fmt::format("{}", fmt::join(held, "; ")));
+    if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
+    double largest = 0;
+    for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
+        const structure::Vec3& m = solid.magnetization_a_m[e];
+        largest =
+            std::max(largest, std::hypot(m[0], m[1], m[2]) /
+                                  structure::material_of(solid, e).shear_modulus_pa);
+    }
+    const structure::Vec3 field = bodies::strongest_field_t(scene);
+    const double field_t = std::hypot(field[0], field[1], field[2]);
+    return text + fmt::format("    field up to {:.4g} mT: largest M B / G {:.3g}\n",
+                              1e3 * field_t, largest * field_t);
+}
+
 std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
     refuse_what_cannot_run(scene, solid);
@@ -142,6 +176,7 @@ std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
                         fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
                         entry.material.lame_lambda_pa, entry.material.density_kg_m3);
     }
+    text += explain_loads(scene, body, solid);
     text += explain_error(scene, body, solid);
     if (box) text += explain_bricks(solid, *box);
     if (!scene.time.equilibrium) text += explain_moments(scene, solid);
