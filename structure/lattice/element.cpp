@@ -54,18 +54,12 @@ constexpr std::array<Group, 3> groups{{
 struct Vectors {
     Eigen::Matrix3d edge;  // one a column
     Eigen::Matrix<double, 3, 4> hourglass;
-    HourglassProducts product;
 };
 
 Vectors vectors(const HourglassReference& reference, const Positions8& x) {
     Vectors out;
     out.edge = x.transpose() * reference.edge;
     out.hourglass = x.transpose() * reference.hourglass;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            out.product(3 * i + j) = out.edge.col(i).dot(out.hourglass.col(j));
-        }
-    }
     return out;
 }
 
@@ -396,11 +390,7 @@ Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& 
     const Matrix8 mixed = reference.edge * slope.strain * gamma.transpose();
     const Matrix8 pairs = mixed + mixed.transpose() +
                           2 * reference.edge * slope.metric * reference.edge.transpose();
-    for (int a = 0; a < 8; ++a) {
-        for (int b = 0; b < 8; ++b) {
-            for (int d = 0; d < 3; ++d) out(3 * a + d, 3 * b + d) += pairs(a, b);
-        }
-    }
+    for (int d = 0; d < 3; ++d) out(Eigen::seqN(d, 8, 3), Eigen::seqN(d, 8, 3)) += pairs;
     return out;
 }
 
