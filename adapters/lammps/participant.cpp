@@ -228,6 +228,7 @@ void Participant::start_field_work() {
 
 void Participant::come_to_rest(double time_s) {
     rest_->find(time_s);
+    if (!run_.input.field) return;
     const NodalState nodes = run_.engine->gather(run_.atoms);
     if (run_.field_work.empty()) return;
     const structure::Vec3 field_t = structure::field_at(*scene_.magnetic_field, time_s);
