@@ -20,7 +20,8 @@ struct Body {
     // empty where all elements are of `material`.
     std::vector<Material> other_materials;
     std::vector<int> element_material;
-    ElementVariant element = ElementVariant::full;
+    ElementVariant element = ElementVariant::assumed_strain;
+    Inertia inertia = Inertia::lumped;
     std::vector<Vec3> magnetization_a_m;  // one an element; empty: not magnetic
     std::vector<std::string> clamps;      // faces held still
     std::vector<Roller> rollers;

@@ -71,6 +71,14 @@ constexpr auto words_of(ElementVariant) {
     return std::to_array<std::string_view>({"full", "mean_f", "assumed_strain"});
 }
 
+// lumped: an element's mass spread evenly on its nodes. corrected: moved so that bodies
+// of two and more elements along each axis have their moments of inertia
+// (lattice/inertia.h).
+enum class Inertia { lumped, corrected };
+constexpr auto words_of(Inertia) {
+    return std::to_array<std::string_view>({"lumped", "corrected"});
+}
+
 // --- magnetisation, evaluated at the centres of the undeformed elements ---------------
 
 struct UniformMagnetization {

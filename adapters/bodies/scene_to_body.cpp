@@ -206,9 +206,13 @@ void add_materials(structure::Body& out, const scene::Body& body) {
 }  // namespace
 
 structure::Body to_body(const scene::Body& body) {
+    return to_body(body, to_mesh(body));
+}
+
+structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
     structure::Body out;
     out.name = body.name;
-    out.mesh = to_mesh(body);
+    out.mesh = std::move(mesh);
     out.material = body.material;
     try {
         add_materials(out, body);
@@ -217,6 +221,7 @@ structure::Body to_body(const scene::Body& body) {
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
     out.element = body.element;
+    out.inertia = body.inertia;
     out.clamps = body.clamps;
     out.rollers = body.rollers;
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)

@@ -22,6 +22,8 @@ structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& 
 // Throws std::invalid_argument on what only the mesh can tell, naming the body;
 // scene::SceneError on a region of material_regions that it does not have.
 structure::Body to_body(const scene::Body& body);
+// On another mesh of the same shape, regions and faces.
+structure::Body to_body(const scene::Body& body, structure::Mesh mesh);
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene);
 
 }  // namespace magfsi::bodies

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "adapters/bodies/field_work.h"
 #include "adapters/bodies/nodal_state.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
@@ -23,14 +24,13 @@
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
 #include "structure/lattice/lattice.h"
-#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::equilibrium {
 namespace {
 
 structure::EquilibriumOptions to_options(const scene::Equilibrium& wanted) {
     structure::EquilibriumOptions options;
-    options.force_tolerance = wanted.tolerance;
+    options.tolerance = wanted.tolerance;
     options.leave_unstable = true;  // what is reported is what a body would rest in
     return options;
 }
@@ -54,22 +54,22 @@ class LoadPath {
     bodies::BodyLoads loads() const;
 
     void advance(double to_s);  // along the path, from where it is
+    // Whether there were loads, but none that rounding leaves a shape to.
+    bool unresolved() const { return loaded_ && !resolved_; }
 
   private:
     structure::StaticLoads loads_at(double time_s) const;
-    void add_work(const structure::StaticLoads& before,
-                  const structure::StaticLoads& after,
-                  const std::vector<structure::Vec3>& from_m);
-
+    void note_point(const structure::StaticLoads& loads);
     structure::Body body_;
     std::optional<structure::FieldProgram> field_;
     std::optional<structure::Vec3> gravity_m_s2_;
     std::vector<structure::Vec3> placed_m_;
-    std::vector<double> charge_a_m_, mass_kg_;
+    std::vector<double> mass_kg_;
+    std::optional<bodies::FieldWork> work_;
     structure::NewtonSolver solver_;
     structure::Equilibrium now_;
     double time_s_ = 0;
-    double work_magnetic_j_ = 0;
+    bool loaded_ = false, resolved_ = false;
 };
 
 LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
@@ -80,20 +80,18 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
     const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
     placed_m_ = structure::placed_nodes(body_, body.initial, plane);
     mass_kg_ = structure::build_lattice(body_).node_mass_kg;
-    charge_a_m_ = structure::nodal_charges(body_.mesh.nodes, body_.mesh.elements,
-                                           body_.magnetization_a_m);
     const structure::StaticLoads start = loads_at(0);
     now_.nodes_m = placed_m_;
-    // A clamped body takes its first load step by step; a free one is let go.
-    const bool free = body_.clamps.empty() && body_.rollers.empty();
-    const bool at_rest = free || body.initial.relaxed;
+    // A held body takes its first load step by step; a free one is let go.
+    const bool at_rest = bodies::is_let_go(body_, body.initial);
+    work_.emplace(body_, placed_m_, at_rest);
     if (loaded(start)) {
         now_ = at_rest ? solver_.release(placed_m_, start)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();
         if (at_rest) now_.releases = 0;  // meant, not met on the way
     }
-    // Let go, the body moves in the field at full strength.
-    add_work(at_rest ? start : structure::StaticLoads{}, start, placed_m_);
+    note_point(start);
+    work_->move_to(now_.nodes_m, start.field_t);
 }
 
 structure::StaticLoads LoadPath::loads_at(double time_s) const {
@@ -106,29 +104,22 @@ structure::StaticLoads LoadPath::loads_at(double time_s) const {
 
 void LoadPath::advance(double to_s) {
     const structure::StaticLoads before = loads_at(time_s_), after = loads_at(to_s);
-    const auto from_m = now_.nodes_m;
-    now_ = solver_.follow(from_m, before, {&after, 1}).front();
-    add_work(before, after, from_m);
+    now_ = solver_.follow(now_.nodes_m, before, {&after, 1}).front();
+    note_point(after);
+    work_->move_to(now_.nodes_m, after.field_t);
     time_s_ = to_s;
 }
 
-// Trapezium rule: sum q_a (B_before + B_after)/2 . (x_after - x_before).
-void LoadPath::add_work(const structure::StaticLoads& before,
-                        const structure::StaticLoads& after,
-                        const std::vector<structure::Vec3>& from_m) {
-    for (std::size_t n = 0; n < from_m.size(); ++n) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            work_magnetic_j_ += 0.5 * charge_a_m_[n] *
-                                (before.field_t[d] + after.field_t[d]) *
-                                (now_.nodes_m[n][d] - from_m[n][d]);
-        }
-    }
+void LoadPath::note_point(const structure::StaticLoads& loads) {
+    if (!loaded(loads)) return;
+    loaded_ = true;
+    resolved_ = resolved_ || now_.resolved();
 }
 
 bodies::BodyLoads LoadPath::loads() const {
     bodies::BodyLoads loads;
     loads.energy_elastic_j = now_.energy_elastic_j;
-    loads.work_magnetic_j = work_magnetic_j_;
+    loads.work_magnetic_j = work_->work_j();
     return loads;
 }
 
@@ -160,7 +151,7 @@ class Participant {
   private:
     void assemble(output::ProgressMode progress);
     void advance();
-    void report_branch(const LoadPath& path);
+    void report_branch(const LoadPath& path, double time_s);
     void write_probes();
     void write_fields();
     bodies::NodalState state() const;
@@ -187,7 +178,7 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
     for (const scene::Body& body : scene.bodies) {
         or_diverged([&] { paths_.push_back(std::make_unique<LoadPath>(scene, body)); });
         const LoadPath& path = *paths_.back();
-        report_branch(path);
+        report_branch(path, 0);
         solids.push_back(path.body());
         append(start, path.placed_m(), path.masses_kg());
     }
@@ -221,18 +212,23 @@ void Participant::advance() {
         static_cast<double>(session_.clock().step() + 1) * session_.clock().step_s();
     for (const auto& path : paths_) {
         or_diverged([&] { path->advance(to_s); });
-        report_branch(*path);
+        report_branch(*path, to_s);
     }
 }
 
-void Participant::report_branch(const LoadPath& path) {
+void Participant::report_branch(const LoadPath& path, double time_s) {
     const structure::Equilibrium& now = path.now();
     iterations_ += now.iterations;
     if (now.releases > 0) {
         session_.log(fmt::format(
             "body '{}' at {:.6g} s: the equilibrium could not be followed (a limit point "
             "or an instability); the body was released there and found another",
-            path.body().name, session_.clock().time_s() + session_.clock().step_s()));
+            path.body().name, time_s));
+    }
+    if (!now.resolved()) {
+        session_.log(fmt::format("warning: {} ({:.6g} s, an error of {:.0f} %)",
+                                 structure::unresolved_loads(path.body().name), time_s,
+                                 100 * now.displacement_error));
     }
     if (now.negative_eigenvalues > 0) {
         session_.log(
@@ -269,6 +265,10 @@ void Participant::run() {
     if (probes_) write_probes();
     if (files_) write_fields();
     while (!session_.clock().done()) tasks_.run();
+    for (const auto& path : paths_) {
+        if (path->unresolved())
+            throw coupler::Diverged(structure::unresolved_loads(path->body().name));
+    }
     finish(output::steady_seconds() - start_s_);
 }
 

@@ -100,6 +100,10 @@ class Participant {
     void build_coupling(const std::vector<int>& first_node);
     void assemble();
     void assemble_output(output::ProgressMode progress);
+    template <class Use>
+    void each_body(const std::vector<structure::Vec3>& all, const Use& use);
+    void start_field_work();
+    void come_to_rest(double time_s);
     void check_stable_step();
     output::StructureSummary summary() const;
     coupler::ParticipantReport make_report() const;
@@ -169,6 +173,7 @@ void Participant::start_lammps() {
         guard_ = std::make_unique<StepGuard>(run_.input.bodies, at_start_, comm);
     else
         rest_ = std::make_unique<RestFinder>(engine, scene_, run_.substeps.lammps_step_s);
+    if (rest_) start_field_work();
     if (session_.world().coupled()) build_coupling(script.first_node);
     if (scene_.probes && scene_.probes->energy_audit) {
         run_.audit = std::make_unique<EnergyAudit>(scene_, engine.gather(run_.atoms));
@@ -189,8 +194,8 @@ void Participant::assemble() {
     if (run_.coupling) return run_.coupling->add_tasks(tasks_);
     if (rest_) {
         tasks_.add("come to rest", [this] {
-            rest_->find(static_cast<double>(session_.clock().step() + 1) *
-                        session_.clock().step_s());
+            come_to_rest(static_cast<double>(session_.clock().step() + 1) *
+                         session_.clock().step_s());
         });
     } else {
         tasks_.add(coupler::advance_structure, [this] { run_.engine->advance(); });
@@ -198,6 +203,38 @@ void Participant::assemble() {
     tasks_.add(coupler::check_finite,
                [this] { run_.engine->check_finite(session_.clock().step()); });
     tasks_.add("count step", [this] { session_.complete_step(); });
+}
+
+// The nodes of each body in turn, of those of all bodies.
+template <class Use>
+void Participant::each_body(const std::vector<structure::Vec3>& all, const Use& use) {
+    std::size_t first = 0;
+    for (std::size_t b = 0; b < run_.input.bodies.size(); ++b) {
+        const std::size_t count = run_.input.bodies[b].mesh.nodes.size();
+        use(b, std::span(all).subspan(first, count));
+        first += count;
+    }
+}
+
+void Participant::start_field_work() {
+    if (!run_.input.field || scene_.magnetic_field->gradient) return;
+    if (!session_.world().root()) return;
+    each_body(run_.start.position_m, [&](std::size_t b, auto placed) {
+        const structure::Body& body = run_.input.bodies[b];
+        run_.field_work.emplace_back(body, std::vector(placed.begin(), placed.end()),
+                                     bodies::is_let_go(body, scene_.bodies[b].initial));
+    });
+}
+
+void Participant::come_to_rest(double time_s) {
+    rest_->find(time_s);
+    if (!run_.input.field) return;
+    const NodalState nodes = run_.engine->gather(run_.atoms);
+    if (run_.field_work.empty()) return;
+    const structure::Vec3 field_t = structure::field_at(*scene_.magnetic_field, time_s);
+    each_body(nodes.position_m, [&](std::size_t b, auto of_body) {
+        run_.field_work[b].move_to(of_body, field_t);
+    });
 }
 
 void Participant::check_stable_step() {
@@ -242,7 +279,7 @@ void Participant::run() {
     if (session_.restart() && run_.coupling)
         restore_coupling(run_, coupler::open_restart(session_));
     if (run_.coupling) run_.coupling->begin();
-    if (rest_ && !session_.restart()) rest_->find(0);
+    if (rest_ && !session_.restart()) come_to_rest(0);
     outputs_.begin();
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();

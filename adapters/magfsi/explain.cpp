@@ -5,42 +5,86 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/mesh_estimate.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
+#include "structure/equilibrium/static_problem.h"
 #include "structure/lattice/element_advice.h"
+#include "structure/lattice/inertia.h"
+#include "structure/lattice/lattice.h"
 
 namespace magfsi::launch {
 
 namespace {
 
-// Elements, what they do to the stiffness, steps.
+// Elements, what they do to the displacements, steps.
+
+constexpr double error_to_warn_of = 0.05;
+constexpr double inertia_to_warn_of = 0.1;
+
+std::string in_percent(double error) {
+    return fmt::format("{:+.2g} %", 100 * error);
+}
+
+std::string explain_error(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const auto estimate = bodies::estimate_mesh_error(scene, body, solid);
+    if (!estimate) return "    error of the displacements: not estimated\n";
+    std::string text = fmt::format(
+        "    error of the displacements: about {} (linear response to {}, "
+        "against a finer mesh)",
+        in_percent(estimate->largest), estimate->loads);
+    double worst = estimate->largest;
+    for (const auto& [point, error] : estimate->points) {
+        text += fmt::format(", of {} {}", point, in_percent(error));
+        if (std::abs(error) > std::abs(worst)) worst = error;
+    }
+    text += "\n";
+    if (std::abs(worst) <= error_to_warn_of) return text;
+    return text +
+           fmt::format(
+               "    warning: body '{}' moves about {:.0f} % too {} on this mesh of "
+               "{}: take finer elements{}\n",
+               body.name, 100 * std::abs(worst), worst < 0 ? "little" : "far",
+               scene::name_of(body.element),
+               body.element == structure::ElementVariant::assumed_strain
+                   ? ""
+                   : ", more layers or element assumed_strain");
+}
 
 // Of the block's bricks; thickness: the body's shortest side.
-std::string explain_elements(const structure::Body& solid, const structure::Box& box) {
+std::string explain_bricks(const structure::Body& solid, const structure::Box& box) {
     structure::Vec3 edges{};
     for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
     const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
     const structure::ElementAdvice advice = structure::element_advice(
         solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
-    const auto percent = [](double error) {
-        // An error of rounding is none.
-        return fmt::format("{:+.3g} %", std::abs(error) < 5e-5 ? 0.0 : 100 * error);
-    };
-    std::string text = fmt::format(
-        "    stiffness of the mesh against the exact plate: bending {}, twist {}, dome "
-        "{}, "
-        "saddle {}\n",
-        percent(advice.bending_error), percent(advice.twist_error),
-        percent(advice.dome_error), percent(advice.saddle_error));
-    if (!advice.text.empty()) text += fmt::format("    warning: {}\n", advice.text);
-    return text;
+    return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
+}
+
+// Of turning about the axes through the centre of mass.
+std::string explain_moments(const scene::Scene& scene, const structure::Body& solid) {
+    const structure::Vec3 error = structure::inertia_error(solid);
+    std::string text =
+        fmt::format("    moments of inertia against the body's: x {}, y {}, z {}\n",
+                    in_percent(error[0]), in_percent(error[1]), in_percent(error[2]));
+    const bool turns = !scene.time.equilibrium && solid.clamps.empty();
+    if (!turns || std::ranges::max(error) <= inertia_to_warn_of) return text;
+    return text + fmt::format(
+                      "    warning: body '{}' turns as if its inertia were {:.0f} % "
+                      "larger: take {}finer elements\n",
+                      solid.name, 100 * std::ranges::max(error),
+                      solid.inertia == structure::Inertia::lumped
+                          ? "inertia: corrected, or "
+                          : "");
 }
 
 // Of the fluid that the grid has inside the body.
@@ -57,9 +101,64 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
+// What only shows once the mesh is there; the run would refuse it, too. On a platform
+// even parts that nothing holds come to rest.
+void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
+    (void)structure::held_axes(solid);
+    (void)structure::build_lattice(solid);
+    if (by_newton(scene))
+        structure::require_held(solid, bodies::to_gravity(scene).value_or(scene::Vec3{}));
+    else if (scene.time.equilibrium && !scene.platform)
+        structure::require_held(solid, {});
+}
+
+void refuse_lost_points(const scene::Scene& scene, const scene::Body& body,
+                        const structure::Mesh& mesh) {
+    if (!scene.probes) return;
+    for (const scene::PointProbe& point : scene.probes->points) {
+        if (point.body == body.name) (void)bodies::locate(body, mesh, point.at_m);
+    }
+}
+
+// What holds it, and what loads it: M B / G is about the strain that the field makes.
+std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const structure::Vec3 size = structure::bounds(solid.mesh.nodes).extent_m();
+    double mass = 0;
+    for (const double m : structure::build_lattice(solid).node_mass_kg) mass += m;
+    std::string text =
+        fmt::format("    size {:.4g} x {:.4g} x {:.4g} mm, mass {:.4g} mg\n",
+                    1e3 * size[0], 1e3 * size[1], 1e3 * size[2], 1e6 * mass);
+    std::vector<std::string> held;
+    for (const std::string& face : body.clamps) held.push_back(face + " clamped");
+    for (const structure::Roller& roller : body.rollers) {
+        held.push_back(fmt::format("{} along {}", fmt::join(roller.faces, ", "),
+                                   scene::axis_names[roller.axis]));
+    }
+    for (const structure::PrescribedMotion& motion : body.prescribed_motion)
+        held.push_back(fmt::format("{} moved", fmt::join(motion.faces, ", ")));
+    text +=
+        fmt::format("    held: {}\n",
+                    held.empty() ? "nowhere" : fmt::format("{}", fmt::join(held, "; ")));
+    if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
+    double largest = 0;
+    for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
+        const structure::Vec3& m = solid.magnetization_a_m[e];
+        largest =
+            std::max(largest, std::hypot(m[0], m[1], m[2]) /
+                                  structure::material_of(solid, e).shear_modulus_pa);
+    }
+    const structure::Vec3 field = bodies::strongest_field_t(scene);
+    const double field_t = std::hypot(field[0], field[1], field[2]);
+    return text + fmt::format("    field up to {:.4g} mT: largest M B / G {:.3g}\n",
+                              1e3 * field_t, largest * field_t);
+}
+
 std::string explain_body(const scene::Scene& scene, std::size_t number) {
     const scene::Body& body = scene.bodies[number];
     const structure::Body solid = bodies::to_body(body);
+    refuse_what_cannot_run(scene, solid);
+    refuse_lost_points(scene, body, solid.mesh);
     std::string text = fmt::format("  body '{}': ", body.name);
     const auto* box = std::get_if<structure::Box>(&body.mesh);
     if (box) {
@@ -78,7 +177,10 @@ std::string explain_body(const scene::Scene& scene, std::size_t number) {
                         fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
                         entry.material.lame_lambda_pa, entry.material.density_kg_m3);
     }
-    if (box) text += explain_elements(solid, *box);
+    text += explain_loads(scene, body, solid);
+    text += explain_error(scene, body, solid);
+    if (box) text += explain_bricks(solid, *box);
+    if (!scene.time.equilibrium) text += explain_moments(scene, solid);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
         text +=
@@ -211,6 +313,18 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling) text += explain_coupling(scene);
     return text;
+}
+
+std::vector<std::string> warnings(const std::string& explanation) {
+    constexpr std::string_view mark = "warning: ";
+    std::vector<std::string> out;
+    std::istringstream lines(explanation);
+    for (std::string line; std::getline(lines, line);) {
+        const auto at = line.find_first_not_of(' ');
+        if (at != std::string::npos && line.substr(at).starts_with(mark))
+            out.push_back(line.substr(at + mark.size()));
+    }
+    return out;
 }
 
 nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {

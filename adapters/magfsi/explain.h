@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "adapters/magfsi/participants.h"
 #include "adapters/scene/scene.h"
@@ -12,6 +13,9 @@ namespace magfsi::launch {
 // Effects in step order and those absent; SI and lattice values side by side; memory on
 // these ranks, or on one.
 std::string explain(const scene::Scene& scene, const Ranks& ranks = {});
+
+// Those that it has.
+std::vector<std::string> warnings(const std::string& explanation);
 
 // For programs: name, scene_hash (as in summary.json), version of magfsi, ranks by role,
 // machine, with a fluid its

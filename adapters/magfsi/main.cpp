@@ -42,8 +42,8 @@ void add_ranks(CLI::App& command, Options& options) {
 
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
-    (void)launch::explain(scene);  // what only mesh and solvers can refuse
-    for (const std::string& line : scene::idle_effects(scene))
+    // What only mesh and solvers can refuse shows here, too.
+    for (const std::string& line : launch::warnings(launch::explain(scene)))
         fmt::print("warning: {}\n", line);
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
     return coupler::exit_done;

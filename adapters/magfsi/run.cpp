@@ -227,8 +227,7 @@ int run(const RunOptions& options) {
     }
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.
-    (void)explain(scene);
-    for (const std::string& line : scene::idle_effects(scene))
+    for (const std::string& line : warnings(explain(scene)))
         fmt::print(stderr, "warning: {}\n", line);
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;

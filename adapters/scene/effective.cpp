@@ -215,12 +215,13 @@ bool has_no_moment(const Body& body) {
 void check_field(const MagneticField& field, const Scene& scene, Lines& lines) {
     const bool no_moment = std::ranges::all_of(scene.bodies, has_no_moment);
     note(lines, no_moment, "magnetic_field", "every magnetization is 0");
-    note(lines, !no_moment && no_field_at_any_time(field), "magnetic_field",
-         "its magnitude is 0 at all times");
-    note(lines,
-         field.gradient && std::ranges::all_of(field.gradient->matrix_t_m,
-                                               [](const Vec3& v) { return is_zero(v); }),
-         "magnetic_field.gradient", "its matrix is 0");
+    const bool no_gradient =
+        !field.gradient || std::ranges::all_of(field.gradient->matrix_t_m,
+                                               [](const Vec3& v) { return is_zero(v); });
+    note(lines, !no_moment && no_gradient && no_field_at_any_time(field),
+         "magnetic_field", "its magnitude is 0 at all times");
+    note(lines, field.gradient && no_gradient, "magnetic_field.gradient",
+         "its matrix is 0");
 }
 
 // Of one density, and that the fluid's: weight and buoyancy are the same everywhere.

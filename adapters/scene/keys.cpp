@@ -13,7 +13,8 @@ void keys(Io& io, Equilibrium& equilibrium) {
     io(key("method", "newton: Newton's method on the sparse tangent; dynamics: damped motion "
            "in LAMMPS, also with contact.").by_default(),
        equilibrium.method);
-    io(key("tolerance", "Largest nodal force over the largest nodal load.").above(0)
+    io(key("tolerance", "Largest nodal force over the largest nodal load of the same "
+           "moment; newton holds the displacements to it, too.").above(0)
            .at_most(0.01).by_default(),
        equilibrium.tolerance);
 }

@@ -176,9 +176,13 @@ void keys(Io& io, Body& body) {
             key("gmsh", "Hexahedra from a Gmsh file; physical volumes are regions, physical "
                 "surfaces faces to clamp."));
     });
-    io(key("element", "full: the paper's element; mean_f: accurate in bending with few layers; "
+    io(key("element", "full: the paper's element, for four and more layers; mean_f: accurate in bending with few layers; "
            "assumed_strain: in every mode, for elements of any proportion.").by_default(),
        body.element);
+    io(key("inertia", "lumped: elements spread evenly on their nodes, moments of inertia are "
+           "2 / n^2 too large along an axis of n elements; corrected: they are right from two "
+           "elements on.").by_default(),
+       body.inertia);
     io(key("material", "Neo-Hookean solid, eq. (1)."), body.material);
     io(key("material_regions", "Other materials, by the mesh's regions; one that is not named "
            "is of `material`.").optional(),

@@ -73,7 +73,8 @@ constexpr auto words_of(Face) {
 struct Body {
     std::string name;
     MeshOptions mesh;
-    ElementVariant element = ElementVariant::full;
+    ElementVariant element = ElementVariant::assumed_strain;
+    Inertia inertia = Inertia::lumped;
     Material material;
     std::vector<RegionMaterial> material_regions;
     std::optional<Magnetization> magnetization;

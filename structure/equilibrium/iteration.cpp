@@ -22,6 +22,7 @@ class Motion {
     Eigen::VectorXd at(double fraction) const;
     // Fraction of the step that turns the body by no more than half a radian.
     double largest_fraction() const;
+    const Eigen::VectorXd& deformation() const { return step_; }
 
   private:
     Eigen::VectorXd x_, step_;
@@ -217,7 +218,7 @@ double line_search(const StaticProblem& problem, const Motion& motion, const Ite
 }  // namespace
 
 Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
-                        const Eigen::VectorXd& load, double tolerance, int max_iterations,
+                        const Eigen::VectorXd& load, double allowed_n, int max_iterations,
                         double largest_move_m) {
     Iterate out;
     out.x = start;
@@ -225,8 +226,8 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
         const bool upright = out.response.smallest_j > 0;
-        out.residual = upright ? problem.relative_residual(out.response, load) : INFINITY;
-        out.converged = out.residual < tolerance;
+        out.converged =
+            upright && out.response.residual_n.cwiseAbs().maxCoeff() <= allowed_n;
         if (out.converged || out.iterations == max_iterations) return out;
         const Eigen::VectorXd right = volumes.assemble(out.x, load);
         if (!factorize_mixed(problem)) return out;
@@ -244,7 +245,7 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
 }
 
 Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
-                       const Eigen::VectorXd& load, double tolerance,
+                       const Eigen::VectorXd& load, double allowed_n,
                        int max_iterations) {
     Iterate out;
     out.x = start;
@@ -252,8 +253,7 @@ Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
         if (!(out.response.smallest_j > 0)) return out;
-        out.residual = problem.relative_residual(out.response, load);
-        out.converged = out.residual < tolerance;
+        out.converged = out.response.residual_n.cwiseAbs().maxCoeff() <= allowed_n;
         if (out.converged || out.iterations == max_iterations) return out;
         foundation = factorize_shifted(problem, out.x, foundation);
         if (!std::isfinite(foundation)) return out;
@@ -264,6 +264,11 @@ Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
         if (!(fraction > 0)) return out;
         out.x = motion.at(fraction);
     }
+}
+
+Eigen::VectorXd deformation(const StaticProblem& problem, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& step) {
+    return Motion(problem, x, step).deformation();
 }
 
 }  // namespace magfsi::structure

@@ -6,10 +6,10 @@
 
 namespace magfsi::structure {
 
+// Both end where no component of the residual is above allowed_n.
 struct Iterate {
     Eigen::VectorXd x;
     StaticProblem::Response response;  // at x
-    double residual = 0;               // relative_residual at x
     int iterations = 0;
     bool converged = false;
     double first_step_m = 0;  // mixed_iteration: linear response to the load step
@@ -28,7 +28,7 @@ struct Iterate {
 // largest_move_m, when the volume of an element is far out of range, or after
 // max_iterations. J may be negative on the way, but not where it has converged.
 Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
-                        const Eigen::VectorXd& load, double tolerance, int max_iterations,
+                        const Eigen::VectorXd& load, double allowed_n, int max_iterations,
                         double largest_move_m);
 
 // Damped Newton's method. Each step minimises the quadratic model of the energy on a
@@ -36,6 +36,10 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
 // positive definite, and is halved until the energy falls (Armijo) with every J positive.
 // Ends at a minimum or, where the start was one already, at an equilibrium of any kind.
 Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
-                       const Eigen::VectorXd& load, double tolerance, int max_iterations);
+                       const Eigen::VectorXd& load, double allowed_n, int max_iterations);
+
+// The step at x without the rigid motion that nothing holds.
+Eigen::VectorXd deformation(const StaticProblem& problem, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& step);
 
 }  // namespace magfsi::structure

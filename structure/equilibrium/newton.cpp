@@ -65,6 +65,19 @@ Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x) {
     return mode;
 }
 
+// As Equilibrium::displacement_error; with the tangent that negative_eigenvalues left.
+double displacement_error(StaticProblem& problem, const Eigen::VectorXd& x,
+                          const Eigen::VectorXd& load) {
+    const auto deformation_m = [&](const Eigen::VectorXd& force_n) {
+        return deformation(problem, x, problem.matrix().solve(force_n))
+            .cwiseAbs()
+            .maxCoeff();
+    };
+    const double response_m = deformation_m(load);
+    const double error_m = deformation_m(problem.response(x, load).residual_n);
+    return response_m > 0 ? error_m / response_m : 0;
+}
+
 }  // namespace
 
 struct NewtonSolver::Progress {
@@ -93,7 +106,7 @@ std::vector<Equilibrium> NewtonSolver::follow(const std::vector<Vec3>& start,
     state.x = checked_start(start);
     Eigen::VectorXd load = problem_.load(from);
     const auto response = problem_.response(state.x, load);
-    if (!(problem_.relative_residual(response, load) < passing_tolerance)) {
+    if (response.residual_n.cwiseAbs().maxCoeff() > allowed_n(load, true)) {
         release_at(state, load);
     }
     std::vector<Equilibrium> out;
@@ -127,10 +140,8 @@ void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
         const double ahead = std::min(reached + step, 1.0);
         const Eigen::VectorXd load = (1 - ahead) * from + ahead * to;
         state.load_factor = ahead;
-        const Iterate found =
-            mixed_iteration(problem_, state.x, load,
-                            ahead < 1 ? passing_tolerance : options_.force_tolerance,
-                            max_mixed, largest_move);
+        const Iterate found = mixed_iteration(
+            problem_, state.x, load, allowed_n(load, ahead < 1), max_mixed, largest_move);
         state.iterations += found.iterations;
         // The first step is linear in the load step: it tells how far to go.
         const double room = 0.7 * largest_move / found.first_step_m;
@@ -153,7 +164,7 @@ void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
 
 void NewtonSolver::release_at(Progress& state, const Eigen::VectorXd& load) {
     const Iterate found =
-        energy_descent(problem_, state.x, load, options_.force_tolerance, max_descent);
+        energy_descent(problem_, state.x, load, allowed_n(load), max_descent);
     state.iterations += found.iterations;
     state.take(found);
     ++state.releases;
@@ -166,9 +177,8 @@ void NewtonSolver::push_off(Progress& state, const Eigen::VectorXd& load) {
     const Eigen::VectorXd balanced = state.x;
     double lowest = INFINITY;
     for (double sign : {1.0, -1.0}) {
-        const Iterate fallen =
-            energy_descent(problem_, balanced + sign * push_m * mode, load,
-                           options_.force_tolerance, max_descent);
+        const Iterate fallen = energy_descent(problem_, balanced + sign * push_m * mode,
+                                              load, allowed_n(load), max_descent);
         state.iterations += fallen.iterations;
         const double energy = fallen.response.elastic_j - load.dot(fallen.x);
         if (!fallen.converged || !(energy < lowest)) continue;
@@ -181,6 +191,11 @@ void NewtonSolver::push_off(Progress& state, const Eigen::VectorXd& load) {
     }
 }
 
+double NewtonSolver::allowed_n(const Eigen::VectorXd& load, bool passing) const {
+    return problem_.allowed_residual_n(load,
+                                       passing ? passing_tolerance : options_.tolerance);
+}
+
 Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) const {
     const std::size_t nodes = problem_.body().mesh.nodes.size();
     if (start.size() != nodes) {
@@ -188,6 +203,26 @@ Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) cons
                start.size(), nodes);
     }
     return flat_positions(start);
+}
+
+void NewtonSolver::refine(Progress& state, const Eigen::VectorXd& load,
+                          Equilibrium& out) {
+    if (load.isZero(0)) return;
+    double before = INFINITY;
+    while (out.negative_eigenvalues == 0) {
+        out.displacement_error = displacement_error(problem_, state.x, load);
+        if (out.displacement_error <= options_.tolerance ||
+            out.displacement_error > 0.5 * before) {
+            return;
+        }
+        before = out.displacement_error;
+        const Iterate closer =
+            mixed_iteration(problem_, state.x, load, 0, 2, problem_.longest_side_m());
+        state.iterations += closer.iterations;
+        if (!(closer.response.smallest_j > 0)) return;
+        state.x = closer.x;
+        out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
+    }
 }
 
 Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
@@ -200,6 +235,7 @@ Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
         push_off(state, load);
         out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
     }
+    refine(state, load, out);
     const auto response = problem_.response(state.x, load);
     out.residual = problem_.relative_residual(response, load);
     out.nodes_m = nodes_from(state.x);
@@ -229,9 +265,19 @@ void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
                     worst / 3, response.smallest_j, worst_element));
 }
 
+std::string unresolved_loads(const std::string& body) {
+    return fmt::format(
+        "body {}: its loads are too weak for the rounding of its positions: the shape "
+        "under them is not known to 1 %; take stronger loads or none",
+        body);
+}
+
 std::vector<Vec3> relaxed_shape(const Body& body, const Vec3& field_t) {
     try {
-        return NewtonSolver(body).release(body.mesh.nodes, {field_t, {}}).nodes_m;
+        const Equilibrium found =
+            NewtonSolver(body).release(body.mesh.nodes, {field_t, {}});
+        if (!found.resolved()) throw std::runtime_error(unresolved_loads(body.name));
+        return found.nodes_m;
     } catch (const std::runtime_error& fault) {
         throw std::runtime_error(
             fmt::format("{} (shape relaxed in the field ({:g}, {:g}, {:g}) T)",

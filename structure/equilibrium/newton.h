@@ -10,7 +10,9 @@
 namespace magfsi::structure {
 
 struct EquilibriumOptions {
-    double force_tolerance = 1e-9;  // largest residual over the largest nodal load
+    // Of the largest residual over the largest nodal load, and of the displacements that
+    // the residual stands for over those that the load does (Equilibrium).
+    double tolerance = 1e-9;
     // Pushes the body off an equilibrium that turns out unstable and releases it.
     bool leave_unstable = false;
 };
@@ -22,7 +24,12 @@ struct Equilibrium {
     // How often the equilibrium could not be followed and the body was released: from
     // there on the shape may lie on another branch.
     int releases = 0;
-    double residual = 0;  // as force_tolerance
+    double residual = 0;  // over the largest nodal load
+    // K^-1 residual over K^-1 load, their largest components, K the tangent, rigid
+    // motions apart. Above the tolerance only where the residual is rounding. 0 without a
+    // load, and where the tangent is not positive definite.
+    double displacement_error = 0;
+    bool resolved() const { return displacement_error <= 0.01; }
     // Of the tangent: 0 stable, more unstable. Rigid motions that cost no energy do not
     // count.
     int negative_eigenvalues = 0;
@@ -70,7 +77,11 @@ class NewtonSolver {
     void advance(Progress& state, const Eigen::VectorXd& from, const Eigen::VectorXd& to);
     void release_at(Progress& state, const Eigen::VectorXd& load);
     void push_off(Progress& state, const Eigen::VectorXd& load);
+    // Of the residual, under this load; `passing`: where a load step only passes through.
+    double allowed_n(const Eigen::VectorXd& load, bool passing = false) const;
     Eigen::VectorXd checked_start(const std::vector<Vec3>& start) const;
+    // Goes on until the displacements, too, are within the tolerance.
+    void refine(Progress& state, const Eigen::VectorXd& load, Equilibrium& out);
     Equilibrium finish(Progress& state, const StaticLoads& loads);
     [[noreturn]] void fail(const Progress& state, const Eigen::VectorXd& load,
                            int worst_element) const;
@@ -78,6 +89,9 @@ class NewtonSolver {
     EquilibriumOptions options_;
     StaticProblem problem_;
 };
+
+// What is said of a shape that is not resolved.
+std::string unresolved_loads(const std::string& body);
 
 // The shape at rest in a constant uniform field without other loads, released from the
 // body's own shape.

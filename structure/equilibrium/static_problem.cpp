@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "structure/magnetics/magnetic_forces.h"
+#include "structure/mesh/mesh_check.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -13,6 +14,18 @@ namespace {
 const Body& with_elements(const Body& body) {
     if (!body.mesh.elements.empty()) return body;
     refuse("body {} has no elements, at least one is needed", body.name);
+}
+
+void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_m_s2) {
+    const bool massive = std::ranges::any_of(
+        used_materials(body), [](const Material& m) { return m.density_kg_m3 != 0; });
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (!massive || held[d] || gravity_m_s2[d] == 0) continue;
+        refuse(
+            "body {} has weight but no clamp or roller that holds it along {}: only the "
+            "field may load a body along an axis on which it is free",
+            body.name, "xyz"[d]);
+    }
 }
 
 }  // namespace
@@ -28,8 +41,37 @@ std::vector<Vec3> nodes_from(const Eigen::VectorXd& x) {
     return out;
 }
 
+void require_held(const Body& body, const Vec3& gravity_m_s2) {
+    const std::vector<HeldAxes> held = held_axes(body);
+    const std::vector<int> part = connected_parts(body.mesh);
+    std::vector<HeldAxes> along(1 + static_cast<std::size_t>(std::ranges::max(part)));
+    HeldAxes anywhere{};
+    for (std::size_t e = 0; e < part.size(); ++e) {
+        for (const int node : body.mesh.elements[e]) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                if (!held[static_cast<std::size_t>(node)][d]) continue;
+                along[static_cast<std::size_t>(part[e])][d] = anywhere[d] = true;
+            }
+        }
+    }
+    const auto loose = std::ranges::find_if(along, [](const HeldAxes& a) {
+        return a != HeldAxes{true, true, true};
+    });
+    if (along.size() > 1 && loose != along.end()) {
+        const auto number = static_cast<int>(loose - along.begin());
+        refuse(
+            "body {} is in {} parts that share no node, and the part of element {} is "
+            "not held along every axis: join the parts in the mesh, clamp each, or make "
+            "each a body of its own",
+            body.name, along.size(), std::ranges::find(part, number) - part.begin());
+    }
+    refuse_to_fall(body, anywhere, gravity_m_s2);
+}
+
 StaticProblem::StaticProblem(const Body& body)
-    : StaticProblem(body, build_lattice(with_elements(body))) {}
+    : StaticProblem(body, build_lattice(with_elements(body))) {
+    require_held(body, {});
+}
 
 StaticProblem::StaticProblem(const Body& body, const Lattice& lattice)
     : body_(body),
@@ -69,6 +111,7 @@ void StaticProblem::measure_stiffness() {
 }
 
 Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
+    refuse_to_fall(body_, held_along_, loads.gravity_m_s2);
     Eigen::VectorXd out(3 * static_cast<Eigen::Index>(charge_.size()));
     for (std::size_t n = 0; n < charge_.size(); ++n) {
         const double mass = node_mass_kg_[n];
@@ -76,15 +119,6 @@ Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
             out[static_cast<Eigen::Index>(3 * n + d)] =
                 charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
         }
-    }
-    const bool massive =
-        std::ranges::any_of(node_mass_kg_, [](double mass) { return mass != 0; });
-    for (std::size_t d = 0; d < 3; ++d) {
-        if (!massive || held_along_[d] || loads.gravity_m_s2[d] == 0) continue;
-        refuse(
-            "body {} has weight but no clamp or roller that holds it along {}: only the "
-            "field may load a body along an axis on which it is free",
-            body_.name, "xyz"[d]);
     }
     return out;
 }
@@ -106,14 +140,24 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     return out;
 }
 
+double StaticProblem::rounding_n() const {
+    // Positions are rounded to 1e-16 of the longest side, which strains an element of
+    // edge l by 1e-16 L / l and gives forces of about (K + G) l^2 times that; a node has
+    // eight elements, which sum up some ten of them.
+    const double edge = std::cbrt(volume_m3_ / static_cast<double>(references_.size()));
+    return 10 * 1e-16 * largest_modulus_pa_ * edge * longest_side_m_;
+}
+
 double StaticProblem::relative_residual(const Response& response,
                                         const Eigen::VectorXd& load) const {
-    // Positions are rounded to 1e-16 of the longest side, which strains an element of
-    // edge l by 1e-16 L / l and gives forces of about (K + G) l^2 times that.
-    const double edge = std::cbrt(volume_m3_ / static_cast<double>(references_.size()));
-    const double rounding = 1e-16 * largest_modulus_pa_ * edge * longest_side_m_;
-    const double scale = std::max(load.cwiseAbs().maxCoeff(), 1e10 * rounding);
-    return response.residual_n.cwiseAbs().maxCoeff() / scale;
+    const double largest = load.cwiseAbs().maxCoeff();
+    return response.residual_n.cwiseAbs().maxCoeff() /
+           (largest > 0 ? largest : rounding_n());
+}
+
+double StaticProblem::allowed_residual_n(const Eigen::VectorXd& load,
+                                         double tolerance) const {
+    return std::max(tolerance * load.cwiseAbs().maxCoeff(), rounding_n());
 }
 
 double StaticProblem::rigid_foundation() const {

@@ -16,6 +16,11 @@ struct StaticLoads {
     Vec3 gravity_m_s2{};
 };
 
+// What has no equilibrium: a body of parts that are not joined, one of which is not held
+// along all axes, and a body with weight along an axis on which nothing holds it: it
+// would fall without end. Throws std::invalid_argument.
+void require_held(const Body& body, const Vec3& gravity_m_s2);
+
 // Three values a node throughout.
 class StaticProblem {
   public:
@@ -35,8 +40,7 @@ class StaticProblem {
     const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
     double volume_m3() const { return volume_m3_; }
 
-    // Nodal loads [N]. Throws std::invalid_argument where a body has weight along an axis
-    // on which nothing holds it: it would fall without end.
+    // Nodal loads [N].
     Eigen::VectorXd load(const StaticLoads& loads) const;
 
     struct Response {
@@ -47,9 +51,11 @@ class StaticProblem {
     };
     Response response(const Eigen::VectorXd& x, const Eigen::VectorXd& load) const;
 
-    // Largest component over the largest load. Loads below 1e10 times the rounding of the
-    // internal forces count as that much: a residual of 1e-9 can always be reached.
+    // Largest component over the largest load; over the rounding where there is no load.
     double relative_residual(const Response& response, const Eigen::VectorXd& load) const;
+    // What may be left of the residual: this share of the present load, but not less than
+    // the rounding of the internal forces.
+    double allowed_residual_n(const Eigen::VectorXd& load, double tolerance) const;
 
     StiffnessMatrix& matrix() { return matrix_; }
     // Puts the second derivative of the energy at x into the matrix.
@@ -73,6 +79,8 @@ class StaticProblem {
   private:
     StaticProblem(const Body& body, const Lattice& lattice);
     void measure_stiffness();
+    // Of the residual: what internal forces that balance each other leave.
+    double rounding_n() const;
 
     Body body_;
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;

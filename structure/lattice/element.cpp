@@ -54,18 +54,12 @@ constexpr std::array<Group, 3> groups{{
 struct Vectors {
     Eigen::Matrix3d edge;  // one a column
     Eigen::Matrix<double, 3, 4> hourglass;
-    HourglassProducts product;
 };
 
 Vectors vectors(const HourglassReference& reference, const Positions8& x) {
     Vectors out;
     out.edge = x.transpose() * reference.edge;
     out.hourglass = x.transpose() * reference.hourglass;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            out.product(3 * i + j) = out.edge.col(i).dot(out.hourglass.col(j));
-        }
-    }
     return out;
 }
 
@@ -81,6 +75,120 @@ Positions8 products_gradient(const HourglassReference& reference,
         }
     }
     return out;
+}
+
+constexpr int plane_edges[3][2] = {{1, 2}, {0, 2}, {0, 1}};  // of the groups
+
+// u_i . v_j and u_i . u_j; or a change of theirs, or what they are worth.
+struct Products {
+    Eigen::Matrix3d strain = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d metric = Eigen::Matrix3d::Zero();
+};
+
+// Strain, inverse metric and what follows from them in one group's plane.
+struct PlaneState {
+    const Eigen::Matrix2d& rest;  // M0
+    double g, lambda, beta;
+    Eigen::Matrix2d e, m, a, n;  // eps, M, A, M eps M
+    double area, trace, w;       // det M / det M0; tr A; [...] of hourglass_energy
+    double q() const { return 1 - beta + beta * area; }
+};
+
+Eigen::Matrix2d in_plane(const Eigen::Matrix3d& full, int k) {
+    Eigen::Matrix2d out;
+    for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j)
+            out(i, j) = full(plane_edges[k][i], plane_edges[k][j]);
+    }
+    return out;
+}
+
+// Strain of group k, from rows of edges and columns xy, xz, yz.
+Eigen::Matrix2d group_strain(const Eigen::Matrix3d& products, int k) {
+    const auto at = [&](int number) { return products(number / 3, number % 3); };
+    const Group& group = groups[k];
+    const double half_shear = 0.5 * (at(group.shear[0]) + at(group.shear[1]));
+    Eigen::Matrix2d out;
+    out << at(group.first_normal), half_shear, half_shear, at(group.second_normal);
+    return out;
+}
+
+PlaneState plane_state(const HourglassReference& reference, const Material& material,
+                       const Products& p, int k) {
+    const double lame = material.lame_lambda_pa, g = material.shear_modulus_pa;
+    PlaneState s{reference.metric[k],
+                 g,
+                 plane_stress_lambda_pa(material),
+                 lame / (lame + 2 * g),
+                 group_strain(p.strain, k),
+                 in_plane(p.metric, k).inverse(),
+                 {},
+                 {},
+                 0,
+                 0,
+                 0};
+    s.a = s.m * s.e;
+    s.n = s.a * s.m;
+    s.area = s.m.determinant() / s.rest.determinant();
+    s.trace = s.a.trace();
+    s.w = 0.5 * s.g * (s.a * s.a).trace() + 0.5 * s.lambda * s.trace * s.trace;
+    return s;
+}
+
+// dE / d eps and dE / d metric over V0 / 3.
+struct PlaneStress {
+    Eigen::Matrix2d strain, metric;
+};
+
+PlaneStress plane_stress(const PlaneState& s) {
+    const Eigen::Matrix2d mixed = s.rest * s.e * s.m;
+    return {
+        0.5 * s.g * (mixed + mixed.transpose()) +
+            s.q() * (s.g * s.n + s.lambda * s.trace * s.m),
+        -(0.5 * s.g * s.a * mixed + s.q() * (s.g * s.a * s.n + s.lambda * s.trace * s.n) +
+          s.beta * s.area * s.w * s.m)};
+}
+
+// Its change with that of strain and metric.
+PlaneStress stress_change(const PlaneState& s, const Eigen::Matrix2d& de,
+                          const Eigen::Matrix2d& dmetric) {
+    const Eigen::Matrix2d dm = -s.m * dmetric * s.m;
+    const Eigen::Matrix2d da = dm * s.e + s.m * de;
+    const Eigen::Matrix2d dn = da * s.m + s.a * dm;
+    const double darea = -s.area * (s.m * dmetric).trace();
+    const double dtrace = da.trace();
+    const double dw = s.g * (s.a * da).trace() + s.lambda * s.trace * dtrace;
+    const Eigen::Matrix2d mixed = s.rest * s.e * s.m;
+    const Eigen::Matrix2d dmixed = s.rest * (de * s.m + s.e * dm);
+    PlaneStress out;
+    out.strain = 0.5 * s.g * (dmixed + dmixed.transpose()) +
+                 s.beta * darea * (s.g * s.n + s.lambda * s.trace * s.m) +
+                 s.q() * (s.g * dn + s.lambda * (dtrace * s.m + s.trace * dm));
+    out.metric = -(
+        0.5 * s.g * (da * mixed + s.a * dmixed) +
+        s.beta * darea * (s.g * s.a * s.n + s.lambda * s.trace * s.n) +
+        s.q() * (s.g * (da * s.n + s.a * dn) + s.lambda * (dtrace * s.n + s.trace * dn)) +
+        s.beta * (darea * s.w * s.m + s.area * dw * s.m + s.area * s.w * dm));
+    return out;
+}
+
+void add_plane(Products& out, const PlaneStress& stress, double factor, int k) {
+    const auto add = [&](int number, double value) {
+        out.strain(number / 3, number % 3) += factor * value;
+    };
+    const Group& group = groups[k];
+    add(group.first_normal, stress.strain(0, 0));
+    add(group.second_normal, stress.strain(1, 1));
+    for (const int shear : group.shear) add(shear, stress.strain(0, 1));
+    for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j)
+            out.metric(plane_edges[k][i], plane_edges[k][j]) +=
+                factor * stress.metric(i, j);
+    }
+}
+
+Products products_of(const Vectors& v) {
+    return {v.edge.transpose() * v.hourglass.leftCols<3>(), v.edge.transpose() * v.edge};
 }
 
 void add_hourglass(const ElementReference& element, const Material& material,
@@ -211,10 +319,9 @@ HourglassReference hourglass_reference(const Positions8& nodes_m,
     out.offset_m = out.hourglass.transpose() * nodes_m;
     out.hourglass -= integrals.gradient * out.offset_m.transpose() / integrals.volume;
     const Eigen::Matrix3d half_edges = nodes_m.transpose() * out.edge;
-    constexpr int others[3][2] = {{1, 2}, {0, 2}, {0, 1}};
     for (int k = 0; k < 3; ++k) {
         Eigen::Matrix<double, 3, 2> plane;
-        plane << half_edges.col(others[k][0]), half_edges.col(others[k][1]);
+        plane << half_edges.col(plane_edges[k][0]), half_edges.col(plane_edges[k][1]);
         out.metric[k] = (plane.transpose() * plane).inverse();
     }
     return out;
@@ -229,49 +336,61 @@ double plane_stress_lambda_pa(const Material& material) {
 HourglassState hourglass_energy(const HourglassReference& reference,
                                 const Material& material, const Positions8& x_m) {
     const Vectors v = vectors(reference, x_m);
-    const HourglassProducts slope =
-        hourglass_stress(reference, material.shear_modulus_pa,
-                         plane_stress_lambda_pa(material), v.product);
+    const Products p = products_of(v);
+    Products slope;
     HourglassState out;
-    out.energy_j = 0.5 * slope.dot(v.product);
-    out.gradient_n = products_gradient(reference, slope, v);
+    for (int k = 0; k < 3; ++k) {
+        const PlaneState state = plane_state(reference, material, p, k);
+        const PlaneStress stress = plane_stress(state);
+        add_plane(slope, stress, reference.volume_m3 / 3, k);
+        // Quadratic in the strain.
+        out.energy_j +=
+            0.5 * reference.volume_m3 / 3 * stress.strain.cwiseProduct(state.e).sum();
+    }
+    const Eigen::Matrix3d on_edges =
+        v.hourglass.leftCols<3>() * slope.strain.transpose() + 2 * v.edge * slope.metric;
+    out.gradient_n =
+        reference.edge * on_edges.transpose() +
+        reference.hourglass.leftCols<3>() * (v.edge * slope.strain).transpose();
     return out;
 }
 
-// dt^T C dt with dt_ij = du_i . v_j + u_i . dv_j, and dE/dt . 2 du_i . dv_j.
+// d2E = dp^T (d2E/dp2) dp + dE/dp d2p over the products p.
 Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& material,
                            const Positions8& x_m) {
     const Vectors v = vectors(reference, x_m);
-    const HourglassProducts slope =
-        hourglass_stress(reference, material.shear_modulus_pa,
-                         plane_stress_lambda_pa(material), v.product);
-    Eigen::Matrix<double, 9, 24> change;
-    Matrix8 pairs = Matrix8::Zero();
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            const auto edge = reference.edge.col(i);
-            const auto hourglass = reference.hourglass.col(j);
-            for (int a = 0; a < 8; ++a) {
-                for (int d = 0; d < 3; ++d) {
-                    change(3 * i + j, 3 * a + d) =
-                        edge(a) * v.hourglass(d, j) + hourglass(a) * v.edge(d, i);
-                }
-            }
-            pairs += slope(3 * i + j) *
-                     (edge * hourglass.transpose() + hourglass * edge.transpose());
-        }
-    }
-    Eigen::Matrix<double, 9, 24> stress;
+    const Products p = products_of(v);
+    const std::array<PlaneState, 3> state{plane_state(reference, material, p, 0),
+                                          plane_state(reference, material, p, 1),
+                                          plane_state(reference, material, p, 2)};
+    Products slope;
+    for (int k = 0; k < 3; ++k)
+        add_plane(slope, plane_stress(state[k]), reference.volume_m3 / 3, k);
+    Eigen::Matrix<double, 18, 24> change, stress;
     for (int q = 0; q < 24; ++q) {
-        stress.col(q) = hourglass_stress(reference, material.shear_modulus_pa,
-                                         plane_stress_lambda_pa(material), change.col(q));
+        const int a = q / 3, d = q % 3;
+        const Eigen::RowVector3d edge = reference.edge.row(a);
+        const Eigen::RowVector3d hourglass = reference.hourglass.row(a).head<3>();
+        const Products dp{
+            edge.transpose() * v.hourglass.row(d).head<3>() +
+                v.edge.row(d).transpose() * hourglass,
+            edge.transpose() * v.edge.row(d) + v.edge.row(d).transpose() * edge};
+        Products dslope;
+        for (int k = 0; k < 3; ++k) {
+            add_plane(dslope,
+                      stress_change(state[k], group_strain(dp.strain, k),
+                                    in_plane(dp.metric, k)),
+                      reference.volume_m3 / 3, k);
+        }
+        change.col(q) << dp.strain.reshaped(), dp.metric.reshaped();
+        stress.col(q) << dslope.strain.reshaped(), dslope.metric.reshaped();
     }
     Matrix24 out = change.transpose() * stress;
-    for (int a = 0; a < 8; ++a) {
-        for (int b = 0; b < 8; ++b) {
-            for (int d = 0; d < 3; ++d) out(3 * a + d, 3 * b + d) += pairs(a, b);
-        }
-    }
+    const auto gamma = reference.hourglass.leftCols<3>();
+    const Matrix8 mixed = reference.edge * slope.strain * gamma.transpose();
+    const Matrix8 pairs = mixed + mixed.transpose() +
+                          2 * reference.edge * slope.metric * reference.edge.transpose();
+    for (int d = 0; d < 3; ++d) out(Eigen::seqN(d, 8, 3), Eigen::seqN(d, 8, 3)) += pairs;
     return out;
 }
 

@@ -43,7 +43,9 @@ Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& inte
 // the modulus is that of plane stress and the element does not lock at large K either.
 //
 // Strains are Green's, E_ij = (u_i . v_j + ...) / 2 with u_i half the present edges and v
-// the present hourglass vectors, so that the energy does not feel rotations.
+// the present hourglass vectors, so that the energy does not feel rotations. Indices are
+// raised by the metric of the present edges where eq. (1) has it: the bending of a
+// stretched element follows that of eq. (1), and a bent one stretches as it should.
 
 // Modes of the hourglass vectors, in their order here: xy, xz, yz, xyz. The energy is
 // that of the first three.
@@ -98,8 +100,8 @@ VolumeAndGradient element_volume(const ElementReference& reference,
 // lambda of plane stress: 2 G K / (K + 2 G).
 double plane_stress_lambda_pa(const Material& material);
 
-// Covariant products u_i . v_j (nine numbers, 3 i + j), and what they are worth with
-// shear modulus G and lambda': dE/d(u_i . v_j).
+// Covariant products u_i . v_j (nine numbers, 3 i + j), and what they are worth at rest
+// with shear modulus G and lambda': dE/d(u_i . v_j).
 using HourglassProducts = Eigen::Matrix<double, 9, 1>;
 HourglassProducts hourglass_stress(const HourglassReference& reference, double g,
                                    double lambda, const HourglassProducts& products);
@@ -109,8 +111,16 @@ struct HourglassState {
     Positions8 gradient_n;  // dE / dx_a
 };
 
-// E = V0 / 3 sum over groups of [G eps : eps + lambda'/2 (tr eps)^2], lambda' of plane
-// stress, eps the strain at zeta = 1; the mean of zeta^2 is 1/3.
+// Of each group, with M the inverse metric of the present edges, M0 that at rest, eps the
+// strain at zeta = 1, A = M eps, and 1/3 the mean of zeta^2:
+//
+//   E = V0/3 {G/2 tr(M0 eps M eps) + q [G/2 tr(A^2) + lambda'/2 (tr A)^2]},
+//   q = 1 - beta + beta det M / det M0,  beta = K / (K + 2 G),  lambda' of plane stress.
+//
+// It is the second variation of eq. (1) for a plate that is free to get thinner, at the
+// stretch that it has: the first part that of G/2 |F|^2, which does not depend on the
+// stretch, the second that of the thickness, which goes as one over the area (beta = 1)
+// where the volume stays. At rest it is G eps : eps + lambda'/2 (tr eps)^2.
 HourglassState hourglass_energy(const HourglassReference& reference,
                                 const Material& material, const Positions8& x_m);
 

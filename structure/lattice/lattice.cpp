@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/lattice/inertia.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -85,8 +86,8 @@ void check_nodes(const Hexahedron& element, int number, std::size_t node_count) 
 }
 
 void check_material(const Material& material) {
-    if (!(material.shear_modulus_pa > 0) || !(material.lame_lambda_pa > 0)) {
-        refuse("G = {:g} Pa and K = {:g} Pa found, both must be positive",
+    if (!(material.shear_modulus_pa > 0) || !(material.lame_lambda_pa >= 0)) {
+        refuse("G = {:g} Pa and K = {:g} Pa found, G must be positive and K not negative",
                material.shear_modulus_pa, material.lame_lambda_pa);
     }
 }
@@ -139,8 +140,16 @@ void refuse_soft_bending(const std::vector<Vec3>& nodes_m,
 }  // namespace
 
 Lattice build_lattice(const Body& body) {
-    return build_lattice(body.mesh.nodes, body.mesh.elements, all_materials(body),
-                         body.element_material, body.element);
+    Lattice out = build_lattice(body.mesh.nodes, body.mesh.elements, all_materials(body),
+                                body.element_material, body.element);
+    if (body.inertia == Inertia::lumped) return out;
+    std::ranges::fill(out.node_mass_kg, 0.0);
+    const auto masses = element_masses_kg(body);
+    for (std::size_t e = 0; e < masses.size(); ++e) {
+        for (std::size_t a = 0; a < 8; ++a)
+            out.node_mass_kg[out.elements[e][a]] += masses[e][a];
+    }
+    return out;
 }
 
 Lattice build_lattice(const std::vector<Vec3>& nodes_m,

@@ -38,8 +38,8 @@ struct Lattice {
     std::vector<Hexahedron> elements;
     std::vector<ElementModes> modes;  // one per element
     std::vector<double> node_volume_m3;
-    // Integral of density times the node's shape functions; a node between two materials
-    // has mass of both.
+    // Integral of density times the node's shape functions, or as Body::inertia says; a
+    // node between two materials has mass of both.
     std::vector<double> node_mass_kg;
     double longest_diagonal_m = 0;  // largest distance between two nodes of one element
     bool bricks = false;            // every element is a brick

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "structure/lattice/element.h"
+#include "structure/lattice/inertia.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -67,13 +68,11 @@ double largest_over_mass(const Matrix24& matrix, const Vector24& inverse_root_ma
 }
 
 double element_step_s(const Positions8& x, ElementVariant variant,
-                      const Material& material, int number) {
+                      const Material& material, const std::array<double, 8>& masses_kg,
+                      int number) {
     const ElementReference reference = element_reference(x, variant, number);
     Vector24 inverse_root_mass;
-    for (int q = 0; q < 24; ++q) {
-        const double mass = material.density_kg_m3 * reference.node_volume[q / 3];
-        inverse_root_mass(q) = 1 / std::sqrt(mass);
-    }
+    for (int q = 0; q < 24; ++q) inverse_root_mass(q) = 1 / std::sqrt(masses_kg[q / 3]);
     const double omega = std::sqrt(
         largest_over_mass(stiffness_at_rest(reference, material, x), inverse_root_mass));
     if (material.viscosity_pa_s == 0) return 2 / omega;
@@ -112,15 +111,20 @@ double stable_step_s(const Body& body) {
     double smallest = INFINITY;
     Positions8 solved = Positions8::Zero();  // shape of the element solved last
     const Material* of = nullptr;            // and its material
+    const auto masses_kg = element_masses_kg(body);
+    std::size_t last = 0;
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         const Positions8 x = local_positions(body.mesh.nodes, body.mesh.elements[e]);
         const Material& material = material_of(body, e);
         // Neighbours of one shape, as in a block of bricks, need only one solution.
-        if (of == &material && (x - solved).norm() <= 1e-9 * x.norm()) continue;
+        const bool alike =
+            body.inertia == Inertia::lumped || masses_kg[e] == masses_kg[last];
+        if (of == &material && alike && (x - solved).norm() <= 1e-9 * x.norm()) continue;
         solved = x;
         of = &material;
-        smallest = std::min(
-            smallest, element_step_s(x, body.element, material, static_cast<int>(e)));
+        last = e;
+        smallest = std::min(smallest, element_step_s(x, body.element, material,
+                                                     masses_kg[e], static_cast<int>(e)));
     }
     return smallest;
 }
@@ -133,6 +137,7 @@ double stable_elastic_step_s(Body body) {
 
 CurrentStep::CurrentStep(const Body& body) {
     elements_.reserve(body.mesh.elements.size());
+    const auto masses_kg = element_masses_kg(body);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         const Material& material = material_of(body, e);
         Element& element = elements_.emplace_back();
@@ -142,10 +147,7 @@ CurrentStep::CurrentStep(const Body& body) {
         element.exact = body.element == ElementVariant::full;
         element.gradient_m2 = reference.gradient;
         element.volume_m3 = reference.volume;
-        for (std::size_t a = 0; a < 8; ++a) {
-            element.inverse_mass[a] =
-                1 / (material.density_kg_m3 * reference.node_volume[a]);
-        }
+        for (std::size_t a = 0; a < 8; ++a) element.inverse_mass[a] = 1 / masses_kg[e][a];
         element.lame_pa = material.lame_lambda_pa;
         element.shear_pa = material.shear_modulus_pa;
         element.at_rest_1_s2 = volume_term_1_s2(element, x);

@@ -24,7 +24,7 @@ class HardImpacts(unittest.TestCase):
         self.assertGreater(min(probes["strip.com_z[m]"]), THICKNESS_M / 2)
         # It has bounced: after the first touch it rises by more than its thickness.
         heights = probes["strip.com_z[m]"]
-        touch = heights.index(min(heights[:len(heights) // 2]))
+        touch = next(i for i, z in enumerate(heights) if heights[i + 1] > z)
         self.assertGreater(max(heights[touch:]) - heights[touch], THICKNESS_M)
 
     def test_folded_strip(self):

@@ -62,6 +62,9 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
         for (std::size_t b = 0; b < loads.size(); ++b) {
             loads[b].energy_elastic_j = run_.engine->fix_vector(run_.fix_ids[b], 1);
             loads[b].work_magnetic_j = run_.engine->fix_vector(run_.fix_ids[b], 3);
+            // The root has it; the line above is for all ranks.
+            if (!run_.field_work.empty())
+                loads[b].work_magnetic_j = run_.field_work[b].work_j();
         }
     }
     return loads;

@@ -95,6 +95,13 @@ struct Case {
     Sets overrides;
 };
 
+TEST(IdleEffects, are_not_a_gradient_without_a_uniform_field) {
+    EXPECT_EQ(of_minimal({"magnetic_field.table.magnitude=[0 T]",
+                          "magnetic_field.gradient.matrix=[[1 T/m, 0 T/m, 0 T/m], "
+                          "[0 T/m, -1 T/m, 0 T/m], [0 T/m, 0 T/m, 0 T/m]]"}),
+              "");
+}
+
 TEST(IdleEffects, are_named_with_the_reason) {
     const std::string gradient =
         "magnetic_field.gradient.matrix=[[0 T/m, 0 T/m, 0 T/m], [0 T/m, 0 T/m, 0 T/m], "
@@ -156,7 +163,7 @@ bodies:
       lame_lambda: 0.66 MPa
       shear_modulus: 33000 N/m2
     mesh: {box: {elements: [4, 2, 1], size: [4e-3 m, 0.2 cm, 200 um]}}
-    element: full
+    element: assumed_strain
   b: *same
 time: {end: 0.12 s}
 name: "strip"

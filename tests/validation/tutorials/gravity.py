@@ -13,6 +13,11 @@ STANDING_DEG = 30
 # Two rods, narrow and wide, have the strip between them; thickness, friction and the mesh of 20
 # elements move its heading by at most 3 degrees (tutorials/gravity/README.md).
 ROD_DEG = 3
+# The rods do not stretch. A bent solid does, which turns it, without weight by this much
+# (weightless.yaml with two layers; finite elements say the same, see below) and with weight by
+# less. At 10 mT under 1 g and at 5 mT under g/2 two layers of assumed_strain and of mean_f have
+# 66.3 and 67.1, 74.2 and 74.6 degrees.
+STRETCH_DEG = {5: 2.4, 9: 4.2, 10: 4.7, 20: 12.3}
 
 
 def headings_deg(probes, start, end):
@@ -50,7 +55,7 @@ def rods_at(weight_g, field_mt):
 class Gravity(unittest.TestCase):
     def assert_between_rods(self, heading, weight_g, field_mt):
         rods = rods_at(weight_g, field_mt)
-        self.assertGreater(heading, min(rods) - ROD_DEG)
+        self.assertGreater(heading, min(rods) - ROD_DEG - STRETCH_DEG[field_mt])
         self.assertLess(heading, max(rods) + ROD_DEG)
 
     def test_stands_under_one_g(self):
@@ -76,10 +81,14 @@ class Gravity(unittest.TestCase):
         self.assertLess(path.middle[1], STANDING_DEG)
         self.assert_between_rods(path.heading[0], 2, 9)
 
+    # Finite elements have the middle of the V turned out of the field's symmetry by its
+    # stretch, which the rods do not know (strip_harmonic.csv, theta_B = 45: 90 here).
     def test_stands_without_weight(self):
         path = FieldPath("0 g", "weightless.yaml", {"probes.every": "1 s"})
-        for heading in path.heading:
-            self.assertAlmostEqual(heading, 90, delta=ROD_DEG)  # the rods' is 90 by symmetry
+        for at_mt, tilt_deg, within_deg in ((1, -0.830, 1), (5, -3.195, 1),
+                                            # One layer (tests/validation/structure/strip.cpp).
+                                            (20, -25.691, 4)):
+            self.assertAlmostEqual(path.middle[at_mt - 1], 90 + tilt_deg, delta=within_deg)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,30 @@
+// What the mesh of a scene's body does to its displacements, before the run.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adapters/scene/scene.h"
+#include "structure/body.h"
+
+namespace magfsi::bodies {
+
+// Of the run, at 200 times of it; the scene must have a field.
+structure::Vec3 strongest_field_t(const scene::Scene& scene);
+
+struct MeshEstimate {
+    std::string loads;   // in words
+    double largest = 0;  // error of the largest displacement over it
+    std::vector<std::pair<std::string, double>> points;  // of the body's point probes
+};
+
+// By structure/equilibrium/mesh_error.h, under the strongest field of the run and the
+// weight; without either, of a held body, under its weight across the thickness. Empty
+// for a free body without field, and for meshes that take more than half a second.
+std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
+                                                const scene::Body& body,
+                                                const structure::Body& solid);
+
+}  // namespace magfsi::bodies

@@ -1,0 +1,109 @@
+#include "structure/equilibrium/mesh_error.h"
+
+#include <algorithm>
+#include <map>
+
+#include "structure/equilibrium/iteration.h"
+
+namespace magfsi::structure {
+namespace {
+
+// Nodes in the middle of two, four or eight others, each made once.
+class Middles {
+  public:
+    explicit Middles(std::vector<Vec3>& nodes) : nodes_(nodes) {}
+
+    int of(std::vector<int> parents) {
+        std::ranges::sort(parents);
+        if (parents.size() == 1) return parents.front();
+        const auto [place, first] =
+            number_.try_emplace(parents, static_cast<int>(nodes_.size()));
+        if (!first) return place->second;
+        Vec3 middle{};
+        for (const int node : parents) {
+            for (std::size_t d = 0; d < 3; ++d)
+                middle[d] += nodes_[static_cast<std::size_t>(node)][d] /
+                             static_cast<double>(parents.size());
+        }
+        nodes_.push_back(middle);
+        return place->second;
+    }
+
+    // Those between nodes of the group join it.
+    void extend(std::vector<int>& group) const {
+        std::ranges::sort(group);
+        const std::vector<int> old = group;
+        for (const auto& [parents, node] : number_) {
+            if (std::ranges::includes(old, parents)) group.push_back(node);
+        }
+        std::ranges::sort(group);
+    }
+
+  private:
+    std::vector<Vec3>& nodes_;
+    std::map<std::vector<int>, int> number_;
+};
+
+// The node of an element at these quarters of its edges: 0, 1 or 2 halves along each.
+std::vector<int> parents(const Hexahedron& element, const std::array<int, 3>& halves) {
+    std::vector<int> out;
+    for (int a = 0; a < 8; ++a) {
+        bool near = true;
+        for (int d = 0; d < 3; ++d)
+            near = near && (halves[d] == 1 || halves[d] == 2 * ((a >> d) & 1));
+        if (near) out.push_back(element[a]);
+    }
+    return out;
+}
+
+}  // namespace
+
+Mesh refined(const Mesh& mesh) {
+    Mesh out;
+    out.nodes = mesh.nodes;
+    out.region_names = mesh.region_names;
+    Middles middles(out.nodes);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        for (int child = 0; child < 8; ++child) {
+            Hexahedron& nodes = out.elements.emplace_back();
+            for (int a = 0; a < 8; ++a) {
+                std::array<int, 3> halves{};
+                for (int d = 0; d < 3; ++d)
+                    halves[d] = ((child >> d) & 1) + ((a >> d) & 1);
+                nodes[a] = middles.of(parents(mesh.elements[e], halves));
+            }
+            if (!mesh.region.empty()) out.region.push_back(mesh.region[e]);
+        }
+    }
+    out.faces = mesh.faces;
+    out.points = mesh.points;
+    for (auto& [name, group] : out.faces) middles.extend(group);
+    for (auto& [name, group] : out.points) middles.extend(group);
+    return out;
+}
+
+std::vector<Vec3> linear_response(const Body& body, const StaticLoads& loads) {
+    StaticProblem problem(body);
+    StaticLoads borne = loads;
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (!problem.held_along()[d]) borne.gravity_m_s2[d] = 0;
+    }
+    const Eigen::VectorXd x = flat_positions(body.mesh.nodes);
+    problem.assemble(x);
+    problem.matrix().raise_foundation(problem.rigid_foundation());
+    if (!problem.matrix().factorize())
+        throw std::runtime_error("body " + body.name + ": not stable without loads");
+    return nodes_from(
+        deformation(problem, x, problem.matrix().solve(problem.load(borne))));
+}
+
+double displacement_error(const Vec3& here_m, const Vec3& on_refined_m) {
+    double along = 0, refined = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+        along += here_m[d] * on_refined_m[d];
+        refined += on_refined_m[d] * on_refined_m[d];
+    }
+    return refined > 0 ? std::max(along / refined - 1, -1.0) : 0;
+}
+
+}  // namespace magfsi::structure

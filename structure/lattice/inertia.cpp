@@ -1,0 +1,162 @@
+#include "structure/lattice/inertia.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "structure/lattice/hexahedron.h"
+
+namespace magfsi::structure {
+namespace {
+
+using Masses = std::vector<std::array<double, 8>>;
+// Of each element and local direction: 1 where mass is to move up, -1 down, 0 where the
+// element lies inside or reaches from surface to surface.
+using Inwards = std::vector<std::array<int, 3>>;
+
+// No node may lose more than 2 times this along a direction; 1/6 is what two elements
+// need.
+constexpr double largest_share = 0.2;
+
+std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
+    std::array<int, 4> out{};
+    int count = 0;
+    for (int a = 0; a < 8; ++a) {
+        if (((a >> d) & 1) == upper) out[static_cast<std::size_t>(count++)] = element[a];
+    }
+    std::ranges::sort(out);
+    return out;
+}
+
+Inwards inwards(const Mesh& mesh) {
+    std::map<std::array<int, 4>, int> elements_at;
+    for (const Hexahedron& element : mesh.elements) {
+        for (int d = 0; d < 3; ++d) {
+            for (int upper : {0, 1}) ++elements_at[side(element, d, upper)];
+        }
+    }
+    Inwards out;
+    for (const Hexahedron& element : mesh.elements) {
+        auto& signs = out.emplace_back();
+        for (int d = 0; d < 3; ++d) {
+            signs[static_cast<std::size_t>(d)] =
+                static_cast<int>(elements_at[side(element, d, 0)] == 1) -
+                static_cast<int>(elements_at[side(element, d, 1)] == 1);
+        }
+    }
+    return out;
+}
+
+Masses spread_kg(const Body& body) {
+    Masses out;
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        Positions8 x = gather(body.mesh.nodes, body.mesh.elements[e]);
+        x.rowwise() -= x.row(0).eval();  // far from the origin no digits are lost
+        const auto volume = integrate_hexahedron(x, static_cast<int>(e)).node_volume;
+        auto& masses = out.emplace_back();
+        for (std::size_t a = 0; a < 8; ++a)
+            masses[a] = material_of(body, e).density_kg_m3 * volume[a];
+    }
+    return out;
+}
+
+// The share of each local direction moved inwards; the mass of each element stays.
+Masses moved(const Masses& spread, const Inwards& signs, const Vec3& share) {
+    Masses out = spread;
+    for (std::size_t e = 0; e < out.size(); ++e) {
+        double before = 0, after = 0;
+        for (int a = 0; a < 8; ++a) {
+            auto& mass = out[e][static_cast<std::size_t>(a)];
+            before += mass;
+            for (int d = 0; d < 3; ++d)
+                mass *= 1 + 2 * share[d] * signs[e][d] * node_sign(a, d);
+            after += mass;
+        }
+        for (double& mass : out[e]) mass *= before / after;
+    }
+    return out;
+}
+
+struct Moments {
+    double mass = 0;
+    Vec3 first{}, second{};
+
+    void add(double m, const Vec3& x) {
+        mass += m;
+        for (int d = 0; d < 3; ++d) {
+            first[d] += m * x[d];
+            second[d] += m * x[d] * x[d];
+        }
+    }
+    double central(int d) const { return second[d] - first[d] * first[d] / mass; }
+};
+
+Moments of_nodes(const Mesh& mesh, const Masses& masses) {
+    Moments out;
+    for (std::size_t e = 0; e < masses.size(); ++e) {
+        for (std::size_t a = 0; a < 8; ++a)
+            out.add(masses[e][a],
+                    mesh.nodes[static_cast<std::size_t>(mesh.elements[e][a])]);
+    }
+    return out;
+}
+
+Moments of_continuum(const Body& body) {
+    Moments out;
+    const double q = 1 / std::sqrt(3.0);
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        const Positions8 nodes = gather(body.mesh.nodes, body.mesh.elements[e]);
+        for (int g = 0; g < 8; ++g) {
+            const Vec3 xi{q * node_sign(g, 0), q * node_sign(g, 1), q * node_sign(g, 2)};
+            const auto values = shape_values(xi);
+            Vec3 x{};
+            for (int a = 0; a < 8; ++a) {
+                for (int d = 0; d < 3; ++d)
+                    x[d] += values[static_cast<std::size_t>(a)] * nodes(a, d);
+            }
+            const double volume = (nodes.transpose() * shape_gradients(xi)).determinant();
+            out.add(material_of(body, e).density_kg_m3 * volume, x);
+        }
+    }
+    return out;
+}
+
+Masses corrected_kg(const Body& body) {
+    const Masses spread = spread_kg(body);
+    const Inwards signs = inwards(body.mesh);
+    const Moments wanted = of_continuum(body);
+    Vec3 share{1.0 / 12, 1.0 / 12, 1.0 / 12};
+    // Each share acts nearly in proportion, and nearly on its own axis alone.
+    const Moments none = of_nodes(body.mesh, spread);
+    for (int iteration = 0; iteration < 10; ++iteration) {
+        const Moments now = of_nodes(body.mesh, moved(spread, signs, share));
+        for (int d = 0; d < 3; ++d) {
+            const double gained = none.central(d) - now.central(d);
+            if (!(gained > 1e-9 * wanted.central(d))) continue;
+            share[d] *= (none.central(d) - wanted.central(d)) / gained;
+            share[d] = std::clamp(share[d], 1e-3, largest_share);
+        }
+    }
+    return moved(spread, signs, share);
+}
+
+}  // namespace
+
+std::vector<std::array<double, 8>> element_masses_kg(const Body& body) {
+    return body.inertia == Inertia::corrected ? corrected_kg(body) : spread_kg(body);
+}
+
+Vec3 inertia_error(const Body& body) {
+    const Moments nodes = of_nodes(body.mesh, element_masses_kg(body));
+    const Moments exact = of_continuum(body);
+    Vec3 out{};
+    for (int d = 0; d < 3; ++d) {
+        const int p = (d + 1) % 3, q = (d + 2) % 3;
+        out[d] = (nodes.central(p) + nodes.central(q)) /
+                     (exact.central(p) + exact.central(q)) -
+                 1;
+    }
+    return out;
+}
+
+}  // namespace magfsi::structure

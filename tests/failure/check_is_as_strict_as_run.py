@@ -1,0 +1,101 @@
+"""What a run refuses because of the mesh or the material, check refuses in the same words; and
+what check calls good starts."""
+
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+from magfsi import testing
+
+SCENE = """
+name: strict
+time: {end: 1 s, equilibrium: {method: newton}}
+bodies:
+  b:
+    mesh: {gmsh: {file: MESH, unit: 1 mm}}
+    element: assumed_strain
+    material: {shear_modulus: 330 kPa, lame_lambda: 6.6 MPa, density: 1860 kg/m3}
+    clamps: [left]
+gravity: {acceleration: 1 m/s2}
+probes: {every: 1 s, bodies: [max_displacement]}
+"""
+AT = "{tip: {body: b, at: [40 mm, 0 mm, 0 mm]}}"
+
+
+def bars(lengths, gap):
+    """Gmsh file of bars of 2 x 2 cubes one behind the other, the first one's left a face."""
+    nodes, cubes, left = [], [], []
+    start = 0
+    for length in lengths:
+        first = len(nodes) + 1
+        nodes += [(start + i, j, k) for k in range(3) for j in range(3)
+                  for i in range(length + 1)]
+        at = lambda i, j, k: first + i + (length + 1) * (j + 3 * k)
+        for k in range(2):
+            for j in range(2):
+                left += [(at(0, j, k), at(0, j + 1, k), at(0, j + 1, k + 1),
+                          at(0, j, k + 1))] if start == 0 else []
+                cubes += [tuple(at(i + di, j + dj, k + dk) for dk in (0, 1)
+                                for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)))
+                          for i in range(length)]
+        start += length + gap
+    elements = [f"3 2 2 2 {' '.join(map(str, q))}" for q in left]
+    elements += [f"5 2 1 1 {' '.join(map(str, q))}" for q in cubes]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "2", '3 1 "bar"',
+             '2 2 "left"', "$EndPhysicalNames", "$Nodes", len(nodes)]
+    lines += [f"{i} {x} {y} {z}" for i, (x, y, z) in enumerate(nodes, 1)]
+    lines += ["$EndNodes", "$Elements", len(elements)]
+    lines += [f"{i} {element}" for i, element in enumerate(elements, 1)]
+    return "\n".join(map(str, lines + ["$EndElements", ""]))
+
+
+def outcome(command, mesh, settings):
+    folder = Path(testing.new_folder())
+    folder.mkdir(exist_ok=True)
+    (folder / "body.msh").write_text(mesh)
+    (folder / "scene.yaml").write_text(SCENE.replace("MESH", str(folder / "body.msh")))
+    words = [testing.BIN / "magfsi", command, folder / "scene.yaml"]
+    words += ["--out", folder / "run"] if command == "run" else []
+    done = subprocess.run(list(map(str, words + testing.overrides(settings))),
+                          capture_output=True, text=True, timeout=120, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+class CheckAndRun(unittest.TestCase):
+    def refused(self, words, settings, lengths=(6,)):
+        for command in ("check", "run"):
+            code, text = outcome(command, bars(lengths, 1), settings)
+            self.assertEqual(code, 2, f"{command}: {text}")
+            self.assertIn(words, text, command)
+
+    def test_a_clamp_that_the_mesh_lacks(self):
+        self.refused("body b is clamped at lef, but its faces are left",
+                     {"bodies.b.clamps": "[lef]"})
+
+    def test_loose_parts(self):
+        for method in ("newton", "dynamics"):
+            self.refused("body b is in 2 parts that share no node, and the part of element "
+                         "24 is not held", {"time.equilibrium.method": method}, (6, 5))
+
+    def test_weight_that_nothing_holds(self):
+        self.refused("body b has weight but no clamp", {"bodies.b.clamps": ""})
+
+    def test_a_point_outside_the_mesh(self):
+        self.refused("lies in no element", {"probes.points": AT})
+
+    def test_no_lame_lambda_is_a_material(self):
+        sag = {}
+        for k in ("0 Pa", "1 Pa"):
+            settings = {"bodies.b.material.lame_lambda": k}
+            self.assertEqual(outcome("check", bars((6,), 1), settings)[0], 0)
+            code, text = outcome("run", bars((6,), 1), settings)
+            self.assertEqual(code, 0, text)
+            run = Path(re.search(r"results in (\S+)", text).group(1))
+            sag[k] = float((run / "probes.csv").read_text().split()[-1].split(",")[1])
+        # lambda / G = 3e-6 changes Young's modulus by a third of that.
+        self.assertAlmostEqual(sag["0 Pa"] / sag["1 Pa"], 1, delta=1e-5)
+
+
+if __name__ == "__main__":
+    unittest.main()
