@@ -78,7 +78,9 @@ structure::LammpsScript generate_input(const coupler::Session& session,
                                        std::int64_t steps) {
     structure::LammpsScript script;
     if (session.world().root()) {
-        script = structure::write_lammps_input(input, session.out());
+        // Its own folder in full: it runs from anywhere.
+        script = structure::write_lammps_input(input,
+                                               std::filesystem::absolute(session.out()));
         write_script(session, script, steps);
     }
     const MPI_Comm comm = session.world().local();
@@ -178,7 +180,7 @@ void Participant::start_lammps() {
 
 void Participant::build_coupling(const std::vector<int>& first_node) {
     coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
-        session_.world(), "", coupler::startup_timeout_s, "description of the grid"));
+        session_.world(), "", coupler::no_timeout_s, "description of the grid"));
     auto markers = own_markers(scene_, *run_.engine, first_node, grid, session_.clock());
     run_.coupling = std::make_unique<coupler::StructureCoupling>(
         session_, *run_.engine, std::move(grid), std::move(markers));
@@ -278,6 +280,7 @@ output::StructureSummary Participant::summary() const {
 
 coupler::ParticipantReport Participant::make_report() const {
     auto report = coupler::basic_report(session_.world(), tasks_);
+    report.versions.emplace_back("LAMMPS", run_.engine->version());
     const output::StructureSummary structure = summary();
     // With fewer elements a LAMMPS step is mostly communication.
     constexpr std::int64_t fewest_elements_per_rank = 500;
@@ -319,7 +322,12 @@ int main(int argc, char** argv) {
                      [](const scene::Scene& scene, coupler::Session& session,
                         const coupler::ParticipantArguments& arguments) {
                          if (scene.bodies.empty())
-                             throw std::runtime_error("the scene has no bodies");
+                             throw std::invalid_argument("the scene has no bodies");
+                         const auto& rest = scene.time.equilibrium;
+                         if (rest && rest->method == scene::EquilibriumMethod::newton)
+                             throw std::invalid_argument(
+                                 "the scene asks for Newton's method; start "
+                                 "magfsi-equilibrium for it");
                          const lammps::Substeps substeps = lammps::choose_substeps(scene);
                          session.begin(substeps.coupled_step_s);
                          lammps::Participant(scene, session, substeps, arguments).run();

@@ -93,6 +93,9 @@ int main(int argc, char** argv) {
     add_ranks(run, options);
     run.add_option("--restart", options.run.restart,
                    "Go on from a checkpoint: latest, or one of its files");
+    run.add_flag("--overwrite", options.run.overwrite,
+                 "Drop the results of an earlier run in the folder; without it they are "
+                 "moved to earlier-1 in it");
     run.add_flag("--record", options.run.record,
                  "Write exchange.record: all that the two sides send each other");
     run.add_option("--replay", options.replay,
@@ -105,6 +108,7 @@ int main(int argc, char** argv) {
     add_ranks(explain, options);
     explain.add_flag("--json", options.json, "Key figures for programs");
     app.add_subcommand("schema", "JSON Schema of the scene file");
+    options.run.command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
     try {
         app.parse(argc, argv);
         return execute(app, options);

@@ -1,0 +1,86 @@
+#include "coupler/participants/processes.h"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace magfsi::coupler {
+
+namespace {
+
+std::uint64_t machine() {
+    std::string text;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> text;
+    std::array<char, 64> name_space{};
+    if (::readlink("/proc/self/ns/pid", name_space.data(), name_space.size() - 1) > 0)
+        text += name_space.data();
+    return std::hash<std::string>{}(text);
+}
+
+struct Status {
+    char state = 0;  // none: no such process
+    std::int64_t started = 0;
+};
+
+Status status_of(std::int64_t pid) {
+    std::ifstream in(fmt::format("/proc/{}/stat", pid));
+    std::string line;
+    std::getline(in, line);
+    const auto name_end = line.rfind(')');  // the name may hold anything
+    if (name_end == std::string::npos) return {};
+    std::istringstream fields(line.substr(name_end + 1));
+    Status status;
+    fields >> status.state;
+    std::string skipped;
+    for (int field = 4; field < 22; ++field) fields >> skipped;
+    fields >> status.started;
+    return status;
+}
+
+int number_in_environment(const char* name) {
+    const char* text = std::getenv(name);
+    return text ? std::atoi(text) : 0;
+}
+
+}  // namespace
+
+ProcessId this_process() {
+    return {::getpid(), status_of(::getpid()).started, machine()};
+}
+
+Life life_of(const ProcessId& process) {
+    static const std::uint64_t here = machine();
+    if (process.machine != here) return Life::far;
+    const Status status = status_of(process.pid);
+    if (status.started != process.started || status.state == 'Z' || status.state == 'X')
+        return Life::gone;
+    return status.state == 'T' || status.state == 't' ? Life::stopped : Life::alive;
+}
+
+void die_with_mpirun() {
+    // Beyond so many on a machine mpirun starts them from threads of its own, and the
+    // kernel counts the end of such a thread as the parent's death.
+    constexpr int most_without_threads = 31;
+    const int here = number_in_environment("OMPI_COMM_WORLD_LOCAL_SIZE");
+    if (here == 0 || here > most_without_threads) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() == 1) ::_exit(1);  // it is gone already
+}
+
+const char* fault_of_job() {
+    if (number_in_environment("OMPI_NUM_APP_CTX") <= 2) return "";
+    return "more than two programs are in this MPI job; allowed are one for the "
+           "structure "
+           "and one for the fluid (-n N magfsi-structure SCENE : -n M magfsi-fluid-lbm "
+           "SCENE)";
+}
+
+}  // namespace magfsi::coupler
