@@ -9,6 +9,7 @@
 
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
@@ -57,8 +58,24 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
+// What is known only with the mesh: faces that are held, places that are probed. Throws
+// std::invalid_argument as the run would.
+void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
+                   const structure::Body& solid) {
+    (void)structure::held_axes(solid);
+    if (!scene.probes) return;
+    for (const scene::PointProbe& point : scene.probes->points) {
+        if (point.body == body.name) (void)bodies::locate(body, solid.mesh, point.at_m);
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (part && part->body == body.name) (void)bodies::elements_of(*part, solid.mesh);
+    }
+}
+
 std::string explain_body(const scene::Scene& scene, const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
+    check_on_mesh(scene, body, solid);
     std::string text = fmt::format("  body '{}': ", body.name);
     const auto* box = std::get_if<structure::Box>(&body.mesh);
     if (box) {
@@ -209,6 +226,8 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  {}\n", line);
     for (const std::string& line : scene::idle_effects(scene))
         text += fmt::format("  warning: {}\n", line);
+    for (const std::filesystem::path& file : scene::files_elsewhere(scene))
+        text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling) text += explain_coupling(scene);

@@ -1,6 +1,7 @@
 #include "adapters/magfsi/participants.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -125,6 +126,23 @@ Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     }
     check_number(ranks);
     return ranks;
+}
+
+void check_memory(const scene::Scene& scene) {
+    if (!scene.fluid || has_more_machines()) return;
+    const bool single = scene.fluid->solver == scene::FluidSolver::lbm &&
+                        scene.fluid->precision != fluid::Precision::double_;
+    const double bytes_a_cell = 19 * (single ? 4 : 8);  // populations; openfoam has more
+    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGESIZE));
+    double cells = 1;
+    for (const double length : scene.fluid->box_m)
+        cells *= length / scene.fluid->spacing_m;
+    if (cells * bytes_a_cell <= there) return;
+    throw std::invalid_argument(fmt::format(
+        "fluid.spacing: found {:.3g} cells, which take {:.3g} GB; allowed are {:.3g} in "
+        "this machine's {:.3g} GB of memory",
+        cells, cells * bytes_a_cell / 1e9, there / bytes_a_cell, there / 1e9));
 }
 
 }  // namespace magfsi::launch

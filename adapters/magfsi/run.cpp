@@ -287,6 +287,7 @@ int run(const RunOptions& options) {
             throw std::invalid_argument(fmt::format(
                 "fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
     }
+    check_memory(scene);
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.
     (void)explain(scene, choose_ranks(scene, options.ranks));

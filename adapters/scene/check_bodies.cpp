@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <span>
@@ -41,14 +39,54 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     }
 }
 
-void check_node_count(const Body& body, const Box& box, const Marks& marks) {
-    std::int64_t nodes = 1;
-    for (const int n : box.elements) {
-        nodes *= n + 1;  // node numbers are int
-        require(nodes <= std::numeric_limits<int>::max(),
-                marks.value({"bodies", body.name, "mesh", "box", "elements"}),
-                "a mesh of more than 2147483647 nodes", "fewer elements");
+// What check and explain answer for in seconds, on one core.
+constexpr double max_elements = 250'000;
+constexpr double max_markers = 500'000;
+
+double elements_of(const Body& body) {
+    double elements = 1;
+    if (const auto* box = std::get_if<Box>(&body.mesh)) {
+        for (const int n : box->elements) elements *= n;
+    } else if (const auto* plate = std::get_if<ObliquePlate>(&body.mesh)) {
+        for (const int n : plate->cells) elements *= n;
+        for (const int n : plate->elements_per_cell) elements *= n;
     }
+    return elements;
+}
+
+Origin place_of_elements(const Body& body, const Marks& marks) {
+    if (std::holds_alternative<Box>(body.mesh))
+        return marks.value({"bodies", body.name, "mesh", "box", "elements"});
+    return marks.value({"bodies", body.name, "mesh"});
+}
+
+void check_element_count(const Scene& scene, const Marks& marks) {
+    double all = 0;
+    for (const Body& body : scene.bodies) {
+        all += elements_of(body);
+        require(all <= max_elements, place_of_elements(body, marks),
+                fmt::format("{:.9g} elements in all bodies", all),
+                fmt::format("at most {:.0f}", max_elements), "take fewer elements");
+    }
+}
+
+// At most as many as a block of this size takes over both of its faces and its rim, or
+// over its volume.
+void check_marker_count(const Scene& scene, const Body& body, const Box& box,
+                        const Marks& marks) {
+    if (!scene.coupling || !scene.fluid) return;
+    const auto& boundary = scene.coupling->immersed_boundary;
+    const double apart_m = boundary.marker_spacing * scene.fluid->spacing_m;
+    Vec3 n{};
+    for (int i = 0; i < 3; ++i) n[i] = box.size_m[i] / apart_m;
+    double markers = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
+    if (boundary.markers == coupler::Markers::volume) markers += n[0] * n[1] * n[2];
+    require(markers <= max_markers,
+            marks.value({"coupling", "immersed_boundary", "marker_spacing"}),
+            fmt::format("up to {:.3g} markers on \"{}\", {} apart", markers, body.name,
+                        metres(apart_m)),
+            fmt::format("at most {:.0f}", max_markers),
+            "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
 }
 
 // Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
@@ -199,9 +237,10 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 }  // namespace
 
 void check_bodies(const Scene& scene, const Marks& marks) {
+    check_element_count(scene, marks);
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<Box>(&body.mesh);
-        if (box) check_node_count(body, *box, marks);
+        if (box) check_marker_count(scene, body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);
         check_rollers(body, marks);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
 
 namespace magfsi::scene {
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_name = 64;
-constexpr std::uintmax_t largest_file_bytes = 1'000'000'000;
+constexpr std::uintmax_t largest_file_bytes = 200'000'000;
 
 // The name becomes a folder of runs/ and stands in the generated LAMMPS script.
 void check_name(const std::string& name, const Origin& where) {
@@ -34,6 +35,7 @@ void check_name(const std::string& name, const Origin& where) {
 }
 
 void check_mesh_file(const fs::path& file, const Origin& where) {
+    require_regular_file(file, where);
     require(file.extension() == ".msh", where,
             fmt::format("the mesh file {}", in_quotes(file.string())),
             "the ending .msh, for Gmsh takes other endings for programs and archives");
@@ -64,12 +66,9 @@ void require_regular_file(const fs::path& file, const Origin& where) {
 void check_files(const Scene& scene, const Marks& marks) {
     check_name(scene.name, marks.value({"name"}));
     for (const Body& body : scene.bodies) {
-        if (const auto* mesh = std::get_if<MeshFile>(&body.mesh)) {
-            const Origin& where =
-                marks.value({"bodies", body.name, "mesh", "gmsh", "file"});
-            require_regular_file(mesh->file, where);
-            check_mesh_file(mesh->file, where);
-        }
+        if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
+            check_mesh_file(mesh->file,
+                            marks.value({"bodies", body.name, "mesh", "gmsh", "file"}));
         if (!body.magnetization) continue;
         if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
             require_regular_file(
@@ -83,6 +82,28 @@ void check_files(const Scene& scene, const Marks& marks) {
                 surface->file,
                 marks.value({"fluid", "obstacles", obstacle.name, "stl", "file"}));
     }
+}
+
+std::vector<fs::path> files_elsewhere(const Scene& scene) {
+    std::vector<fs::path> files;
+    for (const Body& body : scene.bodies) {
+        if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
+            files.emplace_back(mesh->file);
+        if (!body.magnetization) continue;
+        if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
+            files.emplace_back(table->file);
+    }
+    for (const Obstacle& obstacle : scene.fluid.value_or(Fluid{}).obstacles) {
+        if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
+            files.emplace_back(surface->file);
+    }
+    const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder));
+    std::erase_if(files, [&](fs::path& file) {
+        file = fs::weakly_canonical(fs::absolute(file));  // through links
+        const std::string from_folder = file.lexically_relative(folder).string();
+        return !from_folder.starts_with("..");
+    });
+    return files;
 }
 
 }  // namespace magfsi::scene

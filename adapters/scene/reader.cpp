@@ -88,6 +88,7 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
     Scene scene;
     TreeReader reader(root, scene_fields());
     keys(reader, scene);
+    scene.folder = folder;
     complete(scene, folder);
     return scene;
 }
