@@ -71,6 +71,16 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
     output::write_atomically(session.out() / "lammps.in", text);
 }
 
+// In full, so that the script runs from anywhere, as far as LAMMPS can read that: no
+// letters but those of ASCII, no quotes and no dollar signs.
+std::filesystem::path folder_in_script(const std::filesystem::path& out) {
+    const std::filesystem::path full = std::filesystem::absolute(out);
+    const bool readable = std::ranges::all_of(full.string(), [](char c) {
+        return c >= ' ' && c <= '~' && c != '"' && c != '$';
+    });
+    return readable ? full : out;
+}
+
 // lammps.in and its data files in the run folder, and its lines on every rank. steps:
 // LAMMPS steps of the run. Collective: the root writes, all ranks get the script.
 structure::LammpsScript generate_input(const coupler::Session& session,
@@ -78,9 +88,7 @@ structure::LammpsScript generate_input(const coupler::Session& session,
                                        std::int64_t steps) {
     structure::LammpsScript script;
     if (session.world().root()) {
-        // Its own folder in full: it runs from anywhere.
-        script = structure::write_lammps_input(input,
-                                               std::filesystem::absolute(session.out()));
+        script = structure::write_lammps_input(input, folder_in_script(session.out()));
         write_script(session, script, steps);
     }
     const MPI_Comm comm = session.world().local();

@@ -1,5 +1,6 @@
 #include "adapters/magfsi/job.h"
 #include "adapters/run_scene.h"
+#include "adapters/scene/fault.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -60,12 +61,12 @@ std::set<std::string> shown;
 
 void show(const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
-        if (line.starts_with("magfsi ") && !shown.insert(line).second) continue;
+        if (line.starts_with("magfsi") && !shown.insert(line).second) continue;
         // Survivors that mpirun ends when another process was lost say so; the cause is
         // named once, at the end.
         if (stop_signal == 0 && line.find("told to end by signal") != std::string::npos)
             continue;
-        std::fprintf(stderr, "%s\n", line.c_str());
+        std::fprintf(stderr, "%s\n", scene::printable(line).c_str());
     }
 }
 

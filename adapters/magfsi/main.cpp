@@ -9,6 +9,7 @@
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "adapters/scene/effective.h"
+#include "adapters/scene/fault.h"
 #include "adapters/scene/reader.h"
 #include "adapters/scene/scene.h"
 #include "adapters/scene/schema.h"
@@ -116,13 +117,13 @@ int main(int argc, char** argv) {
         const int code = app.exit(error);
         return code == 0 ? coupler::exit_done : coupler::exit_input;
     } catch (const scene::SceneError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", scene::printable(error.what()));
         return coupler::exit_input;
     } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "magfsi: {}\n", error.what());
+        fmt::print(stderr, "magfsi: {}\n", scene::printable(error.what()));
         return coupler::exit_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "magfsi: {}\n", error.what());
+        fmt::print(stderr, "magfsi: {}\n", scene::printable(error.what()));
         return coupler::exit_error;
     }
 }

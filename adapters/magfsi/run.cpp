@@ -220,10 +220,9 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
     }
 }
 
-// Every code but those of the table has a cause outside of the participants, which they
-// could not name.
+// A code that is not of the table has a cause outside of the participants.
 int unnamed_end(const JobEnd& end) {
-    if (end.exit_code > coupler::exit_partner || !end.told)
+    if (!end.told)
         fmt::print(stderr,
                    "magfsi: the MPI job ended with code {} before its programs could say "
                    "why; what mpirun said is above\n",

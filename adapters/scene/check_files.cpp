@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
@@ -19,19 +21,18 @@ constexpr std::uintmax_t largest_file_bytes = 200'000'000;
 
 // The name becomes a folder of runs/ and stands in the generated LAMMPS script.
 void check_name(const std::string& name, const Origin& where) {
-    const auto allowed = [](unsigned char c) {
-        return std::isalnum(c) != 0 || c >= 0x80 ||
-               std::string_view(" _-+,.()").find(static_cast<char>(c)) !=
-                   std::string_view::npos;
+    const auto allowed = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string_view(" _-+,.()").find(c) != std::string_view::npos;
     };
-    require(
-        name.size() <= longest_name && std::ranges::all_of(name, allowed) &&
-            name.front() != '.' && name.front() != '-' && name.front() != ' ',
-        where, fmt::format("the name {}", in_quotes(name)),
-        fmt::format("at most {} bytes of letters, digits, blanks and _ - + , . ( ), a "
-                    "letter or a digit first",
-                    longest_name),
-        "it names the run folder, runs/NAME; another place is --out's");
+    require(name.size() <= longest_name && std::ranges::all_of(name, allowed) &&
+                name.front() != '.' && name.front() != '-' && name.front() != ' ',
+            where, fmt::format("the name {}", in_quotes(name)),
+            fmt::format(
+                "at most {} bytes of letters a to z, digits, blanks and _ - + , . ( ), a "
+                "letter or a digit first",
+                longest_name),
+            "it names the run folder, runs/NAME; another place is --out's");
 }
 
 void check_mesh_file(const fs::path& file, const Origin& where) {
@@ -97,7 +98,7 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
         if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
             files.emplace_back(surface->file);
     }
-    const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder));
+    const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder / "."));
     std::erase_if(files, [&](fs::path& file) {
         file = fs::weakly_canonical(fs::absolute(file));  // through links
         const std::string from_folder = file.lexically_relative(folder).string();
