@@ -23,16 +23,17 @@ constexpr std::uintmax_t largest_file_bytes = 200'000'000;
 void check_name(const std::string& name, const Origin& where) {
     const auto allowed = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-               std::string_view(" _-+,.()").find(c) != std::string_view::npos;
+               std::string_view(" _-+=:,.()").find(c) != std::string_view::npos;
     };
-    require(name.size() <= longest_name && std::ranges::all_of(name, allowed) &&
-                name.front() != '.' && name.front() != '-' && name.front() != ' ',
-            where, fmt::format("the name {}", in_quotes(name)),
-            fmt::format(
-                "at most {} bytes of letters a to z, digits, blanks and _ - + , . ( ), a "
-                "letter or a digit first",
-                longest_name),
-            "it names the run folder, runs/NAME; another place is --out's");
+    require(
+        name.size() <= longest_name && std::ranges::all_of(name, allowed) &&
+            name.front() != '.' && name.front() != '-' && name.front() != ' ',
+        where, fmt::format("the name {}", in_quotes(name)),
+        fmt::format(
+            "at most {} bytes of letters a to z, digits, blanks and _ - + = : , . ( ), a "
+            "letter or a digit first",
+            longest_name),
+        "it names the run folder, runs/NAME; another place is --out's");
 }
 
 void check_mesh_file(const fs::path& file, const Origin& where) {

@@ -46,6 +46,7 @@ class Kills(unittest.TestCase):
         hit = pid is not None and attack.send(pid, signal.SIGKILL)
         ended = attack.finish(process, folder)
         if hit and victim != "magfsi" and ended.code != 0:
+            testing.check_prompt(self, ended)
             attack.one_line(self, ended, 4, SAID[victim])
             self.assertEqual(ended.summary()["outcome"], "lost_partner")
             self.assertEqual(attack.at_work(folder), {}, "left by the launcher")
