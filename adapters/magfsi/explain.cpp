@@ -13,6 +13,7 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
+#include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
 #include "structure/lattice/element_advice.h"
@@ -62,6 +63,17 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
 // std::invalid_argument as the run would.
 void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    const structure::Body& solid) {
+    const auto elements = static_cast<double>(solid.mesh.elements.size());
+    scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
+                   fmt::format("a mesh of {} elements", elements),
+                   fmt::format("at most {:.0f}", scene::max_elements));
+    const double markers =
+        scene::most_markers(scene, structure::bounds(solid.mesh.nodes).extent_m());
+    scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
+                   fmt::format("up to {:.3g} markers", markers),
+                   fmt::format("at most {:.0f}", scene::max_markers),
+                   "take a larger fluid.spacing or "
+                   "coupling.immersed_boundary.marker_spacing");
     (void)structure::held_axes(solid);
     if (!scene.probes) return;
     for (const scene::PointProbe& point : scene.probes->points) {

@@ -151,15 +151,16 @@ void write_predicted(const fs::path& out, const std::optional<Prediction>& predi
 // Takes the folder before anything is started: what is refused later has cost nothing.
 // The job's own processes take it over (coupler::Session).
 void take_run_folder(const fs::path& out, const RunOptions& options,
-                     const output::FolderLock& lock) {
+                     output::FolderLock& lock) {
     const bool free = lock.wait_for_job(output::patience_with_the_ending_s, [] {
         fmt::print(stderr, "waiting for the processes of an earlier run to end\n");
     });
     if (!free)
         throw output::FolderTaken(fmt::format(
-            "processes of an earlier run still use the run folder {}; end them, or take "
-            "another folder with --out",
-            out.string()));
+            "the run folder {} belongs to a run that goes on: {}; wait for its end, or "
+            "take another folder with --out",
+            out.string(), lock.owner()));
+    lock.sign("magfsi run");
     if (goes_on_in(out, options)) {
         fs::remove(out / "summary.json");
         return;
@@ -175,7 +176,7 @@ void take_run_folder(const fs::path& out, const RunOptions& options,
 }
 
 JobEnd run_once(const scene::Scene& scene, const RunOptions& options, const fs::path& out,
-                const output::FolderLock& lock) {
+                output::FolderLock& lock) {
     const auto programs = participants(scene, options, out);
     take_run_folder(out, options, lock);
     fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));
@@ -189,8 +190,7 @@ JobEnd run_once(const scene::Scene& scene, const RunOptions& options, const fs::
 }
 
 JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
-                        const fs::path& out, Retries& retries,
-                        const output::FolderLock& lock) {
+                        const fs::path& out, Retries& retries, output::FolderLock& lock) {
     const std::vector<std::string> head = options.notes;
     while (true) {
         options.restart = retries.restart();
@@ -300,8 +300,7 @@ int run(const RunOptions& options) {
     need_stack();
     setenv("MAGFSI_COMMAND", options.command.c_str(), 1);  // for run.json
     fs::create_directories(out);
-    const output::FolderLock lock(out, output::FolderLock::Holder::launcher, "magfsi run",
-                                  0);
+    output::FolderLock lock(out, output::FolderLock::Holder::launcher, 0);
     if (!lock.held())
         fmt::print(stderr,
                    "warning: the file system of {} has no locks; see that no other "

@@ -39,10 +39,6 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     }
 }
 
-// What check and explain answer for in seconds, on one core.
-constexpr double max_elements = 250'000;
-constexpr double max_markers = 500'000;
-
 double elements_of(const Body& body) {
     double elements = 1;
     if (const auto* box = std::get_if<Box>(&body.mesh)) {
@@ -70,21 +66,12 @@ void check_element_count(const Scene& scene, const Marks& marks) {
     }
 }
 
-// At most as many as a block of this size takes over both of its faces and its rim, or
-// over its volume.
 void check_marker_count(const Scene& scene, const Body& body, const Box& box,
                         const Marks& marks) {
-    if (!scene.coupling || !scene.fluid) return;
-    const auto& boundary = scene.coupling->immersed_boundary;
-    const double apart_m = boundary.marker_spacing * scene.fluid->spacing_m;
-    Vec3 n{};
-    for (int i = 0; i < 3; ++i) n[i] = box.size_m[i] / apart_m;
-    double markers = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
-    if (boundary.markers == coupler::Markers::volume) markers += n[0] * n[1] * n[2];
+    const double markers = most_markers(scene, box.size_m);
     require(markers <= max_markers,
             marks.value({"coupling", "immersed_boundary", "marker_spacing"}),
-            fmt::format("up to {:.3g} markers on \"{}\", {} apart", markers, body.name,
-                        metres(apart_m)),
+            fmt::format("up to {:.3g} markers on \"{}\"", markers, body.name),
             fmt::format("at most {:.0f}", max_markers),
             "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
 }
@@ -235,6 +222,17 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 }
 
 }  // namespace
+
+double most_markers(const Scene& scene, const Vec3& extent_m) {
+    if (!scene.coupling || !scene.fluid) return 0;
+    const auto& boundary = scene.coupling->immersed_boundary;
+    const double apart_m = boundary.marker_spacing * scene.fluid->spacing_m;
+    Vec3 n{};
+    for (int i = 0; i < 3; ++i) n[i] = extent_m[i] / apart_m;
+    const double faces = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
+    return boundary.markers == coupler::Markers::volume ? faces + n[0] * n[1] * n[2]
+                                                        : faces;
+}
 
 void check_bodies(const Scene& scene, const Marks& marks) {
     check_element_count(scene, marks);

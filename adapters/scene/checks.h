@@ -54,6 +54,13 @@ void check_loads(const Scene& scene, const Marks& marks);
 void check_fluid(const Scene& scene, const Marks& marks);
 void check_retry(const Scene& scene, const Marks& marks);
 
+// What check and explain answer for in seconds, on one core.
+constexpr double max_elements = 250'000;
+constexpr double max_markers = 500'000;
+// How many a body of this extent may take: over both faces and the rim of a block, or
+// over its volume. 0 without a fluid.
+double most_markers(const Scene& scene, const Vec3& extent_m);
+
 double length(const Vec3& v);
 inline std::string metres(double value) {
     return format_si(value, "m");

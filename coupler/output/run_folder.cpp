@@ -70,9 +70,8 @@ bool FolderLock::take(short kind, long first, long count, double patience_s) {
     }
 }
 
-FolderLock::FolderLock(const fs::path& folder, Holder holder, const std::string& what,
-                       double patience_s)
-    : path_(folder / "run.lock") {
+FolderLock::FolderLock(const fs::path& folder, Holder holder, double patience_s)
+    : path_(folder / "run.lock"), holder_(holder) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0) throw FileError(path_, errno);
     try {
@@ -87,22 +86,19 @@ FolderLock::FolderLock(const fs::path& folder, Holder holder, const std::string&
         ::close(descriptor_);
         throw;
     }
-    if (holder == Holder::member) return;
+}
+
+void FolderLock::sign(const std::string& what) {
     struct flock launcher = request(F_WRLCK, launcher_byte, 1);
-    const bool of_a_launcher = holder == Holder::leader &&
-                               ::fcntl(descriptor_, F_OFD_GETLK, &launcher) == 0 &&
-                               launcher.l_type != F_UNLCK;
-    if (of_a_launcher) return;  // which has said who it is
+    if (holder_ == Holder::leader && ::fcntl(descriptor_, F_OFD_GETLK, &launcher) == 0 &&
+        launcher.l_type != F_UNLCK)
+        return;
     const std::string text =
         fmt::format("{} {} {}\n{}\n", ::getpid(), std::time(nullptr), host_name(), what);
-    const bool written = ::ftruncate(descriptor_, 0) == 0 &&
-                         ::pwrite(descriptor_, text.data(), text.size(), 0) ==
-                             static_cast<ssize_t>(text.size());
-    if (!written) {
-        const int error = errno;
-        ::close(descriptor_);
-        throw FileError(path_, error);
-    }
+    if (::ftruncate(descriptor_, 0) != 0 ||
+        ::pwrite(descriptor_, text.data(), text.size(), 0) !=
+            static_cast<ssize_t>(text.size()))
+        throw FileError(path_, errno);
 }
 
 FolderLock::~FolderLock() {

@@ -22,10 +22,8 @@ class FolderLock {
   public:
     enum class Holder { launcher, leader, member };
 
-    // Waits up to patience_s for a lock in the way. what: of this process, for whom it
-    // turns away, such as "magfsi run". Throws FolderTaken, FileError.
-    FolderLock(const std::filesystem::path& folder, Holder holder,
-               const std::string& what, double patience_s);
+    // Waits up to patience_s for a lock in the way. Throws FolderTaken, FileError.
+    FolderLock(const std::filesystem::path& folder, Holder holder, double patience_s);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
@@ -36,18 +34,22 @@ class FolderLock {
     // asks. Calls `waiting` once when that takes longer than a second.
     bool wait_for_job(double patience_s, void (*waiting)() = nullptr) const;
 
-    std::string owner() const;  // as the lock's file has it
+    // Who turns others away from here on, such as "magfsi run": this process. A leading
+    // process leaves that to the launcher that holds its lock, if there is one.
+    void sign(const std::string& what);
+    std::string owner() const;  // who signed last
 
   private:
     bool take(short kind, long first, long count, double patience_s);
 
     std::filesystem::path path_;
+    Holder holder_;
     int descriptor_ = -1;
     bool held_ = false;
 };
 
 // How long a run waits for the processes of one whose launcher was killed.
-constexpr double patience_with_the_ending_s = 15;
+constexpr double patience_with_the_ending_s = 8;
 
 // What an earlier run left in the folder goes to earlier-1 in it, or earlier-2 ...; or
 // away, if it has no results or is to be overwritten. solver_folders: names of what

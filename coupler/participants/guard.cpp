@@ -142,6 +142,7 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         fmt::print(stderr, "magfsi {}: {}\n", to_string(role), fault);
         return exit_partner;
     }
+    watch_joining();
     MPI_Init(&argc, &argv);
     catch_stop_signals();
     trap_floating_point_faults();  // after MPI's own start

@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "coupler/participants/errors.h"
+
 namespace magfsi::coupler {
 
 namespace {
@@ -73,6 +75,41 @@ void die_with_mpirun() {
     if (here == 0 || here > most_without_threads) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() == 1) ::_exit(1);  // it is gone already
+}
+
+namespace {
+
+// Far above what a job takes to start on a busy machine.
+constexpr unsigned first_word_s = 30, end_s = 90;
+volatile std::sig_atomic_t words = 0;
+
+template <std::size_t n>
+void say(const char (&text)[n]) {
+    const ssize_t ignored = ::write(STDERR_FILENO, text, n - 1);
+    (void)ignored;
+}
+
+extern "C" void nobody_joined(int /*signal*/) {
+    if (words == 0) {
+        words = 1;
+        say("magfsi: still waiting for the other programs of this MPI job to start\n");
+        ::alarm(end_s);
+        return;
+    }
+    say("magfsi: the other programs of this MPI job have not joined within 2 min: they "
+        "hang, or are none of magfsi's\n");
+    ::_exit(exit_partner);
+}
+
+}  // namespace
+
+void watch_joining() {
+    std::signal(SIGALRM, &nobody_joined);
+    ::alarm(first_word_s);
+}
+
+void joined() {
+    ::alarm(0);
 }
 
 const char* fault_of_job() {

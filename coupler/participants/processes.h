@@ -20,6 +20,12 @@ Life life_of(const ProcessId& process);
 // mpirun's death is to end this process too; a stopped one as well. Call it first.
 void die_with_mpirun();
 
+// From here to joined(), which MPI_Init and the first exchange are within: a word where
+// the job's other programs do not come, and then the end, with exit_partner. A program
+// that knows nothing of MPI would keep all others in MPI_Init for ever.
+void watch_joining();
+void joined();
+
 // Empty, or why this MPI job cannot be one of ours, as far as its start tells.
 const char* fault_of_job();
 

@@ -98,7 +98,7 @@ void Session::claim_run_folder() {
         MPI_Barrier(world_.local());
     if (!world_.leads())
         state_.lock = std::make_unique<output::FolderLock>(
-            state_.out, output::FolderLock::Holder::member, "", 0);
+            state_.out, output::FolderLock::Holder::member, 0);
     state_.started = true;
     open_log();
 }
@@ -122,9 +122,9 @@ void Session::open_log() {
 void Session::take_over(bool goes_on) {
     using output::FolderLock;
     std::filesystem::create_directories(state_.out);
-    state_.lock =
-        std::make_unique<FolderLock>(state_.out, FolderLock::Holder::leader, "an MPI job",
-                                     output::patience_with_the_ending_s);
+    state_.lock = std::make_unique<FolderLock>(state_.out, FolderLock::Holder::leader,
+                                               output::patience_with_the_ending_s);
+    state_.lock->sign("an MPI job");
     if (goes_on) {
         std::filesystem::remove(state_.out / "summary.json");
         // Of steps that this run is about to do again.

@@ -80,6 +80,7 @@ std::string to_string(Role role) {
 
 World::World(Role self, bool partner_expected, std::uint64_t scene_hash) : self_(self) {
     const std::vector<Member> all = members_of_world(self, scene_hash);
+    joined();
     int world_rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &world_rank);
     check_own_side(self, all[static_cast<std::size_t>(world_rank)], all);

@@ -2,6 +2,7 @@
 what they say; none crashes, hangs, or is taken for something else than it was."""
 
 import argparse
+import os
 import random
 import shutil
 import sys
@@ -109,6 +110,17 @@ class Damaged(unittest.TestCase):
     def test_surfaces(self):
         self.scene.write_text(FLUID)
         self.check("a.stl", tetrahedron().encode())
+
+    def test_a_checkpoint_that_is_a_pipe(self):
+        folder = self.folder / "run"
+        short = {**attack.SETTINGS, "time.end": "0.5 ms"}
+        self.assertEqual(attack.run(folder, short).code, 0)
+        newest = max(folder.glob("checkpoint*_fluid.h5"))
+        newest.unlink()
+        os.mkfifo(newest)
+        named = attack.run(testing.new_folder(), short, restart=str(newest))
+        testing.check_refused(self, named, "is no regular file")
+        self.assertEqual(attack.run(folder, short, restart="latest").code, 0)
 
     def test_checkpoints(self):
         """A checkpoint has checksums: what is damaged is skipped, and the end is the same."""

@@ -34,6 +34,20 @@ class Doubles(unittest.TestCase):
         self.assertIn("belongs to a run that goes on", ended.err)
         self.assertIsNone(self.process.poll(), "the first one goes on")
 
+    def test_a_job_without_the_launcher_is_an_owner_too(self):
+        folder = testing.new_folder() + "/run"
+        words = ["mpirun", "-n", "1", testing.BIN / "magfsi-structure", testing.SMALL, "--out",
+                 folder, *testing.overrides(ENDLESS), ":", "-n", "1",
+                 testing.BIN / "magfsi-fluid-lbm", testing.SMALL, "--out", folder,
+                 *testing.overrides(ENDLESS)]
+        process = testing.start(words)
+        self.addCleanup(attack.end, process, folder)
+        testing.wait_for_rows(folder, process, 3)
+        ended = attack.run(folder)
+        self.assertEqual(ended.code, 1, ended.err)
+        self.assertIn("belongs to a run that goes on: an MPI job", ended.err)
+        self.assertIsNone(process.poll(), "the first one goes on")
+
     def test_the_next_begins_when_the_killed_one_is_gone(self):
         self.process.kill()
         self.process.wait()
