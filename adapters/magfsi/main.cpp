@@ -41,6 +41,17 @@ void add_ranks(CLI::App& command, Options& options) {
     command.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
 }
 
+// As a shell takes it for one.
+std::string word(const std::string& text) {
+    constexpr auto plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=,:+-@%";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     (void)launch::explain(scene);  // what only mesh and solvers can refuse
@@ -109,7 +120,8 @@ int main(int argc, char** argv) {
     add_ranks(explain, options);
     explain.add_flag("--json", options.json, "Key figures for programs");
     app.add_subcommand("schema", "JSON Schema of the scene file");
-    options.run.command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+    for (int i = 0; i < argc; ++i)
+        options.run.command += (i > 0 ? " " : "") + word(argv[i]);
     try {
         app.parse(argc, argv);
         return execute(app, options);

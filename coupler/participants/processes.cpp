@@ -4,13 +4,15 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "coupler/participants/errors.h"
 
@@ -112,12 +114,38 @@ void joined() {
     ::alarm(0);
 }
 
+namespace {
+
+// Of mpirun's command line, one for each program; none where it is not the parent.
+std::vector<std::string> contexts_of_job() {
+    std::ifstream in(fmt::format("/proc/{}/cmdline", ::getppid()));
+    std::vector<std::string> contexts(1);
+    bool first = true;
+    for (std::string word; std::getline(in, word, '\0'); first = false) {
+        const std::string name = std::filesystem::path(word).filename();
+        if (first && name != "mpirun" && name != "mpiexec" && name != "orterun")
+            return {};
+        if (word == ":")
+            contexts.emplace_back();
+        else
+            contexts.back() += word + ' ';
+    }
+    return contexts;
+}
+
+}  // namespace
+
 const char* fault_of_job() {
     if (number_in_environment("OMPI_NUM_APP_CTX") <= 2) return "";
-    return "more than two programs are in this MPI job; allowed are one for the "
-           "structure "
-           "and one for the fluid (-n N magfsi-structure SCENE : -n M magfsi-fluid-lbm "
-           "SCENE)";
+    const bool all_ours =
+        std::ranges::all_of(contexts_of_job(), [](const std::string& words) {
+            return words.find("magfsi-") != std::string::npos;
+        });
+    if (all_ours) return "";
+    return "a third program is in this MPI job, and none of magfsi's; allowed are one "
+           "for "
+           "the structure and one for the fluid (-n N magfsi-structure SCENE : -n M "
+           "magfsi-fluid-lbm SCENE)";
 }
 
 }  // namespace magfsi::coupler

@@ -41,11 +41,13 @@ class Jobs(unittest.TestCase):
                           ("magfsi-structure", testing.SMALL, settings),
                           (name, testing.SMALL, settings))
 
-    def test_more_than_two_programs(self):
-        self.ends(4, "more than two programs", ("magfsi-structure",), ("magfsi-fluid-lbm",),
-                  ("magfsi-fluid-lbm",))
-        self.ends(4, "more than two programs", ("magfsi-structure",), ("magfsi-fluid-lbm",),
+    def test_a_third_program(self):
+        self.ends(4, "none of magfsi's", ("magfsi-structure",), ("magfsi-fluid-lbm",),
                   ["-n", "1", "sleep", "600"])
+
+    def test_both_fluids_at_once(self):
+        self.ends(4, "are both in this MPI job as the fluid", ("magfsi-structure",),
+                  ("magfsi-fluid-lbm",), ("magfsi-replay-fluid",))
 
     def test_two_programs_for_one_side(self):
         self.ends(4, "are both in this MPI job as the structure",
