@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adapters/magfsi/cost.h"
+#include "adapters/magfsi/doctor.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "adapters/scene/effective.h"
@@ -84,6 +85,7 @@ int execute(CLI::App& app, Options& options) {
         fmt::print("{}\n", scene::scene_schema().dump(2));
         return coupler::exit_done;
     }
+    if (command == "doctor") return launch::doctor();
     if (command == "check") return check(options);
     if (command == "explain") return explain(options);
     return launch::run(options.run);
@@ -119,6 +121,8 @@ int main(int argc, char** argv) {
     add_scene_options(explain, options);
     add_ranks(explain, options);
     explain.add_flag("--json", options.json, "Key figures for programs");
+    app.add_subcommand("doctor",
+                       "Check this machine: MPI, memory, disk, locks, OpenFOAM");
     app.add_subcommand("schema", "JSON Schema of the scene file");
     for (int i = 0; i < argc; ++i)
         options.run.command += (i > 0 ? " " : "") + word(argv[i]);

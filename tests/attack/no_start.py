@@ -57,6 +57,22 @@ class NoStart(unittest.TestCase):
             resource.setrlimit(resource.RLIMIT_STACK, (300 * 1024, 300 * 1024))
         self.ends(os.environ, "ulimit -s", small)
 
+    def test_the_doctor_names_what_is_wrong(self):
+        """With its cause and what to do, and nothing else where all is well."""
+        def ask(environment):
+            done = subprocess.run([testing.BIN / "magfsi", "doctor"], text=True,
+                                  capture_output=True, env=environment, cwd=self.folder,
+                                  timeout=attack.PATIENCE_S, check=False)
+            return done.returncode, dict(line.split(maxsplit=1)
+                                         for line in done.stdout.splitlines())
+        code, found = ask(os.environ)
+        testing.report("\n".join(f"{name}: {text}" for name, text in found.items()))
+        self.assertEqual(code, int(any(text.startswith("FAULT") for text in found.values())))
+        self.assertIn("two ranks started, talked and ended", found["MPI"])
+        code, found = ask(self.mpirun("exit 213"))
+        self.assertEqual(code, 1)
+        self.assertIn("FAULT: two ranks of mpirun ended with code 213", found["MPI"])
+
     def test_a_run_folder_that_cannot_be(self):
         for out in ("/dev/null/run", "/proc/run", "/sys/run"):
             with self.subTest(out):
