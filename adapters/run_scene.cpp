@@ -61,8 +61,8 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     plan.scene_hash = scene.hash;
     plan.state_hash = scene::state_hash(scene);
     plan.end_s = scene.time.end_s;
-    for (const auto solver : scene::names<scene::FluidSolver>)
-        plan.solver_folders.emplace_back(solver);
+    const auto& solvers = scene::names<scene::FluidSolver>;
+    plan.solver_folders.assign(solvers.begin(), solvers.end());
     if (!scene.bodies.empty()) plan.roles.push_back(coupler::Role::structure);
     if (scene.fluid) {
         plan.roles.push_back(coupler::Role::fluid);

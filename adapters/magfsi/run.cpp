@@ -165,9 +165,8 @@ void take_run_folder(const fs::path& out, const RunOptions& options,
         fs::remove(out / "summary.json");
         return;
     }
-    std::vector<std::string> solvers;
-    for (const auto solver : scene::names<scene::FluidSolver>)
-        solvers.emplace_back(solver);
+    const auto& names = scene::names<scene::FluidSolver>;
+    const std::vector<std::string> solvers(names.begin(), names.end());
     const fs::path earlier = output::set_aside(out, solvers, options.overwrite);
     if (!earlier.empty())
         fmt::print(
@@ -195,7 +194,7 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
     while (true) {
         options.restart = retries.restart();
         options.halvings = retries.halvings();
-        const JobEnd end = run_once(scene, options, out, lock);
+        JobEnd end = run_once(scene, options, out, lock);
         const bool diverged =
             end.exit_code == coupler::exit_diverged && end.lost.empty() && !end.stopped;
         Json summary = read_summary(out);

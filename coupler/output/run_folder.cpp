@@ -12,6 +12,7 @@
 #include <ctime>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "coupler/output/file.h"
 
@@ -177,11 +178,12 @@ fs::path set_aside(const fs::path& folder, const std::vector<std::string>& solve
         for (const fs::path& path : left) fs::remove_all(path);
         return {};
     }
-    const fs::path place = next_place(folder);
+    fs::path place = next_place(folder);
     fs::create_directory(place);
     // The results last: a kill in between leaves what is set aside at the next start.
-    std::ranges::stable_partition(
-        left, [](const fs::path& path) { return !is_result(path.filename().string()); });
+    std::stable_partition(left.begin(), left.end(), [](const fs::path& path) {
+        return !is_result(path.filename().string());
+    });
     for (const fs::path& path : left) fs::rename(path, place / path.filename());
     return place;
 }

@@ -142,9 +142,9 @@ const char* fault_of_job() {
             return words.find("magfsi-") != std::string::npos;
         });
     if (all_ours) return "";
-    return "a third program is in this MPI job, and none of magfsi's; allowed are one "
-           "for "
-           "the structure and one for the fluid (-n N magfsi-structure SCENE : -n M "
+    return "a third program is in this MPI job, and none of magfsi's; allowed are those "
+           "of "
+           "the structure and the fluid (-n N magfsi-structure SCENE : -n M "
            "magfsi-fluid-lbm SCENE)";
 }
 
