@@ -91,7 +91,8 @@ class MpirunMessages {
                 close_banner();
             else
                 in_banner_ = true;
-        } else if (line.starts_with('[') && has_any({&line, 1}, known_lines)) {
+        } else if (line.starts_with("mpirun: Forwarding signal") ||
+                   (line.starts_with('[') && has_any({&line, 1}, known_lines))) {
             return;
         } else if (in_banner_) {
             banner_.push_back(line);
