@@ -1,7 +1,14 @@
 #include "adapters/run_scene.h"
 
+#include <fmt/format.h>
+#include <sched.h>
+
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
 
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
@@ -23,7 +30,30 @@ double given_speed(const scene::Fluid& fluid) {
     return largest;
 }
 
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
 }  // namespace
+
+int available_cores() {
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
+    return CPU_COUNT(&set);
+}
+
+std::string processor() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos)
+            return line.substr(colon + 2);
+    }
+    return "a processor";
+}
 
 coupler::RunPlan run_plan(const scene::Scene& scene) {
     coupler::RunPlan plan;
@@ -31,6 +61,8 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     plan.scene_hash = scene.hash;
     plan.state_hash = scene::state_hash(scene);
     plan.end_s = scene.time.end_s;
+    const auto& solvers = scene::names<scene::FluidSolver>;
+    plan.solver_folders.assign(solvers.begin(), solvers.end());
     if (!scene.bodies.empty()) plan.roles.push_back(coupler::Role::structure);
     if (scene.fluid) {
         plan.roles.push_back(coupler::Role::fluid);
@@ -48,6 +80,16 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     return plan;
 }
 
+void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
+    if (!scene.fluid) throw std::invalid_argument("the scene has no fluid");
+    if (scene.fluid->solver == solver) return;
+    throw std::invalid_argument(fmt::format(
+        "the scene's fluid.solver is {}; start magfsi-fluid-{} for it, or use "
+        "./magfsi run SCENE --fluid {}",
+        scene::name_of(scene.fluid->solver), scene::name_of(scene.fluid->solver),
+        scene::name_of(solver)));
+}
+
 int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
               const RunScene& run) {
     return coupler::run_participant(
@@ -55,7 +97,13 @@ int run_scene(coupler::Role role, const std::string& description, int argc, char
         [&](const coupler::ParticipantArguments& arguments, coupler::RunState& state) {
             scene::Scene scene = scene::read_scene(arguments.scene, arguments.overrides);
             scene.time.halvings = arguments.halvings;
-            coupler::Session session(role, arguments, run_plan(scene), state);
+            coupler::RunPlan plan = run_plan(scene);
+            plan.scene_as_given = text_of(scene::scene_file(arguments.scene));
+            plan.scene_as_read = scene::effective_scene(scene).dump(2) + "\n";
+            // Of all cores: mpirun may bind this process to one of them.
+            plan.machine = fmt::format("{}, {} cores", processor(),
+                                       std::thread::hardware_concurrency());
+            coupler::Session session(role, arguments, std::move(plan), state);
             run(scene, session, arguments);
         });
 }

@@ -13,9 +13,15 @@ namespace magfsi {
 // What the coupler has to know of a scene.
 coupler::RunPlan run_plan(const scene::Scene& scene);
 
+std::string processor();  // in words
+int available_cores();    // to this process
+
 // Begins the session with its coupled step and runs. scene and session outlive the call.
 using RunScene = std::function<void(const scene::Scene&, coupler::Session&,
                                     const coupler::ParticipantArguments&)>;
+
+// Throws std::invalid_argument where the scene's fluid is another solver's, or none.
+void require_solver(const scene::Scene& scene, scene::FluidSolver solver);
 
 // coupler::run_participant with the scene of the arguments, read, and its session.
 // Returns the exit code.

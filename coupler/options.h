@@ -89,7 +89,7 @@ struct Coupling {
     std::optional<SampledVelocity> sampled_velocity;  // a read scene always has it
     std::optional<Iteration> iteration;  // always there in the implicit scheme
     std::optional<int> substeps;         // absent: from the structure's stable step
-    double timeout_s = 60;
+    std::optional<double> timeout_s;     // absent: a partner that lives is waited for
     ImmersedBoundary immersed_boundary;
 };
 

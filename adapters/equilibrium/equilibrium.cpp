@@ -297,6 +297,10 @@ int main(int argc, char** argv) {
         "Static equilibria of a magfsi scene, by Newton's method", argc, argv,
         [](const scene::Scene& scene, coupler::Session& session,
            const coupler::ParticipantArguments& arguments) {
+            const auto& rest = scene.time.equilibrium;
+            if (!rest || rest->method != scene::EquilibriumMethod::newton)
+                throw std::invalid_argument(
+                    "the scene asks for motion; start magfsi-structure for it");
             if (session.world().size() > 1)
                 throw std::invalid_argument("magfsi-equilibrium runs as one process");
             session.begin(scene::path_step_s(scene));

@@ -121,6 +121,10 @@ NodalState Engine::gather(int atoms) const {
     return state;
 }
 
+std::string Engine::version() const {
+    return lammps_->version;
+}
+
 int Engine::fix_number(const std::string& fix_id) const {
     const int at = lammps_->modify->find_fix(fix_id);
     if (at < 0) throw std::logic_error("LAMMPS has no fix '" + fix_id + "'");

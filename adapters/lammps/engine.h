@@ -47,6 +47,7 @@ class Engine final : public coupler::StructureSolver {
     Engine& operator=(const Engine&) = delete;
 
     void command(const std::string& line);
+    std::string version() const;  // of LAMMPS
 
     // First forces and the parallel layout; nodes keep their local indices from here on.
     void set_up();

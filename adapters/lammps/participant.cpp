@@ -71,6 +71,16 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
     output::write_atomically(session.out() / "lammps.in", text);
 }
 
+// In full, so that the script runs from anywhere, as far as LAMMPS can read that: no
+// letters but those of ASCII, no quotes and no dollar signs.
+std::filesystem::path folder_in_script(const std::filesystem::path& out) {
+    const std::filesystem::path full = std::filesystem::absolute(out);
+    const bool readable = std::ranges::all_of(full.string(), [](char c) {
+        return c >= ' ' && c <= '~' && c != '"' && c != '$';
+    });
+    return readable ? full : out;
+}
+
 // lammps.in and its data files in the run folder, and its lines on every rank. steps:
 // LAMMPS steps of the run. Collective: the root writes, all ranks get the script.
 structure::LammpsScript generate_input(const coupler::Session& session,
@@ -78,7 +88,7 @@ structure::LammpsScript generate_input(const coupler::Session& session,
                                        std::int64_t steps) {
     structure::LammpsScript script;
     if (session.world().root()) {
-        script = structure::write_lammps_input(input, session.out());
+        script = structure::write_lammps_input(input, folder_in_script(session.out()));
         write_script(session, script, steps);
     }
     const MPI_Comm comm = session.world().local();
@@ -183,7 +193,7 @@ void Participant::start_lammps() {
 
 void Participant::build_coupling(const std::vector<int>& first_node) {
     coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
-        session_.world(), "", coupler::startup_timeout_s, "description of the grid"));
+        session_.world(), "", coupler::no_timeout_s, "description of the grid"));
     auto markers = own_markers(scene_, *run_.engine, first_node, grid, session_.clock());
     run_.coupling = std::make_unique<coupler::StructureCoupling>(
         session_, *run_.engine, std::move(grid), std::move(markers));
@@ -315,6 +325,7 @@ output::StructureSummary Participant::summary() const {
 
 coupler::ParticipantReport Participant::make_report() const {
     auto report = coupler::basic_report(session_.world(), tasks_);
+    report.versions.emplace_back("LAMMPS", run_.engine->version());
     const output::StructureSummary structure = summary();
     // With fewer elements a LAMMPS step is mostly communication.
     constexpr std::int64_t fewest_elements_per_rank = 500;
@@ -356,7 +367,12 @@ int main(int argc, char** argv) {
                      [](const scene::Scene& scene, coupler::Session& session,
                         const coupler::ParticipantArguments& arguments) {
                          if (scene.bodies.empty())
-                             throw std::runtime_error("the scene has no bodies");
+                             throw std::invalid_argument("the scene has no bodies");
+                         const auto& rest = scene.time.equilibrium;
+                         if (rest && rest->method == scene::EquilibriumMethod::newton)
+                             throw std::invalid_argument(
+                                 "the scene asks for Newton's method; start "
+                                 "magfsi-equilibrium for it");
                          const lammps::Substeps substeps = lammps::choose_substeps(scene);
                          session.begin(substeps.coupled_step_s);
                          lammps::Participant(scene, session, substeps, arguments).run();

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
@@ -67,9 +69,7 @@ double even_step_s(const scene::Scene& scene, double limit_s) {
     return interval_s / std::max(1.0, std::ceil(interval_s / limit_s - 1e-9));
 }
 
-}  // namespace
-
-Substeps choose_substeps(const scene::Scene& scene) {
+Substeps chosen_substeps(const scene::Scene& scene) {
     Substeps s;
     s.elastic_limit_s = stable_step_s(scene);
     if (scene.time.equilibrium) {
@@ -105,6 +105,18 @@ Substeps choose_substeps(const scene::Scene& scene) {
     }
     s.lammps_step_s = s.coupled_step_s / s.count;
     return s;
+}
+
+}  // namespace
+
+// It takes the lattices of all bodies, and explain asks for it with every paragraph.
+Substeps choose_substeps(const scene::Scene& scene) {
+    if (scene.hash == 0) return chosen_substeps(scene);  // not read from a file
+    static std::map<std::pair<std::uint64_t, int>, Substeps> known;
+    const std::pair key(scene.hash, scene.time.halvings);
+    const auto found = known.find(key);
+    if (found != known.end()) return found->second;
+    return known[key] = chosen_substeps(scene);
 }
 
 StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps& substeps,

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
         coupler::Role::fluid, "The lattice-Boltzmann fluid of a magfsi scene", argc, argv,
         [](const scene::Scene& scene, coupler::Session& session,
            const coupler::ParticipantArguments& arguments) {
-            if (!scene.fluid) throw std::runtime_error("the scene has no fluid");
+            require_solver(scene, scene::FluidSolver::lbm);
             session.begin(*scene::coupled_step_s(scene));
             const MPI_Comm comm = session.world().local();
             fluid::Fluid lattice(comm, lbm::to_config(scene, session.clock().step_s()));

@@ -11,9 +11,11 @@
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/mesh_estimate.h"
+#include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
+#include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
 #include "structure/equilibrium/static_problem.h"
@@ -112,11 +114,28 @@ void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& so
         structure::require_held(solid, {});
 }
 
-void refuse_lost_points(const scene::Scene& scene, const scene::Body& body,
-                        const structure::Mesh& mesh) {
+// What is known only with the mesh: its size, places that are probed. Throws
+// std::invalid_argument as the run would.
+void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
+                   const structure::Body& solid) {
+    const auto elements = static_cast<double>(solid.mesh.elements.size());
+    scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
+                   fmt::format("a mesh of {} elements", elements),
+                   fmt::format("at most {:.0f}", scene::max_elements));
+    const double markers =
+        scene::most_markers(scene, structure::bounds(solid.mesh.nodes).extent_m());
+    scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
+                   fmt::format("up to {:.3g} markers", markers),
+                   fmt::format("at most {:.0f}", scene::max_markers),
+                   "take a larger fluid.spacing or "
+                   "coupling.immersed_boundary.marker_spacing");
     if (!scene.probes) return;
     for (const scene::PointProbe& point : scene.probes->points) {
-        if (point.body == body.name) (void)bodies::locate(body, mesh, point.at_m);
+        if (point.body == body.name) (void)bodies::locate(body, solid.mesh, point.at_m);
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (part && part->body == body.name) (void)bodies::elements_of(*part, solid.mesh);
     }
 }
 
@@ -157,8 +176,8 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
 std::string explain_body(const scene::Scene& scene, std::size_t number) {
     const scene::Body& body = scene.bodies[number];
     const structure::Body solid = bodies::to_body(body);
+    check_on_mesh(scene, body, solid);
     refuse_what_cannot_run(scene, solid);
-    refuse_lost_points(scene, body, solid.mesh);
     std::string text = fmt::format("  body '{}': ", body.name);
     const auto* box = std::get_if<structure::Box>(&body.mesh);
     if (box) {
@@ -309,6 +328,8 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  {}\n", line);
     for (const std::string& line : scene::idle_effects(scene))
         text += fmt::format("  warning: {}\n", line);
+    for (const std::filesystem::path& file : scene::files_elsewhere(scene))
+        text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling) text += explain_coupling(scene);

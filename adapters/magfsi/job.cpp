@@ -1,8 +1,11 @@
 #include "adapters/magfsi/job.h"
+#include "adapters/run_scene.h"
+#include "adapters/scene/fault.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -52,13 +56,17 @@ extern "C" void pass_on(int signal) {
     if (child > 0) kill(child, sent);
 }
 
+// Ours, of which each is shown once, whatever the number of ranks that say it.
+std::set<std::string> shown;
+
 void show(const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
+        if (line.starts_with("magfsi") && !shown.insert(line).second) continue;
         // Survivors that mpirun ends when another process was lost say so; the cause is
         // named once, at the end.
         if (stop_signal == 0 && line.find("told to end by signal") != std::string::npos)
             continue;
-        std::fprintf(stderr, "%s\n", line.c_str());
+        std::fprintf(stderr, "%s\n", scene::printable(line).c_str());
     }
 }
 
@@ -83,7 +91,8 @@ class MpirunMessages {
                 close_banner();
             else
                 in_banner_ = true;
-        } else if (line.starts_with('[') && has_any({&line, 1}, known_lines)) {
+        } else if (line.starts_with("mpirun: Forwarding signal") ||
+                   (line.starts_with('[') && has_any({&line, 1}, known_lines))) {
             return;
         } else if (in_banner_) {
             banner_.push_back(line);
@@ -119,7 +128,12 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     return "a process";
 }
 
-[[noreturn]] void become(const std::vector<std::string>& command, int error_pipe) {
+[[noreturn]] void become(const std::vector<std::string>& command, int error_pipe,
+                         pid_t launcher) {
+    // mpirun passes it on to all processes of the job.
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != launcher) _exit(1);
+    setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);  // Open MPI needs one
     dup2(error_pipe, STDERR_FILENO);
     setenv("OMP_NUM_THREADS", "1", 0);
     // Threads that spin at a barrier take the cores that a partner needs.
@@ -133,6 +147,17 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     execvp(words[0], words.data());
     std::fprintf(stderr, "magfsi: cannot start %s: %s\n", words[0], std::strerror(errno));
     _exit(127);
+}
+
+// A terminal that goes asks for an end, too, unless nohup has it ignored.
+void pass_on_signals() {
+    struct sigaction action {
+    }, before{};
+    action.sa_handler = &pass_on;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+        sigaction(SIGHUP, &action, nullptr);
 }
 
 void filter_errors(int pipe, MpirunMessages& messages) {
@@ -155,12 +180,6 @@ void filter_errors(int pipe, MpirunMessages& messages) {
 
 }  // namespace
 
-int available_cores() {
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-    return CPU_COUNT(&set);
-}
-
 std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
     std::vector<std::string> words{"mpirun"};
     if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
@@ -180,19 +199,30 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
     return words;
 }
 
+void need_stack() {
+    constexpr rlim_t least = 1 << 20, wanted = 8 << 20;
+    struct rlimit stack {};
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= wanted) return;
+    stack.rlim_cur = std::min(stack.rlim_max, wanted);
+    if (stack.rlim_cur >= least && setrlimit(RLIMIT_STACK, &stack) == 0) return;
+    throw std::runtime_error(fmt::format(
+        "the limit of the stack is {} kB, at least {} kB are needed: ulimit -s "
+        "{}",
+        stack.rlim_max / 1024, least / 1024, wanted / 1024));
+}
+
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     first_signal = on_stop == OnStop::checkpoint ? SIGUSR1 : SIGTERM;
+    shown.clear();
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
     const auto command = mpirun_command(programs);
+    const pid_t launcher = getpid();
     child = fork();
     if (child < 0) throw std::runtime_error("cannot start a process");
-    if (child == 0) become(command, ends[1]);
+    if (child == 0) become(command, ends[1], launcher);
     close(ends[1]);
-    struct sigaction action {};
-    action.sa_handler = &pass_on;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    pass_on_signals();
 
     MpirunMessages messages;
     filter_errors(ends[0], messages);
@@ -200,14 +230,21 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
+    child = 0;
     JobEnd end;
     end.stopped = stop_signal != 0;
-    end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    if (messages.lost() && !end.stopped) {
-        end.lost =
-            fmt::format("{} was killed by signal {} ({})",
-                        name_of(programs, messages.lost()->world_rank),
-                        messages.lost()->signal, strsignal(messages.lost()->signal));
+    end.told = !shown.empty();
+    if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
+    const auto killed_by = [](const std::string& who, int signal) {
+        return fmt::format("{} was killed by signal {} ({})", who, signal,
+                           strsignal(signal));
+    };
+    if (WIFSIGNALED(status)) {
+        end.exit_code = 128 + WTERMSIG(status);
+        end.lost = killed_by("mpirun", WTERMSIG(status));
+    } else if (messages.lost() && !end.stopped) {
+        end.lost = killed_by(name_of(programs, messages.lost()->world_rank),
+                             messages.lost()->signal);
     }
     return end;
 }

@@ -18,9 +18,8 @@ struct JobEnd {
     int exit_code = 0;
     std::string lost;      // "fluid rank 1 was killed by signal 9"; empty if nobody was
     bool stopped = false;  // this process was told to end
+    bool told = false;     // a participant has said why it ended
 };
-
-int available_cores();
 
 // mpirun with the options that this machine and this number of ranks need, no others.
 std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
@@ -29,7 +28,11 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
 // checkpoint and end in order; a second signal ends them at once.
 enum class OnStop { end, checkpoint };
 
-// Runs it to the end.
+// Raises a small limit of the stack as far as it may. Throws std::runtime_error where
+// that is not far enough.
+void need_stack();
+
+// Runs it to the end. It ends, too, when this process dies.
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop);
 
 }  // namespace magfsi::launch

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "adapters/magfsi/cost.h"
+#include "adapters/magfsi/doctor.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/run.h"
 #include "adapters/scene/effective.h"
+#include "adapters/scene/fault.h"
 #include "adapters/scene/reader.h"
 #include "adapters/scene/scene.h"
 #include "adapters/scene/schema.h"
@@ -38,6 +40,17 @@ void add_scene_options(CLI::App& command, Options& options) {
 
 void add_ranks(CLI::App& command, Options& options) {
     command.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
+}
+
+// As a shell takes it for one.
+std::string word(const std::string& text) {
+    constexpr auto plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=,:+-@%";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
 }
 
 int check(const Options& options) {
@@ -72,6 +85,7 @@ int execute(CLI::App& app, Options& options) {
         fmt::print("{}\n", scene::scene_schema().dump(2));
         return coupler::exit_done;
     }
+    if (command == "doctor") return launch::doctor();
     if (command == "check") return check(options);
     if (command == "explain") return explain(options);
     return launch::run(options.run);
@@ -93,6 +107,9 @@ int main(int argc, char** argv) {
     add_ranks(run, options);
     run.add_option("--restart", options.run.restart,
                    "Go on from a checkpoint: latest, or one of its files");
+    run.add_flag("--overwrite", options.run.overwrite,
+                 "Drop the results of an earlier run in the folder; without it they are "
+                 "moved to earlier-1 in it");
     run.add_flag("--record", options.run.record,
                  "Write exchange.record: all that the two sides send each other");
     run.add_option("--replay", options.replay,
@@ -104,7 +121,11 @@ int main(int argc, char** argv) {
     add_scene_options(explain, options);
     add_ranks(explain, options);
     explain.add_flag("--json", options.json, "Key figures for programs");
+    app.add_subcommand("doctor",
+                       "Check this machine: MPI, memory, disk, locks, OpenFOAM");
     app.add_subcommand("schema", "JSON Schema of the scene file");
+    for (int i = 0; i < argc; ++i)
+        options.run.command += (i > 0 ? " " : "") + word(argv[i]);
     try {
         app.parse(argc, argv);
         return execute(app, options);
@@ -112,13 +133,13 @@ int main(int argc, char** argv) {
         const int code = app.exit(error);
         return code == 0 ? coupler::exit_done : coupler::exit_input;
     } catch (const scene::SceneError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", scene::printable(error.what()));
         return coupler::exit_input;
     } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "magfsi: {}\n", error.what());
+        fmt::print(stderr, "magfsi: {}\n", scene::printable(error.what()));
         return coupler::exit_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "magfsi: {}\n", error.what());
+        fmt::print(stderr, "magfsi: {}\n", scene::printable(error.what()));
         return coupler::exit_error;
     }
 }

@@ -1,15 +1,17 @@
 #include "adapters/magfsi/participants.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
 #include "adapters/lbm/explain.h"
-#include "adapters/magfsi/job.h"
 #include "adapters/openfoam/explain.h"
+#include "adapters/run_scene.h"
 #include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
@@ -36,6 +38,27 @@ int default_ranks(const scene::Scene& scene, const std::string& role) {
     for (const double length : scene.fluid->box_m)
         cells *= length / scene.fluid->spacing_m;
     return std::clamp(static_cast<int>(cells / min_cells_per_rank), 1, cores);
+}
+
+// Where mpirun may use other machines than this one.
+bool has_more_machines() {
+    return std::ranges::any_of(
+        std::to_array({"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID",
+                       "OMPI_MCA_orte_default_hostfile", "OMPI_MCA_hostfile"}),
+        [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+// Ranks beyond the cores take turns, and a job of many crawls or never gets going.
+void check_number(const Ranks& ranks) {
+    constexpr int ranks_a_core = 4, always_allowed = 8;
+    const int most = std::max(always_allowed, ranks_a_core * available_cores());
+    int all = 0;
+    for (const auto& [role, number] : ranks) all += number;
+    if (all <= most || has_more_machines()) return;
+    throw std::invalid_argument(fmt::format(
+        "--ranks: found {} ranks in all; allowed are {} on this machine, {} for each of "
+        "its {} cores",
+        all, most, ranks_a_core, available_cores()));
 }
 
 }  // namespace
@@ -101,7 +124,25 @@ Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
         }
         ranks[role] = number;
     }
+    check_number(ranks);
     return ranks;
+}
+
+void check_memory(const scene::Scene& scene) {
+    if (!scene.fluid || has_more_machines()) return;
+    const bool single = scene.fluid->solver == scene::FluidSolver::lbm &&
+                        scene.fluid->precision != fluid::Precision::double_;
+    const double bytes_a_cell = 19 * (single ? 4 : 8);  // populations; openfoam has more
+    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGESIZE));
+    double cells = 1;
+    for (const double length : scene.fluid->box_m)
+        cells *= length / scene.fluid->spacing_m;
+    if (cells * bytes_a_cell <= there) return;
+    throw std::invalid_argument(fmt::format(
+        "fluid.spacing: found {:.3g} cells, which take {:.3g} GB; allowed are {:.3g} in "
+        "this machine's {:.3g} GB of memory",
+        cells, cells * bytes_a_cell / 1e9, there / bytes_a_cell, there / 1e9));
 }
 
 }  // namespace magfsi::launch

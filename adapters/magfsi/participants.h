@@ -38,4 +38,8 @@ std::string to_text(const Ranks& ranks);
 // cells make of it. Throws std::invalid_argument if one is given that the scene lacks.
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given);
 
+// Throws std::invalid_argument where the fluid's cells take more than this machine's
+// memory.
+void check_memory(const scene::Scene& scene);
+
 }  // namespace magfsi::launch

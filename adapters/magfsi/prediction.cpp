@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "adapters/magfsi/cost.h"
-#include "adapters/magfsi/job.h"
+#include "adapters/run_scene.h"
 #include "adapters/scene/scene.h"
 
 namespace magfsi::launch {
@@ -224,24 +224,16 @@ std::string time_line(const Prediction& p, bool path) {
 }  // namespace
 
 std::string machine() {
-    std::string name = "a processor";
-    std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);) {
-        const auto colon = line.find(": ");
-        if (!line.starts_with("model name") || colon == std::string::npos) continue;
-        name = line.substr(colon + 2);
-        break;
-    }
-    return fmt::format("{}, {} cores", name, available_cores());
+    return fmt::format("{}, {} cores", processor(), available_cores());
 }
 
 std::optional<Calibration> read_calibration() {
     std::ifstream in(calibration_file());
     const auto json = nlohmann::json::parse(in, nullptr, false);
-    if (!json.is_object() || json.value("version", "") != MAGFSI_VERSION ||
-        json.value("machine", "") != machine())
-        return std::nullopt;
     try {
+        if (!json.is_object() || json.value("version", "") != MAGFSI_VERSION ||
+            json.value("machine", "") != machine())
+            return std::nullopt;
         return json.get<Calibration>();
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;  // of another making: as good as none

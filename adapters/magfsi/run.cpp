@@ -16,6 +16,7 @@
 #include "adapters/scene/scene.h"
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/file.h"
+#include "coupler/output/run_folder.h"
 #include "coupler/output/summary.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/guard.h"
@@ -37,16 +38,6 @@ bool goes_on_in(const fs::path& out, const RunOptions& options) {
     return fs::equivalent(coupler::restart_folder(options.restart, out), out, none);
 }
 
-// What an earlier run left: its series would mix with the new one's.
-void clear_run_folder(const fs::path& out) {
-    for (const char* name :
-         {"summary.json", "probes.csv", "structure.pvd", "fluid.pvd", "fields"})
-        fs::remove_all(out / name);
-    for (const auto solver : scene::names<scene::FluidSolver>)
-        fs::remove_all(out / solver);
-    fs::create_directories(out);
-}
-
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,
                                   const fs::path& out) {
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),
@@ -58,6 +49,7 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         arguments.insert(arguments.end(), {"--set", o});
     for (const std::string& note : options.notes)
         arguments.insert(arguments.end(), {"--note", note});
+    if (options.overwrite) arguments.emplace_back("--overwrite");
     if (options.halvings > 0)
         arguments.insert(arguments.end(),
                          {"--halvings", std::to_string(options.halvings)});
@@ -156,22 +148,53 @@ void write_predicted(const fs::path& out, const std::optional<Prediction>& predi
                json.value("wall_s", 0.0), bytes / 1e6);
 }
 
-JobEnd run_once(const scene::Scene& scene, const RunOptions& options,
-                const fs::path& out) {
+// Takes the folder before anything is started: what is refused later has cost nothing.
+// The job's own processes take it over (coupler::Session).
+void take_run_folder(const fs::path& out, const RunOptions& options,
+                     output::FolderLock& lock) {
+    const bool free = lock.wait_for_job(output::patience_with_the_ending_s, [] {
+        fmt::print(stderr, "waiting for the processes of an earlier run to end\n");
+    });
+    if (!free)
+        throw output::FolderTaken(fmt::format(
+            "the run folder {} belongs to a run that goes on: {}; wait for its end, or "
+            "take another folder with --out",
+            out.string(), lock.owner()));
+    lock.sign("magfsi run");
+    if (goes_on_in(out, options)) {
+        fs::remove(out / "summary.json");
+        return;
+    }
+    const auto& names = scene::names<scene::FluidSolver>;
+    const std::vector<std::string> solvers(names.begin(), names.end());
+    const fs::path earlier = output::set_aside(out, solvers, options.overwrite);
+    if (!earlier.empty())
+        fmt::print(
+            "the results of an earlier run are now in {} (--overwrite drops them)\n",
+            earlier.string());
+}
+
+JobEnd run_once(const scene::Scene& scene, const RunOptions& options, const fs::path& out,
+                output::FolderLock& lock) {
     const auto programs = participants(scene, options, out);
-    if (!goes_on_in(out, options)) clear_run_folder(out);
+    take_run_folder(out, options, lock);
     fmt::print("{}\n", fmt::join(mpirun_command(programs), " "));
     std::fflush(stdout);
-    return run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
+    JobEnd end = run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
+    // Whatever became of mpirun: nothing of the job is left when this process ends.
+    if (!lock.wait_for_job(output::patience_with_the_ending_s))
+        fmt::print(stderr, "magfsi: processes of the run are still there: {}\n",
+                   lock.owner());
+    return end;
 }
 
 JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
-                        const fs::path& out, Retries& retries) {
+                        const fs::path& out, Retries& retries, output::FolderLock& lock) {
     const std::vector<std::string> head = options.notes;
     while (true) {
         options.restart = retries.restart();
         options.halvings = retries.halvings();
-        const JobEnd end = run_once(scene, options, out);
+        JobEnd end = run_once(scene, options, out, lock);
         const bool diverged =
             end.exit_code == coupler::exit_diverged && end.lost.empty() && !end.stopped;
         Json summary = read_summary(out);
@@ -186,6 +209,7 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
             return end;
         }
         fmt::print("{}\n", retries.note());
+        options.overwrite = true;  // from here on they are this run's own
         // A log that goes on has the earlier ones.
         options.notes = {retries.note()};
         if (!retries.restart().empty()) continue;
@@ -193,6 +217,42 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
         options.notes.insert(options.notes.end(), retries.notes().begin(),
                              retries.notes().end());
     }
+}
+
+// A code that is not of the table has a cause outside of the participants.
+int unnamed_end(const JobEnd& end) {
+    if (!end.told)
+        fmt::print(stderr,
+                   "magfsi: the MPI job ended with code {} before its programs could say "
+                   "why; what mpirun said is above\n",
+                   end.exit_code);
+    return end.exit_code > coupler::exit_partner ? coupler::exit_error : end.exit_code;
+}
+
+int conclude(const scene::Scene& scene, const RunOptions& options, const fs::path& out,
+             const JobEnd& end, bool without_retries) {
+    if (!end.lost.empty()) {
+        fmt::print(stderr, "magfsi: lost a partner: {}\n", end.lost);
+        write_lost(scene, out, end.lost);
+        return coupler::exit_partner;
+    }
+    if (end.stopped) {
+        fmt::print(stderr, "magfsi: stopped on request; results so far are in {}{}\n",
+                   out.string(), scene.checkpoint ? "; go on with --restart latest" : "");
+        return coupler::exit_error;
+    }
+    if (end.exit_code != coupler::exit_done) return unnamed_end(end);
+    if (!read_summary(out).is_object()) {
+        fmt::print(
+            stderr,
+            "magfsi: mpirun ended with code 0, but nothing was run: there is no {}\n",
+            (out / "summary.json").string());
+        return coupler::exit_error;
+    }
+    // What a restart or one side alone takes is not what was predicted.
+    if (options.restart.empty() && options.replay.empty() && without_retries)
+        write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
+    return coupler::exit_done;
 }
 
 }  // namespace
@@ -225,34 +285,29 @@ int run(const RunOptions& options) {
             throw std::invalid_argument(fmt::format(
                 "fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
     }
+    check_memory(scene);
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.
-    for (const std::string& line : warnings(explain(scene)))
+    for (const std::string& line :
+         warnings(explain(scene, choose_ranks(scene, options.ranks))))
         fmt::print(stderr, "warning: {}\n", line);
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, run_plan(scene));
     check_exchange(scene, options, out);
+    need_stack();
+    setenv("MAGFSI_COMMAND", options.command.c_str(), 1);  // for run.json
+    fs::create_directories(out);
+    output::FolderLock lock(out, output::FolderLock::Holder::launcher, 0);
+    if (!lock.held())
+        fmt::print(stderr,
+                   "warning: the file system of {} has no locks; see that no other "
+                   "run uses it\n",
+                   out.string());
     Retries retries(scene, out, options.restart);
-    const JobEnd end = run_with_retries(scene, options, out, retries);
-    if (!end.lost.empty()) {
-        fmt::print(stderr, "magfsi: lost a partner: {}\n", end.lost);
-        write_lost(scene, out, end.lost);
-        return coupler::exit_partner;
-    }
-    if (end.stopped) {
-        fmt::print(stderr, "magfsi: stopped on request; results so far are in {}{}\n",
-                   out.string(), scene.checkpoint ? "; go on with --restart latest" : "");
-        return coupler::exit_error;
-    }
-    // What a restart or one side alone takes is not what was predicted.
-    const bool whole =
-        options.restart.empty() && options.replay.empty() && retries.record().empty();
-    if (end.exit_code == coupler::exit_done && whole) {
-        write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
-    }
-    return end.exit_code;
+    const JobEnd end = run_with_retries(scene, options, out, retries, lock);
+    return conclude(scene, options, out, end, retries.record().empty());
 }
 
 }  // namespace magfsi::launch

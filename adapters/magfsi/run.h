@@ -19,6 +19,8 @@ struct RunOptions {
     std::vector<std::string> notes;  // for the head of the log
     std::string restart;             // latest, a file of a checkpoint, or empty
     int halvings = 0;                // of every step, by retries
+    bool overwrite = false;          // what an earlier run left in the folder
+    std::string command;             // what the user typed
     bool record = false;             // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
 };

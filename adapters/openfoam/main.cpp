@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
         coupler::Role::fluid, "The fluid of a magfsi scene by OpenFOAM", argc, argv,
         [](const scene::Scene& scene, coupler::Session& session,
            const coupler::ParticipantArguments& arguments) {
-            if (!scene.fluid) throw std::runtime_error("the scene has no fluid");
+            require_solver(scene, scene::FluidSolver::openfoam);
             session.begin(*scene::coupled_step_s(scene));
             const coupler::Clock& clock = session.clock();
             openfoam::CaseTimes times{clock.step_s(), clock.steps(),

@@ -25,9 +25,8 @@ class Player {
         : scene_(scene),
           session_(session),
           record_(std::move(record)),
-          grid_(coupler::grid_from_text(coupler::swap_text(session.world(), "",
-                                                           coupler::startup_timeout_s,
-                                                           "description of the grid"))),
+          grid_(coupler::grid_from_text(coupler::swap_text(
+              session.world(), "", coupler::no_timeout_s, "description of the grid"))),
           exchange_(session.world(), grid_, scene.coupling->immersed_boundary.kernel,
                     session.timeout_s()),
           velocity_(record_.header().markers),

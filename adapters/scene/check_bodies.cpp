@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <span>
@@ -41,14 +39,41 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     }
 }
 
-void check_node_count(const Body& body, const Box& box, const Marks& marks) {
-    std::int64_t nodes = 1;
-    for (const int n : box.elements) {
-        nodes *= n + 1;  // node numbers are int
-        require(nodes <= std::numeric_limits<int>::max(),
-                marks.value({"bodies", body.name, "mesh", "box", "elements"}),
-                "a mesh of more than 2147483647 nodes", "fewer elements");
+double elements_of(const Body& body) {
+    double elements = 1;
+    if (const auto* box = std::get_if<Box>(&body.mesh)) {
+        for (const int n : box->elements) elements *= n;
+    } else if (const auto* plate = std::get_if<ObliquePlate>(&body.mesh)) {
+        for (const int n : plate->cells) elements *= n;
+        for (const int n : plate->elements_per_cell) elements *= n;
     }
+    return elements;
+}
+
+Origin place_of_elements(const Body& body, const Marks& marks) {
+    if (std::holds_alternative<Box>(body.mesh))
+        return marks.value({"bodies", body.name, "mesh", "box", "elements"});
+    return marks.value({"bodies", body.name, "mesh"});
+}
+
+void check_element_count(const Scene& scene, const Marks& marks) {
+    double all = 0;
+    for (const Body& body : scene.bodies) {
+        all += elements_of(body);
+        require(all <= max_elements, place_of_elements(body, marks),
+                fmt::format("{:.9g} elements in all bodies", all),
+                fmt::format("at most {:.0f}", max_elements), "take fewer elements");
+    }
+}
+
+void check_marker_count(const Scene& scene, const Body& body, const Box& box,
+                        const Marks& marks) {
+    const double markers = most_markers(scene, box.size_m);
+    require(markers <= max_markers,
+            marks.value({"coupling", "immersed_boundary", "marker_spacing"}),
+            fmt::format("up to {:.3g} markers on \"{}\"", markers, body.name),
+            fmt::format("at most {:.0f}", max_markers),
+            "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
 }
 
 // Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
@@ -198,10 +223,22 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 
 }  // namespace
 
+double most_markers(const Scene& scene, const Vec3& extent_m) {
+    if (!scene.coupling || !scene.fluid) return 0;
+    const auto& boundary = scene.coupling->immersed_boundary;
+    const double apart_m = boundary.marker_spacing * scene.fluid->spacing_m;
+    Vec3 n{};
+    for (int i = 0; i < 3; ++i) n[i] = extent_m[i] / apart_m;
+    const double faces = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
+    return boundary.markers == coupler::Markers::volume ? faces + n[0] * n[1] * n[2]
+                                                        : faces;
+}
+
 void check_bodies(const Scene& scene, const Marks& marks) {
+    check_element_count(scene, marks);
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<Box>(&body.mesh);
-        if (box) check_node_count(body, *box, marks);
+        if (box) check_marker_count(scene, body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);
         check_rollers(body, marks);

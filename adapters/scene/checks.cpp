@@ -183,6 +183,7 @@ void check_scene(const Scene& scene, const Marks& marks) {
     require(!scene.bodies.empty() || scene.fluid, marks.value({}),
             "neither bodies nor a fluid", "at least one of them",
             "add the key \"bodies\" or \"fluid\"");
+    check_files(scene, marks);
     check_bodies(scene, marks);
     check_loads(scene, marks);
     check_fluid(scene, marks);

@@ -1,6 +1,7 @@
 // What no single key can tell: contradictions between keys, geometry, stability limits.
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -43,11 +44,22 @@ void require_with(bool there, const Origin& where, std::string_view what,
 // Throws SceneError at the first fault. The scene is complete (wavelengths, coupling).
 void check_scene(const Scene& scene, const Marks& marks);
 
+// Refuses what is there but no regular file, or too large to be meant.
+void require_regular_file(const std::filesystem::path& file, const Origin& where);
+
 // Its parts, a source file each.
+void check_files(const Scene& scene, const Marks& marks);
 void check_bodies(const Scene& scene, const Marks& marks);
 void check_loads(const Scene& scene, const Marks& marks);
 void check_fluid(const Scene& scene, const Marks& marks);
 void check_retry(const Scene& scene, const Marks& marks);
+
+// What check and explain answer for in seconds, on one core.
+constexpr double max_elements = 250'000;
+constexpr double max_markers = 500'000;
+// How many a body of this extent may take: over both faces and the rim of a block, or
+// over its volume. 0 without a fluid.
+double most_markers(const Scene& scene, const Vec3& extent_m);
 
 double length(const Vec3& v);
 inline std::string metres(double value) {

@@ -188,6 +188,10 @@ class Builder : public YAML::EventHandler {
                    first->key_origin.line == 0
                        ? ""
                        : fmt::format("the first is on line {}", first->key_origin.line));
+        constexpr std::size_t most_keys = 1000;
+        if (level.node.children.size() == most_keys)
+            refuse(origin(mark), fmt::format("more than {} keys in a map", most_keys),
+                   "smaller maps");
         level.has_key = true;
         level.key = key.scalar;
         level.key_origin = origin(mark);

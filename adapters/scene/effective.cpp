@@ -33,6 +33,7 @@ std::uint64_t state_hash(const Scene& scene) {
     endless.time.end_s = 0;
     // What a run does when it diverges changes no state before that.
     if (endless.checkpoint) endless.checkpoint = Checkpoint{endless.checkpoint->every_s};
+    if (endless.coupling) endless.coupling->timeout_s.reset();
     return scene_hash(endless);
 }
 

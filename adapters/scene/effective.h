@@ -56,4 +56,8 @@ std::vector<std::string> effects_by_step(const Scene& scene);
 // of rate 0: which, why, and what to do. Warnings, for nothing is wrong with the result.
 std::vector<std::string> idle_effects(const Scene& scene);
 
+// Meshes, tables and surfaces that lie outside of the scene's folder, with their full
+// paths: the scene may come from a stranger.
+std::vector<std::filesystem::path> files_elsewhere(const Scene& scene);
+
 }  // namespace magfsi::scene

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "adapters/scene/document.h"
+
 namespace magfsi::scene {
 
 namespace {
@@ -42,6 +44,20 @@ std::string in_quotes(std::string_view text) {
     // Never through the middle of a UTF-8 sequence.
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;
     return fmt::format("\"{}...\"", text.substr(0, cut));
+}
+
+std::string printable(std::string_view text) {
+    std::string out(text);
+    for (std::size_t at = 0; (at = first_fault_in_utf8(out)) != std::string::npos;)
+        out[at] = '?';
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(out[i]);
+        // Beyond ASCII the controls are C2 80 to C2 9F.
+        const bool second = byte == 0xC2 && static_cast<unsigned char>(out[i + 1]) < 0xA0;
+        if (second) out[i + 1] = '?';
+        if (second || byte < ' ' || byte == 0x7F) out[i] = byte == '\n' ? '\n' : '?';
+    }
+    return out;
 }
 
 namespace {

@@ -36,6 +36,10 @@ class Complaint : public std::runtime_error {
 // User text in quotes, shortened and without line breaks.
 std::string in_quotes(std::string_view text);
 
+// For a terminal: bytes of a file in it as they may stand there, one character for each
+// that is no text or a control.
+std::string printable(std::string_view text);
+
 // The candidate with the smallest edit distance (insertions, deletions, substitutions and
 // swapped neighbours; a difference of case only counts half), or "" when none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);

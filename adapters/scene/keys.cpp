@@ -115,7 +115,7 @@ void keys(Io& io, Checkpoint& checkpoint) {
 
 template <class Io>
 void keys(Io& io, Scene& scene) {
-    io(key("name", "Name of the scene, in the summary and the log.").by_default(), scene.name);
+    io(key("name", "Of the scene: it names the run folder, runs/NAME.").by_default(), scene.name);
     io(key("time", "Length of the run and its step."), scene.time);
     io(key("bodies", "Soft magnetic bodies by name.").optional(), scene.bodies);
     io(key("magnetic_field", "Uniform applied field over time."), scene.magnetic_field);

@@ -85,8 +85,8 @@ void keys(Io& io, Coupling& coupling) {
     io(key("substeps", "Structure steps in a coupled step; without it, from the bodies' "
            "stable step.").at_least(1).at_most(100000),
        coupling.substeps);
-    io(quantity("timeout", "s", "Longest wait for the partner before the run is given up.")
-           .above(0).by_default(),
+    io(quantity("timeout", "s", "Longest wait for the partner before the run is given up; "
+                "without it, one that lives is waited for.").above(0),
        coupling.timeout_s);
     io(key("immersed_boundary", "Direct forcing between markers and fluid, eq. (13).")
            .optional(),

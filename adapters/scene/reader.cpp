@@ -15,7 +15,16 @@ namespace magfsi::scene {
 
 namespace {
 
+// Of a scene file: far beyond any scene, and read in a moment.
+constexpr std::uintmax_t largest_scene_bytes = 4'000'000;
+
 std::string file_text(const std::filesystem::path& file) {
+    std::error_code none;
+    require_regular_file(file, {file.string()});
+    const std::uintmax_t bytes = std::filesystem::file_size(file, none);
+    require(none || bytes <= largest_scene_bytes, {file.string()},
+            fmt::format("a scene file of {} bytes", bytes),
+            fmt::format("at most {} bytes", largest_scene_bytes));
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
@@ -79,6 +88,7 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
     Scene scene;
     TreeReader reader(root, scene_fields());
     keys(reader, scene);
+    scene.folder = folder;
     complete(scene, folder);
     return scene;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -210,6 +211,7 @@ struct Checkpoint {
 
 struct Scene {
     std::string name = "scene";
+    std::filesystem::path folder;  // of its file; not of the scene itself
     Time time;
     std::vector<Body> bodies;  // by name, whatever their order in the file
     std::optional<MagneticField> magnetic_field;

@@ -282,6 +282,8 @@ StateReader::StateReader(std::filesystem::path path)
     prepare_hdf5();
     if (!std::filesystem::exists(path_))
         throw StateFault(fmt::format("{} is missing", path_.string()));
+    if (!std::filesystem::is_regular_file(path_))
+        throw StateFault(fmt::format("{} is no regular file", path_.string()));
     guarded([&] {
         files_->file = Hdf5Handle(
             checked(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"),

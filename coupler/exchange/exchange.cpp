@@ -38,7 +38,7 @@ void exchange_counts(const World& world, const std::vector<int>& mine,
     MPI_Request request;
     MPI_Ialltoall(mine.data(), 1, MPI_INT, theirs.data(), 1, MPI_INT, world.partner(),
                   &request);
-    wait_all({&request, 1}, step < 0 ? startup_timeout_s : timeout_s,
+    wait_all({&request, 1}, step < 0 ? no_timeout_s : timeout_s,
              fmt::format("partner table of step {}", step));
 }
 
@@ -254,7 +254,7 @@ void FluidExchange::renew(std::int64_t step) {
 const MarkerBatch& FluidExchange::receive(const Occasion& when) {
     if (renews_partners(when)) renew(when.step);
     receive_from(world_, partners_, marker_tag, in_, sending_,
-                 when.step < 0 ? startup_timeout_s : timeout_s_,
+                 when.step < 0 ? no_timeout_s : timeout_s_,
                  fmt::format("structure markers of step {}", when.step));
     std::size_t m = 0;
     for (const int partner : partners_) {

@@ -1,7 +1,10 @@
 #include "coupler/output/summary.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <chrono>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -169,6 +172,25 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
     const auto text =
         to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
     write_atomically(path, text + '\n');
+}
+
+void add_record(const std::filesystem::path& path, const RunRecord& record,
+                bool goes_on) {
+    Json all = Json::array();
+    if (std::ifstream in(path); goes_on && in) all = Json::parse(in, nullptr, false);
+    if (!all.is_array()) all = Json::array();  // damaged: the run itself is not
+    const auto now =
+        std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    all.push_back({{"begun", fmt::format("{:%FT%TZ}", fmt::gmtime(now))},
+                   {"command", record.command},
+                   {"scene", record.scene},
+                   {"overrides", record.overrides},
+                   {"restart", record.restart},
+                   {"versions", object(record.versions)},
+                   {"machine", record.machine},
+                   {"ranks", object(record.ranks)}});
+    write_atomically(path,
+                     all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace magfsi::output

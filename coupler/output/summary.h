@@ -129,4 +129,18 @@ Json to_json(const Summary& summary);
 // Indented, atomic. Throws FileError.
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
+// What was run, as run.json keeps it: a list with an entry for each start in the folder.
+struct RunRecord {
+    std::string scene;    // the file
+    std::string command;  // empty where nobody typed one
+    std::vector<std::string> overrides;
+    std::string restart;
+    std::string machine;
+    Named<std::string> versions;
+    Named<int> ranks;
+};
+
+// Atomic. goes_on: the earlier entries stay. Throws FileError.
+void add_record(const std::filesystem::path& path, const RunRecord& record, bool goes_on);
+
 }  // namespace magfsi::output

@@ -7,11 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <cfenv>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <map>
 #include <stdexcept>
 
 #include "coupler/participants/errors.h"
+#include "coupler/participants/processes.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
@@ -35,10 +37,13 @@ ParticipantArguments parse_arguments(int argc, char** argv,
                    "Go on from a checkpoint: latest, or its file");
     app.add_option("--halvings", a.halvings, "How often every step is halved")
         ->check(CLI::Range(0, 16));
+    app.add_flag("--overwrite", a.overwrite,
+                 "Drop what an earlier run left in the run folder");
     app.add_flag("--record", a.record, "Write exchange.record");
     app.add_option("--replay", a.replay, "The exchange.record that is played");
     app.add_option("--progress", a.progress, "terminal, plain or off")
         ->transform(CLI::CheckedTransformer(modes));
+    if (const char* command = std::getenv("MAGFSI_COMMAND")) a.command = command;
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -120,6 +125,7 @@ void write_failure(const RunState& state, const Ending& ending) {
 
 int run_participant(Role role, const std::string& description, int argc, char** argv,
                     const ParticipantBody& body) {
+    die_with_mpirun();
     ParticipantArguments arguments;
     try {
         arguments = parse_arguments(argc, argv, description);
@@ -131,6 +137,12 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         fmt::print("{}", arguments.help_text);
         return exit_done;
     }
+    // MPI_Init waits for all of the job.
+    if (const char* fault = fault_of_job(); *fault != '\0') {
+        fmt::print(stderr, "magfsi {}: {}\n", to_string(role), fault);
+        return exit_partner;
+    }
+    watch_joining();
     MPI_Init(&argc, &argv);
     catch_stop_signals();
     trap_floating_point_faults();  // after MPI's own start

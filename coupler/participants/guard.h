@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "coupler/output/log.h"
+#include "coupler/output/run_folder.h"
 #include "coupler/output/summary.h"
 #include "coupler/participants/run_plan.h"
 
@@ -21,6 +23,8 @@ struct ParticipantArguments {
     std::vector<std::string> notes;  // for the head of the log
     std::string restart;             // "latest", a file of a checkpoint, or empty
     int halvings = 0;                // of every step, by a retry
+    bool overwrite = false;          // results of an earlier run in the folder
+    std::string command;             // what the user typed, where a launcher starts this
     bool record = false;             // what both sides send each other, to play it later
     std::filesystem::path replay;    // the record that a replay participant plays
     output::ProgressMode progress = output::ProgressMode::plain;
@@ -41,7 +45,8 @@ struct RunState {
     RunPlan plan;
     std::int64_t step = 0;  // coupled steps that were completed
     double time_s = 0;
-    bool started = false;  // the run folder exists and is ours
+    bool started = false;                      // the run folder exists and is ours
+    std::unique_ptr<output::FolderLock> lock;  // up to the end of this process
 };
 
 // What a summary says of it, however it ends.

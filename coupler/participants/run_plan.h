@@ -32,6 +32,12 @@ struct RunPlan {
     double fluid_density_kg_m3 = 0;
     double given_speed_m_s = 0;  // the largest of inlets, walls and the initial flow
 
+    // What a fluid leaves in the run folder beside the coupler's own files.
+    std::vector<std::string> solver_folders;
+
+    // For the run folder: the scene's text as given, and as read, in SI units (JSON).
+    std::string scene_as_given, scene_as_read;
+    std::string machine;  // in words
     // For log and summary.
     std::vector<std::string> effects, absent_effects;
     std::vector<std::string> effects_by_step;  // a line for each part of the step

@@ -2,14 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "coupler/checkpoint/restart.h"
+#include "coupler/output/file.h"
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
+
+output::Named<std::string> versions() {
+    std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+    int length = 0;
+    MPI_Get_library_version(text.data(), &length);
+    const std::string mpi(text.data());
+    return {{"magfsi", MAGFSI_VERSION}, {"MPI", mpi.substr(0, mpi.find(','))}};
+}
 
 namespace {
 
@@ -24,27 +34,30 @@ RunState& fill(RunState& state, const ParticipantArguments& arguments, RunPlan p
 Session::Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
                  RunState& state)
     : state_(fill(state, arguments, std::move(plan))),
-      restart_wanted_(arguments.restart),
-      notes_(arguments.notes),
-      world_(role, state_.plan.roles.size() == 2) {}
+      arguments_(arguments),
+      world_(role, state_.plan.roles.size() == 2, state_.plan.scene_hash) {}
 
 double Session::timeout_s() const {
-    return plan().coupling ? plan().coupling->timeout_s : startup_timeout_s;
+    return plan().coupling ? plan().coupling->timeout_s.value_or(no_timeout_s)
+                           : no_timeout_s;
 }
 
 void Session::begin(double step_s) {
     clock_ = std::make_unique<Clock>(step_s, plan().end_s);
-    if (!restart_wanted_.empty()) find_restart(step_s);
+    if (!arguments_.restart.empty()) find_restart(step_s);
     if (world_.coupled()) {
         Agreement mine;
         mine.scene_hash = plan().scene_hash;
         mine.steps = clock_->steps();
         mine.step_ps = std::llround(step_s * 1e12);
         mine.first_step = clock_->first_step();
-        shake_hands(world_, mine, startup_timeout_s);
+        shake_hands(world_, mine, no_timeout_s);
     }
     claim_run_folder();
-    for (const std::string& note : notes_) log(note);
+    for (const std::string& note : arguments_.notes) log(note);
+    if (!earlier_results_.empty())
+        log(fmt::format("the results of an earlier run are now in {}",
+                        earlier_results_.string()));
     if (!restart_) return;
     for (const std::string& fault : restart_->skipped) log("skipped: " + fault);
     log(fmt::format("restart at step {}, t = {:.6g} s", clock_->step(),
@@ -54,8 +67,8 @@ void Session::begin(double step_s) {
 void Session::find_restart(double step_s) {
     restart_.emplace();
     if (world_.root())
-        restart_ = coupler::find_restart(restart_wanted_, state_.out, plan());
-    restart_->folder = restart_folder(restart_wanted_, state_.out);
+        restart_ = coupler::find_restart(arguments_.restart, state_.out, plan());
+    restart_->folder = restart_folder(arguments_.restart, state_.out);
     StateHeader& header = restart_->header;
     MPI_Bcast(&header, sizeof header, MPI_BYTE, 0, world_.local());
     const std::int64_t ratio = header.steps_in_one(step_s);
@@ -72,20 +85,74 @@ void Session::find_restart(double step_s) {
 }
 
 void Session::claim_run_folder() {
-    if (world_.root()) std::filesystem::create_directories(state_.out / "fields");
-    if (world_.leads()) {
-        std::filesystem::remove(state_.out / "summary.json");
-        std::error_code none;  // false where one of them is not there
-        const bool goes_on =
-            restart_ && std::filesystem::equivalent(restart_->folder, state_.out, none);
-        // Those of another run, or of steps that this one is about to do again.
-        clear_checkpoints_after(state_.out, goes_on ? restart_->header.step : -1);
-    }
-    MPI_Barrier(world_.local());
+    std::error_code none;  // false where one of them is not there
+    const bool goes_on =
+        restart_ && std::filesystem::equivalent(restart_->folder, state_.out, none);
+    if (world_.leads()) take_over(goes_on);
+    // Nobody writes there before the folder is this run's.
+    const char mine = 1;
+    char theirs = 0;
+    if (world_.coupled())
+        swap_with_partner(world_, &mine, 1, &theirs, 1, no_timeout_s, "run folder");
+    else
+        MPI_Barrier(world_.local());
+    if (!world_.leads())
+        state_.lock = std::make_unique<output::FolderLock>(
+            state_.out, output::FolderLock::Holder::member, 0);
     state_.started = true;
-    if (!world_.leads()) return;
-    const auto mode = restart_ ? output::LogMode::append : output::LogMode::anew;
-    logger_ = output::open_log(state_.out / "run.log", "magfsi", mode);
+    open_log();
+}
+
+void Session::open_log() {
+    const auto file = state_.out / "run.log";
+    if (world_.leads()) {
+        const auto mode = restart_ ? output::LogMode::append : output::LogMode::anew;
+        logger_ = output::open_log(file, "magfsi", mode);
+        if (!state_.lock->held())
+            log("warning: the run folder's file system has no locks; see that no other "
+                "run uses it");
+    }
+    if (!world_.root()) return;
+    tell_of_long_waits([logger = logger_, file](const std::string& line) {
+        (logger ? logger : output::open_log(file, "magfsi", output::LogMode::append))
+            ->info(line);
+    });
+}
+
+void Session::take_over(bool goes_on) {
+    using output::FolderLock;
+    std::filesystem::create_directories(state_.out);
+    state_.lock = std::make_unique<FolderLock>(state_.out, FolderLock::Holder::leader,
+                                               output::patience_with_the_ending_s);
+    state_.lock->sign("an MPI job");
+    if (goes_on) {
+        std::filesystem::remove(state_.out / "summary.json");
+        // Of steps that this run is about to do again.
+        clear_checkpoints_after(state_.out, restart_->header.step);
+    } else {
+        earlier_results_ =
+            output::set_aside(state_.out, plan().solver_folders, arguments_.overwrite);
+    }
+    std::filesystem::create_directories(state_.out / "fields");
+    record_run(goes_on);
+}
+
+void Session::record_run(bool goes_on) const {
+    if (!plan().scene_as_given.empty())
+        output::write_atomically(state_.out / "scene.yaml", plan().scene_as_given);
+    if (!plan().scene_as_read.empty())
+        output::write_atomically(state_.out / "scene.json", plan().scene_as_read);
+    output::RunRecord record;
+    record.scene = arguments_.scene.string();
+    record.command = arguments_.command;
+    record.overrides = arguments_.overrides;
+    record.restart = arguments_.restart;
+    record.machine = plan().machine;
+    record.versions = versions();
+    record.ranks.emplace_back(to_string(world_.self()), world_.size());
+    if (world_.coupled())
+        record.ranks.emplace_back(to_string(world_.other()), world_.partner_size());
+    output::add_record(state_.out / "run.json", record, goes_on);
 }
 
 void Session::log(const std::string& line) const {

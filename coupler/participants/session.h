@@ -15,6 +15,9 @@
 
 namespace magfsi::coupler {
 
+// Of this program and of the libraries that both sides have.
+output::Named<std::string> versions();
+
 class Session {
   public:
     // Joins the partner's processes (World). Writes plan and run folder into `state`,
@@ -56,10 +59,13 @@ class Session {
   private:
     void find_restart(double step_s);
     void claim_run_folder();
+    void take_over(bool goes_on);
+    void record_run(bool goes_on) const;
+    void open_log();
 
     RunState& state_;
-    std::string restart_wanted_;
-    std::vector<std::string> notes_;
+    const ParticipantArguments& arguments_;
+    std::filesystem::path earlier_results_;  // set aside
     World world_;
     std::unique_ptr<Clock> clock_;
     std::optional<RestartPoint> restart_;

@@ -1,18 +1,24 @@
 #include "coupler/participants/world.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sched.h>
 #include <sys/prctl.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <optional>
+#include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "coupler/participants/errors.h"
+#include "coupler/participants/processes.h"
 
 namespace magfsi::coupler {
 
@@ -20,11 +26,51 @@ namespace {
 
 constexpr int intercommunicator_tag = 71;
 
-// The world rank of the first process of each role, or -1.
-int first_rank(const std::vector<int>& roles, Role role) {
-    const auto at = std::find(roles.begin(), roles.end(), static_cast<int>(role));
-    return at == roles.end() ? -1 : static_cast<int>(at - roles.begin());
+// A process of the job, as all of them learn of it.
+struct Member {
+    std::int64_t role = 0;
+    std::uint64_t scene_hash = 0;
+    std::array<char, 32> program{};
+    ProcessId process;
+};
+
+std::vector<Member> members_of_world(Role self, std::uint64_t scene_hash) {
+    Member mine{static_cast<int>(self), scene_hash, {}, this_process()};
+    const std::string_view name = program_invocation_short_name;
+    name.copy(mine.program.data(), mine.program.size() - 1);
+    int world_size = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &world_size);
+    std::vector<Member> all(static_cast<std::size_t>(world_size));
+    MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE,
+                  MPI_COMM_WORLD);
+    return all;
 }
+
+void check_own_side(Role self, const Member& mine, const std::vector<Member>& all) {
+    for (const Member& other : all) {
+        if (other.role != mine.role) continue;
+        if (other.program != mine.program)
+            throw PartnerLost(fmt::format(
+                "{} and {} are both in this MPI job as the {}; start one of them",
+                mine.program.data(), other.program.data(), to_string(self)));
+        if (other.scene_hash != mine.scene_hash)
+            throw PartnerLost(fmt::format(
+                "the processes of the {} disagree on the scene (hash): {:016x} here, "
+                "{:016x} there; start all with the same scene file and --set options",
+                to_string(self), mine.scene_hash, other.scene_hash));
+    }
+}
+
+// The world rank of the first process of each role, or -1.
+int first_rank(const std::vector<Member>& all, Role role) {
+    const auto at = std::ranges::find(all, static_cast<int>(role), &Member::role);
+    return at == all.end() ? -1 : static_cast<int>(at - all.begin());
+}
+
+// The partner's, for the waits, which are free functions.
+std::vector<ProcessId> partner_processes;
+std::string partner_name = "partner";
+std::function<void(const std::string&)> tell;
 
 }  // namespace
 
@@ -32,19 +78,17 @@ std::string to_string(Role role) {
     return role == Role::structure ? "structure" : "fluid";
 }
 
-World::World(Role self, bool partner_expected) : self_(self) {
+World::World(Role self, bool partner_expected, std::uint64_t scene_hash) : self_(self) {
+    const std::vector<Member> all = members_of_world(self, scene_hash);
+    joined();
     int world_rank = 0;
-    int world_size = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &world_rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &world_size);
+    check_own_side(self, all[static_cast<std::size_t>(world_rank)], all);
     MPI_Comm_split(MPI_COMM_WORLD, static_cast<int>(self), world_rank, &local_);
     MPI_Comm_rank(local_, &rank_);
     MPI_Comm_size(local_, &size_);
 
-    const int mine = static_cast<int>(self);
-    std::vector<int> roles(static_cast<std::size_t>(world_size));
-    MPI_Allgather(&mine, 1, MPI_INT, roles.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    const int partner = first_rank(roles, other());
+    const int partner = first_rank(all, other());
     if (partner < 0 && partner_expected) {
         throw PartnerLost(
             fmt::format("{0} was started without its partner: the scene couples "
@@ -64,9 +108,16 @@ World::World(Role self, bool partner_expected) : self_(self) {
                              &partner_);
         MPI_Comm_remote_size(partner_, &partner_size_);
     }
+    partner_name = to_string(other());
+    partner_processes.clear();
+    for (const Member& member : all) {
+        if (member.role != static_cast<int>(self))
+            partner_processes.push_back(member.process);
+    }
 }
 
 World::~World() {
+    partner_processes.clear();
     if (partner_ != MPI_COMM_NULL) MPI_Comm_free(&partner_);
     if (local_ != MPI_COMM_NULL) MPI_Comm_free(&local_);
 }
@@ -115,27 +166,89 @@ bool may_wait_on(Clock::duration since) {
     return stop_signal == SIGUSR1 || since < patience_after_sigterm;
 }
 
+// A wait that lasts: whether the partner is still there, and a word about it each minute.
+class LongWait {
+  public:
+    LongWait(double timeout_s, const std::string& what)
+        : timeout_s_(timeout_s), what_(what) {}
+
+    void look(Clock::time_point now) {
+        // Time in which this process did not run either is nobody's delay: the whole job
+        // was suspended, or the machine slept.
+        constexpr std::chrono::duration<double> longest_between_looks(1);
+        own_s_ +=
+            std::min<std::chrono::duration<double>>(now - last_, longest_between_looks)
+                .count();
+        last_ = now;
+        if (own_s_ > timeout_s_) {
+            throw PartnerLost(
+                fmt::format("no {} within {:g} s: the partner hangs or is much slower "
+                            "than expected (coupling.timeout sets the limit)",
+                            what_, timeout_s_));
+        }
+        if (own_s_ < next_look_s_) return;
+        next_look_s_ = own_s_ + 1;
+        look_at_partner();
+    }
+
+  private:
+    void look_at_partner() {
+        std::string about;
+        for (const ProcessId& process : partner_processes) {
+            const Life life = life_of(process);
+            if (life == Life::stopped)
+                about = fmt::format("; its process {} is stopped", process.pid);
+            if (life == Life::gone) {
+                lost(process);
+                return;
+            }
+        }
+        gone_s_.reset();
+        if (own_s_ < next_word_s_) return;
+        next_word_s_ += 60;
+        if (!tell) return;
+        const std::tm start = fmt::localtime(start_);
+        tell(fmt::format("waiting for the {} since {:%H:%M:%S} ({:.0f} s): {}{}",
+                         partner_name, start, std::difftime(std::time(nullptr), start_),
+                         what_, about));
+    }
+
+    // mpirun notices too and names the cause; this is for a job that has none.
+    void lost(const ProcessId& process) {
+        constexpr double patience_with_mpirun_s = 4;
+        if (!gone_s_) gone_s_ = own_s_;
+        if (own_s_ - *gone_s_ < patience_with_mpirun_s) return;
+        throw PartnerLost(fmt::format("no {}: process {} of the {} is gone", what_,
+                                      process.pid, partner_name));
+    }
+
+    double timeout_s_;
+    const std::string& what_;
+    std::time_t start_ = std::time(nullptr);
+    Clock::time_point last_ = Clock::now();
+    double own_s_ = 0, next_look_s_ = 1, next_word_s_ = 60;
+    std::optional<double> gone_s_;
+};
+
 template <typename Done>
 void wait_until(Done done, double timeout_s, const std::string& what) {
     const WaitingTime waiting;
     std::optional<Clock::time_point> told;
+    std::optional<LongWait> wait;
     while (!done()) {
-        const auto waited = Clock::now() - waiting.start;
-        if (stop_requested() != 0 && !told) told = Clock::now();
-        if (told && !may_wait_on(Clock::now() - *told)) {
+        const auto now = Clock::now();
+        const auto waited = now - waiting.start;
+        if (stop_requested() != 0 && !told) told = now;
+        if (told && !may_wait_on(now - *told)) {
             throw Stopped(fmt::format("told to end by signal {} while waiting for {}",
                                       stop_requested(), what));
-        }
-        if (std::chrono::duration<double>(waited).count() > timeout_s) {
-            throw PartnerLost(
-                fmt::format("no {} within {:g} s: the partner hangs or is much slower "
-                            "than expected (coupling.timeout sets the limit)",
-                            what, timeout_s));
         }
         if (waited < spin_time) {
             sched_yield();
             continue;
         }
+        if (!wait) wait.emplace(timeout_s, what);
+        wait->look(now);
         sleep_exactly();
         std::this_thread::sleep_for(std::clamp<std::chrono::nanoseconds>(
             waited / naps_a_wait, shortest_nap, longest_nap));
@@ -191,6 +304,10 @@ void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
             return true;
         },
         timeout_s, what);
+}
+
+void tell_of_long_waits(std::function<void(const std::string&)> teller) {
+    tell = std::move(teller);
 }
 
 double waited_s() {

@@ -4,6 +4,8 @@
 #include <mpi.h>
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -18,8 +20,9 @@ std::string to_string(Role role);
 class World {
   public:
     // partner_expected: whether the scene has another side. Throws PartnerLost when it
-    // was not started, or when it was started although the scene has none.
-    World(Role self, bool partner_expected);
+    // was not started, or when it was started although the scene has none, and where the
+    // processes of one side are not of one program and one scene.
+    World(Role self, bool partner_expected, std::uint64_t scene_hash = 0);
     ~World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -47,12 +50,14 @@ class World {
     int partner_size_ = 0;
 };
 
-// Start-up (reading, relaxing the shape) may take far longer than a step.
-constexpr double startup_timeout_s = 900;
+// Of start-up (reading, relaxing the shape), and of all waits where the user sets none.
+constexpr double no_timeout_s = std::numeric_limits<double>::infinity();
 
 // Completes all requests without taking the core that the partner may need: polls for a
-// moment, then sleeps in between, the longer the more it has waited. Throws PartnerLost
-// after timeout_s (its text names `what`), and Stopped when the process was told to end.
+// moment, then sleeps in between, the longer the more it has waited. A partner that lives
+// is waited for, also while it is suspended, with a word about it each minute. Throws
+// PartnerLost when it is gone, and after timeout_s of this process's own running time
+// (its text names `what`); Stopped when the process was told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
 
 // Waits until a message from each of the ranks can be received. A long message takes some
@@ -60,6 +65,9 @@ void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::stri
 // long naps of a wait for the partner's whole step.
 void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
                        double timeout_s, const std::string& what);
+
+// Who hears, each minute, what this process waits for.
+void tell_of_long_waits(std::function<void(const std::string&)> tell);
 
 // Seconds that this process has spent in these waits so far.
 double waited_s();
@@ -78,7 +86,7 @@ bool stop_postponed();
 // What both sides must agree on before any data flows. Same layout on both: all integers,
 // so that there is nothing to round.
 struct Agreement {
-    std::int64_t protocol = 2;
+    std::int64_t protocol = 3;
     std::uint64_t scene_hash = 0;
     std::int64_t steps = 0;       // coupled steps of the run
     std::int64_t step_ps = 0;     // the coupled step in picoseconds, rounded

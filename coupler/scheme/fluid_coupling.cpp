@@ -17,7 +17,7 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
           options_.immersed_boundary.forcing) {
     if (options_.immersed_boundary.forcing == Forcing::no_slip) answer_.emplace();
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
-    swap_text(session.world(), to_text(fluid.grid()), startup_timeout_s,
+    swap_text(session.world(), to_text(fluid.grid()), no_timeout_s,
               "description of the grid");
 }
 

@@ -74,6 +74,7 @@ void add_balance(const Session& session, output::Summary& summary,
 ParticipantReport basic_report(const World& world, const TaskList& tasks, double idle_s) {
     ParticipantReport report;
     report.name = to_string(world.self());
+    report.versions = versions();
     const std::vector<TaskTime> times = tasks.times();
     for (const TaskTime& task : times) {
         report.tasks.emplace_back(task.name, task.seconds);

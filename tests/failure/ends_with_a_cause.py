@@ -1,5 +1,5 @@
-"""Whatever goes wrong in a coupled run ends all of it at once (within 10 s on a machine with
-nothing else to do), with a named cause and the exit code of the command line's contract."""
+"""Whatever goes wrong in a coupled run ends all of it at once (testing.check_prompt), with a
+named cause and the exit code of the command line's contract."""
 
 import os
 import resource
@@ -10,9 +10,8 @@ from pathlib import Path
 
 from magfsi import testing
 
-# Runs until something ends it; what is noticed only by the partner's timeout is too late.
-LONG = {"time.end": "10 s", "coupling.timeout": "600 s"}
-LIMIT_S = 120  # far above the second or two that it takes: the machine may be busy
+LONG = {"time.end": "10 s"}  # until something ends it
+LIMIT_S = 120  # only that the test itself ends; testing.check_prompt bounds the time
 
 
 def mpirun(*programs):
@@ -44,11 +43,13 @@ def start(settings):
 class Alone(unittest.TestCase):
     def test_structure_without_fluid(self):
         run = finish(mpirun(structure("unused", {})), "unused")
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("structure was started without its partner", run.err)
 
     def test_fluid_without_structure(self):
         run = finish(mpirun(fluid("unused", {})), "unused")
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("fluid was started without its partner", run.err)
 
@@ -58,6 +59,7 @@ class Disagreement(unittest.TestCase):
         folder = testing.new_folder()
         run = finish(mpirun(structure(folder, LONG),
                             fluid(folder, {**LONG, "gravity.acceleration": "1 m/s2"})), folder)
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("disagree on the scene (hash)", run.err)
 
@@ -76,6 +78,7 @@ class Lost(unittest.TestCase):
         os.kill(testing.process_of(folder, name), signal.SIGKILL)
         run = testing.finish(process, began, folder, LIMIT_S)
         testing.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn(f"lost a partner: {role} rank 0 was killed by signal 9", run.err)
         causes = [line for line in run.err.strip().splitlines()
@@ -97,6 +100,7 @@ class Lost(unittest.TestCase):
         os.kill(stopped, signal.SIGSTOP)
         run = testing.finish(process, began, folder, LIMIT_S)
         testing.report(f"structure stopped: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("within 2 s", run.err)
 
@@ -106,6 +110,7 @@ class Stopped(unittest.TestCase):
         process, folder = start({})
         process.send_signal(signal.SIGTERM)
         run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 1, run.err)
         self.assertIn("stopped on request", run.err)
         self.assertEqual(run.summary()["outcome"], "stopped")
@@ -120,6 +125,7 @@ class DiskFull(unittest.TestCase):
                          (limit_bytes, limit_bytes))
         run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
         testing.report(f"{name}: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 1, run.err)
         self.assertRegex(run.err, rf"cannot write .*{name}.*: File too large")
         self.assertRegex(run.err, r"step \d+")

@@ -46,11 +46,12 @@ class Coupled(unittest.TestCase):
 class Killed(unittest.TestCase):
     def kill(self, name):
         process, folder = testing.get_going(testing.SMALL, {
-            **SETTINGS, "time.end": "1 s", "coupling.timeout": "600 s"}, rows=2)
+            **SETTINGS, "time.end": "1 s"}, rows=2)
         began = time.monotonic()
         os.kill(testing.process_of(folder, name), signal.SIGKILL)
         run = testing.finish(process, began, folder, 120)  # s: the machine may be busy
         testing.report(f"{name} killed: ended after {run.seconds:.2f} s: {run.err.strip()}")
+        testing.check_prompt(self, run)
         self.assertEqual(run.code, 4, run.err)
         self.assertIn("was killed by signal 9", run.err)
         self.assertEqual(run.summary()["outcome"], "lost_partner")

@@ -78,10 +78,11 @@ class Lost(unittest.TestCase):
 
     def test_fluid_killed(self):
         process, folder = testing.get_going(testing.SMALL, {
-            **COUPLED, **NEVER, "time.end": "10 s", "coupling.timeout": "600 s"}, rows=ROWS)
+            **COUPLED, **NEVER, "time.end": "10 s"}, rows=ROWS)
         os.kill(testing.process_of(folder, "magfsi-fluid-lbm"), signal.SIGKILL)
         began = time.monotonic()
         result = testing.finish(process, began, folder, 120)
+        testing.check_prompt(self, result)
         self.assertEqual(result.code, 4, result.err)
         self.assertIn("fluid rank 0 was killed by signal 9", result.err)
         self.assertEqual(result.summary()["outcome"], "lost_partner")

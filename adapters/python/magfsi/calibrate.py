@@ -95,7 +95,7 @@ class Bench:
             file = self.folder / "scene.yaml"
             file.write_text(scene)
             scene = file
-        done = runs.run(scene, self.folder / "run", sets, ranks)
+        done = runs.run(scene, self.folder / "run", sets, ranks, more=["--overwrite"])
         if done.code != 0:
             sys.exit(f"magfsi bench --calibrate: {done.error()}")
         return done.summary()

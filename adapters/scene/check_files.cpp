@@ -1,0 +1,111 @@
+// What a scene names outside of itself: its run folder and its files. A scene may come
+// from a stranger.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+#include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
+
+namespace magfsi::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_name = 64;
+constexpr std::uintmax_t largest_file_bytes = 200'000'000;
+
+// The name becomes a folder of runs/ and stands in the generated LAMMPS script.
+void check_name(const std::string& name, const Origin& where) {
+    const auto allowed = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string_view(" _-+=:,.()").find(c) != std::string_view::npos;
+    };
+    require(
+        name.size() <= longest_name && std::ranges::all_of(name, allowed) &&
+            name.front() != '.' && name.front() != '-' && name.front() != ' ',
+        where, fmt::format("the name {}", in_quotes(name)),
+        fmt::format(
+            "at most {} bytes of letters a to z, digits, blanks and _ - + = : , . ( ), a "
+            "letter or a digit first",
+            longest_name),
+        "it names the run folder, runs/NAME; another place is --out's");
+}
+
+void check_mesh_file(const fs::path& file, const Origin& where) {
+    require_regular_file(file, where);
+    require(file.extension() == ".msh", where,
+            fmt::format("the mesh file {}", in_quotes(file.string())),
+            "the ending .msh, for Gmsh takes other endings for programs and archives");
+    fs::path options = file;
+    options += ".opt";
+    std::error_code none;
+    require(!fs::exists(fs::symlink_status(options, none)), where,
+            fmt::format("{} beside the mesh", in_quotes(options.string())),
+            "meshes without it: Gmsh would run the commands in it", "remove it");
+}
+
+}  // namespace
+
+void require_regular_file(const fs::path& file, const Origin& where) {
+    std::error_code none;
+    const fs::file_status status = fs::status(file, none);
+    if (!fs::exists(status)) return;  // its reader says so
+    require(fs::is_regular_file(status), where,
+            fmt::format("{}, which is {}", in_quotes(file.string()),
+                        fs::is_directory(status) ? "a folder" : "a pipe or a device"),
+            "regular files");
+    const std::uintmax_t bytes = fs::file_size(file, none);
+    require(none || bytes <= largest_file_bytes, where,
+            fmt::format("{} of {} bytes", in_quotes(file.string()), bytes),
+            fmt::format("files of at most {} bytes", largest_file_bytes));
+}
+
+void check_files(const Scene& scene, const Marks& marks) {
+    check_name(scene.name, marks.value({"name"}));
+    for (const Body& body : scene.bodies) {
+        if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
+            check_mesh_file(mesh->file,
+                            marks.value({"bodies", body.name, "mesh", "gmsh", "file"}));
+        if (!body.magnetization) continue;
+        if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
+            require_regular_file(
+                table->file,
+                marks.value({"bodies", body.name, "magnetization", "table", "file"}));
+    }
+    if (!scene.fluid) return;
+    for (const Obstacle& obstacle : scene.fluid->obstacles) {
+        if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
+            require_regular_file(
+                surface->file,
+                marks.value({"fluid", "obstacles", obstacle.name, "stl", "file"}));
+    }
+}
+
+std::vector<fs::path> files_elsewhere(const Scene& scene) {
+    std::vector<fs::path> files;
+    for (const Body& body : scene.bodies) {
+        if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
+            files.emplace_back(mesh->file);
+        if (!body.magnetization) continue;
+        if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
+            files.emplace_back(table->file);
+    }
+    for (const Obstacle& obstacle : scene.fluid.value_or(Fluid{}).obstacles) {
+        if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
+            files.emplace_back(surface->file);
+    }
+    const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder / "."));
+    std::erase_if(files, [&](fs::path& file) {
+        file = fs::weakly_canonical(fs::absolute(file));  // through links
+        const std::string from_folder = file.lexically_relative(folder).string();
+        return !from_folder.starts_with("..");
+    });
+    return files;
+}
+
+}  // namespace magfsi::scene

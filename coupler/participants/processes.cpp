@@ -1,0 +1,151 @@
+#include "coupler/participants/processes.h"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "coupler/participants/errors.h"
+
+namespace magfsi::coupler {
+
+namespace {
+
+std::uint64_t machine() {
+    std::string text;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> text;
+    std::array<char, 64> name_space{};
+    if (::readlink("/proc/self/ns/pid", name_space.data(), name_space.size() - 1) > 0)
+        text += name_space.data();
+    return std::hash<std::string>{}(text);
+}
+
+struct Status {
+    char state = 0;  // none: no such process
+    std::int64_t started = 0;
+};
+
+Status status_of(std::int64_t pid) {
+    std::ifstream in(fmt::format("/proc/{}/stat", pid));
+    std::string line;
+    std::getline(in, line);
+    const auto name_end = line.rfind(')');  // the name may hold anything
+    if (name_end == std::string::npos) return {};
+    std::istringstream fields(line.substr(name_end + 1));
+    Status status;
+    fields >> status.state;
+    std::string skipped;
+    for (int field = 4; field < 22; ++field) fields >> skipped;
+    fields >> status.started;
+    return status;
+}
+
+int number_in_environment(const char* name) {
+    const char* text = std::getenv(name);
+    return text ? std::atoi(text) : 0;
+}
+
+}  // namespace
+
+ProcessId this_process() {
+    return {::getpid(), status_of(::getpid()).started, machine()};
+}
+
+Life life_of(const ProcessId& process) {
+    static const std::uint64_t here = machine();
+    if (process.machine != here) return Life::far;
+    const Status status = status_of(process.pid);
+    if (status.started != process.started || status.state == 'Z' || status.state == 'X')
+        return Life::gone;
+    return status.state == 'T' || status.state == 't' ? Life::stopped : Life::alive;
+}
+
+void die_with_mpirun() {
+    // Beyond so many on a machine mpirun starts them from threads of its own, and the
+    // kernel counts the end of such a thread as the parent's death.
+    constexpr int most_without_threads = 31;
+    const int here = number_in_environment("OMPI_COMM_WORLD_LOCAL_SIZE");
+    if (here == 0 || here > most_without_threads) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() == 1) ::_exit(1);  // it is gone already
+}
+
+namespace {
+
+// Far above what a job takes to start on a busy machine.
+constexpr unsigned first_word_s = 30, end_s = 90;
+volatile std::sig_atomic_t words = 0;
+
+template <std::size_t n>
+void say(const char (&text)[n]) {
+    const ssize_t ignored = ::write(STDERR_FILENO, text, n - 1);
+    (void)ignored;
+}
+
+extern "C" void nobody_joined(int /*signal*/) {
+    if (words == 0) {
+        words = 1;
+        say("magfsi: still waiting for the other programs of this MPI job to start\n");
+        ::alarm(end_s);
+        return;
+    }
+    say("magfsi: the other programs of this MPI job have not joined within 2 min: they "
+        "hang, or are none of magfsi's\n");
+    ::_exit(exit_partner);
+}
+
+}  // namespace
+
+void watch_joining() {
+    std::signal(SIGALRM, &nobody_joined);
+    ::alarm(first_word_s);
+}
+
+void joined() {
+    ::alarm(0);
+}
+
+namespace {
+
+// Of mpirun's command line, one for each program; none where it is not the parent.
+std::vector<std::string> contexts_of_job() {
+    std::ifstream in(fmt::format("/proc/{}/cmdline", ::getppid()));
+    std::vector<std::string> contexts(1);
+    bool first = true;
+    for (std::string word; std::getline(in, word, '\0'); first = false) {
+        const std::string name = std::filesystem::path(word).filename();
+        if (first && name != "mpirun" && name != "mpiexec" && name != "orterun")
+            return {};
+        if (word == ":")
+            contexts.emplace_back();
+        else
+            contexts.back() += word + ' ';
+    }
+    return contexts;
+}
+
+}  // namespace
+
+const char* fault_of_job() {
+    if (number_in_environment("OMPI_NUM_APP_CTX") <= 2) return "";
+    const bool all_ours =
+        std::ranges::all_of(contexts_of_job(), [](const std::string& words) {
+            return words.find("magfsi-") != std::string::npos;
+        });
+    if (all_ours) return "";
+    return "a third program is in this MPI job, and none of magfsi's; allowed are those "
+           "of "
+           "the structure and the fluid (-n N magfsi-structure SCENE : -n M "
+           "magfsi-fluid-lbm SCENE)";
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,32 @@
+// A process of the job as the others on its machine see it: whether it is still there.
+#pragma once
+
+#include <cstdint>
+
+namespace magfsi::coupler {
+
+// The same layout everywhere: it travels in messages.
+struct ProcessId {
+    std::int64_t pid = 0;
+    std::int64_t started = 0;   // in clock ticks since boot: numbers are used again
+    std::uint64_t machine = 0;  // of this boot, and of the name space of its numbers
+};
+ProcessId this_process();
+
+// far: on another machine, where only the MPI runtime knows.
+enum class Life { far, gone, stopped, alive };
+Life life_of(const ProcessId& process);
+
+// mpirun's death is to end this process too; a stopped one as well. Call it first.
+void die_with_mpirun();
+
+// From here to joined(), which MPI_Init and the first exchange are within: a word where
+// the job's other programs do not come, and then the end, with exit_partner. A program
+// that knows nothing of MPI would keep all others in MPI_Init for ever.
+void watch_joining();
+void joined();
+
+// Empty, or why this MPI job cannot be one of ours, as far as its start tells.
+const char* fault_of_job();
+
+}  // namespace magfsi::coupler

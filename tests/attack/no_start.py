@@ -1,0 +1,94 @@
+"""Whatever keeps a run from starting: one line of ours and a code of the table."""
+
+import os
+import resource
+import stat
+import subprocess
+import unittest
+from pathlib import Path
+
+import attack
+from attack import testing
+
+
+class NoStart(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(testing.new_folder())
+
+    def run_with(self, environment, before=None):
+        words = testing.run_command(testing.SMALL, self.folder / "run", attack.SETTINGS)
+        done = subprocess.run([str(word) for word in words], text=True, capture_output=True,
+                              env=environment, preexec_fn=before, timeout=attack.PATIENCE_S,
+                              check=False)
+        ours = [line for line in done.stderr.splitlines() if line.startswith("magfsi: ")]
+        return done.returncode, ours, done
+
+    def mpirun(self, script):
+        """An mpirun that is another program."""
+        path = self.folder / "mpirun"
+        path.write_text(f"#!/bin/sh\n{script}\n")
+        path.chmod(path.stat().st_mode | stat.S_IXUSR)
+        return {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}"}
+
+    def ends(self, environment, message, before=None):
+        code, ours, done = self.run_with(environment, before)
+        self.assertEqual(code, 1, done.stderr)
+        self.assertEqual(len(ours), 1, done.stderr)
+        self.assertIn(message, ours[0])
+        testing.report(ours[0])
+
+    def test_an_mpirun_that_does_nothing(self):
+        self.ends(self.mpirun("exit 0"), "nothing was run")
+
+    def test_an_mpirun_that_fails(self):
+        self.ends(self.mpirun("echo no slots >&2; exit 213"), "ended with code 213")
+
+    def test_no_mpirun(self):
+        self.ends({**os.environ, "PATH": str(self.folder)}, "cannot start mpirun")
+
+    def test_no_path(self):
+        without = {key: value for key, value in os.environ.items() if key != "PATH"}
+        code, ours, done = self.run_with(without)
+        self.assertEqual(code, 0, done.stderr)
+        self.assertEqual(ours, [])
+
+    def test_a_small_stack(self):
+        def small():
+            resource.setrlimit(resource.RLIMIT_STACK, (300 * 1024, 300 * 1024))
+        self.ends(os.environ, "ulimit -s", small)
+
+    def test_the_doctor_names_what_is_wrong(self):
+        """With its cause and what to do, and nothing else where all is well."""
+        def ask(environment):
+            done = subprocess.run([testing.BIN / "magfsi", "doctor"], text=True,
+                                  capture_output=True, env=environment, cwd=self.folder,
+                                  timeout=attack.PATIENCE_S, check=False)
+            return done.returncode, dict(line.split(maxsplit=1)
+                                         for line in done.stdout.splitlines())
+        code, found = ask(os.environ)
+        testing.report("\n".join(f"{name}: {text}" for name, text in found.items()))
+        self.assertEqual(code, int(any(text.startswith("FAULT") for text in found.values())))
+        self.assertIn("two ranks started, talked and ended", found["MPI"])
+        code, found = ask(self.mpirun("exit 213"))
+        self.assertEqual(code, 1)
+        self.assertIn("FAULT: two ranks of mpirun ended with code 213", found["MPI"])
+
+    def test_a_run_folder_that_cannot_be(self):
+        for out in ("/dev/null/run", "/proc/run", "/sys/run"):
+            with self.subTest(out):
+                ended = testing.run(testing.SMALL, folder=out, limit_s=attack.PATIENCE_S)
+                attack.one_line(self, ended, 1, out)
+
+    def test_a_calibration_that_is_damaged(self):
+        cache = self.folder / "cache/magfsi"
+        cache.mkdir(parents=True)
+        for text in ('{"version": 1, "machine": 2}', "{", "[]", '{"version": "0.1.0"}', ""):
+            (cache / "calibration.json").write_text(text)
+            code, ours, done = self.run_with({**os.environ, "XDG_CACHE_HOME":
+                                              str(self.folder / "cache")})
+            self.assertEqual(code, 0, done.stderr)
+            self.assertEqual(ours, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
