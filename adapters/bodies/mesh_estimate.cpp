@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "adapters/bodies/scene_to_body.h"
 #include "structure/equilibrium/mesh_error.h"
@@ -81,8 +83,14 @@ std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
     if (8 * mesh.elements.size() <= most_elements) mesh = structure::refined(mesh);
     structure::Body fine = to_body(body, std::move(mesh));
     fine.element = structure::ElementVariant::assumed_strain;
-    const auto here_m = structure::linear_response(solid, loads.loads);
-    const auto fine_m = structure::linear_response(fine, loads.loads);
+    std::vector<Vec3> here_m, fine_m;
+    try {
+        here_m = structure::linear_response(solid, loads.loads);
+        fine_m = structure::linear_response(fine, loads.loads);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;  // not stable without loads: the run says what it makes of
+                              // it
+    }
     MeshEstimate out{loads.words, 0, {}};
     const auto largest = std::ranges::max_element(
         fine_m.begin(), fine_m.begin() + static_cast<std::ptrdiff_t>(here_m.size()), {},

@@ -288,9 +288,7 @@ int run(const RunOptions& options) {
     check_memory(scene);
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.
-    for (const std::string& line :
-         warnings(explain(scene, choose_ranks(scene, options.ranks))))
-        fmt::print(stderr, "warning: {}\n", line);
+    const auto warned = warnings(explain(scene, choose_ranks(scene, options.ranks)));
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
     if (!options.restart.empty())
@@ -305,6 +303,7 @@ int run(const RunOptions& options) {
                    "warning: the file system of {} has no locks; see that no other "
                    "run uses it\n",
                    out.string());
+    for (const std::string& line : warned) fmt::print(stderr, "warning: {}\n", line);
     Retries retries(scene, out, options.restart);
     const JobEnd end = run_with_retries(scene, options, out, retries, lock);
     return conclude(scene, options, out, end, retries.record().empty());

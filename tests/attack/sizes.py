@@ -5,6 +5,7 @@ import os
 import unittest
 from pathlib import Path
 
+import attack
 from magfsi import runs, testing
 
 LIMIT_S = 120  # for a busy machine; 10 s on one with nothing else to do
