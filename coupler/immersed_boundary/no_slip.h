@@ -8,10 +8,10 @@
 // F = 2 rho dV / (r dt) (V - U) makes q = V where the slip is uniform. What is left where
 // it is not, a memory p of it removes over some steps:
 //   F = s 2 rho dV / (r dt) (V - U + p),   p <- (1 - leak) p + gain (mean V - q).
-// In steady state the slip is leak / gain of what a single pass leaves. Where markers fill
-// a volume, the fluid there follows nothing else: with s = 1 its difference to the body
-// changes sign in every step and does not decay, with 3/4 the pair of it and p decays to
-// 0.4 in a step.
+// In steady state the slip is leak / gain of what a single pass leaves. Where markers
+// fill a volume, the fluid there follows nothing else: with s = 1 its difference to the
+// body changes sign in every step and does not decay, with 3/4 the pair of it and p
+// decays to 0.4 in a step.
 //
 // Markers must stand about a cell apart, in one layer where the body is thin: closer ones
 // make the marker system nearly singular, and the memory drifts in its null modes.

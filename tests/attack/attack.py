@@ -90,14 +90,9 @@ def results(folder):
     return {str(f.relative_to(folder)): f.read_bytes() for f in files}
 
 
-def causes(ended):
-    """What it said on stderr but for warnings, which come before the run."""
-    return [line for line in ended.err.strip().splitlines() if not line.startswith("warning: ")]
-
-
 def one_line(test, ended, code, message):
     test.assertEqual(ended.code, code, ended.out + ended.err)
-    lines = causes(ended)
+    lines = testing.causes(ended)
     test.assertEqual(len(lines), 1, ended.err)
     test.assertTrue(lines[0].startswith("magfsi"), ended.err)
     test.assertIn(message, lines[0])

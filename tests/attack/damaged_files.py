@@ -88,7 +88,7 @@ class Damaged(unittest.TestCase):
             ended = self.magfsi()
             with self.subTest(f"{name} {n}"):
                 self.assertIn(ended.code, (0, 2), f"{ended.out}{ended.err}")
-                self.assertEqual(len(attack.causes(ended)), ended.code // 2, ended.err)
+                self.assertEqual(len(testing.causes(ended)), ended.code // 2, ended.err)
             refused += ended.code == 2
         testing.report(f"{name}: {refused} of {FILES} refused, the others still meant something")
         self.assertGreater(refused, 0)

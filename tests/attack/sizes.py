@@ -5,7 +5,6 @@ import os
 import unittest
 from pathlib import Path
 
-import attack
 from magfsi import runs, testing
 
 LIMIT_S = 120  # for a busy machine; 10 s on one with nothing else to do
@@ -53,7 +52,7 @@ class Sizes(unittest.TestCase):
                 with self.subTest(f"{key}={number}"):
                     ended = self.magfsi("check", testing.SMALL, {key: f"{number} {unit}"})
                     self.assertIn(ended.code, (0, 2), ended.err)
-                    self.assertEqual(len(attack.causes(ended)), ended.code // 2,
+                    self.assertEqual(len(testing.causes(ended)), ended.code // 2,
                                      ended.err)
 
     def test_scene_files(self):
