@@ -35,9 +35,13 @@ def coefficient(cells, settings, column):
             / (0.5 * DENSITY * SPEED**2 * math.pi / 4 * DIAMETER**2))
 
 
-def error(cells, settings):
+PENALTY = {"coupling.immersed_boundary.iterations": 2}
+NO_SLIP = {"coupling.immersed_boundary.forcing": "no_slip",
+           "coupling.immersed_boundary.kernel": "3-point"}
+
+
+def error(cells, settings, boundary=PENALTY):
     """Of the markers against the obstacle."""
-    boundary = {"coupling.immersed_boundary.iterations": 2}
     ball = coefficient(cells, {**boundary, **settings}, "ball.fluid_force_x[N]")
     solid = coefficient(cells, {**SOLID, **settings}, "ball.force_x[N]")
     testing.report(f"{settings or 'Reynolds number 20'}, {cells} cells a diameter: drag "
@@ -73,6 +77,12 @@ class Quick(Drag):
         # Markers sit 0.4 cells below the surface, where viscous flow sees a ball of the right
         # size; what is left, 0.1 cells of the radius, is 2.5 % of the drag.
         self.assertLess(abs(e[8]), 0.05)
+
+    def test_reynolds_20_without_slip(self):
+        # The depth of its markers comes from the theory of the lattice for plane walls
+        # (no_slip/lattice_response.py), nothing from balls.
+        for cells in (6, 8):
+            self.assertLess(abs(error(cells, {}, NO_SLIP)), 0.02)
 
 
 class Long(Drag):
