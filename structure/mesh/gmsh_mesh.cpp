@@ -34,6 +34,17 @@ class GmshSession {
 };
 
 // The library would also take geometries and scripts, and run them.
+// Gmsh reads options for mesh.msh from mesh.msh.opt, and runs the commands in them.
+void refuse_options(const std::filesystem::path& file) {
+    std::filesystem::path options = file;
+    options += ".opt";
+    std::error_code none;
+    if (std::filesystem::exists(std::filesystem::symlink_status(options, none)))
+        throw std::runtime_error(
+            fmt::format("{} stands beside it, whose commands Gmsh would run; remove it",
+                        options.string()));
+}
+
 void check_header(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw std::runtime_error("the file cannot be opened");
@@ -164,6 +175,7 @@ void refuse_empty_groups(const Mesh& mesh) {
 }
 
 GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
+    refuse_options(file);
     check_header(file);
     const GmshSession session;
     gmsh::open(file.string());

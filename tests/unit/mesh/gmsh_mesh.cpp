@@ -195,6 +195,15 @@ TEST(GmshRefusals, Tetrahedra) {
                       {"Tetrahedron 4", "hexahedra of 8 nodes", "Recombine"});
 }
 
+TEST(GmshRefusals, CommandsBesideTheMesh) {
+    const auto file = gmsh_file("options.msh", {}, cube);
+    const std::filesystem::path options = file.string() + ".opt", made = "commands_ran";
+    std::ofstream(options) << "SystemCall \"touch commands_ran\";\n";
+    test::expect_says(refusal(file), {"options.msh.opt", "remove it"});
+    EXPECT_FALSE(std::filesystem::exists(made));
+    std::filesystem::remove(options);
+}
+
 TEST(GmshRefusals, SecondOrder) {
     const auto file = gmsh_file("second.msh", {}, [] {
         gmsh::option::setNumber("Mesh.ElementOrder", 2);
