@@ -13,11 +13,6 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Two-relaxation-time collision had the lowest error of the three at moderate relaxation
-// times. Near 1/2 its odd rate vanishes if Lambda stays at 3/16 (0.24 at 0.55, 0.018 at
-// 0.5035, 0.008 at 0.5015): a swimming robot and a Taylor-Green vortex diverged.
-constexpr double trt_from = 0.55;
-
 // Of recursive_mrt. Small ones damp more: at 3/16 the swimmer diverges at a relaxation
 // time of 0.5015, at 0.02 with the 3-point kernel (docs/coupling_measurements.md).
 constexpr double recursive_magic = 0.01;
@@ -72,10 +67,11 @@ double odd_rate(const FluidConfig& config) {
     return odd_rate(1 / relaxation_time(config), choose_magic_number(config));
 }
 
-// Recursive regularisation is the one that survives unresolved turbulence (Taylor-Green
-// at Reynolds number 100,000 on 32^3 cells). But where a moving wall meets a resting one
-// it diverged or lost its way (cavity at Reynolds number 1000 on 64^2 cells, relaxation
-// time 0.519), which two relaxation times with an odd rate of 1 do not.
+// Two-relaxation-time collision had the lowest error of the three at moderate relaxation
+// times. Recursive regularisation is the one that survives unresolved turbulence
+// (Taylor-Green at Reynolds number 100,000 on 32^3 cells). But where a moving wall meets
+// a resting one it diverged or lost its way (cavity at Reynolds number 1000 on 64^2
+// cells, relaxation time 0.519), which two relaxation times with an odd rate of 1 do not.
 Collision choose_collision(const FluidConfig& config) {
     if (config.collision != Collision::automatic) return config.collision;
     const bool low = relaxation_time(config) < trt_from;

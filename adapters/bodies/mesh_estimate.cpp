@@ -88,8 +88,7 @@ std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
         here_m = structure::linear_response(solid, loads.loads);
         fine_m = structure::linear_response(fine, loads.loads);
     } catch (const std::runtime_error&) {
-        return std::nullopt;  // not stable without loads: the run says what it makes of
-                              // it
+        return std::nullopt;  // not stable without loads: the run will say so
     }
     MeshEstimate out{loads.words, 0, {}};
     const auto largest = std::ranges::max_element(

@@ -8,6 +8,7 @@
 
 #include "adapters/bodies/marker_surface.h"
 #include "adapters/scene/effective.h"
+#include "fluid_lbm/units.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
 
@@ -29,7 +30,7 @@ bool has_one_layer(const KernelReach& reach, double thickness_m) {
 
 // A sheet of thickness t with square edges moves as much fluid as one without thickness
 // that reaches 0.31 to 0.35 t further (boundary elements; t up to a tenth of the width),
-// from which 0.1 t is taken for the fluid that the thickness displaces.
+// and displaces as much as a tenth of t more would move.
 constexpr double square_edge = 0.44;
 
 // From the rim to where the area of the markers ends.
@@ -212,8 +213,7 @@ double edge(coupler::Kernel kernel) {
 KernelReach reach_in(const scene::Scene& scene) {
     const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
     const double grid_m = scene.fluid->spacing_m;
-    // Below, the collision has a small magic number.
-    const bool small = scene::relaxation_time(scene).value_or(1) < 0.55;
+    const bool small = scene::relaxation_time(scene).value_or(1) < fluid::trt_from;
     return {grid_m, face(kernel, small) * grid_m, edge(kernel) * grid_m};
 }
 
