@@ -1,11 +1,9 @@
 """Meshes, surfaces, tables and checkpoints with random damage: refused in one line, or read as
 what they say; none crashes, hangs, or is taken for something else than it was."""
 
-import argparse
 import os
 import random
 import shutil
-import sys
 import unittest
 from pathlib import Path
 
@@ -149,9 +147,4 @@ class Damaged(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--files", type=int, default=FILES)
-    parser.add_argument("--seed", type=int, default=SEED)
-    arguments, rest = parser.parse_known_args()
-    FILES, SEED = arguments.files, arguments.seed
-    unittest.main(argv=sys.argv[:1] + rest)
+    testing.main(FILES=FILES, SEED=SEED)

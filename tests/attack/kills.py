@@ -2,10 +2,8 @@
 checkpoint is being written. The same command with --restart latest, at once, goes on to the same
 bytes, and nothing is left running."""
 
-import argparse
 import random
 import signal
-import sys
 import unittest
 from pathlib import Path
 
@@ -100,9 +98,4 @@ class Kills(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--kills", type=int, default=KILLS)
-    parser.add_argument("--seed", type=int, default=SEED)
-    arguments, rest = parser.parse_known_args()
-    KILLS, SEED = arguments.kills, arguments.seed
-    unittest.main(argv=sys.argv[:1] + rest)
+    testing.main(KILLS=KILLS, SEED=SEED)

@@ -2,12 +2,10 @@
 goes on from at most one interval before, and in the end its results are those of a run that nobody
 killed."""
 
-import argparse
 import os
 import random
 import re
 import signal
-import sys
 import time
 import unittest
 from pathlib import Path
@@ -119,9 +117,4 @@ class Kills(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--kills", type=int, default=KILLS)
-    parser.add_argument("--seed", type=int, default=SEED)
-    arguments, rest = parser.parse_known_args()
-    KILLS, SEED = arguments.kills, arguments.seed
-    unittest.main(argv=sys.argv[:1] + rest)
+    testing.main(KILLS=KILLS, SEED=SEED)

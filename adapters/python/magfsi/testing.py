@@ -1,4 +1,5 @@
 """Runs of the built magfsi for tests: start, read what it left, compare."""
+import argparse
 import atexit
 import math
 import os
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 from magfsi import runs
 from magfsi.runs import EXIT_INPUT, BIN, ROOT, overrides, run_command, start  # noqa: F401
@@ -77,6 +79,16 @@ def check_prompt(test, result):
     short_s = time.monotonic() - began
     report(f"ended after {result.seconds:.1f} s, while a run of two steps takes {short_s:.1f} s")
     test.assertLess(result.seconds, 10 * short_s)
+
+
+def main(**numbers):
+    """Runs the script's tests; --kills 100 sets its global KILLS."""
+    parser = argparse.ArgumentParser()
+    for name, default in numbers.items():
+        parser.add_argument(f"--{name.lower()}", dest=name, type=int, default=default)
+    known, rest = parser.parse_known_args()
+    vars(sys.modules["__main__"]).update(vars(known))
+    unittest.main(argv=sys.argv[:1] + rest)
 
 
 def causes(result):
