@@ -124,11 +124,14 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
     reset_solid_cells();
 }
 
-std::size_t Fluid::State::fluid_cells() const {
-    std::size_t count = cells();
-    if (!obstacles) return count;
-    for (const CellRow& row : obstacles->rows()) count -= row.size();
-    return count;
+CellBox Fluid::State::local_part(const CellBox& box) const {
+    const CellBox& own = owned();
+    CellBox part;
+    for (int d = 0; d < 3; ++d) {
+        part.lo[d] = std::max(box.lo[d], own.lo[d]) - own.lo[d];
+        part.hi[d] = std::max(std::min(box.hi[d], own.hi[d]) - own.lo[d], part.lo[d]);
+    }
+    return part;
 }
 
 void Fluid::State::need_forces(const std::optional<Vec3>& body_force) {

@@ -25,6 +25,11 @@ struct Totals {  // over all ranks, without the insides of obstacles
     double max_speed_m_s = 0;
 };
 
+struct Enstrophy {
+    double integral_m3_s2 = 0;  // of |curl u|^2 / 2
+    double volume_m3 = 0;       // of the fluid that it is over
+};
+
 struct PlaneFlow {           // through the fluid's part of a plane across the box
     double flow_m3_s = 0;    // along the axis
     Vec3 momentum_flux_n{};  // of density times velocity, without pressure
@@ -45,6 +50,7 @@ struct Divergence {
     double relaxation_time = 0;
     std::int64_t step = 0;  // steps done when the cell was in this state
     DivergenceCause cause = DivergenceCause::speed;
+    std::optional<int> level;  // of a refined grid, with its cell and its steps
 };
 // One sentence: where, what, the likely cause, and what to change.
 std::string to_string(const Divergence& divergence);
@@ -92,9 +98,12 @@ class Fluid {
     void set_populations(int plane, std::span<const double> values);
 
     Totals totals() const;  // collective
+    // Of disjoint boxes of global cells alone. Collective.
+    Totals totals(std::span<const CellBox> parts) const;
     // Mean of |curl u|^2 / 2 over the fluid. Collective; while it runs a copy of the
     // velocity is held, three doubles a cell.
     double enstrophy_1_s2() const;
+    Enstrophy enstrophy(std::span<const CellBox> parts) const;
     // Of the plane across `axis` (0 x, 1 y, 2 z) at a coordinate in the box. Collective.
     PlaneFlow plane_flow(int axis, double at_m) const;
     // Force [N] of the fluid on each obstacle during the last step, in the order of the
@@ -112,7 +121,9 @@ class Fluid {
     // curl u [1/s] of the owned cells, 3 a cell, x fastest. Collective.
     void vorticity(std::span<float> out) const;
 
-    struct State;  // state.h: for the files that implement this class
+    struct State;  // state.h: for the files that implement this class, and refinement/
+    State& state() { return *state_; }
+    const State& state() const { return *state_; }
 
   private:
     std::unique_ptr<State> state_;

@@ -57,15 +57,37 @@ struct Fluid::State {
     std::size_t cells() const {  // of this rank
         return static_cast<std::size_t>(layout.nx) * layout.ny * layout.nz;
     }
-    std::size_t fluid_cells() const;  // of those, outside obstacles
     // Local indices.
     bool is_solid(const Cell& cell) const {
         return obstacles && obstacles->map().solid(cell);
     }
+    // Box of global indices, as far as it is this rank's, in local ones.
+    CellBox local_part(const CellBox& box) const;
     void need_forces(const std::optional<Vec3>& body_force);
     void set_initial_flow();
     // After the populations have been changed: solid cells back to rest.
     void reset_solid_cells();
 };
+
+// use(row), local indices, for each of this rank's rows of boxes of global indices.
+template <class Use>
+void each_row_of(const Fluid::State& s, std::span<const CellBox> parts, Use&& use) {
+    for (const CellBox& part : parts) {
+        const CellBox box = s.local_part(part);
+        for (int z = box.lo[2]; z < box.hi[2]; ++z) {
+            for (int y = box.lo[1]; y < box.hi[1]; ++y)
+                use(CellRow{y, z, box.lo[0], box.hi[0]});
+        }
+    }
+}
+
+// Without solid cells; row: local indices.
+inline double fluid_cells_of(const Fluid::State& s, const CellRow& row) {
+    if (!s.obstacles) return row.size();
+    double cells = 0;
+    for (int x = row.x_begin; x < row.x_end; ++x)
+        cells += s.is_solid({x, row.y, row.z}) ? 0 : 1;
+    return cells;
+}
 
 }  // namespace magfsi::fluid

@@ -1,5 +1,7 @@
 #include "fluid_lbm/sampling/moments.h"
 
+#include <algorithm>
+
 namespace magfsi::fluid {
 
 namespace {
@@ -20,6 +22,34 @@ void each_row(const View& view, const PopulationRows<Real>& rows, int z, Use&& u
         use(pointers(rows, view.layout, view.arrangement, y, z), y * row_values);
 }
 
+// use(at, count): pointers to the row's first cell, by direction.
+template <class Real, class Use>
+void read_row(const View& view, const CellRow& row, Use&& use) {
+    const RowPointers<Real> p = readable_row<Real>(view, row.y, row.z);
+    const Real* at[d3q19::directions];
+    for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + row.x_begin;
+    use(at, row.size());
+}
+
+// The same for a use that changes what stands there.
+template <class Real, class Use>
+void change_row(const View& view, const CellRow& row, Use&& use) {
+    const RowPointers<Real> p = readable_row<Real>(view, row.y, row.z);
+    Real* at[d3q19::directions];
+    for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + row.x_begin;
+    use(at, row.size());
+    if (view.arrangement == Arrangement::swapped) close_x_ends(p, view.layout);
+}
+
+// The arrays of so many numbers that follow each other.
+template <std::size_t Numbers, class T>
+std::array<T*, Numbers> arrays(T* first, int count) {
+    std::array<T*, Numbers> all;
+    for (std::size_t i = 0; i < Numbers; ++i)
+        all[i] = first + i * static_cast<std::size_t>(count);
+    return all;
+}
+
 }  // namespace
 
 void row_moments(const View& view, int y, int z, int x_begin, int x_end,
@@ -37,6 +67,56 @@ void row_moments(const View& view, int y, int z, int x_begin, int x_end,
             kernels.moments(at, count, out);
         },
         view.kernels);
+}
+
+void read_flow(const View& view, const CellRow& row, double* flow) {
+    std::visit(
+        [&]<class Real>(const RowKernels<Real>& kernels) {
+            read_row<Real>(view, row, [&](const Real* const* at, int count) {
+                kernels.flow(at, count, arrays<flow_numbers>(flow, count).data());
+            });
+        },
+        view.kernels);
+}
+
+void write_flow(const View& view, const CellRow& row, const double* flow) {
+    std::visit(
+        [&]<class Real>(const RowKernels<Real>& kernels) {
+            change_row<Real>(view, row, [&](Real* const* at, int count) {
+                kernels.rebuild(arrays<flow_numbers>(flow, count).data(), count, at);
+            });
+        },
+        view.kernels);
+}
+
+void add_density(const View& view, const CellRow& row, double excess) {
+    view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
+        change_row<Real>(view, row, [&](Real* const* at, int count) {
+            for (int q = 0; q < d3q19::directions; ++q) {
+                for (int x = 0; x < count; ++x)
+                    at[q][x] = static_cast<Real>(at[q][x] + d3q19::weight(q) * excess);
+            }
+        });
+    });
+}
+
+void read_populations(const View& view, const CellRow& row, double* values) {
+    view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
+        read_row<Real>(view, row, [&](const Real* const* at, int count) {
+            for (int q = 0; q < d3q19::directions; ++q)
+                values = std::copy_n(at[q], count, values);
+        });
+    });
+}
+
+void write_populations(const View& view, const CellRow& row, const double* values) {
+    view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
+        change_row<Real>(view, row, [&](Real* const* at, int count) {
+            for (int q = 0; q < d3q19::directions; ++q, values += count) {
+                for (int x = 0; x < count; ++x) at[q][x] = static_cast<Real>(values[x]);
+            }
+        });
+    });
 }
 
 void read_plane(const View& view, int z, std::span<double> values) {

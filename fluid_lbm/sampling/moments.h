@@ -8,6 +8,7 @@
 
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/streaming/kernel_choice.h"
+#include "grid/cells.h"
 
 namespace magfsi::fluid {
 
@@ -30,6 +31,16 @@ struct View {
 // steps.
 void row_moments(const View& view, int y, int z, int x_begin, int x_end,
                  RowMoments& moments);
+
+// The flow_numbers of those cells (refinement/flow_kernel.h), one number after the other,
+// and populations made of such: ghost modes are gone.
+void read_flow(const View& view, const CellRow& row, double* flow);
+void write_flow(const View& view, const CellRow& row, const double* flow);
+// Changes the density by so much, at the velocity zero.
+void add_density(const View& view, const CellRow& row, double excess);
+// Their populations, one direction after the other.
+void read_populations(const View& view, const CellRow& row, double* values);
+void write_populations(const View& view, const CellRow& row, const double* values);
 
 // All populations of a plane of cells, for a state that is saved and restored. z: local
 // index; values: [y][x][19] of the rank's cells, those that have arrived, as deviations

@@ -87,17 +87,19 @@ PlaneSums sum_layers(const Fluid::State& s, const Layers& layers) {
 }  // namespace
 
 Totals Fluid::totals() const {
+    return totals(std::vector{CellBox{{0, 0, 0}, state_->config.cells}});
+}
+
+Totals Fluid::totals(std::span<const CellBox> parts) const {
     const State& s = *state_;
     RowMoments m;
     Sums sum;
     double max_speed_squared = 0;
-    for (int z = 0; z < s.layout.nz; ++z) {
-        for (int y = 0; y < s.layout.ny; ++y) {
-            row_moments(s.view(), y, z, 0, s.layout.nx, m);
-            add_row(m, sum, max_speed_squared);  // solid cells hold rest: no excess
-        }
-    }
-    sum.cells = static_cast<double>(s.fluid_cells());
+    each_row_of(s, parts, [&](const CellRow& row) {
+        row_moments(s.view(), row.y, row.z, row.x_begin, row.x_end, m);
+        add_row(m, sum, max_speed_squared);  // solid cells hold rest: no excess
+        sum.cells += fluid_cells_of(s, row);
+    });
     static_assert(sizeof sum == 6 * sizeof(double));
     sum_over_ranks(s.comm, &sum.excess, 6);
     sum_over_ranks(s.comm, &max_speed_squared, 1, MPI_MAX);

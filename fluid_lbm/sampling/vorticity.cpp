@@ -21,7 +21,7 @@ class VelocityField {
     // an outlet as if the velocity did not change across them.
     Vec3 curl(int x, int y, int z) const;
     // Adds |curl u|^2 / 2 of the fluid cells of a row.
-    void add_enstrophy_of_row(int y, int z, double& sum) const;
+    void add_enstrophy_of_row(const CellRow& row, double& sum) const;
 
   private:
     // y and z from -1 to ny and nz.
@@ -149,13 +149,13 @@ double VelocityField::enstrophy(int x, int y, int z) const {
     return 0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
-void VelocityField::add_enstrophy_of_row(int y, int z, double& sum) const {
-    if (!state_.obstacles) {
-        sum += enstrophy_of_row(y, z);
+void VelocityField::add_enstrophy_of_row(const CellRow& row, double& sum) const {
+    if (!state_.obstacles && row.size() == layout_.nx) {
+        sum += enstrophy_of_row(row.y, row.z);
         return;
     }
-    for (int x = 0; x < layout_.nx; ++x) {
-        if (!state_.is_solid({x, y, z})) sum += enstrophy(x, y, z);
+    for (int x = row.x_begin; x < row.x_end; ++x) {
+        if (!state_.is_solid({x, row.y, row.z})) sum += enstrophy(x, row.y, row.z);
     }
 }
 
@@ -189,15 +189,21 @@ double VelocityField::enstrophy_of_row(int y, int z) const {
 }  // namespace
 
 double Fluid::enstrophy_1_s2() const {
+    const Enstrophy whole = enstrophy(std::vector{CellBox{{0, 0, 0}, state_->config.cells}});
+    return whole.integral_m3_s2 / whole.volume_m3;
+}
+
+Enstrophy Fluid::enstrophy(std::span<const CellBox> parts) const {
     const State& s = *state_;
     const VelocityField field(s);
     double sum[2] = {};  // enstrophy, cells
-    for (int z = 0; z < s.layout.nz; ++z) {
-        for (int y = 0; y < s.layout.ny; ++y) field.add_enstrophy_of_row(y, z, sum[0]);
-    }
-    sum[1] = static_cast<double>(s.fluid_cells());
+    each_row_of(s, parts, [&](const CellRow& row) {
+        field.add_enstrophy_of_row(row, sum[0]);
+        sum[1] += fluid_cells_of(s, row);
+    });
     MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPI_DOUBLE, MPI_SUM, s.comm);
-    return sum[0] / sum[1] / std::pow(s.config.time_step_s, 2);
+    const double cell_m3 = std::pow(s.config.spacing_m, 3);
+    return {sum[0] * cell_m3 / std::pow(s.config.time_step_s, 2), sum[1] * cell_m3};
 }
 
 void Fluid::vorticity(std::span<float> out) const {

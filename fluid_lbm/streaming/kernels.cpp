@@ -4,6 +4,7 @@
 #include "fluid_lbm/collision/recursive_regularized.h"
 #include "fluid_lbm/collision/smagorinsky.h"
 #include "fluid_lbm/collision/trt.h"
+#include "fluid_lbm/refinement/flow_kernel.h"
 #include "fluid_lbm/streaming/row_kernel.h"
 
 namespace magfsi::fluid::MAGFSI_ISA {
@@ -23,13 +24,26 @@ void sample(const Real* const* at, std::ptrdiff_t length, double* const* moments
     sample_row<vector_bytes / sizeof(double)>(at, length, moments);
 }
 
+template <class Real>
+void flow(const Real* const* at, std::ptrdiff_t length, double* const* flow) {
+    flow_row<vector_bytes / sizeof(double)>(at, length, flow);
+}
+
+template <class Real>
+void rebuild(const double* const* flow, std::ptrdiff_t length, Real* const* at) {
+    rebuild_row<vector_bytes / sizeof(double)>(flow, length, at);
+}
+
+template <class Real, class T, class C>
+constexpr RowKernels<Real> row_kernels_of() {
+    return {collide<Real, T, C, false>, collide<Real, T, C, true>, sample<Real>,
+            flow<Real>, rebuild<Real>};
+}
+
 template <class Real, class T, class C>
 constexpr CollisionKernels<Real> kernels_of() {
-    using WithEddies = Smagorinsky<C>;
     return {C::kind,
-            {{collide<Real, T, C, false>, collide<Real, T, C, true>, sample<Real>},
-             {collide<Real, T, WithEddies, false>, collide<Real, T, WithEddies, true>,
-              sample<Real>}}};
+            {row_kernels_of<Real, T, C>(), row_kernels_of<Real, T, Smagorinsky<C>>()}};
 }
 
 // A new collision is a header like bgk.h, an enumerator with its word in options.h, and

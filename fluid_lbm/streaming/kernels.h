@@ -21,12 +21,24 @@ template <class Real>
 using MomentsKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
                                double* const* moments);
 
+// Between populations and what levels of a refined grid tell each other, ten arrays of
+// that length: see refinement/flow_kernel.h.
+constexpr int flow_numbers = 10;
+template <class Real>
+using FlowKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
+                            double* const* flow);
+template <class Real>
+using RebuildKernel = void (*)(const double* const* flow, std::ptrdiff_t length,
+                               Real* const* at);
+
 // The kernels that a run uses.
 template <class Real>
 struct RowKernels {
     RowKernel<Real> plain = nullptr;
     RowKernel<Real> forced = nullptr;  // for rows that carry a force
     MomentsKernel<Real> moments = nullptr;
+    FlowKernel<Real> flow = nullptr;
+    RebuildKernel<Real> rebuild = nullptr;
 };
 
 template <class Real>

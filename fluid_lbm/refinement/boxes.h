@@ -1,0 +1,108 @@
+// Boxes of cells, half-open: what two share, what one leaves of another, rows.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "grid/cells.h"
+
+namespace magfsi::fluid {
+
+inline bool is_empty(const CellBox& box) {
+    return box.lo[0] >= box.hi[0] || box.lo[1] >= box.hi[1] || box.lo[2] >= box.hi[2];
+}
+
+inline CellBox shared(const CellBox& a, const CellBox& b) {
+    CellBox both;
+    for (int d = 0; d < 3; ++d) {
+        both.lo[d] = std::max(a.lo[d], b.lo[d]);
+        both.hi[d] = std::min(a.hi[d], b.hi[d]);
+    }
+    return both;
+}
+
+inline CellBox shifted(const CellBox& box, const std::array<int, 3>& by) {
+    CellBox moved = box;
+    for (int d = 0; d < 3; ++d) {
+        moved.lo[d] += by[d];
+        moved.hi[d] += by[d];
+    }
+    return moved;
+}
+
+inline bool contains(const CellBox& outer, const CellBox& inner) {
+    for (int d = 0; d < 3; ++d) {
+        if (inner.lo[d] < outer.lo[d] || inner.hi[d] > outer.hi[d]) return false;
+    }
+    return true;
+}
+
+inline std::int64_t cells_of(const CellBox& box) {
+    std::int64_t count = is_empty(box) ? 0 : 1;
+    for (int d = 0; d < 3; ++d) count *= box.hi[d] - box.lo[d];
+    return count;
+}
+
+// Disjoint boxes that cover `box` but for what it shares with `hole`: whole slabs across
+// z, then y, then x.
+inline std::vector<CellBox> without(CellBox box, const CellBox& hole) {
+    std::vector<CellBox> rest;
+    const CellBox cut = shared(box, hole);
+    if (is_empty(cut)) {
+        if (!is_empty(box)) rest.push_back(box);
+        return rest;
+    }
+    for (int d = 2; d >= 0; --d) {
+        CellBox low = box, high = box;
+        low.hi[d] = cut.lo[d];
+        high.lo[d] = cut.hi[d];
+        if (!is_empty(low)) rest.push_back(low);
+        if (!is_empty(high)) rest.push_back(high);
+        box.lo[d] = cut.lo[d];
+        box.hi[d] = cut.hi[d];
+    }
+    return rest;
+}
+
+inline std::vector<CellBox> without(const std::vector<CellBox>& boxes,
+                                    const CellBox& hole) {
+    std::vector<CellBox> rest;
+    for (const CellBox& box : boxes) {
+        const std::vector<CellBox> left = without(box, hole);
+        rest.insert(rest.end(), left.begin(), left.end());
+    }
+    return rest;
+}
+
+// use(image): shifts by whole periods (of axes that have one, else 0) that bring cells of
+// the domain to all places of a box that begins in it, is no longer than it, and reaches
+// a stencil beyond.
+template <class Use>
+void for_each_image(const std::array<int, 3>& period, Use&& use) {
+    constexpr int stencil = 4;
+    const auto along = [&](int d) {
+        std::vector<int> images{0};
+        for (int by = period[d]; period[d] > 0 && by < 2 * period[d] + stencil;
+             by += period[d])
+            images.insert(images.end(), {-by, by});
+        return images;
+    };
+    for (const int z : along(2)) {
+        for (const int y : along(1)) {
+            for (const int x : along(0)) use(std::array<int, 3>{x, y, z});
+        }
+    }
+}
+
+// visit(CellRow), rows along x, y fastest.
+template <class Visit>
+void for_each_row(const CellBox& box, Visit&& visit) {
+    if (is_empty(box)) return;
+    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
+        for (int y = box.lo[1]; y < box.hi[1]; ++y)
+            visit(CellRow{y, z, box.lo[0], box.hi[0]});
+    }
+}
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,65 @@
+// Between the populations of a row and the ten numbers that levels of different spacing
+// tell each other: density - 1, velocity, and the stress beyond equilibrium (xx, yy, zz,
+// xy, xz, yz), of states before collision. What the lattice carries beyond these are
+// ghost modes, which do not cross from one level to another.
+#pragma once
+
+#include "fluid_lbm/collision/recursive_regularized.h"
+
+namespace magfsi::fluid {
+
+template <class V, class Real>
+MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
+                              double* const* flow) {
+    V f[d3q19::directions];
+#pragma GCC unroll 19
+    for (int q = 0; q < d3q19::directions; ++q) f[q] = load<V>(at[q] + x);
+    const MomentsToSecond<V> m = moments_to_second(f);
+    const V per_density = 1.0 / (1.0 + m.low.excess);
+    const V u[3] = {m.low.j[0] * per_density, m.low.j[1] * per_density,
+                    m.low.j[2] * per_density};
+    const Symmetric<V> n = nonequilibrium(m, outer(m.low.j, u));
+    store(flow[0] + x, m.low.excess);
+    for (int a = 0; a < 3; ++a) store(flow[1 + a] + x, u[a]);
+    const V* const stress[6] = {&n.xx, &n.yy, &n.zz, &n.xy, &n.xz, &n.yz};
+    for (int i = 0; i < 6; ++i) store(flow[4 + i] + x, *stress[i]);
+}
+
+// With the third-order moments that follow by recursion.
+template <class V, class Real>
+MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
+                                 Real* const* at) {
+    const V excess = load<V>(flow[0] + x);
+    const V u[3] = {load<V>(flow[1] + x), load<V>(flow[2] + x), load<V>(flow[3] + x)};
+    const Symmetric<V> n{load<V>(flow[4] + x), load<V>(flow[5] + x),
+                         load<V>(flow[6] + x), load<V>(flow[7] + x),
+                         load<V>(flow[8] + x), load<V>(flow[9] + x)};
+    const V density = 1.0 + excess;
+    const V j[3] = {density * u[0], density * u[1], density * u[2]};
+    const Symmetric<V> ruu = outer(j, u);
+    rebuild(LaneCells<V, Real>(at, x), excess, j, add(ruu, n), third_order(u, ruu, n),
+            NoFourthOrder{});
+}
+
+template <int Width, class Real>
+MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
+                            double* const* flow) {
+    std::ptrdiff_t x = 0;
+    for (; x + Width <= length; x += Width)
+        flow_block<typename Simd<double, Width>::Vector>(at, x, flow);
+    for (; x < length; ++x) flow_block<typename Simd<double, 1>::Vector>(at, x, flow);
+}
+
+template <int Width, class Real>
+MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
+                               Real* const* at) {
+    // Collisions write each population to the slot of its opposite; here it stays.
+    Real* own[d3q19::directions];
+    for (int q = 0; q < d3q19::directions; ++q) own[d3q19::opposite(q)] = at[q];
+    std::ptrdiff_t x = 0;
+    for (; x + Width <= length; x += Width)
+        rebuild_block<typename Simd<double, Width>::Vector>(flow, x, own);
+    for (; x < length; ++x) rebuild_block<typename Simd<double, 1>::Vector>(flow, x, own);
+}
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,57 @@
+// Where the finer levels lie. Level 0 is the uniform grid over the whole box; level l has
+// a spacing and a time step 2^l times smaller and covers a box of cells of level l - 1.
+// Beyond the box, on sides that are not those of the domain, a level has a ring of four
+// cells that are filled anew in every second of its steps: what the wall behind the ring
+// makes wrong walks inwards by a cell a step and never gets to the box.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "fluid_lbm/config.h"
+
+namespace magfsi::fluid {
+
+constexpr int ring_cells = 4;
+// Cells of a level between the box of the next finer one and its own ring, or it reads
+// what has not been filled: two under the ring, two for a cubic.
+constexpr int apart_cells = 4;
+// How far a patch may lie off its best place, in cells of the level below: what makes it
+// follow in jumps.
+constexpr int slack_cells = 4;
+
+// A level's place: all in global indices of its own cells, from the corner of the whole
+// box on.
+struct LevelPlace {
+    std::array<int, 3> domain{};  // cells that it would have over the whole box
+    CellBox inside;               // what it solves: the covered box
+    CellBox stored;               // with the ring
+    // Cells along axes that it covers from one periodic side to the other, else 0.
+    std::array<int, 3> period{};
+
+    // Of the level below.
+    CellBox covered() const;
+};
+
+// cells, periodic: of the whole box.
+LevelPlace coarsest_place(const std::array<int, 3>& cells,
+                          const std::array<bool, 3>& periodic);
+// Over a box of the level below, clipped to the domain: sides closer to walls than a ring
+// and its stencils become those, and a box that comes as close to itself across periodic
+// sides covers the whole axis. Where it crosses a periodic side its indices go on beyond.
+LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& periodic,
+                       CellBox covered);
+
+// The places of all finer levels, for bodies in a box [m] of which none may come closer
+// to a patch's sides than margin_cells of the finest but one level. before: where they
+// are now, null at first; absent result: they may stay.
+std::optional<std::vector<LevelPlace>> place_levels(
+    const FluidConfig& coarse, int levels, const std::array<Vec3, 2>& bodies_m,
+    int margin_cells, const std::vector<LevelPlace>* before);
+
+// What solves a level: level 0 as it is, others as a box of their stored cells. Throws
+// std::invalid_argument where an inlet or an outlet would be a side of the patch.
+FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int level);
+
+}  // namespace magfsi::fluid

@@ -1,0 +1,99 @@
+#include "fluid_lbm/refinement/transfer.h"
+
+#include "fluid_lbm/refinement/boxes.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+constexpr int transfer_tag = 57;
+
+CellRow less(CellRow row, const std::array<int, 3>& image) {
+    row.x_begin -= image[0];
+    row.x_end -= image[0];
+    row.y -= image[1];
+    row.z -= image[2];
+    return row;
+}
+
+}  // namespace
+
+CellTransfer::CellTransfer(MPI_Comm comm, const std::vector<CellBox>& owned,
+                           const std::array<int, 3>& period,
+                           const std::vector<std::vector<CellBox>>& wanted)
+    : comm_(comm) {
+    MPI_Comm_rank(comm_, &rank_);
+    for (int other = 0; other < static_cast<int>(owned.size()); ++other) {
+        const auto add = [&](std::vector<Part>& parts, std::vector<int>& ranks, int owner,
+                             int wants) {
+            const std::size_t before = parts.size();
+            for (std::size_t b = 0; b < wanted[wants].size(); ++b) {
+                for_each_image(period, [&](const std::array<int, 3>& image) {
+                    const CellBox cells =
+                        shared(wanted[wants][b], shifted(owned[owner], image));
+                    if (!is_empty(cells)) parts.push_back({other, b, cells, image});
+                });
+            }
+            if (parts.size() > before && other != rank_) ranks.push_back(other);
+        };
+        add(in_, from_, other, rank_);
+        if (other != rank_) add(out_, to_, rank_, other);
+    }
+    sent_.resize(to_.size());
+    received_.resize(from_.size());
+}
+
+std::size_t CellTransfer::cells_with(const std::vector<Part>& parts, int rank) {
+    std::size_t cells = 0;
+    for (const Part& part : parts)
+        if (part.rank == rank) cells += static_cast<std::size_t>(cells_of(part.cells));
+    return cells;
+}
+
+void CellTransfer::pass_to_itself(std::size_t numbers, const Read& read,
+                                  const Take& take) {
+    for (const Part& part : in_) {
+        if (part.rank != rank_) continue;
+        for_each_row(part.cells, [&](const CellRow& row) {
+            row_.resize(numbers * static_cast<std::size_t>(row.size()));
+            read(less(row, part.image), row_.data());
+            take(part.box, row, row_.data());
+        });
+    }
+}
+
+void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take) {
+    std::vector<MPI_Request> requests;
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+        received_[i].resize(numbers * cells_with(in_, from_[i]));
+        MPI_Irecv(received_[i].data(), static_cast<int>(received_[i].size()), MPI_DOUBLE,
+                  from_[i], transfer_tag, comm_, &requests.emplace_back());
+    }
+    for (std::size_t i = 0; i < to_.size(); ++i) {
+        sent_[i].resize(numbers * cells_with(out_, to_[i]));
+        double* at = sent_[i].data();
+        for (const Part& part : out_) {
+            if (part.rank != to_[i]) continue;
+            for_each_row(part.cells, [&](const CellRow& row) {
+                read(less(row, part.image), at);
+                at += numbers * static_cast<std::size_t>(row.size());
+            });
+        }
+        MPI_Isend(sent_[i].data(), static_cast<int>(sent_[i].size()), MPI_DOUBLE, to_[i],
+                  transfer_tag, comm_, &requests.emplace_back());
+    }
+    pass_to_itself(numbers, read, take);
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+        const double* at = received_[i].data();
+        for (const Part& part : in_) {
+            if (part.rank != from_[i]) continue;
+            for_each_row(part.cells, [&](const CellRow& row) {
+                take(part.box, row, at);
+                at += numbers * static_cast<std::size_t>(row.size());
+            });
+        }
+    }
+}
+
+}  // namespace magfsi::fluid
