@@ -66,6 +66,7 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     if (!scene.bodies.empty()) plan.roles.push_back(coupler::Role::structure);
     if (scene.fluid) {
         plan.roles.push_back(coupler::Role::fluid);
+        plan.steps_at_a_time = scene.fluid->coupled_steps_in_one();
         plan.fluid_density_kg_m3 = scene.fluid->density_kg_m3;
         plan.given_speed_m_s = given_speed(*scene.fluid);
     }

@@ -83,7 +83,7 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
     const coupler::ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
     const structure::Continues continues = spans_fluid(*scene.fluid, body);
     const structure::Mesh mesh = to_mesh(body);
-    const double grid_m = scene.fluid->spacing_m;
+    const double grid_m = scene.fluid->finest_spacing_m();
     const Spacings spacing{grid_m, boundary.marker_spacing * grid_m};
     const auto sheet = structure::find_sheet(mesh, continues);
     const bool surface =

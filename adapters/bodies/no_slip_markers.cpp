@@ -212,8 +212,8 @@ double edge(coupler::Kernel kernel) {
 
 KernelReach reach_in(const scene::Scene& scene) {
     const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
-    const double grid_m = scene.fluid->spacing_m;
-    const bool small = scene::relaxation_time(scene).value_or(1) < fluid::trt_from;
+    const double grid_m = scene.fluid->finest_spacing_m();
+    const bool small = scene::relaxation_time_at_bodies(scene).value_or(1) < fluid::trt_from;
     return {grid_m, face(kernel, small) * grid_m, edge(kernel) * grid_m};
 }
 

@@ -1,6 +1,7 @@
 // What a fluid participant asks of its solver beyond the coupling's GridFluid.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,14 @@ struct FluidTotals {  // over all ranks, without the insides of obstacles
 
 using fluid::PlaneFlow;
 
+// Cells of one size, in their own global indices.
+struct FieldCells {
+    double spacing_m = 0;
+    std::vector<coupler::CellBox> owned_by_rank;  // some may be empty
+    // Of those, the ones that a finer level has instead.
+    std::optional<coupler::CellBox> hidden;
+};
+
 class FluidSolver : public coupler::GridFluid {
   public:
     // One line on what runs: cells, step, method.
@@ -32,8 +41,13 @@ class FluidSolver : public coupler::GridFluid {
     virtual std::vector<scene::Vec3> obstacle_forces() { return {}; }
     virtual PlaneFlow plane_flow(int /*axis*/, double /*at_m*/) { return {}; }
 
-    // Of this rank's cells of grid(), x fastest: 3 values a cell, density 1. Collective.
-    virtual void field(scene::FluidField field, std::span<float> out) = 0;
+    // The cells of fields in files, by level: one, of grid(), but in a refined grid.
+    virtual std::vector<FieldCells> field_cells() const {
+        return {{grid().spacing_m, grid().owned_by_rank, {}}};
+    }
+    // Of this rank's cells of a level, x fastest: 3 values a cell, density 1. Collective.
+    virtual void field(scene::FluidField field, std::size_t level,
+                       std::span<float> out) = 0;
 
     // Throws coupler::Diverged.
     virtual void check_divergence() = 0;

@@ -6,7 +6,10 @@ target_link_libraries(magfsi_lbm_scene
   PUBLIC magfsi_scene magfsi_fluid PRIVATE magfsi_bodies fmt::fmt)
 target_link_libraries(magfsi_fluid_solvers INTERFACE magfsi_lbm_scene)
 
-add_library(magfsi_lbm_participant STATIC lbm/lbm_fluid.cpp)
+add_library(magfsi_lbm_participant STATIC
+  lbm/fluid_state.cpp
+  lbm/lbm_fluid.cpp
+  lbm/refined_lbm.cpp)
 target_link_libraries(magfsi_lbm_participant
   PUBLIC magfsi_fluid_participant magfsi_lbm_scene PRIVATE fmt::fmt)
 

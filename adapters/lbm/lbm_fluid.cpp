@@ -4,57 +4,34 @@
 
 #include <stdexcept>
 
+#include "adapters/lbm/fluid_state.h"
 #include "coupler/participants/errors.h"
-#include "fluid_lbm/sampling/step_change.h"
 #include "isa/instruction_set.h"
 
 namespace magfsi::lbm {
 
 namespace {
 
-// A checkpoint holds every population by its cell's global index, so that the file is the
-// same on any number of ranks.
 constexpr const char* table = "populations";
 
-// [z][y][x][direction]
-std::vector<std::size_t> shape_of(const fluid::Fluid& fluid) {
-    const auto& n = fluid.config().cells;
-    return {static_cast<std::size_t>(n[2]), static_cast<std::size_t>(n[1]),
-            static_cast<std::size_t>(n[0]), fluid::populations_per_cell};
-}
+}  // namespace
 
-// Values of so many rows of a plane: x is never cut between ranks.
-std::size_t values_of(const fluid::Fluid& fluid, int rows) {
-    return static_cast<std::size_t>(rows) *
-           static_cast<std::size_t>(fluid.config().cells[0]) *
-           fluid::populations_per_cell;
-}
-
-// The parts of all ranks in one plane, on the root.
-void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
-                   std::span<double> plane) {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    const auto& boxes = fluid.owned_by_rank();
-    for (std::size_t r = 0; r < boxes.size(); ++r) {
-        const auto owner = static_cast<int>(r);
-        if (z < boxes[r].lo[2] || z >= boxes[r].hi[2]) continue;
-        if (rank != 0 && rank != owner) continue;
-        const std::size_t count = values_of(fluid, boxes[r].hi[1] - boxes[r].lo[1]);
-        std::vector<double> sent(rank == 0 ? 0 : count);
-        const std::span<double> part =
-            rank == 0 ? plane.subspan(values_of(fluid, boxes[r].lo[1]), count)
-                      : std::span<double>(sent);
-        if (rank == owner) fluid.populations(z, part);
-        if (owner == 0) continue;
-        const int n = static_cast<int>(count);
-        if (rank == owner) MPI_Send(part.data(), n, MPI_DOUBLE, 0, z, comm);
-        if (rank == 0)
-            MPI_Recv(part.data(), n, MPI_DOUBLE, owner, z, comm, MPI_STATUS_IGNORE);
+void sample(const fluid::Fluid& fluid, scene::FluidField field, std::span<float> out) {
+    std::vector<float> other;
+    switch (field) {
+        case scene::FluidField::velocity:
+            other.resize(out.size() / 3);
+            fluid.macroscopic(out, other);
+            break;
+        case scene::FluidField::density:
+            other.resize(out.size() * 3);
+            fluid.macroscopic(other, out);
+            break;
+        case scene::FluidField::vorticity:
+            fluid.vorticity(out);
+            break;
     }
 }
-
-}  // namespace
 
 LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(fluid) {
     const fluid::FluidConfig& config = fluid.config();
@@ -85,21 +62,8 @@ double LbmFluid::quantity(scene::FluidQuantity quantity) {
     throw std::logic_error("no probe of the lattice-Boltzmann fluid");
 }
 
-void LbmFluid::field(scene::FluidField field, std::span<float> out) {
-    std::vector<float> other;
-    switch (field) {
-        case scene::FluidField::velocity:
-            other.resize(out.size() / 3);
-            fluid_.macroscopic(out, other);
-            break;
-        case scene::FluidField::density:
-            other.resize(out.size() * 3);
-            fluid_.macroscopic(other, out);
-            break;
-        case scene::FluidField::vorticity:
-            fluid_.vorticity(out);
-            break;
-    }
+void LbmFluid::field(scene::FluidField field, std::size_t, std::span<float> out) {
+    sample(fluid_, field, out);
 }
 
 void LbmFluid::check_divergence() {
@@ -120,38 +84,13 @@ output::FluidSummary LbmFluid::summary() const {
 }
 
 void LbmFluid::save(coupler::StateWriter* file) {
-    const auto shape = shape_of(fluid_);
-    const bool whole = fluid_.config().precision == fluid::Precision::double_;
-    if (file)
-        file->begin_table(table, shape,
-                          whole ? coupler::StoredAs::double_ : coupler::StoredAs::float_);
-    std::vector<double> plane(file ? shape[1] * shape[2] * shape[3] : 0);
-    for (int z = 0; z < fluid_.config().cells[2]; ++z) {
-        collect_plane(comm_, fluid_, z, plane);
-        if (file) file->plane(static_cast<std::size_t>(z), plane);
-    }
+    lbm::save(comm_, fluid_, table, file);
 }
 
 void LbmFluid::restore(const coupler::StateReader& file) {
-    if (file.shape(table) != shape_of(fluid_)) {
-        throw coupler::StateFault(fmt::format(
-            "--restart: the checkpoint's box has {} cells (z, y, x, "
-            "direction), this run's {}",
-            fmt::join(file.shape(table), " x "), fmt::join(shape_of(fluid_), " x ")));
-    }
-    const fluid::CellBox box = fluid_.owned();
-    const coupler::StateHeader& header = file.header();
-    // Steps of this run in one of the state's.
-    const std::int64_t steps = header.steps_in_one(fluid_.config().time_step_s);
-    const auto change = fluid::step_change(fluid_.config(), header.step_s);
-    fluid_.set_steps_done(header.step * steps);
-    std::vector<double> rows(values_of(fluid_, box.hi[1] - box.lo[1]));
-    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
-        file.rows(table, static_cast<std::size_t>(z), static_cast<std::size_t>(box.lo[1]),
-                  static_cast<std::size_t>(box.hi[1]), rows);
-        if (steps > 1) fluid::change_step(change, rows);
-        fluid_.set_populations(z, rows);
-    }
+    const std::int64_t steps = steps_in_one(fluid_, file);
+    fluid_.set_steps_done(file.header().step * steps);
+    lbm::restore(fluid_, table, steps, file);
 }
 
 }  // namespace magfsi::lbm

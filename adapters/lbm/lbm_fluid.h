@@ -10,6 +10,9 @@
 
 namespace magfsi::lbm {
 
+// A field of this rank's cells, x fastest. Collective.
+void sample(const fluid::Fluid& fluid, scene::FluidField field, std::span<float> out);
+
 class LbmFluid final : public fluids::FluidSolver {
   public:
     LbmFluid(MPI_Comm comm, fluid::Fluid& fluid);
@@ -35,7 +38,8 @@ class LbmFluid final : public fluids::FluidSolver {
     fluids::PlaneFlow plane_flow(int axis, double at_m) override {
         return fluid_.plane_flow(axis, at_m);
     }
-    void field(scene::FluidField field, std::span<float> out) override;
+    void field(scene::FluidField field, std::size_t level,
+               std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     double waited_for_neighbours_s() const override {

@@ -1,11 +1,21 @@
 #include "adapters/lbm/scene_to_fluid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "adapters/bodies/scene_to_body.h"
+#include "adapters/scene/effective.h"
+#include "structure/lammps/placement.h"
 
 namespace magfsi::lbm {
 
 namespace {
+
+// Between the least that is safe and the patch's side: what the flow around a body needs to
+// be as on a uniform grid (docs/refinement.md).
+constexpr int usual_margin_cells = 6;
 
 // The pressure is that of the incompressible flow: rho U^2 / 16 (cos 2kx + cos 2ky)
 // (cos 2kz + 2).
@@ -43,6 +53,42 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double time_step_s) {
                                                  coupler::Forcing::no_slip;
     if (fluid.taylor_green) start_as_taylor_green(config, fluid);
     return config;
+}
+
+fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled_step_s) {
+    const scene::Fluid& fluid = *scene.fluid;
+    fluid::RefinedConfig config;
+    config.coarse = to_config(scene, coupled_step_s * fluid.coupled_steps_in_one());
+    config.rule.levels = fluid.refinement->levels;
+    if (fluid.refinement->box_m) {
+        config.rule.slack_cells = 0;
+        return config;
+    }
+    const double cell_m = 2 * fluid.finest_spacing_m();
+    config.rule.margin_cells =
+        fluid.refinement->margin_m
+            ? static_cast<int>(std::ceil(*fluid.refinement->margin_m / cell_m - 1e-9))
+            : scene::least_margin_cells(scene) + usual_margin_cells;
+    return config;
+}
+
+std::array<fluid::Vec3, 2> refined_part_m(const scene::Scene& scene) {
+    if (scene.fluid->refinement->box_m) return *scene.fluid->refinement->box_m;
+    constexpr double most = std::numeric_limits<double>::max();
+    std::array<fluid::Vec3, 2> part{fluid::Vec3{most, most, most},
+                                    fluid::Vec3{-most, -most, -most}};
+    for (const scene::Body& body : scene.bodies) {
+        structure::Placement placement = body.initial;
+        placement.relaxed.reset();
+        for (const auto& node :
+             structure::placed_nodes(bodies::to_body(body), placement, {0, 2})) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                part[0][d] = std::min(part[0][d], node[d]);
+                part[1][d] = std::max(part[1][d], node[d]);
+            }
+        }
+    }
+    return part;
 }
 
 }  // namespace magfsi::lbm

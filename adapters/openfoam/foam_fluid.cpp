@@ -184,7 +184,7 @@ double FoamFluid::quantity(scene::FluidQuantity quantity) {
     return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
 }
 
-void FoamFluid::field(scene::FluidField field, std::span<float> out) {
+void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out) {
     if (field == scene::FluidField::density) {
         std::ranges::fill(out, static_cast<float>(fluid_.density_kg_m3));
         return;

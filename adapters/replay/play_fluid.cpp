@@ -71,6 +71,8 @@ class Player {
           difference_(session, "m") {
         coupler::Grid grid = record_.header().grid;
         grid.owned_by_rank = {{{0, 0, 0}, grid.cells}};
+        grid.follows = false;
+        grid.renewal = {};
         coupler::swap_text(session.world(), coupler::to_text(grid), coupler::no_timeout_s,
                            "description of the grid");
         assemble();

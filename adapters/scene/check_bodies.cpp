@@ -226,7 +226,7 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
     const auto& boundary = scene.coupling->immersed_boundary;
-    const double apart_m = boundary.marker_spacing * scene.fluid->spacing_m;
+    const double apart_m = boundary.marker_spacing * scene.fluid->finest_spacing_m();
     Vec3 n{};
     for (int i = 0; i < 3; ++i) n[i] = extent_m[i] / apart_m;
     const double faces = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);

@@ -8,6 +8,7 @@
 
 #include "adapters/scene/field.h"
 #include "adapters/scene/keys.h"
+#include "coupler/immersed_boundary/marker_stencil.h"
 #include "fluid_lbm/units.h"
 
 namespace magfsi::scene {
@@ -51,14 +52,33 @@ std::optional<double> coupled_step_s(const Scene& scene) {
     const Fluid& fluid = *scene.fluid;
     const double cells_per_step =
         fluid.solver == FluidSolver::openfoam ? fluid.courant : fluid.lattice_speed;
-    return halved(scene, cells_per_step * fluid.spacing_m / fluid.expected_speed_m_s);
+    return halved(scene, cells_per_step * fluid.finest_spacing_m() / fluid.expected_speed_m_s);
 }
 
 std::optional<double> relaxation_time(const Scene& scene) {
     const auto dt_s = coupled_step_s(scene);
     if (!dt_s || !scene.fluid || scene.fluid->solver != FluidSolver::lbm) return {};
-    return fluid::relaxation_time(scene.fluid->viscosity_m2_s, *dt_s,
+    return fluid::relaxation_time(scene.fluid->viscosity_m2_s,
+                                  *dt_s * scene.fluid->coupled_steps_in_one(),
                                   scene.fluid->spacing_m);
+}
+
+std::optional<double> relaxation_time_at_bodies(const Scene& scene) {
+    const auto coarsest = relaxation_time(scene);
+    if (!coarsest) return {};
+    return 0.5 + (*coarsest - 0.5) * scene.fluid->coupled_steps_in_one();
+}
+
+Following following(const Fluid& fluid) {
+    const int every = std::max(4, fluid.coupled_steps_in_one());
+    return {every, every / 2};  // the lattice allows 0.4 cells a step
+}
+
+int least_margin_cells(const Scene& scene) {
+    const int kernel =
+        scene.coupling ? coupler::support(scene.coupling->immersed_boundary.kernel) : 0;
+    const int fine_cells = kernel / 2 + 1 + following(*scene.fluid).moves_cells + 2;
+    return (fine_cells + 1) / 2;
 }
 
 namespace {
@@ -125,6 +145,7 @@ std::vector<Effect> effects_of(const Scene& s) {
         {fluid, "free slip", side_of(BoundaryKind::free_slip)},
         {fluid, "inlets and outlets",
          side_of(BoundaryKind::velocity_inlet) || side_of(BoundaryKind::pressure_outlet)},
+        {fluid, "refinement", s.fluid && s.fluid->refinement},
         {fluid, "obstacles", s.fluid && !s.fluid->obstacles.empty()},
         {output, "probes", s.probes.has_value()},
         {output, "interface balance", s.probes && s.probes->interface_balance},

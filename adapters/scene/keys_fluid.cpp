@@ -100,6 +100,17 @@ void keys(Io& io, Grading& grading) {
 }
 
 template <class Io>
+void keys(Io& io, Refinement& refinement) {
+    io(key("levels", "How often the spacing halves towards the bodies.").at_least(1).at_most(3)
+           .by_default(), refinement.levels);
+    io(quantity("margin", "m", "Between the bodies and the sides of the patch that follows them; "
+                "without it, as the kernel and the speeds need, and six cells more.").above(0),
+       refinement.margin_m);
+    io(quantity("box", "m", "Lower and upper corner of a patch that stays where it is."),
+       refinement.box_m);
+}
+
+template <class Io>
 void keys(Io& io, TaylorGreen& vortex) {
     io(quantity("speed", "m/s", "Its largest.").above(0), vortex.speed_m_s);
 }
@@ -108,7 +119,8 @@ template <class Io>
 void keys(Io& io, Fluid& fluid) {
     io(key("solver", "lbm: built in; openfoam: pimpleFoam.").by_default(), fluid.solver);
     io(quantity("box", "m", "Length along x, y and z.").above(0), fluid.box_m);
-    io(quantity("spacing", "m", "Edge of the cubic cells; divides the box.").above(0),
+    io(quantity("spacing", "m", "Edge of the cubic cells (with refinement: of those away from the bodies); divides the "
+                "box.").above(0),
        fluid.spacing_m);
     io(quantity("density", "kg/m3", "Mass by volume.").above(0), fluid.density_kg_m3);
     io(quantity("viscosity", "m2/s", "Kinematic viscosity.").above(0), fluid.viscosity_m2_s);
@@ -122,6 +134,8 @@ void keys(Io& io, Fluid& fluid) {
        fluid.courant);
     io(key("grading", "Larger cells away from the bodies, for openfoam; the lattice stays "
            "uniform."), fluid.grading);
+    io(key("refinement", "Finer cells and steps around the bodies, or in a part of the box; for "
+           "lbm."), fluid.refinement);
     io(key("collision", "Collision model of the lattice Boltzmann method.").by_default(),
        fluid.collision);
     io(key("magic_number", "Lambda of the collisions trt and recursive_mrt: how odd modes relax. "

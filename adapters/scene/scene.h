@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -111,6 +112,14 @@ struct Grading {
     double growth = 1.1;              // largest ratio of neighbouring cells
 };
 
+// A patch of finer cells around the bodies, which it follows, or in a part of the box. With
+// every level the spacing and the fluid's step halve; the coupled step is the finest's.
+struct Refinement {
+    int levels = 1;
+    std::optional<double> margin_m;  // between the bodies and the patch's sides
+    std::optional<std::array<Vec3, 2>> box_m;
+};
+
 // One period along each side of a periodic cube of side L, k = 2 pi / L:
 // u = U (sin kx cos ky cos kz, -cos kx sin ky cos kz, 0), with its pressure.
 struct TaylorGreen {
@@ -129,8 +138,16 @@ struct Fluid : fluid::Options {
     double lattice_speed = 0.05;     // that speed in lattice units (Mach limit)
     double courant = 0.2;            // the same for openfoam, which has no such limit
     std::optional<Grading> grading;  // of openfoam
+    std::optional<Refinement> refinement;  // of lbm
     std::optional<Vec3> initial_velocity_m_s;
     std::optional<TaylorGreen> taylor_green;  // in its place
+
+    // Where bodies are.
+    double finest_spacing_m() const {
+        return std::ldexp(spacing_m, refinement ? -refinement->levels : 0);
+    }
+    // Coupled steps in one of the whole box.
+    int coupled_steps_in_one() const { return refinement ? 1 << refinement->levels : 1; }
 };
 
 // --- output -------------------------------------------------------------------------

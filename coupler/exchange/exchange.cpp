@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <numeric>
 
 #include "coupler/participants/errors.h"
@@ -26,6 +27,19 @@ void keep_until_exit(Messages& messages) {
 std::string in_words(const Occasion& when) {
     if (when.iteration == 0) return fmt::format("step {}", when.step);
     return fmt::format("step {}, iteration {}", when.step, when.iteration);
+}
+
+// Nothing, for no points.
+std::array<Vec3, 2> box_around(std::span<const Vec3> points_m) {
+    constexpr double most = std::numeric_limits<double>::max();
+    std::array<Vec3, 2> box{Vec3{most, most, most}, Vec3{-most, -most, -most}};
+    for (const Vec3& point : points_m) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            box[0][d] = std::min(box[0][d], point[d]);
+            box[1][d] = std::max(box[1][d], point[d]);
+        }
+    }
+    return box;
 }
 
 bool overlap(int a_lo, int a_hi, int b_lo, int b_hi) {
@@ -126,7 +140,7 @@ void check_header(std::span<const double> message, const Occasion& when,
 }
 
 bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& point_m) {
-    const int reach = support(kernel) / 2 + 1 + renew_margin_cells;
+    const int reach = support(kernel) / 2 + 1 + grid.renewal.margin_cells;
     for (std::size_t d = 0; d < 3; ++d) {
         const int n = grid.cells[d];
         int cell = static_cast<int>(std::floor(point_m[d] / grid.spacing_m));
@@ -159,7 +173,7 @@ std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
 
 void check_margin(const Grid& grid, std::span<const Vec3> then_m,
                   std::span<const Vec3> now_m, std::int64_t step) {
-    const double margin_m = renew_margin_cells * grid.spacing_m;
+    const double margin_m = grid.renewal.margin_cells * grid.spacing_m;
     for (std::size_t m = 0; m < now_m.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double moved = std::abs(now_m[m][d] - then_m[m][d]);
@@ -170,15 +184,15 @@ void check_margin(const Grid& grid, std::span<const Vec3> then_m,
                 "steps (limit {}); take a smaller time step (fluid.lattice_speed) or "
                 "check the loads",
                 step, m, now_m[m][0] * 1e3, now_m[m][1] * 1e3, now_m[m][2] * 1e3,
-                moved / grid.spacing_m, renew_every, renew_margin_cells));
+                moved / grid.spacing_m, grid.renewal.every, grid.renewal.margin_cells));
         }
     }
 }
 
-StructureExchange::StructureExchange(const World& world, const Grid& grid, Kernel kernel,
+StructureExchange::StructureExchange(const World& world, Grid grid, Kernel kernel,
                                      double timeout_s, Forcing forcing)
     : world_(world),
-      grid_(grid),
+      grid_(std::move(grid)),
       kernel_(kernel),
       timeout_s_(timeout_s),
       forcing_(forcing),
@@ -189,7 +203,26 @@ StructureExchange::~StructureExchange() {
     if (!sending_.empty()) keep_until_exit(out_);
 }
 
+void StructureExchange::let_follow(std::int64_t step, std::span<const Vec3> points_m) {
+    const std::array<Vec3, 2> mine = box_around(points_m);
+    std::vector<MPI_Request> sending;
+    for (int f = 0; f < world_.partner_size(); ++f)
+        MPI_Isend(mine.front().data(), 6, MPI_DOUBLE, f, place_tag, world_.partner(),
+                  &sending.emplace_back());
+    Messages in(1, std::vector<double>(6 * grid_.owned_by_rank.size()));
+    receive_from(world_, {0}, place_tag, in, sending,
+                 step < 0 ? no_timeout_s : timeout_s_,
+                 fmt::format("place of the fluid's grid at step {}", step));
+    const double* at = in.front().data();
+    for (CellBox& box : grid_.owned_by_rank) {
+        for (int* corner : {box.lo.data(), box.hi.data()}) {
+            for (std::size_t d = 0; d < 3; ++d) corner[d] = static_cast<int>(*at++);
+        }
+    }
+}
+
 void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m) {
+    if (grid_.follows) let_follow(step, points_m);
     table_ = partner_table(grid_, kernel_, points_m);
     renewed_at_.assign(points_m.begin(), points_m.end());
     std::vector<int> mine(table_.size());
@@ -209,7 +242,8 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
 void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_m,
                              std::span<const Vec3> impulse, std::span<const Vec3> now_m,
                              std::span<const double> volume_m3) {
-    if (renews_partners(when)) renew(when.step, when.step < 0 ? now_m : before_m);
+    if (renews_partners(when, grid_.renewal))
+        renew(when.step, when.step < 0 ? now_m : before_m);
     check_margin(grid_, renewed_at_, now_m, when.step);
     sending_.clear();
     for (const int partner : partners_) {
@@ -249,10 +283,12 @@ void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity,
     }
 }
 
-FluidExchange::FluidExchange(const World& world, double timeout_s, Forcing forcing)
+FluidExchange::FluidExchange(const World& world, double timeout_s, Forcing forcing,
+                             GridFluid* follower)
     : world_(world),
       timeout_s_(timeout_s),
       forcing_(forcing),
+      follower_(follower),
       count_(static_cast<std::size_t>(world.partner_size())),
       in_(count_.size()),
       out_(count_.size()) {}
@@ -287,8 +323,37 @@ void FluidExchange::renew(std::int64_t step) {
     if (forcing_ == Forcing::no_slip) batch_.volume_m3.resize(total);
 }
 
-const MarkerBatch& FluidExchange::receive(const Occasion& when) {
-    if (renews_partners(when)) renew(when.step);
+void FluidExchange::follow(std::int64_t step, bool stays) {
+    std::vector<int> all(count_.size());
+    std::iota(all.begin(), all.end(), 0);
+    Messages in(count_.size(), std::vector<double>(6));
+    std::vector<MPI_Request> sending;
+    receive_from(world_, all, place_tag, in, sending,
+                 step < 0 ? no_timeout_s : timeout_s_,
+                 fmt::format("place of the bodies at step {}", step));
+    std::array<Vec3, 2> around{get(in.front().data()), get(in.front().data() + 3)};
+    for (const auto& box : in) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            around[0][d] = std::min(around[0][d], box[d]);
+            around[1][d] = std::max(around[1][d], box[3 + d]);
+        }
+    }
+    if (!stays) follower_->follow(around);
+    if (world_.rank() != 0) return;
+    std::vector<double> boxes;
+    for (const CellBox& box : follower_->grid().owned_by_rank) {
+        boxes.insert(boxes.end(), box.lo.begin(), box.lo.end());
+        boxes.insert(boxes.end(), box.hi.begin(), box.hi.end());
+    }
+    for (const int rank : all) start_send(world_, rank, place_tag, boxes, sending);
+    wait_all(sending, timeout_s_, "receiver of the grid's place");
+}
+
+const MarkerBatch& FluidExchange::receive(const Occasion& when, bool stays) {
+    if (renews_partners(when, follower_ ? follower_->grid().renewal : Renewal{})) {
+        if (follower_) follow(when.step, stays);
+        renew(when.step);
+    }
     receive_from(world_, partners_, marker_tag, in_, sending_,
                  when.step < 0 ? no_timeout_s : timeout_s_,
                  fmt::format("structure markers of step {}", when.step));

@@ -4,7 +4,8 @@
 // its step, and a receiver refuses any other. A structure rank sends only to the fluid
 // ranks whose cells its markers can reach. That table is renewed every few coupled steps,
 // with a margin that a marker cannot cross in between, so that in most steps nothing has
-// to be announced.
+// to be announced. A grid that follows the bodies learns at the same time where they are,
+// and says what its ranks own then.
 #pragma once
 
 #include <mpi.h>
@@ -23,6 +24,7 @@ namespace magfsi::coupler {
 
 constexpr int marker_tag = 81;    // structure -> fluid
 constexpr int velocity_tag = 82;  // fluid -> structure
+constexpr int place_tag = 83;     // both ways, where the grid follows
 
 constexpr std::size_t message_header = 3;  // step, iteration, number of markers
 constexpr std::size_t marker_values = 9;   // position now, impulse, position next
@@ -61,14 +63,11 @@ inline Vec3 get(const double* at) {
     return {at[0], at[1], at[2]};
 }
 
-constexpr std::int64_t renew_every = 5;  // coupled steps
-constexpr int renew_margin_cells = 2;    // 0.4 cells a step, all that the lattice allows
-
-// Whether the markers of this exchange may be those of a new table: before the first step
-// and in every fifth, but not when it is repeated.
-inline bool renews_partners(const Occasion& when) {
+// Whether the markers of this exchange are those of a new table; not when it is repeated.
+inline bool renews_partners(const Occasion& when, const Renewal& renewal) {
     if (when.iteration > 0) return false;
-    return when.step < 0 || (when.step > 0 && when.step % renew_every == 0);
+    return when.step < 0 ||
+           (when.step > 0 && (when.step + renewal.ahead) % renewal.every == 0);
 }
 
 // Whether a marker at point_m, moved by up to the margin, touches a cell of the box.
@@ -86,8 +85,8 @@ void check_margin(const Grid& grid, std::span<const Vec3> then_m,
 // The structure rank's end.
 class StructureExchange {
   public:
-    StructureExchange(const World& world, const Grid& grid, Kernel kernel,
-                      double timeout_s, Forcing forcing = Forcing::penalty);
+    StructureExchange(const World& world, Grid grid, Kernel kernel, double timeout_s,
+                      Forcing forcing = Forcing::penalty);
 
     // When an exception ends the run, messages still under way are kept.
     ~StructureExchange();
@@ -112,9 +111,10 @@ class StructureExchange {
 
   private:
     void renew(std::int64_t step, std::span<const Vec3> points_m);
+    void let_follow(std::int64_t step, std::span<const Vec3> points_m);
 
     const World& world_;
-    const Grid& grid_;
+    Grid grid_;  // its boxes change where it follows
     Kernel kernel_;
     double timeout_s_;
     Forcing forcing_;
@@ -136,8 +136,9 @@ struct MarkerBatch {
 // The fluid rank's end.
 class FluidExchange {
   public:
+    // follower: a fluid whose grid follows, else null; outlives this.
     FluidExchange(const World& world, double timeout_s,
-                  Forcing forcing = Forcing::penalty);
+                  Forcing forcing = Forcing::penalty, GridFluid* follower = nullptr);
 
     // Waits until the last velocities are taken: MPI reads them from here. Not when an
     // exception ends the run, which the partner may have left already: then they are
@@ -146,8 +147,9 @@ class FluidExchange {
     FluidExchange(const FluidExchange&) = delete;
     FluidExchange& operator=(const FluidExchange&) = delete;
 
-    // The structure's message of a coupled step; -1 is the one before step 0.
-    const MarkerBatch& receive(const Occasion& when);
+    // The structure's message of a coupled step; -1 is the one before the first. In it a
+    // grid that stands as a checkpoint has it stays there.
+    const MarkerBatch& receive(const Occasion& when, bool stays = false);
 
     // This rank's share of the velocities [m/s] at the batch's `now` positions, and in
     // forcing no_slip of what is said besides.
@@ -161,10 +163,12 @@ class FluidExchange {
 
   private:
     void renew(std::int64_t step);
+    void follow(std::int64_t step, bool stays);
 
     const World& world_;
     double timeout_s_;
     Forcing forcing_;
+    GridFluid* follower_;
     std::vector<int> count_;     // markers by structure rank
     std::vector<int> partners_;  // structure ranks that have any
     std::vector<std::vector<double>> in_, out_;

@@ -24,6 +24,10 @@ std::string to_text(const Grid& grid) {
                           {"cells", grid.cells},
                           {"periodic", grid.periodic},
                           {"owned_by_rank", boxes},
+                          {"follows", grid.follows},
+                          {"renewal",
+                           {grid.renewal.every, grid.renewal.ahead,
+                            grid.renewal.margin_cells}},
                           {"solid", solid}}
         .dump();
 }
@@ -36,6 +40,11 @@ Grid grid_from_text(const std::string& text) {
     grid.periodic = json.at("periodic");
     for (const auto& box : json.at("owned_by_rank"))
         grid.owned_by_rank.push_back({box.at(0), box.at(1)});
+    if (json.contains("follows")) {  // not in older records
+        grid.follows = json.at("follows");
+        const auto& renewal = json.at("renewal");
+        grid.renewal = {renewal.at(0), renewal.at(1), renewal.at(2)};
+    }
     for (const auto& row : json.at("solid"))
         grid.solid.push_back({row.at(0), row.at(1), row.at(2), row.at(3)});
     return grid;

@@ -22,11 +22,24 @@ auto flat(Vectors&& v) {
 using magfsi::CellBox;
 using GridRow = magfsi::CellRow;
 
+// When the two sides look anew which marker is near which rank: before the first coupled
+// step and before the steps n with (n + ahead) % every = 0. No marker may move further
+// than the margin in between.
+struct Renewal {
+    int every = 5;
+    int ahead = 0;
+    int margin_cells = 2;  // 0.4 cells a step, all that the lattice allows
+};
+
 struct Grid {
     double spacing_m = 0;
     std::array<int, 3> cells{};
     std::array<bool, 3> periodic{};
+    // In a grid that follows the bodies, of the part around them, and beyond periodic
+    // sides where it crosses them.
     std::vector<CellBox> owned_by_rank;
+    bool follows = false;
+    Renewal renewal{};
     std::vector<GridRow> solid{};  // cells without fluid, of all ranks
 };
 
@@ -53,6 +66,10 @@ class GridFluid {
 
     // One coupled step.
     virtual void advance() = 0;
+
+    // Where grid().follows: before a renewal, with the box [m] around all markers. The
+    // grid's boxes may be others afterwards. Collective.
+    virtual void follow(const std::array<Vec3, 2>& /*around_m*/) {}
 
     // For schemes that repeat a step: keep() notes the state between two steps, in
     // memory; go_back() returns to it from the step's end, as often as is wanted. Between

@@ -36,10 +36,10 @@ void TouchedRows::for_each_run(std::size_t marker, Visit&& visit) const {
     Runs runs;
     const std::size_t pieces = runs_along_x(sx, runs);
     for (int k = 0; k < sz.count; ++k) {
-        const int z = wrapped(sz.first + k, grid_->cells[2]);
+        const int z = from_box(sz.first + k, 2);
         if (z < box_.lo[2] || z >= box_.hi[2]) continue;
         for (int j = 0; j < sy.count; ++j) {
-            const int y = wrapped(sy.first + j, grid_->cells[1]);
+            const int y = from_box(sy.first + j, 1);
             if (y < box_.lo[1] || y >= box_.hi[1]) continue;
             const double wyz = sy.weight[static_cast<std::size_t>(j)] *
                                sz.weight[static_cast<std::size_t>(k)] / share;
@@ -69,7 +69,7 @@ void TouchedRows::without_solid(int y, int z, const Run& run, Visit&& visit) con
 std::size_t TouchedRows::runs_along_x(const Stencil1D& sx, Runs& runs) const {
     std::size_t pieces = 0;
     for (int i = 0; i < sx.count; ++i) {
-        const int x = wrapped(sx.first + i, grid_->cells[0]);
+        const int x = from_box(sx.first + i, 0);
         if (x < box_.lo[0] || x >= box_.hi[0]) continue;
         if (pieces > 0 && x == runs[pieces - 1].x + runs[pieces - 1].cells) {
             ++runs[pieces - 1].cells;
@@ -280,10 +280,20 @@ void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> v
 FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
                      double coupled_step_s, Forcing forcing)
     : fluid_(fluid),
+      owned_(owned),
+      kernel_(kernel),
       coupled_step_s_(coupled_step_s),
       forcing_(forcing),
       spread_rows_(fluid.grid(), owned, kernel),
       sample_rows_(fluid.grid(), owned, kernel) {}
+
+bool FluidSide::own(const CellBox& box) {
+    if (box.lo == owned_.lo && box.hi == owned_.hi) return false;
+    owned_ = box;
+    spread_rows_ = TouchedRows(fluid_.grid(), box, kernel_);
+    sample_rows_ = TouchedRows(fluid_.grid(), box, kernel_);
+    return true;
+}
 
 void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse,
                        bool more) {

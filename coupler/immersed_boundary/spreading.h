@@ -65,6 +65,10 @@ class TouchedRows {
     void add_plain(const MarkerStencil& stencil, const Vec3& force,
                    double* density) const;
     std::size_t runs_along_x(const Stencil1D& sx, Runs& runs) const;
+    // A cell's index from the box's lowest on, across periodic sides.
+    int from_box(int index, std::size_t axis) const {
+        return box_.lo[axis] + wrapped(index - box_.lo[axis], grid_->cells[axis]);
+    }
     std::size_t first_value(int at, int x) const;
     int slot(int y, int z) const;
     void widen(int y, int z, int x_begin, int x_end);
@@ -90,6 +94,10 @@ class FluidSide {
   public:
     FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
               double coupled_step_s, Forcing forcing = Forcing::penalty);
+
+    // The cells of this rank, where the fluid's grid may have moved. True if it has: then
+    // nothing is placed.
+    bool own(const CellBox& box);
 
     // Gives the impulses [N s] of a step to the fluid as forces over that step. more:
     // besides those of the last spread, at the same points.
@@ -126,6 +134,8 @@ class FluidSide {
     std::span<const Vec3> interpolate(std::size_t markers);
 
     GridFluid& fluid_;
+    CellBox owned_;
+    Kernel kernel_;
     double coupled_step_s_;
     Forcing forcing_;
     TouchedRows spread_rows_;

@@ -43,7 +43,7 @@ double Session::timeout_s() const {
 }
 
 void Session::begin(double step_s) {
-    clock_ = std::make_unique<Clock>(step_s, plan().end_s);
+    clock_ = std::make_unique<Clock>(step_s, plan().end_s, plan().steps_at_a_time);
     if (!arguments_.restart.empty()) find_restart(step_s);
     if (world_.coupled()) {
         Agreement mine;

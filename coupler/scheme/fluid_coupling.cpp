@@ -9,7 +9,8 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
     : session_(session),
       fluid_(fluid),
       options_(*session.plan().coupling),
-      exchange_(session.world(), session.timeout_s(), options_.immersed_boundary.forcing),
+      exchange_(session.world(), session.timeout_s(), options_.immersed_boundary.forcing,
+                fluid.grid().follows ? &fluid : nullptr),
       boundary_(
           fluid,
           fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
@@ -22,7 +23,8 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
 }
 
 void FluidCoupling::begin() {
-    batch_ = &exchange_.receive(when_);
+    batch_ = &exchange_.receive(when_, session_.restart() != nullptr);
+    take_place();
     if (options_.scheme == Scheme::parallel && session_.restart()) {
         // The impulses of the step before the checkpoint are still to act.
         spread_impulses();
@@ -36,6 +38,17 @@ void FluidCoupling::begin() {
 void FluidCoupling::receive_markers() {
     when_ = {session_.clock().step(), iteration_};
     batch_ = &exchange_.receive(when_);
+    take_place();
+    if (options_.scheme == Scheme::implicit && iteration_ == 0) fluid_.keep();
+}
+
+void FluidCoupling::take_place() {
+    if (!fluid_.grid().follows) return;
+    const auto rank = static_cast<std::size_t>(session_.world().rank());
+    const bool moved = boundary_.own(fluid_.grid().owned_by_rank[rank]);
+    if (!moved || felt_.empty()) return;
+    boundary_.sample(batch_->before_m);
+    felt_ = boundary_.sampled_cells();
 }
 
 void FluidCoupling::spread_impulses() {
@@ -78,8 +91,7 @@ void FluidCoupling::send_velocities() {
     exchange_.send(when_, sampled_, answer_ ? &*answer_ : nullptr);
 }
 
-void FluidCoupling::keep_state() {
-    fluid_.keep();
+void FluidCoupling::begin_iterations() {
     iteration_ = 0;
     if (balance_) felt_ = boundary_.sampled_cells();
 }

@@ -40,6 +40,7 @@ class FluidCoupling {
     void add_implicit(TaskList& tasks);
 
     void receive_markers();
+    void take_place();  // of a grid that may have moved
     void spread_impulses();
     void iterate_forcing();
     void audit(const InterfaceBalance& received) { balance_->add(received); }
@@ -49,7 +50,7 @@ class FluidCoupling {
     void send_velocities();
 
     // Of the implicit scheme.
-    void keep_state();
+    void begin_iterations();
     void check_convergence();
 
     Session& session_;

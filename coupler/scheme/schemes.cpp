@@ -80,7 +80,7 @@ void StructureCoupling::add_implicit(TaskList& tasks) {
     tasks.add("count step", [this] { session_.complete_step(); });
 }
 void FluidCoupling::add_implicit(TaskList& tasks) {
-    tasks.add("keep state", [this] { keep_state(); });
+    tasks.add("begin iterations", [this] { begin_iterations(); });
     const std::size_t first = tasks.size();
     tasks.add_coupling("wait for structure", [this] { receive_markers(); });
     tasks.add_immersed_boundary("spread impulses", [this] { spread_impulses(); });

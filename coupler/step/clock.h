@@ -12,8 +12,11 @@ class Clock {
   public:
     // Runs from 0 to the first step at or after end_s; 1e-9 of a step counts as none, and
     // so does the rounding of an end that was meant as a whole number of steps.
-    Clock(double step_s, double end_s)
-        : step_s_(step_s), steps_(first_at_or_after(end_s / step_s)) {}
+    // at_a_time: what is wanted at some time happens after a multiple of so many steps.
+    Clock(double step_s, double end_s, int at_a_time = 1)
+        : step_s_(step_s),
+          at_a_time_(at_a_time),
+          steps_(at_a_time * first_at_or_after(end_s / (at_a_time * step_s))) {}
 
     double step_s() const { return step_s_; }
     std::int64_t steps() const { return steps_; }
@@ -30,8 +33,9 @@ class Clock {
 
     // Every how many steps something happens that is wanted every interval_s.
     std::int64_t every(double interval_s) const {
-        const auto steps = static_cast<std::int64_t>(std::llround(interval_s / step_s_));
-        return steps < 1 ? 1 : steps;
+        const auto steps = static_cast<std::int64_t>(
+            std::llround(interval_s / (at_a_time_ * step_s_)));
+        return at_a_time_ * (steps < 1 ? 1 : steps);
     }
 
   private:
@@ -43,6 +47,7 @@ class Clock {
     }
 
     double step_s_;
+    int at_a_time_;
     std::int64_t steps_;
     std::int64_t step_ = 0, first_step_ = 0;
 };

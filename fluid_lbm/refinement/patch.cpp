@@ -34,7 +34,7 @@ CellBox cells_around(const std::array<Vec3, 2>& bodies_m, double spacing_m) {
 
 // A box that leaves the bodies room to move. Its size stays as it was while it is large
 // enough and not much too large: a patch that only moves keeps its memory.
-CellBox roomy(const CellBox& least, const CellBox* before) {
+CellBox roomy(const CellBox& least, int slack_cells, const CellBox* before) {
     CellBox box = grown(least, slack_cells);
     if (!before) return box;
     for (int d = 0; d < 3; ++d) {
@@ -136,21 +136,23 @@ LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& perio
 }
 
 std::optional<std::vector<LevelPlace>> place_levels(
-    const FluidConfig& coarse, int levels, const std::array<Vec3, 2>& bodies_m,
-    int margin_cells, const std::vector<LevelPlace>* before) {
+    const FluidConfig& coarse, const PatchRule& rule,
+    const std::array<Vec3, 2>& bodies_m, const std::vector<LevelPlace>* before) {
+    const int levels = rule.levels;
     const auto periodic = periodic_axes(coarse);
     // From the finest outwards, each in cells of the level below it.
     std::vector<CellBox> boxes(static_cast<std::size_t>(levels));
     const double spacing_m = std::ldexp(coarse.spacing_m, -(levels - 1));
     const CellBox least =
-        grown(cells_around(within_a_period(bodies_m, coarse), spacing_m), margin_cells);
+        grown(cells_around(within_a_period(bodies_m, coarse), spacing_m),
+              rule.margin_cells);
     if (before && still_inside(before->back(), periodic, least)) return {};
     for (int level = levels; level >= 1; --level) {
         const auto l = static_cast<std::size_t>(level - 1);
         const CellBox was = before ? (*before)[l].covered() : CellBox{};
         const CellBox inner =
             level == levels ? least : grown(halved(boxes[l + 1]), apart_cells);
-        boxes[l] = level == levels ? roomy(inner, before ? &was : nullptr) : inner;
+        boxes[l] = level == levels ? roomy(inner, rule.slack_cells, before ? &was : nullptr) : inner;
     }
     std::vector<LevelPlace> places;
     LevelPlace below = coarsest_place(coarse.cells, periodic);

@@ -17,9 +17,13 @@ constexpr int ring_cells = 4;
 // Cells of a level between the box of the next finer one and its own ring, or it reads
 // what has not been filled: two under the ring, two for a cubic.
 constexpr int apart_cells = 4;
-// How far a patch may lie off its best place, in cells of the level below: what makes it
-// follow in jumps.
-constexpr int slack_cells = 4;
+
+// How patches lie around bodies, in cells of the finest level but one.
+struct PatchRule {
+    int levels = 1;        // finer ones
+    int margin_cells = 0;  // between bodies and the sides of the finest patch, at least
+    int slack_cells = 4;   // besides, before it follows; 0: it stays
+};
 
 // A level's place: all in global indices of its own cells, from the corner of the whole
 // box on.
@@ -43,12 +47,11 @@ LevelPlace coarsest_place(const std::array<int, 3>& cells,
 LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& periodic,
                        CellBox covered);
 
-// The places of all finer levels, for bodies in a box [m] of which none may come closer
-// to a patch's sides than margin_cells of the finest but one level. before: where they
-// are now, null at first; absent result: they may stay.
+// The places of all finer levels, for bodies in a box [m]. before: where they are now, null
+// at first; absent result: they may stay.
 std::optional<std::vector<LevelPlace>> place_levels(
-    const FluidConfig& coarse, int levels, const std::array<Vec3, 2>& bodies_m,
-    int margin_cells, const std::vector<LevelPlace>* before);
+    const FluidConfig& coarse, const PatchRule& rule,
+    const std::array<Vec3, 2>& bodies_m, const std::vector<LevelPlace>* before);
 
 // What solves a level: level 0 as it is, others as a box of their stored cells. Throws
 // std::invalid_argument where an inlet or an outlet would be a side of the patch.

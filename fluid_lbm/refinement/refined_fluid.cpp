@@ -146,8 +146,7 @@ void take_over(const Level& below, const Level& old, const Level& level,
 RefinedFluid::RefinedFluid(MPI_Comm comm, const RefinedConfig& config,
                            const std::array<Vec3, 2>& bodies_m)
     : comm_(comm), config_(config) {
-    const auto places =
-        place_levels(config.coarse, config.levels, bodies_m, config.margin_cells, nullptr);
+    const auto places = place_levels(config.coarse, config.rule, bodies_m, nullptr);
     levels_ = std::make_unique<Levels>(comm, config_.coarse);
     regrid(*places);
     moves_ = 0;
@@ -173,9 +172,10 @@ std::vector<LevelPlace> RefinedFluid::finer_places() const {
     return places;
 }
 
-std::vector<CellBox> RefinedFluid::owned_by_rank() const {
-    std::vector<CellBox> boxes = levels_->finest().owned_by_rank();
-    for (CellBox& box : boxes) box = shared(box, levels_->finest().place.inside);
+std::vector<CellBox> RefinedFluid::inside_by_rank(int number) const {
+    const Level& level = levels_->at(number);
+    std::vector<CellBox> boxes = level.owned_by_rank();
+    for (CellBox& box : boxes) box = shared(box, level.place.inside);
     return boxes;
 }
 
@@ -274,10 +274,9 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
 }
 
 bool RefinedFluid::follow(const std::array<Vec3, 2>& bodies_m) {
-    if (!config_.follows) return false;
+    if (config_.rule.slack_cells == 0) return false;
     const auto now = finer_places();
-    const auto places = place_levels(config_.coarse, config_.levels, bodies_m,
-                                     config_.margin_cells, &now);
+    const auto places = place_levels(config_.coarse, config_.rule, bodies_m, &now);
     if (places) regrid(*places);
     return places.has_value();
 }

@@ -17,9 +17,7 @@ namespace magfsi::fluid {
 
 struct RefinedConfig {
     FluidConfig coarse;  // its time step: 2^levels steps
-    int levels = 1;      // finer ones
-    int margin_cells = 0;  // of the finest but one level, around the bodies
-    bool follows = true;   // the bodies
+    PatchRule rule;
 };
 
 class RefinedFluid {
@@ -39,7 +37,8 @@ class RefinedFluid {
     std::vector<LevelPlace> finer_places() const;
 
     // Cells of the finest level that each rank solves: the patch, without its ring.
-    std::vector<CellBox> owned_by_rank() const;
+    std::vector<CellBox> owned_by_rank() const { return inside_by_rank(levels() - 1); }
+    std::vector<CellBox> inside_by_rank(int level) const;
     // As of Fluid, in those cells.
     void velocity(std::span<const CellRow> rows, std::span<double> out) const;
     void set_force(std::span<const CellRow> rows, std::span<const double> force);

@@ -78,7 +78,7 @@ void FluidFields::write() {
         const output::FieldType type = type_of(fields_[i]);
         values[i].resize(extents_[rank].cells() *
                          static_cast<std::size_t>(type.components));
-        fluid_.field(fields_[i], values[i]);
+        fluid_.field(fields_[i], 0, values[i]);
         fields.push_back({type.name, type.components, std::span<const float>(values[i])});
     }
     output::write_vti(piece(number, rank), grid_, extents_[rank], fields);

@@ -1,0 +1,187 @@
+#include "adapters/lbm/refined_lbm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "adapters/lbm/fluid_state.h"
+#include "adapters/lbm/lbm_fluid.h"
+#include "coupler/participants/errors.h"
+#include "isa/instruction_set.h"
+
+namespace magfsi::lbm {
+
+namespace {
+
+// Of a checkpoint: populations of each level; the box of the level below that each finer
+// level covers, six numbers; what keeps the mass.
+constexpr const char* places_table = "patches";
+constexpr const char* mass_table = "kept_mass";
+
+std::string table_of(int level) {
+    return level == 0 ? "populations" : fmt::format("populations_{}", level);
+}
+
+std::int64_t cells_in(const fluid::Fluid& fluid) {
+    const auto& n = fluid.config().cells;
+    return static_cast<std::int64_t>(n[0]) * n[1] * n[2];
+}
+
+std::vector<double> numbers_of(const std::vector<fluid::LevelPlace>& places) {
+    std::vector<double> numbers;
+    for (const fluid::LevelPlace& place : places) {
+        const fluid::CellBox box = place.covered();
+        numbers.insert(numbers.end(), box.lo.begin(), box.lo.end());
+        numbers.insert(numbers.end(), box.hi.begin(), box.hi.end());
+    }
+    return numbers;
+}
+
+std::vector<fluid::LevelPlace> places_of(const std::vector<double>& numbers,
+                                         const fluid::FluidConfig& coarse) {
+    const auto periodic = fluid::periodic_axes(coarse);
+    fluid::LevelPlace below = fluid::coarsest_place(coarse.cells, periodic);
+    std::vector<fluid::LevelPlace> places;
+    for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
+        fluid::CellBox box;
+        for (std::size_t d = 0; d < 3; ++d) {
+            box.lo[d] = static_cast<int>(numbers[i + d]);
+            box.hi[d] = static_cast<int>(numbers[i + 3 + d]);
+        }
+        places.push_back(below = fluid::finer_place(below, periodic, box));
+    }
+    return places;
+}
+
+}  // namespace
+
+RefinedLbm::RefinedLbm(MPI_Comm comm, fluid::RefinedFluid& fluid,
+                       const coupler::Renewal& renewal)
+    : comm_(comm), fluid_(fluid) {
+    const int finest = fluid.levels() - 1;
+    grid_.spacing_m = fluid.level(finest).config().spacing_m;
+    grid_.cells = fluid.place(finest).domain;
+    grid_.periodic = fluid::periodic_axes(fluid.config().coarse);
+    grid_.owned_by_rank = fluid.owned_by_rank();
+    grid_.follows = true;
+    grid_.renewal = renewal;
+}
+
+void RefinedLbm::follow(const std::array<scene::Vec3, 2>& around_m) {
+    if (fluid_.follow(around_m)) grid_.owned_by_rank = fluid_.owned_by_rank();
+}
+
+std::string RefinedLbm::headline() const {
+    std::string text;
+    for (int l = 0; l < fluid_.levels(); ++l) {
+        const fluid::FluidConfig& c = fluid_.level(l).config();
+        text += fmt::format("{}{} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
+                            "relaxation time {:.5g}, {}",
+                            l == 0 ? "" : "; refined ", c.cells[0], c.cells[1],
+                            c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
+                            fluid::relaxation_time(c),
+                            name_of(fluid::choose_collision(c)));
+    }
+    return text + fmt::format("; {} kernels", name(choose_instruction_set()));
+}
+
+fluids::FluidTotals RefinedLbm::totals() {
+    const fluid::Totals all = fluid_.totals();
+    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s};
+}
+
+double RefinedLbm::quantity(scene::FluidQuantity quantity) {
+    if (quantity == scene::FluidQuantity::enstrophy) return fluid_.enstrophy_1_s2();
+    throw std::logic_error("no probe of the lattice-Boltzmann fluid");
+}
+
+std::vector<fluids::FieldCells> RefinedLbm::field_cells() const {
+    std::vector<fluids::FieldCells> all;
+    for (int l = 0; l < fluid_.levels(); ++l) {
+        fluids::FieldCells cells{fluid_.level(l).config().spacing_m, {}, {}};
+        cells.owned_by_rank = fluid_.inside_by_rank(l);
+        if (l + 1 < fluid_.levels()) cells.hidden = fluid_.place(l + 1).covered();
+        all.push_back(std::move(cells));
+    }
+    return all;
+}
+
+void RefinedLbm::field(scene::FluidField field, std::size_t level, std::span<float> out) {
+    const int l = static_cast<int>(level);
+    const fluid::Fluid& fluid = fluid_.level(l);
+    int rank = 0;
+    MPI_Comm_rank(comm_, &rank);
+    const fluid::CellBox inside = fluid_.inside_by_rank(l)[static_cast<std::size_t>(rank)];
+    const fluid::CellBox own = fluid.owned();
+    const auto& first = fluid_.place(l).stored.lo;
+    const std::size_t components = field == scene::FluidField::density ? 1 : 3;
+    std::array<std::size_t, 3> n{};
+    for (std::size_t d = 0; d < 3; ++d)
+        n[d] = static_cast<std::size_t>(own.hi[d] - own.lo[d]);
+    std::vector<float> all(components * n[0] * n[1] * n[2]);
+    sample(fluid, field, all);
+    float* to = out.data();
+    for (int z = inside.lo[2]; z < inside.hi[2]; ++z) {
+        for (int y = inside.lo[1]; y < inside.hi[1]; ++y) {
+            const auto row =
+                static_cast<std::size_t>(z - first[2] - own.lo[2]) * n[1] +
+                static_cast<std::size_t>(y - first[1] - own.lo[1]);
+            const auto x = static_cast<std::size_t>(inside.lo[0] - first[0]);
+            to = std::copy_n(
+                all.data() + components * (row * n[0] + x),
+                components * static_cast<std::size_t>(inside.hi[0] - inside.lo[0]), to);
+        }
+    }
+}
+
+void RefinedLbm::check_divergence() {
+    const auto fault = fluid_.diverged();
+    if (fault) throw coupler::Diverged(fluid::to_string(*fault));
+}
+
+// cells: as many as are updated in a coupled step, in the mean.
+output::FluidSummary RefinedLbm::summary() const {
+    const fluid::FluidConfig& config = fluid_.level(0).config();
+    output::FluidSummary summary;
+    const int finest = fluid_.levels() - 1;
+    double cells = 0;
+    for (int l = 0; l <= finest; ++l)
+        cells += std::ldexp(static_cast<double>(cells_in(fluid_.level(l))), l - finest);
+    summary.cells = static_cast<std::int64_t>(cells);
+    summary.relaxation_time = fluid::relaxation_time(config);
+    summary.spacing_m = config.spacing_m;
+    summary.collision = name_of(fluid::choose_collision(config));
+    summary.kernel = name(choose_instruction_set());
+    return summary;
+}
+
+void RefinedLbm::save(coupler::StateWriter* file) {
+    const auto places = numbers_of(fluid_.finer_places());
+    const auto mass = fluid_.kept_mass();
+    if (file) {
+        file->table(places_table, places, {places.size() / 6, 6});
+        file->table(mass_table, mass, {mass.size()});
+    }
+    for (int l = 0; l < fluid_.levels(); ++l)
+        lbm::save(comm_, fluid_.level(l), table_of(l), file);
+}
+
+void RefinedLbm::restore(const coupler::StateReader& file) {
+    const int finest = fluid_.levels() - 1;
+    if (!file.has(places_table) ||
+        file.shape(places_table)[0] != static_cast<std::size_t>(finest))
+        throw coupler::StateFault(
+            fmt::format("--restart: the checkpoint has no grid of {} finer levels, as "
+                        "fluid.refinement asks for",
+                        finest));
+    const std::int64_t steps = steps_in_one(fluid_.level(finest), file);
+    fluid_.restore(file.header().step * steps,
+                   places_of(file.table(places_table), fluid_.config().coarse),
+                   file.has(mass_table) ? file.table(mass_table) : std::vector<double>());
+    for (int l = 0; l <= finest; ++l)
+        lbm::restore(fluid_.level(l), table_of(l), steps, file);
+    grid_.owned_by_rank = fluid_.owned_by_rank();
+}
+
+}  // namespace magfsi::lbm

@@ -1,0 +1,55 @@
+// fluid_lbm/'s refined grid as a fluid that a participant can drive.
+#pragma once
+
+#include <mpi.h>
+
+#include "adapters/fluids/fluid_solver.h"
+#include "fluid_lbm/refinement/refined_fluid.h"
+
+namespace magfsi::lbm {
+
+class RefinedLbm final : public fluids::FluidSolver {
+  public:
+    // renewal: when it may follow the bodies.
+    RefinedLbm(MPI_Comm comm, fluid::RefinedFluid& fluid,
+               const coupler::Renewal& renewal);
+
+    const coupler::Grid& grid() const override { return grid_; }
+    void velocity(std::span<const CellRow> rows, std::span<double> out) override {
+        fluid_.velocity(rows, out);
+    }
+    void set_force(std::span<const CellRow> rows,
+                   std::span<const double> density) override {
+        fluid_.set_force(rows, density);
+    }
+    void advance() override { fluid_.step(); }
+    void keep() override { fluid_.keep(); }
+    void go_back() override { fluid_.go_back(); }
+    void follow(const std::array<scene::Vec3, 2>& around_m) override;
+
+    std::string headline() const override;
+    fluids::FluidTotals totals() override;
+    double quantity(scene::FluidQuantity quantity) override;
+    std::vector<scene::Vec3> obstacle_forces() override {
+        return fluid_.obstacle_forces();
+    }
+    fluids::PlaneFlow plane_flow(int axis, double at_m) override {
+        return fluid_.plane_flow(axis, at_m);
+    }
+    std::vector<fluids::FieldCells> field_cells() const override;
+    void field(scene::FluidField field, std::size_t level, std::span<float> out) override;
+    void check_divergence() override;
+    output::FluidSummary summary() const override;
+    double waited_for_neighbours_s() const override {
+        return fluid_.waited_for_neighbours_s();
+    }
+    void save(coupler::StateWriter* file) override;
+    void restore(const coupler::StateReader& file) override;
+
+  private:
+    MPI_Comm comm_;
+    fluid::RefinedFluid& fluid_;
+    coupler::Grid grid_;
+};
+
+}  // namespace magfsi::lbm
