@@ -151,7 +151,8 @@ double forced_rows_bytes(double markers, int nx, bool single_precision) {
 // Those near a cut are known to the ranks on both of its sides.
 double known_markers(const scene::Scene& scene, const fluid::Decomposition& parts,
                      std::span<const fluid::Vec3> markers_m) {
-    const coupler::Grid grid{scene.fluid->spacing_m, parts.cells, parts.periodic, {}};
+    const coupler::Grid grid{
+        scene.fluid->finest_spacing_m(), parts.cells, parts.periodic, {}};
     const auto kernel = scene.coupling->immersed_boundary.kernel;
     std::int64_t known = 0;
     for (const fluid::CellBox& box : parts.boxes) {
@@ -177,16 +178,34 @@ struct FluidMemory {
     }
 };
 
+double populations_bytes(const fluid::FluidConfig& config, fluid::Storage storage,
+                         int ranks) {
+    const auto parts =
+        fluid::decompose(config.cells, fluid::periodic_axes(config), ranks);
+    double bytes = 0;
+    for (int rank = 0; rank < ranks; ++rank) {
+        const fluid::RowLayout rows = parts.layout(rank);
+        bytes += static_cast<double>(
+            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage));
+    }
+    return bytes;
+}
+
 // From the sizes that the solver will allocate; markers_m: where they are at the start.
 // What bodies touch depends on their motion: it is that of a sheet that is a little bent.
 FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
                          std::span<const fluid::Vec3> markers_m) {
-    const auto config = to_config(scene, *scene::coupled_step_s(scene));
+    const auto levels = level_configs(scene);
+    const auto& config = levels.front();
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
     const auto storage = fluid::storage_of(config.precision);
     const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
     FluidMemory memory;
+    for (std::size_t l = 1; l < levels.size(); ++l)
+        memory.held.emplace_back(
+            fmt::format("level {}", l),
+            populations_bytes(levels[l], storage, ranks));
     double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
@@ -268,6 +287,26 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     return text;
 }
 
+std::string refinement(const scene::Scene& scene) {
+    const auto levels = level_configs(scene);
+    std::string text;
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+        const fluid::FluidConfig& c = levels[l];
+        text += fmt::format("  level {}: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
+                            "relaxation time {:.5g}, {}\n",
+                            l, c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3,
+                            c.time_step_s * 1e6, fluid::relaxation_time(c),
+                            name_of(fluid::choose_collision(c)));
+    }
+    const double updated = updated_cells(levels);
+    double uniform = 1;
+    for (const int cells : levels.front().cells)
+        uniform *= std::ldexp(cells, static_cast<int>(levels.size()) - 1);
+    return text + fmt::format("  {:.0f} cells are updated in a coupled step; a grid as fine "
+                              "everywhere has {:.0f}, {:.3g} times as many\n",
+                              updated, uniform, uniform / updated);
+}
+
 }  // namespace
 
 std::string explain(const scene::Scene& scene, int ranks) {
@@ -280,6 +319,7 @@ std::string explain(const scene::Scene& scene, int ranks) {
     std::string text = table(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
+    if (fluid.refinement) text += refinement(scene);
     return text + memory(scene, ranks) + warnings(scene, v);
 }
 

@@ -69,7 +69,11 @@ RefinedLbm::RefinedLbm(MPI_Comm comm, fluid::RefinedFluid& fluid,
 }
 
 void RefinedLbm::follow(const std::array<scene::Vec3, 2>& around_m) {
-    if (fluid_.follow(around_m)) grid_.owned_by_rank = fluid_.owned_by_rank();
+    try {
+        if (fluid_.follow(around_m)) grid_.owned_by_rank = fluid_.owned_by_rank();
+    } catch (const std::invalid_argument& fault) {
+        throw coupler::Diverged(fault.what());
+    }
 }
 
 std::string RefinedLbm::headline() const {

@@ -15,7 +15,7 @@ namespace {
 
 // Between the least that is safe and the patch's side: what the flow around a body needs to
 // be as on a uniform grid (docs/refinement.md).
-constexpr int usual_margin_cells = 6;
+constexpr int usual_margin_cells = 1;
 
 // The pressure is that of the incompressible flow: rho U^2 / 16 (cos 2kx + cos 2ky)
 // (cos 2kz + 2).
@@ -36,7 +36,7 @@ void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid
 
 }  // namespace
 
-fluid::FluidConfig to_config(const scene::Scene& scene, double time_step_s) {
+fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s) {
     const scene::Fluid& fluid = *scene.fluid;
     fluid::FluidConfig config;
     static_cast<fluid::Options&>(config) = fluid;
@@ -44,7 +44,7 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double time_step_s) {
         config.cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / fluid.spacing_m));
     }
     config.spacing_m = fluid.spacing_m;
-    config.time_step_s = time_step_s;
+    config.time_step_s = coupled_step_s * fluid.coupled_steps_in_one();
     if (fluid.initial_velocity_m_s) {
         const auto velocity = *fluid.initial_velocity_m_s;
         config.initial_velocity = [velocity](const fluid::Vec3&) { return velocity; };
@@ -58,10 +58,11 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double time_step_s) {
 fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled_step_s) {
     const scene::Fluid& fluid = *scene.fluid;
     fluid::RefinedConfig config;
-    config.coarse = to_config(scene, coupled_step_s * fluid.coupled_steps_in_one());
+    config.coarse = to_config(scene, coupled_step_s);
     config.rule.levels = fluid.refinement->levels;
+    config.least_margin_cells = scene::least_margin_cells(scene);
     if (fluid.refinement->box_m) {
-        config.rule.slack_cells = 0;
+        config.rule = {.levels = config.rule.levels, .slack_cells = 0, .follows = false};
         return config;
     }
     const double cell_m = 2 * fluid.finest_spacing_m();
@@ -89,6 +90,29 @@ std::array<fluid::Vec3, 2> refined_part_m(const scene::Scene& scene) {
         }
     }
     return part;
+}
+
+std::vector<fluid::FluidConfig> level_configs(const scene::Scene& scene) {
+    const double step_s = *scene::coupled_step_s(scene);
+    std::vector<fluid::FluidConfig> levels{to_config(scene, step_s)};
+    if (!scene.fluid->refinement) return levels;
+    const fluid::RefinedConfig config = to_refined_config(scene, step_s);
+    const auto places =
+        fluid::place_levels(config.coarse, config.rule, refined_part_m(scene), nullptr);
+    for (const fluid::LevelPlace& place : *places)
+        levels.push_back(
+            fluid::config_at(config.coarse, place, static_cast<int>(levels.size())));
+    return levels;
+}
+
+double updated_cells(const std::vector<fluid::FluidConfig>& levels) {
+    double cells = 0, per_step = std::ldexp(2, -static_cast<int>(levels.size()));
+    for (const fluid::FluidConfig& level : levels) {
+        const auto& n = level.cells;
+        cells += per_step * n[0] * n[1] * n[2];
+        per_step *= 2;
+    }
+    return cells;
 }
 
 }  // namespace magfsi::lbm

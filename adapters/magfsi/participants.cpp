@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "adapters/lbm/explain.h"
+#include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/openfoam/explain.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/scene.h"
@@ -138,6 +139,12 @@ void check_memory(const scene::Scene& scene) {
     double cells = 1;
     for (const double length : scene.fluid->box_m)
         cells *= length / scene.fluid->spacing_m;
+    if (scene.fluid->refinement) {
+        for (const fluid::FluidConfig& level : lbm::level_configs(scene)) {
+            const auto& n = level.cells;
+            cells += static_cast<double>(n[0]) * n[1] * n[2];
+        }
+    }
     if (cells * bytes_a_cell <= there) return;
     throw std::invalid_argument(fmt::format(
         "fluid.spacing: found {:.3g} cells, which take {:.3g} GB; allowed are {:.3g} in "

@@ -16,7 +16,8 @@ namespace magfsi::output {
 namespace {
 
 std::string_view vtk_type(const Values& values) {
-    return std::holds_alternative<std::span<const float>>(values) ? "Float32" : "Float64";
+    constexpr std::string_view types[] = {"Float32", "Float64", "UInt8"};
+    return types[values.index()];
 }
 
 std::size_t count(const Values& values) {
@@ -215,7 +216,10 @@ void write_pvti(const std::filesystem::path& path, const ImageGrid& grid,
     for (const auto& field : cell_fields)
         xml += fmt::format(
             "<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
-            field.float64 ? "Float64" : "Float32", xml_escaped(field.name),
+            field.uint8     ? "UInt8"
+            : field.float64 ? "Float64"
+                            : "Float32",
+            xml_escaped(field.name),
             field.components);
     xml += "</PCellData>\n";
     for (const auto& piece : pieces)
@@ -290,12 +294,13 @@ PvdSeries::PvdSeries(std::filesystem::path path) : path_(std::move(path)) {
     write();
 }
 
-void PvdSeries::add(double time_s, const std::filesystem::path& file) {
-    if (!entries_.empty() && !(time_s > entries_.back().time_s))
+void PvdSeries::add(double time_s, const std::filesystem::path& file, int part) {
+    const bool goes_on = part > 0 && !entries_.empty() && time_s == entries_.back().time_s;
+    if (!entries_.empty() && !(time_s > entries_.back().time_s) && !goes_on)
         throw std::invalid_argument(fmt::format("{}: time {} s does not come after {} s",
                                                 path_.string(), to_text(time_s),
                                                 to_text(entries_.back().time_s)));
-    entries_.push_back({time_s, relative_to(file, path_)});
+    entries_.push_back({time_s, relative_to(file, path_), part});
     write();
 }
 
@@ -303,9 +308,9 @@ void PvdSeries::write() const {
     std::string xml =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
         "<Collection>\n";
-    for (const auto& [time_s, file] : entries_)
-        xml += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
-                           to_text(time_s), xml_escaped(file));
+    for (const auto& [time_s, file, part] : entries_)
+        xml += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n",
+                           to_text(time_s), part, xml_escaped(file));
     write_atomically(path_, xml + "</Collection>\n</VTKFile>\n");
 }
 

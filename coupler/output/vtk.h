@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -14,8 +15,9 @@ namespace magfsi::output {
 
 // Nothing is copied: the values must live until written.
 
-// Written as they come: float as Float32, double as Float64.
-using Values = std::variant<std::span<const float>, std::span<const double>>;
+// Written as they come: as Float32, Float64 or UInt8.
+using Values = std::variant<std::span<const float>, std::span<const double>,
+                            std::span<const std::uint8_t>>;
 
 // components values a point (or cell), tuples one after the other.
 struct Field {
@@ -55,7 +57,12 @@ struct FieldType {
     std::string name;
     int components = 1;
     bool float64 = false;
+    bool uint8 = false;
 };
+
+// A field of flags that says which cells of a grid VTK is to draw.
+inline constexpr const char* ghost_cells = "vtkGhostType";
+inline constexpr std::uint8_t hidden_cell = 32;  // vtkDataSetAttributes::HIDDENCELL
 
 // Throws std::invalid_argument when the pieces do not fill the whole extent exactly.
 void write_pvti(const std::filesystem::path& path, const ImageGrid& grid,
@@ -82,9 +89,9 @@ class PvdSeries {
     explicit PvdSeries(std::filesystem::path path);
 
     // `file` as this process would open it (the collection names it relative to itself);
-    // times must rise. Add a file only once it is complete. Throws std::invalid_argument,
-    // FileError.
-    void add(double time_s, const std::filesystem::path& file);
+    // times must rise. Parts after the first add to the last instant. Add a file only once
+    // it is complete. Throws std::invalid_argument, FileError.
+    void add(double time_s, const std::filesystem::path& file, int part = 0);
 
   private:
     void write() const;
@@ -92,6 +99,7 @@ class PvdSeries {
     struct Entry {
         double time_s;
         std::string file;
+        int part;
     };
     std::filesystem::path path_;
     std::vector<Entry> entries_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid_lbm/collision/recursive_regularized.h"
+#include "fluid_lbm/streaming/row_kernel.h"
 
 namespace magfsi::fluid {
 
@@ -45,21 +46,38 @@ template <int Width, class Real>
 MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow) {
     std::ptrdiff_t x = 0;
-    for (; x + Width <= length; x += Width)
+    for (; x + Width <= length; x += Width) {
+        if (x % cells_per_line<Real> == 0) prefetch_for_read(at, x);
         flow_block<typename Simd<double, Width>::Vector>(at, x, flow);
+    }
     for (; x < length; ++x) flow_block<typename Simd<double, 1>::Vector>(at, x, flow);
 }
 
+// The last cells by way of a buffer whose surplus cells are at rest: rows may be as short
+// as a ring is wide.
 template <int Width, class Real>
 MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
                                Real* const* at) {
     // Collisions write each population to the slot of its opposite; here it stays.
     Real* own[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) own[d3q19::opposite(q)] = at[q];
+    using Vector = typename Simd<double, Width>::Vector;
     std::ptrdiff_t x = 0;
-    for (; x + Width <= length; x += Width)
-        rebuild_block<typename Simd<double, Width>::Vector>(flow, x, own);
-    for (; x < length; ++x) rebuild_block<typename Simd<double, 1>::Vector>(flow, x, own);
+    for (; x + Width <= length; x += Width) rebuild_block<Vector>(flow, x, own);
+    if (x == length) return;
+    double rest[flow_numbers][Width] = {};
+    Real f[d3q19::directions][Width];
+    const double* rest_at[flow_numbers];
+    Real* f_at[d3q19::directions];
+    for (int i = 0; i < flow_numbers; ++i) {
+        rest_at[i] = rest[i];
+        for (std::ptrdiff_t k = x; k < length; ++k) rest[i][k - x] = flow[i][k];
+    }
+    for (int q = 0; q < d3q19::directions; ++q) f_at[q] = f[q];
+    rebuild_block<Vector>(rest_at, 0, f_at);
+    for (int q = 0; q < d3q19::directions; ++q) {
+        for (std::ptrdiff_t k = x; k < length; ++k) own[q][k] = f[q][k - x];
+    }
 }
 
 }  // namespace magfsi::fluid

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace magfsi::fluid {
 
@@ -103,17 +104,60 @@ void apply(const Scales& scales, double sign, double* flow, std::size_t count) {
     for (std::size_t i = 0; i < (numbers - first_stress) * count; ++i) stress[i] *= factor;
 }
 
-// sum += weight * from
-void add_scaled(double weight, const double* from, std::size_t count, double* sum) {
+// The loops below are compiled for AVX2, too, and chosen when the program starts.
+#define MAGFSI_ROW_LOOP __attribute__((target_clones("avx2", "default")))
+
+MAGFSI_ROW_LOOP void add_scaled(double weight, const double* from, std::size_t count,
+                                double* sum) {
     for (std::size_t i = 0; i < count; ++i) sum[i] += weight * from[i];
 }
 
-// lo: the cell that `coarse` begins with.
-void expand_row(const double* coarse, const std::vector<Weights>& weights, int lo,
-                double* fine) {
-    for (std::size_t x = 0; x < weights.size(); ++x) {
-        const double* c = coarse + (weights[x].first - lo);
-        const auto& w = weights[x].of;
+// Of four rows that lie `apart` from each other.
+MAGFSI_ROW_LOOP void combine(const std::array<double, points>& w, const double* rows,
+                             std::size_t apart, std::size_t count, double* sum) {
+    const double *a = rows, *b = a + apart, *c = b + apart, *d = c + apart;
+    for (std::size_t i = 0; i < count; ++i)
+        sum[i] = (w[0] * a[i] + w[1] * b[i]) + (w[2] * c[i] + w[3] * d[i]);
+}
+
+// Weights of the fine cells of a row; lo: the first coarse cell that is there.
+struct Expansion {
+    std::vector<Weights> of;
+    int lo = 0;
+    bool regular = true;  // as away from sides: pairs of cells alike
+
+    Expansion(const CellBox& fine, const CellBox& beneath, const LevelPlace& coarse)
+        : lo(beneath.lo[0]) {
+        for (int x = fine.lo[0]; x < fine.hi[0]; ++x) {
+            of.push_back(coarse_around(x, coarse, 0));
+            const auto n = of.size();
+            regular = regular && (n < 3 || (of[n - 1].of == of[n - 3].of &&
+                                            of[n - 1].first == of[n - 3].first + 1));
+        }
+    }
+};
+
+// Every other cell of a regular row, from the one that w belongs to.
+MAGFSI_ROW_LOOP void expand_half(const std::array<double, points>& w,
+                                 const double* coarse, std::size_t count, double* fine) {
+    for (std::size_t m = 0; m < count; ++m)
+        fine[2 * m] = (w[0] * coarse[m] + w[1] * coarse[m + 1]) +
+                      (w[2] * coarse[m + 2] + w[3] * coarse[m + 3]);
+}
+
+void expand_row(const double* coarse, const Expansion& along_x, double* fine) {
+    const std::size_t count = along_x.of.size();
+    if (along_x.regular && count > 8) {
+        for (std::size_t half = 0; half < 2; ++half) {
+            const Weights& w = along_x.of[half];
+            expand_half(w.of, coarse + (w.first - along_x.lo), (count + 1 - half) / 2,
+                        fine + half);
+        }
+        return;
+    }
+    for (std::size_t x = 0; x < count; ++x) {
+        const double* c = coarse + (along_x.of[x].first - along_x.lo);
+        const auto& w = along_x.of[x].of;
         fine[x] = (w[0] * c[0] + w[1] * c[1]) + (w[2] * c[2] + w[3] * c[3]);
     }
 }
@@ -150,13 +194,13 @@ void Prolongation::run(const Level& coarse, const Level& fine) {
             const auto nx = static_cast<std::size_t>(c.hi[0] - c.lo[0]);
             const auto ny = static_cast<std::size_t>(c.hi[1] - c.lo[1]);
             const auto count = static_cast<std::size_t>(row.size());
-            double* plane = piece.flow.data() +
-                            static_cast<std::size_t>(row.z - c.lo[2]) * numbers * ny * nx;
+            double* to = piece.flow.data() +
+                         (static_cast<std::size_t>(row.z - c.lo[2]) * ny +
+                          static_cast<std::size_t>(row.y - c.lo[1])) *
+                             numbers * nx +
+                         static_cast<std::size_t>(row.x_begin - c.lo[0]);
             for (std::size_t i = 0; i < numbers; ++i)
-                std::copy_n(flow + i * count, count,
-                            plane + (i * ny + static_cast<std::size_t>(row.y - c.lo[1])) *
-                                        nx +
-                                static_cast<std::size_t>(row.x_begin - c.lo[0]));
+                std::copy_n(flow + i * count, count, to + i * nx);
         });
     for (const Piece& piece : pieces_) interpolate(piece, coarse, fine);
 }
@@ -169,35 +213,23 @@ void Prolongation::interpolate(const Piece& piece, const Level& coarse,
     const auto nx = static_cast<std::size_t>(c.hi[0] - c.lo[0]);
     const auto ny = static_cast<std::size_t>(c.hi[1] - c.lo[1]);
     const auto length = static_cast<std::size_t>(piece.fine.hi[0] - piece.fine.lo[0]);
-    std::vector<Weights> along_x;
-    for (int x = piece.fine.lo[0]; x < piece.fine.hi[0]; ++x)
-        along_x.push_back(coarse_around(x, coarse.place, 0));
-    std::vector<double> plane(numbers * ny * nx), line(numbers * nx),
-        row(numbers * length);
+    const Expansion along_x(piece.fine, c, coarse.place);
+    std::vector<double> plane(ny * numbers * nx), line(numbers * nx), row(numbers * length);
     for (int z = piece.fine.lo[2]; z < piece.fine.hi[2]; ++z) {
         const Weights wz = coarse_around(z, coarse.place, 2);
-        std::ranges::fill(plane, 0.0);
-        for (std::size_t k = 0; k < points; ++k)
-            add_scaled(wz.of[k],
-                       piece.flow.data() +
-                           (static_cast<std::size_t>(wz.first - c.lo[2]) + k) *
-                               plane.size(),
-                       plane.size(), plane.data());
+        const auto k = static_cast<std::size_t>(wz.first - c.lo[2]);
+        combine(wz.of, piece.flow.data() + k * plane.size(), plane.size(), plane.size(),
+                plane.data());
         for (int y = piece.fine.lo[1]; y < piece.fine.hi[1]; ++y) {
             const Weights wy = coarse_around(y, coarse.place, 1);
-            for (std::size_t i = 0; i < numbers; ++i) {
-                const double* at =
-                    plane.data() +
-                    (i * ny + static_cast<std::size_t>(wy.first - c.lo[1])) * nx;
-                double* sum = line.data() + i * nx;
-                for (std::size_t x = 0; x < nx; ++x)
-                    sum[x] = (wy.of[0] * at[x] + wy.of[1] * at[nx + x]) +
-                             (wy.of[2] * at[2 * nx + x] + wy.of[3] * at[3 * nx + x]);
-                expand_row(sum, along_x, c.lo[0], row.data() + i * length);
-            }
+            const auto j = static_cast<std::size_t>(wy.first - c.lo[1]);
+            combine(wy.of, plane.data() + j * line.size(), line.size(), line.size(),
+                    line.data());
+            for (std::size_t i = 0; i < numbers; ++i)
+                expand_row(line.data() + i * nx, along_x, row.data() + i * length);
             apply(scales, 1, row.data(), length);
-            write_flow(view,
-                       fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}), row.data());
+            write_flow(view, fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}),
+                       row.data());
         }
     }
 }
@@ -211,9 +243,6 @@ Weights fine_in(int coarse_cell, const LevelPlace& fine, int axis) {
     const int hi = wraps ? fine.domain[axis] + points : fine.stored.hi[axis];
     return cubic_at(2 * coarse_cell + 0.5, lo, hi);
 }
-
-// The stress is the mean of the cell's own two.
-constexpr std::array<int, 2> halves{0, 1};
 
 CellBox coarse_share(const CellBox& owned, const LevelPlace& place) {
     const CellBox covered = place.covered();
@@ -278,7 +307,6 @@ Restriction::Restriction(const Level& coarse, const Level& fine)
         halo_flow_.emplace_back(numbers * static_cast<std::size_t>(cells_of(box)));
 }
 
-// Along a periodic x axis a row's cubic reads beyond its ends: two cells more on both.
 const double* Restriction::fine_row(const Level& fine, int y, int z,
                                     RestrictedMass& mass) {
     const auto count = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
@@ -300,82 +328,100 @@ const double* Restriction::fine_row(const Level& fine, int y, int z,
     return row_.data();
 }
 
-// One plane of fine cells, averaged along x and y: [y][number][x] of mine_.
+namespace {
+
+// What a fine row or plane counts in a coarse one: density and velocity, and stress.
+struct Share {
+    double cubic = 0, mean = 0;
+};
+Share share_of(int fine, int coarse, const Weights& w) {
+    const int k = fine - w.first, half = fine - 2 * coarse;
+    return {k >= 0 && k < points ? w.of[static_cast<std::size_t>(k)] : 0,
+            half == 0 || half == 1 ? 0.5 : 0};
+}
+
+// Of rows of so many cells.
+void add_share(const Share& share, const double* flow, std::size_t cells, double* sum) {
+    if (share.cubic != 0) add_scaled(share.cubic, flow, first_stress * cells, sum);
+    const std::size_t stress = first_stress * cells;
+    if (share.mean != 0)
+        add_scaled(share.mean, flow + stress, (numbers - first_stress) * cells,
+                   sum + stress);
+}
+
+}  // namespace
+
+// One plane of fine cells, averaged along y: [y of mine_][number][x of needed_].
 void Restriction::average_plane(const Level& fine, int z, std::vector<double>& plane,
                                 RestrictedMass& mass) {
-    const LevelPlace& place = fine.place;
-    const int nx = mine_.hi[0] - mine_.lo[0];
-    const auto width = static_cast<std::size_t>(nx);
-    const auto count = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
-    const int period = place.period[0];
-    std::vector<Weights> along_x;
-    for (int x = mine_.lo[0]; x < mine_.hi[0]; ++x)
-        along_x.push_back(fine_in(x, place, 0));
-    std::vector<Weights> along_y;
-    for (int y = mine_.lo[1]; y < mine_.hi[1]; ++y)
-        along_y.push_back(fine_in(y, place, 1));
+    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
     std::ranges::fill(plane, 0.0);
-    std::vector<double> line(numbers * width);
-    const auto at = [&](const double* of, int x) {
-        if (period > 0) x = (x + period) % period;
-        return of[x - needed_.lo[0]];
-    };
     for (int y = needed_.lo[1]; y < needed_.hi[1]; ++y) {
         const double* row = fine_row(fine, y, z, mass);
-        for (std::size_t i = 0; i < numbers; ++i) {
-            const double* of = row + i * count;
-            double* sum = line.data() + i * width;
-            for (std::size_t x = 0; x < width; ++x) {
-                const Weights& w = along_x[x];
-                if (i >= first_stress) {
-                    const int first = 2 * (mine_.lo[0] + static_cast<int>(x));
-                    sum[x] = 0.5 * (at(of, first) + at(of, first + 1));
-                    continue;
-                }
-                sum[x] = 0;
-                for (int k = 0; k < points; ++k)
-                    sum[x] += w.of[static_cast<std::size_t>(k)] * at(of, w.first + k);
-            }
-        }
-        for (std::size_t j = 0; j < along_y.size(); ++j) {
-            double* to = plane.data() + j * numbers * width;
-            const int k = y - along_y[j].first;
-            if (k >= 0 && k < points)
-                add_scaled(along_y[j].of[static_cast<std::size_t>(k)], line.data(),
-                           first_stress * width, to);
-            if (const int half = y - 2 * (mine_.lo[1] + static_cast<int>(j));
-                half == halves[0] || half == halves[1])
-                add_scaled(0.5, line.data() + first_stress * width,
-                           (numbers - first_stress) * width, to + first_stress * width);
-        }
+        const int middle = y >> 1;  // of the up to four coarse rows that it counts in
+        const int first = std::max(middle - 2, mine_.lo[1]);
+        for (int c = first; c < std::min(middle + 3, mine_.hi[1]); ++c)
+            add_share(share_of(y, c, fine_in(c, fine.place, 1)), row, width,
+                      plane.data() +
+                          static_cast<std::size_t>(c - mine_.lo[1]) * numbers * width);
+    }
+}
+
+// The last average, along x, of a row of which the others are done.
+void Restriction::average_row(const Level& fine, const double* row, double* to) const {
+    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
+    const int period = fine.place.period[0];
+    for (int x = mine_.lo[0]; x < mine_.hi[0]; ++x, ++to) {
+        const Weights w = fine_in(x, fine.place, 0);
+        const auto at = [&](std::size_t i, int fine_x) {
+            if (period > 0) fine_x = (fine_x + period) % period;
+            return row[i * width + static_cast<std::size_t>(fine_x - needed_.lo[0])];
+        };
+        const auto coarse_width = static_cast<std::size_t>(mine_.hi[0] - mine_.lo[0]);
+        for (std::size_t i = 0; i < first_stress; ++i)
+            to[i * coarse_width] =
+                (w.of[0] * at(i, w.first) + w.of[1] * at(i, w.first + 1)) +
+                (w.of[2] * at(i, w.first + 2) + w.of[3] * at(i, w.first + 3));
+        for (std::size_t i = first_stress; i < numbers; ++i)
+            to[i * coarse_width] = 0.5 * (at(i, 2 * x) + at(i, 2 * x + 1));
     }
 }
 
 void Restriction::average(const Level& fine, RestrictedMass& mass) {
-    std::ranges::fill(averaged_, 0.0);
     if (is_empty(mine_)) return;
-    const auto width = static_cast<std::size_t>(mine_.hi[0] - mine_.lo[0]);
+    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
     const auto rows = static_cast<std::size_t>(mine_.hi[1] - mine_.lo[1]);
-    std::vector<double> plane(rows * numbers * width);
+    const std::size_t plane_size = rows * numbers * width;
+    // Coarse planes under way, of up to five that a fine one counts in.
+    std::vector<double> plane(plane_size);
+    std::map<int, std::vector<double>> under_way;
     for (int z = needed_.lo[2]; z < needed_.hi[2]; ++z) {
         average_plane(fine, z, plane, mass);
         for (int c = mine_.lo[2]; c < mine_.hi[2]; ++c) {
             const Weights w = fine_in(c, fine.place, 2);
-            const int k = z - w.first, half = z - 2 * c;
-            const double cubic =
-                k >= 0 && k < points ? w.of[static_cast<std::size_t>(k)] : 0;
-            const double mean = half == halves[0] || half == halves[1] ? 0.5 : 0;
-            if (cubic == 0 && mean == 0) continue;
-            double* to = averaged_.data() +
-                         static_cast<std::size_t>(c - mine_.lo[2]) * plane.size();
+            const Share share = share_of(z, c, w);
+            if (share.cubic == 0 && share.mean == 0) continue;
+            auto& sum = under_way[c];
+            sum.resize(plane_size);
             for (std::size_t j = 0; j < rows; ++j) {
                 const std::size_t first = j * numbers * width;
-                add_scaled(cubic, plane.data() + first, first_stress * width, to + first);
-                const std::size_t stress = first + first_stress * width;
-                add_scaled(mean, plane.data() + stress, (numbers - first_stress) * width,
-                           to + stress);
+                add_share(share, plane.data() + first, width, sum.data() + first);
             }
+            if (z + 1 < std::max(w.first + points, 2 * c + 2)) continue;
+            finish_plane(fine, c, sum);
+            under_way.erase(c);
         }
+    }
+}
+
+void Restriction::finish_plane(const Level& fine, int z, const std::vector<double>& sum) {
+    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
+    const auto coarse_width = static_cast<std::size_t>(mine_.hi[0] - mine_.lo[0]);
+    const auto rows = static_cast<std::size_t>(mine_.hi[1] - mine_.lo[1]);
+    for (std::size_t j = 0; j < rows; ++j) {
+        const auto row = static_cast<std::size_t>(z - mine_.lo[2]) * rows + j;
+        average_row(fine, sum.data() + j * numbers * width,
+                    averaged_.data() + row * numbers * coarse_width);
     }
 }
 

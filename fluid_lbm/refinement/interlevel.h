@@ -25,7 +25,7 @@ class Prolongation {
   private:
     struct Piece {
         CellBox fine, coarse;
-        std::vector<double> flow;  // [z][number][y][x] of the coarse cells
+        std::vector<double> flow;  // [z][y][number][x] of the coarse cells
     };
     static void interpolate(const Piece& piece, const Level& coarse, const Level& fine);
 
@@ -56,6 +56,8 @@ class Restriction {
     void average(const Level& fine, RestrictedMass& mass);
     void average_plane(const Level& fine, int z, std::vector<double>& plane,
                        RestrictedMass& mass);
+    void finish_plane(const Level& fine, int z, const std::vector<double>& sum);
+    void average_row(const Level& fine, const double* row, double* to) const;
     const double* fine_row(const Level& fine, int y, int z, RestrictedMass& mass);
 
     CellBox mine_;                // coarse cells

@@ -1,8 +1,8 @@
 // Where the finer levels lie. Level 0 is the uniform grid over the whole box; level l has
 // a spacing and a time step 2^l times smaller and covers a box of cells of level l - 1.
-// Beyond the box, on sides that are not those of the domain, a level has a ring of four
+// Beyond the box, on sides that are not those of the domain, a level has a ring of three
 // cells that are filled anew in every second of its steps: what the wall behind the ring
-// makes wrong walks inwards by a cell a step and never gets to the box.
+// makes wrong walks inwards by a cell a step, and restriction reads the innermost.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace magfsi::fluid {
 
-constexpr int ring_cells = 4;
+constexpr int ring_cells = 3;
 // Cells of a level between the box of the next finer one and its own ring, or it reads
 // what has not been filled: two under the ring, two for a cubic.
 constexpr int apart_cells = 4;
@@ -22,7 +22,8 @@ constexpr int apart_cells = 4;
 struct PatchRule {
     int levels = 1;        // finer ones
     int margin_cells = 0;  // between bodies and the sides of the finest patch, at least
-    int slack_cells = 4;   // besides, before it follows; 0: it stays
+    int slack_cells = 2;   // besides, before it follows
+    bool follows = true;   // else it stays, and bodies have to
 };
 
 // A level's place: all in global indices of its own cells, from the corner of the whole

@@ -274,8 +274,16 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
 }
 
 bool RefinedFluid::follow(const std::array<Vec3, 2>& bodies_m) {
-    if (config_.rule.slack_cells == 0) return false;
     const auto now = finer_places();
+    if (!config_.rule.follows) {
+        PatchRule rule = config_.rule;
+        rule.margin_cells = config_.least_margin_cells;
+        if (place_levels(config_.coarse, rule, bodies_m, &now))
+            refuse("a body has come to the sides of the refined patch, which stays where it "
+                   "is: take a larger fluid.refinement.box, or leave it out for a patch "
+                   "that follows");
+        return false;
+    }
     const auto places = place_levels(config_.coarse, config_.rule, bodies_m, &now);
     if (places) regrid(*places);
     return places.has_value();

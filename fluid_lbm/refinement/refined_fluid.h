@@ -17,7 +17,8 @@ namespace magfsi::fluid {
 
 struct RefinedConfig {
     FluidConfig coarse;  // its time step: 2^levels steps
-    PatchRule rule;
+    PatchRule rule{};
+    int least_margin_cells = 0;  // that bodies must keep in a patch that stays
 };
 
 class RefinedFluid {

@@ -6,11 +6,17 @@ namespace magfsi::fluid {
 
 namespace {
 
+// Whether cells of a row are among those whose populations stand elsewhere.
+bool has_ends(const View& view, const CellRow& row) {
+    return view.arrangement == Arrangement::swapped &&
+           (row.x_begin == 0 || row.x_end == view.layout.nx);
+}
+
 template <class Real>
-RowPointers<Real> readable_row(const View& view, int y, int z) {
-    const auto p =
-        pointers(view.populations.rows<Real>(), view.layout, view.arrangement, y, z);
-    if (view.arrangement == Arrangement::swapped) open_x_ends(p, view.layout);
+RowPointers<Real> readable_row(const View& view, const CellRow& row) {
+    const auto p = pointers(view.populations.rows<Real>(), view.layout, view.arrangement,
+                            row.y, row.z);
+    if (has_ends(view, row)) open_x_ends(p, view.layout);
     return p;
 }
 
@@ -25,7 +31,7 @@ void each_row(const View& view, const PopulationRows<Real>& rows, int z, Use&& u
 // use(at, count): pointers to the row's first cell, by direction.
 template <class Real, class Use>
 void read_row(const View& view, const CellRow& row, Use&& use) {
-    const RowPointers<Real> p = readable_row<Real>(view, row.y, row.z);
+    const RowPointers<Real> p = readable_row<Real>(view, row);
     const Real* at[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + row.x_begin;
     use(at, row.size());
@@ -34,11 +40,11 @@ void read_row(const View& view, const CellRow& row, Use&& use) {
 // The same for a use that changes what stands there.
 template <class Real, class Use>
 void change_row(const View& view, const CellRow& row, Use&& use) {
-    const RowPointers<Real> p = readable_row<Real>(view, row.y, row.z);
+    const RowPointers<Real> p = readable_row<Real>(view, row);
     Real* at[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + row.x_begin;
     use(at, row.size());
-    if (view.arrangement == Arrangement::swapped) close_x_ends(p, view.layout);
+    if (has_ends(view, row)) close_x_ends(p, view.layout);
 }
 
 // The arrays of so many numbers that follow each other.
@@ -61,7 +67,7 @@ void row_moments(const View& view, int y, int z, int x_begin, int x_end,
                             moments.j[1].data(), moments.j[2].data()};
     std::visit(
         [&]<class Real>(const RowKernels<Real>& kernels) {
-            const RowPointers<Real> p = readable_row<Real>(view, y, z);
+            const RowPointers<Real> p = readable_row<Real>(view, {y, z, x_begin, x_end});
             const Real* at[d3q19::directions];
             for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + x_begin;
             kernels.moments(at, count, out);

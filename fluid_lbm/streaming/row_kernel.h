@@ -100,6 +100,13 @@ MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
     return valid;
 }
 
+template <class Real>
+MAGFSI_INLINE void prefetch_for_read(const Real* const* at, std::ptrdiff_t x) {
+    for (int q = 0; q < d3q19::directions; ++q) {
+        __builtin_prefetch(at[q] + x + lines_ahead * cells_per_line<Real>, 0, 3);
+    }
+}
+
 // Moments of a few cells without a collision, in double whatever is stored.
 template <class V, class Real>
 MAGFSI_INLINE void sample_block(const Real* const* at, std::ptrdiff_t x,
@@ -118,11 +125,7 @@ MAGFSI_INLINE void sample_row(const Real* const* at, std::ptrdiff_t length,
                               double* const* out) {
     std::ptrdiff_t x = 0;
     for (; x + Width <= length; x += Width) {
-        if (x % cells_per_line<Real> == 0) {
-            for (int q = 0; q < d3q19::directions; ++q) {
-                __builtin_prefetch(at[q] + x + lines_ahead * cells_per_line<Real>, 0, 3);
-            }
-        }
+        if (x % cells_per_line<Real> == 0) prefetch_for_read(at, x);
         sample_block<typename Simd<double, Width>::Vector>(at, x, out);
     }
     for (; x < length; ++x) {

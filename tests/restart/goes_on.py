@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 import scenes
-from scenes import COUPLED, EVERY, FLUID, STRUCTURE, testing
+from scenes import COUPLED, EVERY, FLUID, REFINED, STRUCTURE, testing
 
 
 class SameBytes(unittest.TestCase):
@@ -73,6 +73,13 @@ class SameBytes(unittest.TestCase):
                 (testing.SMALL, COUPLED, "robot", "1.375 ms", "structure=2,fluid=2")):
             self.same(scene, {**settings, f"bodies.{body}.prescribed_motion":
                               f"[{{face: x_min, oscillation: {wave}}}]"}, end, ranks)
+
+    # Patches stand where they stood; checkpoints come after whole steps of all levels.
+    def test_swimmer_in_a_refined_grid(self):
+        self.same(testing.SMALL, REFINED, "1.375 ms", "structure=2,fluid=3")
+        self.same(testing.SMALL, {**REFINED, "coupling.scheme": "implicit",
+                                  "fluid.refinement": "{levels: 2}"}, "1.375 ms",
+                  "structure=1,fluid=1")
 
     def test_fluid(self):
         self.same(testing.SMALL, FLUID, "1.375 ms", "fluid=2")

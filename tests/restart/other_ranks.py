@@ -4,7 +4,7 @@ ends where it would have, within rounding."""
 import unittest
 
 import scenes
-from scenes import COUPLED, EVERY, FLUID, STRUCTURE, testing
+from scenes import COUPLED, EVERY, FLUID, REFINED, STRUCTURE, testing
 
 # Sums over ranks differ by some 1e-16, and 40 steps of the swimmer, or 1000 of the strip on its
 # platform, where nodes touch and slide, magnify that: 1e-12 was seen.
@@ -34,6 +34,10 @@ class OtherRanks(unittest.TestCase):
         for scheme in ("parallel", "implicit"):
             self.close(testing.SMALL, {**COUPLED, "coupling.scheme": scheme}, "1.375 ms",
                        "structure=2,fluid=3", "structure=1,fluid=1", BOUND)
+
+    def test_swimmer_in_a_refined_grid(self):
+        self.close(testing.SMALL, REFINED, "1.375 ms", "structure=1,fluid=1",
+                   "structure=2,fluid=3", BOUND)
 
     def test_solid(self):
         self.close(EVERY, STRUCTURE, "7.2 ms", "structure=1", "structure=3", BOUND)

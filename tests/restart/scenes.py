@@ -11,6 +11,12 @@ COUPLED = {"time.end": "2 ms", "checkpoint.every": "0.5 ms",
            "output.structure.every": "0.25 ms", "output.fluid.every": "0.5 ms"}
 STRUCTURE = {"time.end": "10 ms", "checkpoint.every": "2 ms", "probes.every": "0.5 ms",
              "output.structure.every": "1 ms"}
+# A face is dragged through the box and the finer cells follow.
+REFINED = {**COUPLED, "fluid.box": "[14 mm, 4 mm, 8 mm]",
+           "fluid.refinement": "{levels: 1, margin: 0.75 mm}",
+           "bodies.robot.prescribed_motion":
+               "[{face: x_min, oscillation: {amplitude: [0.9 mm, 0 m, 0.5 mm], "
+               "frequency: 100 Hz, phase: -90 deg}}]"}
 FLUID = {"bodies": "", "gravity": "", "magnetic_field": "", "probes.bodies": "",
          "probes.points": "", "probes.interface_balance": "", "time.end": "2 ms",
          "checkpoint.every": "0.5 ms", "output.fluid.every": "0.5 ms",

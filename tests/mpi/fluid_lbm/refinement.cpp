@@ -1,0 +1,212 @@
+// A refined grid is the same on any number of ranks, keeps its mass, and goes on from a
+// state that was put back; places of patches.
+#include "tests/support/carried_vortex.h"
+#include "tests/unit/fluid_lbm/lattice_fluid.h"
+
+namespace magfsi::fluid {
+namespace {
+
+// A box with walls, in which a body circles.
+RefinedConfig stirred_box(int levels, Precision precision = Precision::double_) {
+    RefinedConfig config;
+    config.coarse = lattice_fluid({28, 26, 24}, 0.52, Collision::recursive_regularized);
+    for (int axis = 0; axis < 3; ++axis) set_walls(config.coarse, axis);
+    config.coarse.initial_velocity = [](const Vec3& x) {
+        return Vec3{0.03 * std::sin(x[1] / 3), 0.03 * std::cos(x[2] / 4), 0.02};
+    };
+    config.coarse.precision = precision;
+    config.rule = {.levels = levels, .margin_cells = 1};
+    return config;
+}
+
+std::array<Vec3, 2> body_at(double time) {
+    const double x = 13 + 4 * std::sin(time / 7), y = 12 + 4 * std::cos(time / 7);
+    return {Vec3{x - 1.5, y - 1.2, 10}, Vec3{x + 1.5, y + 1.2, 12}};
+}
+
+// Pushes in cells of the patch at the body, then steps.
+void push_and_step(RefinedFluid& fluid, MPI_Comm comm, double time) {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    const CellBox own = fluid.owned_by_rank()[static_cast<std::size_t>(rank)];
+    const double h = fluid.level(fluid.levels() - 1).config().spacing_m;
+    const auto body = body_at(time);
+    std::vector<CellRow> rows;
+    for (int z = own.lo[2]; z < own.hi[2]; ++z) {
+        for (int y = own.lo[1]; y < own.hi[1]; ++y) {
+            if (z * h < body[0][2] || z * h > body[1][2]) continue;
+            if (y * h < body[0][1] || y * h > body[1][1]) continue;
+            const int x = static_cast<int>(body[0][0] / h);
+            if (x >= own.lo[0] && x + 2 <= own.hi[0]) rows.push_back({y, z, x, x + 2});
+        }
+    }
+    std::vector<double> force(6 * rows.size(), 1e-4);
+    fluid.set_force(rows, force);
+    fluid.step();
+}
+
+void run(RefinedFluid& fluid, MPI_Comm comm, int first, int last) {
+    const int steps = 1 << (fluid.levels() - 1);
+    for (int i = first; i < last; ++i) {
+        if (fluid.levels_are_level()) fluid.follow(body_at(i / steps));
+        push_and_step(fluid, comm, i / steps);
+    }
+}
+
+// All populations of this rank's cells of a level; those of a fluid on one rank in the
+// same cells.
+std::vector<double> populations_in(const Fluid& fluid, const CellBox& box) {
+    std::vector<double> values;
+    const auto nx = static_cast<std::size_t>(fluid.config().cells[0]);
+    const CellBox own = fluid.owned();
+    std::vector<double> plane(populations_per_cell * nx *
+                              static_cast<std::size_t>(own.hi[1] - own.lo[1]));
+    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
+        fluid.populations(z, plane);
+        const auto row = static_cast<std::ptrdiff_t>(populations_per_cell * nx);
+        values.insert(values.end(), plane.begin() + (box.lo[1] - own.lo[1]) * row,
+                      plane.begin() + (box.hi[1] - own.lo[1]) * row);
+    }
+    return values;
+}
+
+void expect_same(const RefinedFluid& a, const RefinedFluid& b, double within) {
+    ASSERT_EQ(a.levels(), b.levels());
+    for (int l = 0; l < a.levels(); ++l) {
+        ASSERT_EQ(a.place(l).stored.lo, b.place(l).stored.lo);
+        ASSERT_EQ(a.place(l).stored.hi, b.place(l).stored.hi);
+        const CellBox own = a.level(l).owned();
+        const auto mine = populations_in(a.level(l), own);
+        const auto theirs = populations_in(b.level(l), own);
+        ASSERT_EQ(mine.size(), theirs.size());
+        double largest = 0;
+        for (std::size_t i = 0; i < mine.size(); ++i)
+            largest = std::max(largest, std::abs(mine[i] - theirs[i]));
+        EXPECT_LE(largest, within) << "level " << l;
+    }
+}
+
+class Levels : public testing::TestWithParam<int> {};
+
+// Sums of the mass are in another order, which shifts what keeps it by a rounding.
+TEST_P(Levels, AreTheSameOnAnyRanks) {
+    RefinedFluid parallel(MPI_COMM_WORLD, stirred_box(GetParam()), body_at(0));
+    RefinedFluid serial(MPI_COMM_SELF, stirred_box(GetParam()), body_at(0));
+    const int steps = 40 << GetParam();
+    run(parallel, MPI_COMM_WORLD, 0, steps);
+    run(serial, MPI_COMM_SELF, 0, steps);
+    EXPECT_GT(parallel.moves(), 3);
+    EXPECT_EQ(parallel.moves(), serial.moves());
+    expect_same(parallel, serial, 1e-15);
+    EXPECT_NEAR(parallel.totals().kinetic_energy_j, serial.totals().kinetic_energy_j,
+                1e-12 * serial.totals().kinetic_energy_j);
+    EXPECT_NEAR(parallel.enstrophy_1_s2(), serial.enstrophy_1_s2(),
+                1e-12 * serial.enstrophy_1_s2());
+}
+
+TEST_P(Levels, KeepTheMassOfAClosedBox) {
+    RefinedFluid fluid(MPI_COMM_WORLD, stirred_box(GetParam()), body_at(0));
+    const double mass = fluid.totals().mass_kg;
+    for (int part = 0; part < 3; ++part) {
+        run(fluid, MPI_COMM_WORLD, part * (24 << GetParam()),
+            (part + 1) * (24 << GetParam()));
+        EXPECT_NEAR(fluid.totals().mass_kg / mass, 1, 1e-14);
+    }
+}
+
+// Before and in the middle of steps of the coarser levels.
+TEST_P(Levels, GoOnFromAStateThatIsPutBack) {
+    const RefinedConfig config = stirred_box(GetParam());
+    for (const int middle : {16 << GetParam(), (16 << GetParam()) + 1}) {
+        RefinedFluid whole(MPI_COMM_WORLD, config, body_at(0));
+        run(whole, MPI_COMM_WORLD, 0, middle);
+        RefinedFluid part(MPI_COMM_WORLD, config, body_at(0));
+        part.restore(whole.steps_done(), whole.finer_places(), whole.kept_mass());
+        for (int l = 0; l < whole.levels(); ++l) {
+            const CellBox own = whole.level(l).owned();
+            std::vector<double> plane(
+                populations_per_cell *
+                static_cast<std::size_t>(whole.level(l).config().cells[0]) *
+                static_cast<std::size_t>(own.hi[1] - own.lo[1]));
+            for (int z = own.lo[2]; z < own.hi[2]; ++z) {
+                whole.level(l).populations(z, plane);
+                part.level(l).set_populations(z, plane);
+            }
+        }
+        run(whole, MPI_COMM_WORLD, middle, 2 * middle);
+        run(part, MPI_COMM_WORLD, middle, 2 * middle);
+        expect_same(whole, part, 0);
+    }
+}
+
+// A step that is taken again with other forces ends as if the first had not been, but for
+// the rounding of what keeps the mass, which it does twice.
+TEST_P(Levels, TakeAStepAgain) {
+    const RefinedConfig config = stirred_box(GetParam());
+    RefinedFluid once(MPI_COMM_WORLD, config, body_at(0));
+    RefinedFluid again(MPI_COMM_WORLD, config, body_at(0));
+    for (int i = 0; i < 5 << GetParam(); ++i) {
+        push_and_step(once, MPI_COMM_WORLD, 0);
+        again.keep();
+        again.set_force({}, {});
+        push_and_step(again, MPI_COMM_WORLD, 0);
+        again.go_back();
+        push_and_step(again, MPI_COMM_WORLD, 0);
+    }
+    expect_same(once, again, 1e-16);
+}
+
+INSTANTIATE_TEST_SUITE_P(OneToThree, Levels, testing::Values(1, 2));
+
+TEST(Refinement, IsCloseInSinglePrecision) {
+    RefinedFluid in_double(MPI_COMM_WORLD, stirred_box(1), body_at(0));
+    for (const Precision precision : {Precision::float_, Precision::float_double}) {
+        RefinedFluid in_float(MPI_COMM_WORLD, stirred_box(1, precision), body_at(0));
+        run(in_float, MPI_COMM_WORLD, 0, 32);
+        if (precision == Precision::float_) run(in_double, MPI_COMM_WORLD, 0, 32);
+        const double expected = in_double.totals().kinetic_energy_j;
+        EXPECT_NEAR(in_float.totals().kinetic_energy_j, expected, 1e-5 * expected);
+    }
+}
+
+TEST(Patches, LieAroundTheBodiesAndWithinEachOther) {
+    const FluidConfig config = stirred_box(1).coarse;
+    for (int levels = 1; levels <= 3; ++levels) {
+        const auto places = place_levels(config, {.levels = levels, .margin_cells = 1},
+                                         body_at(0), nullptr);
+        ASSERT_TRUE(places);
+        const LevelPlace* below = nullptr;
+        for (const LevelPlace& place : *places) {
+            for (int d = 0; d < 3 && below; ++d) {
+                const CellBox covered = place.covered();
+                EXPECT_TRUE(covered.lo[d] == 0 ||
+                            covered.lo[d] >= below->inside.lo[d] + apart_cells);
+                EXPECT_TRUE(covered.hi[d] == below->domain[d] ||
+                            covered.hi[d] <= below->inside.hi[d] - apart_cells);
+            }
+            below = &place;
+        }
+        // Who stays near needs no other places.
+        EXPECT_FALSE(place_levels(config, {.levels = levels, .margin_cells = 1},
+                                  body_at(0.1), &*places));
+    }
+}
+
+TEST(Patches, AreRefusedAtInletsAndObstacles) {
+    RefinedConfig config;
+    config.coarse = channel({40, 20, 20}, 0.6, 0, 0.01, BoundaryKind::no_slip);
+    expect_refused(
+        [&] {
+            RefinedFluid(MPI_COMM_WORLD, config, {Vec3{2, 8, 8}, Vec3{6, 12, 12}});
+        },
+        "reaches the velocity_inlet at x_min");
+    config.coarse.obstacles.push_back({"ball", Sphere{{20, 10, 10}, 5}});
+    expect_refused(
+        [&] {
+            RefinedFluid(MPI_COMM_WORLD, config, {Vec3{25, 8, 8}, Vec3{29, 12, 12}});
+        },
+        "meets an obstacle at");
+}
+
+}  // namespace
+}  // namespace magfsi::fluid

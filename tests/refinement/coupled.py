@@ -1,0 +1,81 @@
+"""A robot in a patch of finer cells that follows it does as in cells as fine everywhere."""
+
+import re
+import unittest
+
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from magfsi import testing
+
+# One face is dragged through the box, and the patch must follow.
+DRAGGED = {"time.end": "3 ms", "fluid.box": "[14 mm, 4 mm, 8 mm]",
+           "bodies.robot.prescribed_motion":
+               "[{face: x_min, oscillation: {amplitude: [1 mm, 0 m, 0.5 mm], "
+               "frequency: 100 Hz, phase: -90 deg}}]"}
+FINE = {"fluid.spacing": "0.125 mm"}
+REFINED = {"fluid.refinement": "{levels: 1, margin: 0.75 mm}"}  # over cells of 0.25 mm
+
+
+def extent(file):
+    """Of a .pvti, in cells."""
+    words = re.search(r'WholeExtent="([^"]*)"', file.read_text()).group(1).split()
+    return [int(w) for w in words]
+
+
+class Coupled(unittest.TestCase):
+    def compare(self, settings, ranks):
+        fine = testing.good_run(testing.SMALL, {**DRAGGED, **FINE, **settings}, ranks)
+        refined = testing.good_run(
+            testing.SMALL, {**DRAGGED, **REFINED, **settings, "output.fluid.every": "1 ms"}, ranks)
+        first = extent(refined.folder / "fields/fluid_000000_level1.pvti")
+        last = extent(refined.folder / "fields/fluid_000003_level1.pvti")
+        self.assertNotEqual(first, last, "the patch has not moved")
+        a, b = fine.probes(), refined.probes()
+        # The robot's way, its bend, and what the water has of them: the bounds leave a third
+        # to what was measured (0.02, 0.02, 0.7 %).
+        for name, bound in (("robot.com_x[m]", 1e-3), ("robot.mid_rise[m]", 1e-3),
+                            ("kinetic_energy[J]", 1e-2)):
+            fine_values, values = np.array(a[name]), np.array(b[name])
+            worst = np.max(np.abs(values - fine_values)) / np.ptp(fine_values)
+            testing.report(f"{name}: {100 * worst:.3f} % of its change")
+            self.assertLess(worst, bound, name)
+        np.testing.assert_allclose(b["mass[kg]"], b["mass[kg]"][0], rtol=1e-13)
+        return refined
+
+    def test_serial(self):
+        refined = self.compare({}, "structure=1,fluid=1")
+        self.see_one_picture(refined)
+
+    def test_implicit_on_several_ranks(self):
+        self.compare({"coupling.scheme": "implicit"}, "structure=2,fluid=2")
+
+    def see_one_picture(self, run):
+        """The levels' visible cells fill the box once."""
+        volume = 0
+        for name in ("fluid_000003.pvti", "fluid_000003_level1.pvti"):
+            reader = vtk.vtkXMLPImageDataReader()
+            reader.SetFileName(str(run.folder / "fields" / name))
+            reader.Update()
+            image = reader.GetOutput()
+            cells = image.GetNumberOfCells()
+            hidden = image.GetCellData().GetArray("vtkGhostType")
+            if hidden:
+                cells -= np.count_nonzero(vtk_to_numpy(hidden))
+            volume += cells * np.prod(image.GetSpacing())
+        self.assertAlmostEqual(volume / (14e-3 * 4e-3 * 8e-3), 1, places=9)
+
+    # Two and three levels, all around a robot that starts elsewhere than the scene says.
+    def test_more_levels_without_slip(self):
+        for levels in (2, 3):
+            run = testing.good_run(testing.SMALL, {
+                "time.end": "0.2 ms", "probes.every": "0.1 ms", "fluid.spacing": "0.5 mm",
+                "fluid.box": "[16 mm, 8 mm, 16 mm]",
+                "coupling.immersed_boundary.forcing": "no_slip",
+                "fluid.refinement.levels": levels})
+            self.assertEqual(run.summary()["outcome"], "completed")
+
+
+if __name__ == "__main__":
+    unittest.main()

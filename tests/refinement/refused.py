@@ -1,0 +1,41 @@
+"""What a refined grid cannot do is refused in one line, before anything is written, or ends the
+run with a name."""
+
+import unittest
+from pathlib import Path
+
+from magfsi import testing
+
+REFUSED = [
+    ({"fluid.refinement": "{levels: 4}"}, "at most 3"),
+    ({"fluid.refinement": "{margin: 0.1 mm}"}, "at least 750 um"),
+    ({"fluid.refinement": "{box: [[1 mm, 1 mm, 1 mm], [9 mm, 3 mm, 7 mm]]}"},
+     "within the fluid's box, from 0 m to 8 mm"),
+    ({"fluid.refinement": "{margin: 1 mm, box: [[1 mm, 1 mm, 1 mm], [7 mm, 3 mm, 7 mm]]}"},
+     "one of the two"),
+    ({"fluid.refinement": "{levels: 1}", "fluid.solver": "openfoam"}, "fluid.solver: lbm"),
+    ({"fluid.refinement": "{levels: 1}", "coupling.scheme": "parallel"}, "serial and implicit"),
+    ({"fluid.refinement": "{levels: 1}",
+      "fluid.boundaries.x_min": "{velocity_inlet: {velocity: [0.1 m/s, 0 m/s, 0 m/s]}}",
+      "fluid.boundaries.x_max": "{pressure_outlet: {}}"}, "keep the bodies further from it"),
+]
+
+
+class Refused(unittest.TestCase):
+    def test_before_the_run(self):
+        for settings, words in REFUSED:
+            with self.subTest(settings):
+                folder = Path(testing.new_folder())
+                run = testing.run(testing.SMALL, settings, folder=folder / "out")
+                testing.check_refused(self, run, words)
+                self.assertFalse((folder / "out").exists())
+
+    def test_a_body_that_leaves_a_patch_that_stays(self):
+        run = testing.run(testing.SMALL, {
+            "fluid.refinement": "{box: [[3 mm, 1 mm, 3.3 mm], [8 mm, 3 mm, 5 mm]]}"})
+        self.assertEqual(run.code, 3, run.err)
+        self.assertIn("come to the sides of the refined patch", run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

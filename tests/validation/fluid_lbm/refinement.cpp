@@ -1,0 +1,150 @@
+// Patches of finer cells against exact solutions: vortices at rest and carried through a
+// patch that stays or follows, a shear wave under a body force, sound.
+#include <gtest/gtest.h>
+
+#include "tests/support/carried_vortex.h"
+
+namespace magfsi::fluid {
+namespace {
+
+struct Errors {
+    double coarse = 0, patch = 0;
+};
+
+double uniform_error(const CarriedVortex& vortex, int steps) {
+    Fluid fluid(MPI_COMM_WORLD, vortex.config());
+    for (int i = 0; i < steps; ++i) fluid.step();
+    return vortex.error(fluid, {{0, 0, 0}, fluid.config().cells}, {}, steps);
+}
+
+// As fine everywhere as the patch: half the speed in cells of its own units.
+double uniform_fine_error(CarriedVortex vortex, int steps) {
+    vortex.cells *= 2;
+    vortex.relaxation_time = 0.5 + 2 * (vortex.relaxation_time - 0.5);
+    return uniform_error(vortex, 2 * steps);
+}
+
+Errors refined_errors(const CarriedVortex& vortex, int steps, bool follows,
+                      int levels = 1) {
+    RefinedFluid fluid(MPI_COMM_WORLD, vortex.refined(levels), vortex.middle(0));
+    for (int i = 1; i <= steps; ++i) {
+        for (int part = 0; part < 1 << levels; ++part) fluid.step();
+        if (follows) fluid.follow(vortex.middle(vortex.stream * i));
+    }
+    if (follows) {
+        EXPECT_GT(fluid.moves(), vortex.stream * steps / 4);
+    }
+    const LevelPlace& place = fluid.place(levels);
+    return {vortex.error(fluid.level(0), fluid.place(0).inside, {}, steps),
+            vortex.error(fluid.level(levels), place.inside, place.stored.lo, steps)};
+}
+
+constexpr int one_turn(const CarriedVortex& vortex) {
+    return static_cast<int>(vortex.cells / vortex.speed);
+}
+
+// Bounds: what a D2Q9 prototype of the same scheme did (1.2 and 1.5), with room for z.
+TEST(Refinement, KeepsTheErrorOfTheFineGridInThePatch) {
+    for (const double tau : {0.8, 0.51}) {
+        const CarriedVortex vortex{64, tau};
+        const int steps = one_turn(vortex);
+        const Errors error = refined_errors(vortex, steps, false);
+        const double coarse = uniform_error(vortex, steps);
+        EXPECT_LT(error.coarse, 1.3 * coarse) << tau;
+        // At rest the vortex's error is that of the whole box, most of it coarse.
+        EXPECT_LT(error.patch, 1.7 * std::max(coarse, uniform_fine_error(vortex, steps)))
+            << tau;
+    }
+}
+
+TEST(Refinement, IsOfSecondOrder) {
+    // Steps go with the square of the spacing, or the compressibility's error stays.
+    const CarriedVortex coarse{24, 0.8, 0.04}, fine{48, 0.8, 0.02};
+    const double error = refined_errors(coarse, one_turn(coarse), false).patch;
+    const double finer = refined_errors(fine, one_turn(fine), false).patch;
+    EXPECT_GT(error / finer, 3.2);
+}
+
+TEST(Refinement, FollowsWhatItResolves) {
+    const CarriedVortex vortex{64, 0.503, 0.015, 0.05};
+    const int steps = static_cast<int>(2 * vortex.cells / vortex.stream);
+    const double fine = uniform_fine_error(vortex, steps);
+    const double coarse = uniform_error(vortex, steps);
+    const Errors stays = refined_errors(vortex, steps, false);
+    const Errors follows = refined_errors(vortex, steps, true);
+    EXPECT_LT(follows.patch, 1.7 * fine);
+    EXPECT_LT(follows.coarse, 1.3 * coarse);
+    EXPECT_LT(stays.coarse, 1.3 * coarse);
+    EXPECT_LT(stays.patch, coarse);
+}
+
+// A shear wave decays by viscosity and gains by a body force, which levels see at other
+// times: u(y) = U sin(k y) e^(-nu k^2 t) + g t.
+TEST(Refinement, TellsVelocitiesWithTheirBodyForce) {
+    constexpr int cells = 32, steps = 200;
+    constexpr double speed = 0.02, force = 1e-5;
+    const double wave = 2 * std::numbers::pi / cells;
+    FluidConfig config;
+    config.cells = {16, cells, 16};
+    config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
+    config.viscosity_m2_s = 0.05;
+    config.collision = Collision::trt;
+    config.body_force_n_m3 = {force, 0, 0};
+    config.initial_velocity = [=](const Vec3& x) {
+        return Vec3{speed * std::sin(wave * x[1]), 0, 0};
+    };
+    RefinedFluid fluid(MPI_COMM_WORLD, {.coarse = config, .rule = {.slack_cells = 0}},
+                       {Vec3{5, 9, 5}, Vec3{11, 23, 11}});
+    for (int i = 0; i < 2 * steps; ++i) fluid.step();
+    const LevelPlace& place = fluid.place(1);
+    const double decay = std::exp(-config.viscosity_m2_s * wave * wave * steps);
+    const int x = (place.inside.lo[0] + place.inside.hi[0]) / 2;
+    const int z = (place.inside.lo[2] + place.inside.hi[2]) / 2;
+    for (int y = place.inside.lo[1]; y < place.inside.hi[1]; ++y) {
+        std::vector<double> u(3);
+        fluid.velocity(std::vector{CellRow{y, z, x, x + 1}}, u);
+        // Between two steps a velocity lacks half of the force's step.
+        const double exact = speed * decay * std::sin(wave * (y + 0.5) / 2) +
+                             force * (steps - 0.25);
+        // What 32 cells in a wave leave of its decay: 0.3 % measured, uniform 0.4 %.
+        EXPECT_NEAR(u[0], exact, 5e-3 * speed) << y;
+    }
+}
+
+// A plane pulse of pressure runs from coarse cells through a patch that spans the box: what
+// comes back from its sides is below a hundredth.
+TEST(Refinement, LetsSoundThrough) {
+    constexpr int cells = 200, middle = 50, steps = 220;
+    constexpr double height = 1e-4, width = 6;
+    FluidConfig config;
+    config.cells = {cells, 1, 1};
+    config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
+    config.viscosity_m2_s = 0.002;
+    config.collision = Collision::recursive_regularized;
+    const double sound = 1 / std::sqrt(3.0);
+    const auto pulse = [=](const Vec3& x) {
+        return height * std::exp(-std::pow((x[0] - middle) / width, 2));
+    };
+    config.initial_pressure = [=](const Vec3& x) { return pulse(x) * sound * sound; };
+    config.initial_velocity = [=](const Vec3& x) {
+        return Vec3{sound * pulse(x), 0, 0};  // to the right only
+    };
+    Fluid uniform(MPI_COMM_WORLD, config);
+    RefinedFluid refined(MPI_COMM_WORLD, {.coarse = config, .rule = {}},
+                         {Vec3{100, 0.1, 0.1}, Vec3{130, 0.9, 0.9}});
+    for (int i = 0; i < steps; ++i) {
+        uniform.step();
+        refined.step();
+        refined.step();
+    }
+    // The pulse has gone through; before the patch there is only what came back.
+    const CellRow before{0, 0, 5, 90};
+    std::vector<double> u(3 * before.size()), v(u);
+    uniform.velocity(std::vector{before}, u);
+    refined.level(0).velocity(std::vector{before}, v);
+    for (std::size_t i = 0; i < u.size(); ++i)
+        EXPECT_NEAR(v[i], u[i], 0.01 * sound * height) << i / 3;
+}
+
+}  // namespace
+}  // namespace magfsi::fluid
