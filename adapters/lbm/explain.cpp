@@ -203,9 +203,8 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
     FluidMemory memory;
     for (std::size_t l = 1; l < levels.size(); ++l)
-        memory.held.emplace_back(
-            fmt::format("level {}", l),
-            populations_bytes(levels[l], storage, ranks));
+        memory.held.emplace_back(fmt::format("level {}", l),
+                                 populations_bytes(levels[l], storage, ranks));
     double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
@@ -292,19 +291,20 @@ std::string refinement(const scene::Scene& scene) {
     std::string text;
     for (std::size_t l = 1; l < levels.size(); ++l) {
         const fluid::FluidConfig& c = levels[l];
-        text += fmt::format("  level {}: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
-                            "relaxation time {:.5g}, {}\n",
-                            l, c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3,
-                            c.time_step_s * 1e6, fluid::relaxation_time(c),
-                            name_of(fluid::choose_collision(c)));
+        text += fmt::format(
+            "  level {}: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
+            "relaxation time {:.5g}, {}\n",
+            l, c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
+            fluid::relaxation_time(c), name_of(fluid::choose_collision(c)));
     }
     const double updated = updated_cells(levels);
     double uniform = 1;
     for (const int cells : levels.front().cells)
         uniform *= std::ldexp(cells, static_cast<int>(levels.size()) - 1);
-    return text + fmt::format("  {:.0f} cells are updated in a coupled step; a grid as fine "
-                              "everywhere has {:.0f}, {:.3g} times as many\n",
-                              updated, uniform, uniform / updated);
+    return text + fmt::format(
+                      "  {:.0f} cells are updated in a coupled step; a grid as fine "
+                      "everywhere has {:.0f}, {:.3g} times as many\n",
+                      updated, uniform, uniform / updated);
 }
 
 }  // namespace

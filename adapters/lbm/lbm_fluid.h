@@ -38,8 +38,7 @@ class LbmFluid final : public fluids::FluidSolver {
     fluids::PlaneFlow plane_flow(int axis, double at_m) override {
         return fluid_.plane_flow(axis, at_m);
     }
-    void field(scene::FluidField field, std::size_t level,
-               std::span<float> out) override;
+    void field(scene::FluidField field, std::size_t level, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     double waited_for_neighbours_s() const override {

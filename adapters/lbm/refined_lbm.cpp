@@ -80,12 +80,12 @@ std::string RefinedLbm::headline() const {
     std::string text;
     for (int l = 0; l < fluid_.levels(); ++l) {
         const fluid::FluidConfig& c = fluid_.level(l).config();
-        text += fmt::format("{}{} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
-                            "relaxation time {:.5g}, {}",
-                            l == 0 ? "" : "; refined ", c.cells[0], c.cells[1],
-                            c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
-                            fluid::relaxation_time(c),
-                            name_of(fluid::choose_collision(c)));
+        text += fmt::format(
+            "{}{} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
+            "relaxation time {:.5g}, {}",
+            l == 0 ? "" : "; refined ", c.cells[0], c.cells[1], c.cells[2],
+            c.spacing_m * 1e3, c.time_step_s * 1e6, fluid::relaxation_time(c),
+            name_of(fluid::choose_collision(c)));
     }
     return text + fmt::format("; {} kernels", name(choose_instruction_set()));
 }
@@ -116,7 +116,8 @@ void RefinedLbm::field(scene::FluidField field, std::size_t level, std::span<flo
     const fluid::Fluid& fluid = fluid_.level(l);
     int rank = 0;
     MPI_Comm_rank(comm_, &rank);
-    const fluid::CellBox inside = fluid_.inside_by_rank(l)[static_cast<std::size_t>(rank)];
+    const fluid::CellBox inside =
+        fluid_.inside_by_rank(l)[static_cast<std::size_t>(rank)];
     const fluid::CellBox own = fluid.owned();
     const auto& first = fluid_.place(l).stored.lo;
     const std::size_t components = field == scene::FluidField::density ? 1 : 3;
@@ -128,9 +129,8 @@ void RefinedLbm::field(scene::FluidField field, std::size_t level, std::span<flo
     float* to = out.data();
     for (int z = inside.lo[2]; z < inside.hi[2]; ++z) {
         for (int y = inside.lo[1]; y < inside.hi[1]; ++y) {
-            const auto row =
-                static_cast<std::size_t>(z - first[2] - own.lo[2]) * n[1] +
-                static_cast<std::size_t>(y - first[1] - own.lo[1]);
+            const auto row = static_cast<std::size_t>(z - first[2] - own.lo[2]) * n[1] +
+                             static_cast<std::size_t>(y - first[1] - own.lo[1]);
             const auto x = static_cast<std::size_t>(inside.lo[0] - first[0]);
             to = std::copy_n(
                 all.data() + components * (row * n[0] + x),

@@ -13,8 +13,8 @@ namespace magfsi::lbm {
 
 namespace {
 
-// Between the least that is safe and the patch's side: what the flow around a body needs to
-// be as on a uniform grid (docs/refinement.md).
+// Between the least that is safe and the patch's side: what the flow around a body needs
+// to be as on a uniform grid (docs/refinement.md).
 constexpr int usual_margin_cells = 1;
 
 // The pressure is that of the incompressible flow: rho U^2 / 16 (cos 2kx + cos 2ky)

@@ -16,7 +16,8 @@ fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled
 // bodies where they start (before they relax).
 std::array<fluid::Vec3, 2> refined_part_m(const scene::Scene& scene);
 
-// What each level has at the start: one, or with fluid.refinement the finer ones behind it.
+// What each level has at the start: one, or with fluid.refinement the finer ones behind
+// it.
 std::vector<fluid::FluidConfig> level_configs(const scene::Scene& scene);
 // Cells that a coupled step updates, in the mean.
 double updated_cells(const std::vector<fluid::FluidConfig>& levels);

@@ -52,18 +52,17 @@ double wall_cells(const fluid::FluidConfig& config) {
     return cells;
 }
 
-// Of a refined grid: a finer level's update with its share of what levels tell each other,
-// over an update. Measured at the swimmer's patch.
+// Of a refined grid: a finer level's update with its share of what levels tell each
+// other, over an update. Measured at the swimmer's patch.
 constexpr double finer_cell_cost = 2.5;
 
 // What the lattice does to each cell in each step.
 void add_lattice(const scene::Scene& scene, FluidWork& work) {
     const auto levels = lbm::level_configs(scene);
     const auto& config = levels.front();
-    const double coarse = std::ldexp(
-        lbm::updated_cells({config}), 1 - static_cast<int>(levels.size()));
-    work.cells =
-        coarse + finer_cell_cost * (lbm::updated_cells(levels) - coarse);
+    const double coarse =
+        std::ldexp(lbm::updated_cells({config}), 1 - static_cast<int>(levels.size()));
+    work.cells = coarse + finer_cell_cost * (lbm::updated_cells(levels) - coarse);
     work.wall_cells = wall_cells(config);
     work.recursive_regularized =
         fluid::choose_collision(config) == fluid::Collision::recursive_regularized;

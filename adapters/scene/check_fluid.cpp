@@ -165,8 +165,9 @@ void check_refinement(const Scene& scene, const Marks& marks) {
     const Fluid& fluid = *scene.fluid;
     const Refinement& refinement = *fluid.refinement;
     const Path here{"fluid", "refinement"};
-    require(fluid.solver == FluidSolver::lbm, marks.key(here), "a refined grid for openfoam",
-            "it with fluid.solver: lbm", "take fluid.grading");
+    require(fluid.solver == FluidSolver::lbm, marks.key(here),
+            "a refined grid for openfoam", "it with fluid.solver: lbm",
+            "take fluid.grading");
     require(!scene.bodies.empty() || refinement.box_m, marks.key(here),
             "a refined grid without bodies and without a box",
             "bodies that it follows, or box: [lower corner, upper corner]");
@@ -174,23 +175,25 @@ void check_refinement(const Scene& scene, const Marks& marks) {
             marks.key({"fluid", "refinement", "margin"}),
             "a margin around bodies beside a box", "one of the two");
     require(!scene.coupling || scene.coupling->scheme != Scheme::parallel,
-            marks.value({"coupling", "scheme"}), "the parallel scheme with a refined grid",
-            "serial and implicit");
+            marks.value({"coupling", "scheme"}),
+            "the parallel scheme with a refined grid", "serial and implicit");
     for (std::size_t d = 0; refinement.box_m && d < 3; ++d) {
         const double low = (*refinement.box_m)[0][d], high = (*refinement.box_m)[1][d];
         require(low >= 0 && low < high && high <= fluid.box_m[d] * (1 + 1e-9),
                 marks.value({"fluid", "refinement", "box"}),
                 fmt::format("a patch from {} to {} along {}", metres(low), metres(high),
                             axis_names[d]),
-                fmt::format("within the fluid's box, from 0 m to {}", metres(fluid.box_m[d])));
+                fmt::format("within the fluid's box, from 0 m to {}",
+                            metres(fluid.box_m[d])));
     }
     const double least_m = least_margin_cells(scene) * 2 * fluid.finest_spacing_m();
-    require(!refinement.margin_m || *refinement.margin_m >= least_m * (1 - 1e-9),
-            marks.value({"fluid", "refinement", "margin"}),
-            fmt::format("a margin of {}", metres(refinement.margin_m.value_or(0))),
-            fmt::format("at least {}: what the kernel and the fastest body reach before the "
-                        "patch follows",
-                        metres(least_m)));
+    require(
+        !refinement.margin_m || *refinement.margin_m >= least_m * (1 - 1e-9),
+        marks.value({"fluid", "refinement", "margin"}),
+        fmt::format("a margin of {}", metres(refinement.margin_m.value_or(0))),
+        fmt::format("at least {}: what the kernel and the fastest body reach before the "
+                    "patch follows",
+                    metres(least_m)));
 }
 
 // The lattice's error grows with the square of the speed; beyond a quarter of a cell a

@@ -52,7 +52,8 @@ std::optional<double> coupled_step_s(const Scene& scene) {
     const Fluid& fluid = *scene.fluid;
     const double cells_per_step =
         fluid.solver == FluidSolver::openfoam ? fluid.courant : fluid.lattice_speed;
-    return halved(scene, cells_per_step * fluid.finest_spacing_m() / fluid.expected_speed_m_s);
+    return halved(scene,
+                  cells_per_step * fluid.finest_spacing_m() / fluid.expected_speed_m_s);
 }
 
 std::optional<double> relaxation_time(const Scene& scene) {

@@ -30,21 +30,21 @@ double path_step_s(const Scene& scene);
 double halved(const Scene& scene, double step_s);
 
 // Coupled step [s]: time.step, or lattice_speed (courant for openfoam) times
-// spacing at the bodies / expected_speed, halved as the scene says. Empty without a fluid and
-// time.step, where the bodies' own stable step rules.
+// spacing at the bodies / expected_speed, halved as the scene says. Empty without a fluid
+// and time.step, where the bodies' own stable step rules.
 std::optional<double> coupled_step_s(const Scene& scene);
 
 // The fluid's on its lattice: 3 nu dt / dx^2 + 1/2; empty without such a fluid. Below the
-// least the viscosity is lost in the scheme's own error. In a refined grid it is the least,
-// that away from the bodies; tau - 1/2 doubles with each level.
+// least the viscosity is lost in the scheme's own error. In a refined grid it is the
+// least, that away from the bodies; tau - 1/2 doubles with each level.
 constexpr double min_relaxation_time = 0.5001;
 std::optional<double> relaxation_time(const Scene& scene);
 std::optional<double> relaxation_time_at_bodies(const Scene& scene);
 
-// How a refined grid follows the bodies: looks where they are before every so many coupled
-// steps, in which no marker moves further than a number of its finest cells. The least
-// margin, in cells of the finest level but one, leaves room for that, the kernel, and a
-// cell of the level below between the last force and the patch's side.
+// How a refined grid follows the bodies: looks where they are before every so many
+// coupled steps, in which no marker moves further than a number of its finest cells. The
+// least margin, in cells of the finest level but one, leaves room for that, the kernel,
+// and a cell of the level below between the last force and the patch's side.
 struct Following {
     int every = 4, moves_cells = 2;
 };

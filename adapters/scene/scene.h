@@ -112,8 +112,9 @@ struct Grading {
     double growth = 1.1;              // largest ratio of neighbouring cells
 };
 
-// A patch of finer cells around the bodies, which it follows, or in a part of the box. With
-// every level the spacing and the fluid's step halve; the coupled step is the finest's.
+// A patch of finer cells around the bodies, which it follows, or in a part of the box.
+// With every level the spacing and the fluid's step halve; the coupled step is the
+// finest's.
 struct Refinement {
     int levels = 1;
     std::optional<double> margin_m;  // between the bodies and the patch's sides

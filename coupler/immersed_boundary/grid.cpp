@@ -20,15 +20,14 @@ std::string to_text(const Grid& grid) {
     for (const CellBox& box : grid.owned_by_rank) boxes.push_back({box.lo, box.hi});
     nlohmann::json solid = nlohmann::json::array();
     for (const GridRow& r : grid.solid) solid.push_back({r.y, r.z, r.x_begin, r.x_end});
-    return nlohmann::json{{"spacing_m", grid.spacing_m},
-                          {"cells", grid.cells},
-                          {"periodic", grid.periodic},
-                          {"owned_by_rank", boxes},
-                          {"follows", grid.follows},
-                          {"renewal",
-                           {grid.renewal.every, grid.renewal.ahead,
-                            grid.renewal.margin_cells}},
-                          {"solid", solid}}
+    return nlohmann::json{
+        {"spacing_m", grid.spacing_m},
+        {"cells", grid.cells},
+        {"periodic", grid.periodic},
+        {"owned_by_rank", boxes},
+        {"follows", grid.follows},
+        {"renewal", {grid.renewal.every, grid.renewal.ahead, grid.renewal.margin_cells}},
+        {"solid", solid}}
         .dump();
 }
 

@@ -219,8 +219,7 @@ void write_pvti(const std::filesystem::path& path, const ImageGrid& grid,
             field.uint8     ? "UInt8"
             : field.float64 ? "Float64"
                             : "Float32",
-            xml_escaped(field.name),
-            field.components);
+            xml_escaped(field.name), field.components);
     xml += "</PCellData>\n";
     for (const auto& piece : pieces)
         xml += fmt::format("<Piece Extent=\"{}\" Source=\"{}\"/>\n",
@@ -295,7 +294,8 @@ PvdSeries::PvdSeries(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 void PvdSeries::add(double time_s, const std::filesystem::path& file, int part) {
-    const bool goes_on = part > 0 && !entries_.empty() && time_s == entries_.back().time_s;
+    const bool goes_on =
+        part > 0 && !entries_.empty() && time_s == entries_.back().time_s;
     if (!entries_.empty() && !(time_s > entries_.back().time_s) && !goes_on)
         throw std::invalid_argument(fmt::format("{}: time {} s does not come after {} s",
                                                 path_.string(), to_text(time_s),

@@ -89,8 +89,8 @@ class PvdSeries {
     explicit PvdSeries(std::filesystem::path path);
 
     // `file` as this process would open it (the collection names it relative to itself);
-    // times must rise. Parts after the first add to the last instant. Add a file only once
-    // it is complete. Throws std::invalid_argument, FileError.
+    // times must rise. Parts after the first add to the last instant. Add a file only
+    // once it is complete. Throws std::invalid_argument, FileError.
     void add(double time_s, const std::filesystem::path& file, int part = 0);
 
   private:

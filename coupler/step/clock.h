@@ -33,8 +33,8 @@ class Clock {
 
     // Every how many steps something happens that is wanted every interval_s.
     std::int64_t every(double interval_s) const {
-        const auto steps = static_cast<std::int64_t>(
-            std::llround(interval_s / (at_a_time_ * step_s_)));
+        const auto steps =
+            static_cast<std::int64_t>(std::llround(interval_s / (at_a_time_ * step_s_)));
         return at_a_time_ * (steps < 1 ? 1 : steps);
     }
 

@@ -76,8 +76,8 @@ int rank_of(MPI_Comm comm) {
     return rank;
 }
 
-// From the coarse level's numbers to the fine one's; both have the velocity before half of
-// the step's body force, of which the finer one's is half as large.
+// From the coarse level's numbers to the fine one's; both have the velocity before half
+// of the step's body force, of which the finer one's is half as large.
 struct Scales {
     double stress = 1;
     Vec3 velocity{};
@@ -101,7 +101,8 @@ void apply(const Scales& scales, double sign, double* flow, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) u[i] += sign * scales.velocity[a];
     }
     double* stress = flow + first_stress * count;
-    for (std::size_t i = 0; i < (numbers - first_stress) * count; ++i) stress[i] *= factor;
+    for (std::size_t i = 0; i < (numbers - first_stress) * count; ++i)
+        stress[i] *= factor;
 }
 
 // The loops below are compiled for AVX2, too, and chosen when the program starts.
@@ -175,7 +176,8 @@ Prolongation::Prolongation(const Level& coarse,
                            const std::vector<std::vector<CellBox>>& of_ranks)
     : transfer_(coarse.comm(), coarse.owned_by_rank(), coarse.place.period,
                 coarse_beneath(of_ranks, coarse.place)) {
-    for (const CellBox& box : of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))]) {
+    for (const CellBox& box :
+         of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))]) {
         const CellBox beneath = coarse_beneath(box, coarse.place);
         pieces_.push_back(
             {box, beneath,
@@ -187,7 +189,9 @@ void Prolongation::run(const Level& coarse, const Level& fine) {
     const View view = coarse.state().view();
     transfer_.run(
         numbers,
-        [&](const CellRow& row, double* flow) { read_flow(view, coarse.local(row), flow); },
+        [&](const CellRow& row, double* flow) {
+            read_flow(view, coarse.local(row), flow);
+        },
         [&](std::size_t box, const CellRow& row, const double* flow) {
             Piece& piece = pieces_[box];
             const CellBox& c = piece.coarse;
@@ -214,7 +218,8 @@ void Prolongation::interpolate(const Piece& piece, const Level& coarse,
     const auto ny = static_cast<std::size_t>(c.hi[1] - c.lo[1]);
     const auto length = static_cast<std::size_t>(piece.fine.hi[0] - piece.fine.lo[0]);
     const Expansion along_x(piece.fine, c, coarse.place);
-    std::vector<double> plane(ny * numbers * nx), line(numbers * nx), row(numbers * length);
+    std::vector<double> plane(ny * numbers * nx), line(numbers * nx),
+        row(numbers * length);
     for (int z = piece.fine.lo[2]; z < piece.fine.hi[2]; ++z) {
         const Weights wz = coarse_around(z, coarse.place, 2);
         const auto k = static_cast<std::size_t>(wz.first - c.lo[2]);
@@ -267,8 +272,8 @@ CellBox fine_beneath(const CellBox& share, const LevelPlace& place) {
     if (is_empty(share)) return {};
     for (int d = 1; d < 3; ++d) {
         box.lo[d] = std::min(fine_in(share.lo[d], place, d).first, 2 * share.lo[d]);
-        box.hi[d] = std::max(fine_in(share.hi[d] - 1, place, d).first + points,
-                             2 * share.hi[d]);
+        box.hi[d] =
+            std::max(fine_in(share.hi[d] - 1, place, d).first + points, 2 * share.hi[d]);
     }
     return box;
 }
@@ -313,9 +318,8 @@ const double* Restriction::fine_row(const Level& fine, int y, int z,
     for (std::size_t b = 0; b < halo_.size(); ++b) {
         const CellBox& box = halo_[b];
         if (y < box.lo[1] || y >= box.hi[1] || z < box.lo[2] || z >= box.hi[2]) continue;
-        const auto row =
-            static_cast<std::size_t>((z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y -
-                                     box.lo[1]);
+        const auto row = static_cast<std::size_t>(
+            (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1]);
         return halo_flow_[b].data() + row * numbers * count;
     }
     row_.resize(numbers * count);

@@ -17,8 +17,7 @@ namespace magfsi::fluid {
 class Prolongation {
   public:
     // of_ranks: boxes of stored cells of the finer level, of each rank its own.
-    Prolongation(const Level& coarse,
-                 const std::vector<std::vector<CellBox>>& of_ranks);
+    Prolongation(const Level& coarse, const std::vector<std::vector<CellBox>>& of_ranks);
     // Collective.
     void run(const Level& coarse, const Level& fine);
 
@@ -39,7 +38,7 @@ std::vector<std::vector<CellBox>> ring_of(const Level& fine);
 // What a restriction learns about mass on the way, of this rank; in cells of the level at
 // rest.
 struct RestrictedMass {
-    double fine = 0;            // excess of the finer level's box
+    double fine = 0;               // excess of the finer level's box
     double before = 0, after = 0;  // of the coarse cells that it covers
 };
 
@@ -60,9 +59,9 @@ class Restriction {
     void average_row(const Level& fine, const double* row, double* to) const;
     const double* fine_row(const Level& fine, int y, int z, RestrictedMass& mass);
 
-    CellBox mine_;                // coarse cells
-    CellBox needed_;              // fine cells that they are made of
-    std::vector<CellBox> halo_;   // of those, others'
+    CellBox mine_;                                // coarse cells
+    CellBox needed_;                              // fine cells that they are made of
+    std::vector<CellBox> halo_;                   // of those, others'
     std::vector<std::vector<double>> halo_flow_;  // [y, z][number][x]
     CellTransfer to_halo_, to_coarse_;
     std::vector<double> averaged_;  // [z][y][number][x] of mine_

@@ -136,23 +136,24 @@ LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& perio
 }
 
 std::optional<std::vector<LevelPlace>> place_levels(
-    const FluidConfig& coarse, const PatchRule& rule,
-    const std::array<Vec3, 2>& bodies_m, const std::vector<LevelPlace>* before) {
+    const FluidConfig& coarse, const PatchRule& rule, const std::array<Vec3, 2>& bodies_m,
+    const std::vector<LevelPlace>* before) {
     const int levels = rule.levels;
     const auto periodic = periodic_axes(coarse);
     // From the finest outwards, each in cells of the level below it.
     std::vector<CellBox> boxes(static_cast<std::size_t>(levels));
     const double spacing_m = std::ldexp(coarse.spacing_m, -(levels - 1));
-    const CellBox least =
-        grown(cells_around(within_a_period(bodies_m, coarse), spacing_m),
-              rule.margin_cells);
+    const CellBox least = grown(
+        cells_around(within_a_period(bodies_m, coarse), spacing_m), rule.margin_cells);
     if (before && still_inside(before->back(), periodic, least)) return {};
     for (int level = levels; level >= 1; --level) {
         const auto l = static_cast<std::size_t>(level - 1);
         const CellBox was = before ? (*before)[l].covered() : CellBox{};
         const CellBox inner =
             level == levels ? least : grown(halved(boxes[l + 1]), apart_cells);
-        boxes[l] = level == levels ? roomy(inner, rule.slack_cells, before ? &was : nullptr) : inner;
+        boxes[l] = level == levels
+                       ? roomy(inner, rule.slack_cells, before ? &was : nullptr)
+                       : inner;
     }
     std::vector<LevelPlace> places;
     LevelPlace below = coarsest_place(coarse.cells, periodic);
@@ -191,8 +192,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
     }
     const auto moved = [origin_m](const auto& of_point) {
         return [=](const Vec3& x) {
-            return of_point(
-                {x[0] + origin_m[0], x[1] + origin_m[1], x[2] + origin_m[2]});
+            return of_point({x[0] + origin_m[0], x[1] + origin_m[1], x[2] + origin_m[2]});
         };
     };
     if (coarse.initial_velocity) config.initial_velocity = moved(coarse.initial_velocity);

@@ -48,11 +48,11 @@ LevelPlace coarsest_place(const std::array<int, 3>& cells,
 LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& periodic,
                        CellBox covered);
 
-// The places of all finer levels, for bodies in a box [m]. before: where they are now, null
-// at first; absent result: they may stay.
+// The places of all finer levels, for bodies in a box [m]. before: where they are now,
+// null at first; absent result: they may stay.
 std::optional<std::vector<LevelPlace>> place_levels(
-    const FluidConfig& coarse, const PatchRule& rule,
-    const std::array<Vec3, 2>& bodies_m, const std::vector<LevelPlace>* before);
+    const FluidConfig& coarse, const PatchRule& rule, const std::array<Vec3, 2>& bodies_m,
+    const std::vector<LevelPlace>* before);
 
 // What solves a level: level 0 as it is, others as a box of their stored cells. Throws
 // std::invalid_argument where an inlet or an outlet would be a side of the patch.

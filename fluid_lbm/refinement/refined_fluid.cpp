@@ -52,7 +52,8 @@ void refuse_obstacles_in(const Level& coarsest, const LevelPlace& place) {
     }
     const double h_m = coarsest.state().config.spacing_m;
     for (const CellRow& row : coarsest.fluid.solid_rows()) {
-        const CellBox cells{{row.x_begin, row.y, row.z}, {row.x_end, row.y + 1, row.z + 1}};
+        const CellBox cells{{row.x_begin, row.y, row.z},
+                            {row.x_end, row.y + 1, row.z + 1}};
         for_each_image(coarsest.place.period, [&](const std::array<int, 3>& image) {
             const CellBox met = shared(shifted(cells, image), reach);
             if (is_empty(met)) return;
@@ -68,13 +69,15 @@ void refuse_obstacles_in(const Level& coarsest, const LevelPlace& place) {
 
 struct RefinedFluid::Levels {
     Levels(MPI_Comm comm, const FluidConfig& coarse)
-        : coarsest(comm, coarse, coarsest_place(coarse.cells, periodic_axes(coarse)), 0) {}
+        : coarsest(comm, coarse, coarsest_place(coarse.cells, periodic_axes(coarse)), 0) {
+    }
 
     Level coarsest;
     std::vector<std::unique_ptr<FinerLevel>> finer;
 
     Level& at(int number) {
-        return number == 0 ? coarsest : finer[static_cast<std::size_t>(number - 1)]->level;
+        return number == 0 ? coarsest
+                           : finer[static_cast<std::size_t>(number - 1)]->level;
     }
     Level& finest() { return finer.back()->level; }
     FinerLevel& above(int number) { return *finer[static_cast<std::size_t>(number)]; }
@@ -96,8 +99,8 @@ struct RefinedFluid::Mass {
             return totals.mass_kg / cell_kg - cells;
         };
         const Totals level_0 = fluid.level(0).totals();
-        const double cells = static_cast<double>(
-            cells_of(fluid.place(0).inside));  // which one cancels
+        const double cells =
+            static_cast<double>(cells_of(fluid.place(0).inside));  // which one cancels
         coarse = excess_of(level_0, cells);
         whole = excess_of(fluid.totals(), cells);
     }
@@ -241,8 +244,9 @@ bool RefinedFluid::levels_are_level() const {
     return steps_done_ % steps_in_one(0) == 0;
 }
 
-// From the coarsest finer level on: cells that the old patch solved are copied, the others
-// interpolated from the level below, which restriction has kept right under the old patch.
+// From the coarsest finer level on: cells that the old patch solved are copied, the
+// others interpolated from the level below, which restriction has kept right under the
+// old patch.
 void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
     FluidConfig at_rest = config_.coarse;
     const bool first = levels_->finer.empty();
@@ -279,9 +283,10 @@ bool RefinedFluid::follow(const std::array<Vec3, 2>& bodies_m) {
         PatchRule rule = config_.rule;
         rule.margin_cells = config_.least_margin_cells;
         if (place_levels(config_.coarse, rule, bodies_m, &now))
-            refuse("a body has come to the sides of the refined patch, which stays where it "
-                   "is: take a larger fluid.refinement.box, or leave it out for a patch "
-                   "that follows");
+            refuse(
+                "a body has come to the sides of the refined patch, which stays where it "
+                "is: take a larger fluid.refinement.box, or leave it out for a patch "
+                "that follows");
         return false;
     }
     const auto places = place_levels(config_.coarse, config_.rule, bodies_m, &now);
@@ -315,8 +320,8 @@ std::vector<CellBox> RefinedFluid::counted_of(int number) const {
     std::vector<CellBox> parts{level.place.inside};
     if (number + 1 < levels())
         for_each_image(level.place.period, [&](const std::array<int, 3>& image) {
-            parts = without(
-                parts, shifted(levels_->above(number).level.place.covered(), image));
+            parts = without(parts,
+                            shifted(levels_->above(number).level.place.covered(), image));
         });
     for (CellBox& part : parts) {
         for (int d = 0; d < 3; ++d) {

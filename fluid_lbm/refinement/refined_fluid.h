@@ -60,7 +60,9 @@ class RefinedFluid {
     Totals totals() const;
     double enstrophy_1_s2() const;
     // Of level 0, which has what finer levels have given it.
-    PlaneFlow plane_flow(int axis, double at_m) const { return level(0).plane_flow(axis, at_m); }
+    PlaneFlow plane_flow(int axis, double at_m) const {
+        return level(0).plane_flow(axis, at_m);
+    }
     std::vector<Vec3> obstacle_forces() const { return level(0).obstacle_forces(); }
 
     // The state between steps: places and steps of the levels, what keeps the mass, and

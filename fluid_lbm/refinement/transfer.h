@@ -25,8 +25,8 @@ class CellTransfer {
     // read: of a row that this rank owns. take: of a row in the rank's wanted box of that
     // number, in the indices of the box. Collective.
     using Read = std::function<void(const CellRow& row, double* numbers)>;
-    using Take = std::function<void(std::size_t box, const CellRow& row,
-                                    const double* numbers)>;
+    using Take =
+        std::function<void(std::size_t box, const CellRow& row, const double* numbers)>;
     void run(std::size_t numbers_per_cell, const Read& read, const Take& take);
 
   private:
@@ -42,8 +42,8 @@ class CellTransfer {
 
     MPI_Comm comm_;
     int rank_ = 0;
-    std::vector<Part> out_, in_;        // by rank; what stays here is in in_ alone
-    std::vector<int> to_, from_;        // ranks of those
+    std::vector<Part> out_, in_;  // by rank; what stays here is in in_ alone
+    std::vector<int> to_, from_;  // ranks of those
     std::vector<std::vector<double>> sent_, received_;
     std::vector<double> row_;
 };

@@ -78,9 +78,9 @@ std::string to_string(const Divergence& d) {
     text.precision(4);
     text << "the fluid diverged after step " << d.step;
     if (d.level) text << " of level " << *d.level << " of the refined grid";
-    text << " in cell (" << d.cell[0]
-         << ", " << d.cell[1] << ", " << d.cell[2] << ") at (" << d.position_m[0] << ", "
-         << d.position_m[1] << ", " << d.position_m[2] << ") m: speed " << d.lattice_speed
+    text << " in cell (" << d.cell[0] << ", " << d.cell[1] << ", " << d.cell[2]
+         << ") at (" << d.position_m[0] << ", " << d.position_m[1] << ", "
+         << d.position_m[2] << ") m: speed " << d.lattice_speed
          << " cells a step, of which the lattice allows " << lattice_speed_limit
          << ", density " << d.density << " of that at rest; " << advice(d);
     return text.str();

@@ -189,7 +189,8 @@ double VelocityField::enstrophy_of_row(int y, int z) const {
 }  // namespace
 
 double Fluid::enstrophy_1_s2() const {
-    const Enstrophy whole = enstrophy(std::vector{CellBox{{0, 0, 0}, state_->config.cells}});
+    const Enstrophy whole =
+        enstrophy(std::vector{CellBox{{0, 0, 0}, state_->config.cells}});
     return whole.integral_m3_s2 / whole.volume_m3;
 }
 

@@ -1,6 +1,6 @@
-// The two-dimensional Taylor-Green vortex, carried by a uniform stream or at rest: an exact
-// solution of the Navier-Stokes equations in a box that is periodic along x and y. Spacing
-// and step of the grid are 1; z is as thin as may be.
+// The two-dimensional Taylor-Green vortex, carried by a uniform stream or at rest: an
+// exact solution of the Navier-Stokes equations in a box that is periodic along x and y.
+// Spacing and step of the grid are 1; z is as thin as may be.
 #pragma once
 
 #include <cmath>
@@ -50,9 +50,9 @@ struct CarriedVortex {
         return {.coarse = config(), .rule = {.levels = levels}};
     }
 
-    // Error of the velocity in cells of this rank over that of the vortex at that time, root
-    // of the mean square; over all ranks. in: cells of the level from the corner of the
-    // whole box; first: of which the fluid's begin there.
+    // Error of the velocity in cells of this rank over that of the vortex at that time,
+    // root of the mean square; over all ranks. in: cells of the level from the corner of
+    // the whole box; first: of which the fluid's begin there.
     double error(const Fluid& fluid, const CellBox& in, const std::array<int, 3>& first,
                  double time) const {
         const double h = fluid.config().spacing_m;
@@ -64,7 +64,8 @@ struct CarriedVortex {
                 std::vector<double> u(3 * static_cast<std::size_t>(row.size()));
                 fluid.velocity(std::vector{row}, u);
                 for (int x = row.x_begin; x < row.x_end; ++x) {
-                    const std::array<int, 3> cell{x + first[0], y + first[1], z + first[2]};
+                    const std::array<int, 3> cell{x + first[0], y + first[1],
+                                                  z + first[2]};
                     bool counts = true;
                     for (int d = 0; d < 3; ++d)
                         counts = counts && cell[d] >= in.lo[d] && cell[d] < in.hi[d];

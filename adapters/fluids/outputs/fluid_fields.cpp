@@ -19,8 +19,8 @@ output::FieldType type_of(scene::FluidField field) {
 }
 
 // fluid.pvd and its files: one .vti a rank, one .pvti an instant; in a refined grid for
-// each of its levels, which are the parts of one picture: where a finer level is, cells are
-// marked as hidden.
+// each of its levels, which are the parts of one picture: where a finer level is, cells
+// are marked as hidden.
 class FluidFields : public coupler::Output {
   public:
     explicit FluidFields(FluidRun& run);
@@ -125,8 +125,7 @@ void FluidFields::write_level(std::int64_t number, std::size_t level,
     std::vector<std::uint8_t> flags;
     if (cells.hidden) {
         flags = hidden_in(box, *cells.hidden);
-        fields.push_back(
-            {output::ghost_cells, 1, std::span<const std::uint8_t>(flags)});
+        fields.push_back({output::ghost_cells, 1, std::span<const std::uint8_t>(flags)});
     }
     if (extent.cells() > 0)
         output::write_vti(piece(number, level, rank), image_of(cells), extent, fields);
@@ -149,8 +148,7 @@ void FluidFields::write_index(std::int64_t number, std::size_t level,
     }
     std::vector<output::FieldType> types;
     for (const scene::FluidField field : fields_) types.push_back(type_of(field));
-    if (cells.hidden)
-        types.push_back({.name = output::ghost_cells, .uint8 = true});
+    if (cells.hidden) types.push_back({.name = output::ghost_cells, .uint8 = true});
     output::write_pvti(whole(number, level), image_of(cells), all, pieces, types);
     series_->add(session_.clock().time_s(), whole(number, level),
                  static_cast<int>(level));

@@ -104,15 +104,15 @@ TEST(Refinement, TellsVelocitiesWithTheirBodyForce) {
         std::vector<double> u(3);
         fluid.velocity(std::vector{CellRow{y, z, x, x + 1}}, u);
         // Between two steps a velocity lacks half of the force's step.
-        const double exact = speed * decay * std::sin(wave * (y + 0.5) / 2) +
-                             force * (steps - 0.25);
+        const double exact =
+            speed * decay * std::sin(wave * (y + 0.5) / 2) + force * (steps - 0.25);
         // What 32 cells in a wave leave of its decay: 0.3 % measured, uniform 0.4 %.
         EXPECT_NEAR(u[0], exact, 5e-3 * speed) << y;
     }
 }
 
-// A plane pulse of pressure runs from coarse cells through a patch that spans the box: what
-// comes back from its sides is below a hundredth.
+// A plane pulse of pressure runs from coarse cells through a patch that spans the box:
+// what comes back from its sides is below a hundredth.
 TEST(Refinement, LetsSoundThrough) {
     constexpr int cells = 200, middle = 50, steps = 220;
     constexpr double height = 1e-4, width = 6;
