@@ -353,7 +353,7 @@ TEST(TwoMaterialBeam, BendsAlikeStepByStepAndReleased) {
 TEST(TwoMaterialBeam, WeighsEachHalfWithItsOwnDensity) {
     Body body = test::soft_and_stiff_bar();
     body.clamps = {"x_min"};
-    const Eigen::VectorXd load = StaticProblem(body).load({{}, {0, 0, -10}});
+    const Eigen::VectorXd load = StaticProblem(body).load({{}, {0, 0, -10}}).dead_n;
     double force = 0;
     double moment = 0;
     for (std::size_t n = 0; n < body.mesh.nodes.size(); ++n) {
