@@ -13,6 +13,7 @@
 #include "adapters/bodies/mesh_estimate.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/bodies/surroundings.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/checks.h"
@@ -108,10 +109,7 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
 void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
     (void)structure::held_axes(solid);
     (void)structure::build_lattice(solid);
-    if (by_newton(scene))
-        structure::require_held(solid, bodies::to_gravity(scene).value_or(scene::Vec3{}));
-    else if (scene.time.equilibrium && !scene.platform)
-        structure::require_held(solid, {});
+    if (scene.time.equilibrium && !scene.platform) structure::require_held(solid, {});
 }
 
 // What is known only with the mesh: its size, places that are probed. Throws
@@ -173,9 +171,9 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                               1e3 * field_t, largest * field_t);
 }
 
-std::string explain_body(const scene::Scene& scene, std::size_t number) {
+std::string explain_body(const scene::Scene& scene, std::size_t number,
+                         const structure::Body& solid) {
     const scene::Body& body = scene.bodies[number];
-    const structure::Body solid = bodies::to_body(body);
     check_on_mesh(scene, body, solid);
     refuse_what_cannot_run(scene, solid);
     std::string text = fmt::format("  body '{}': ", body.name);
@@ -226,7 +224,11 @@ std::string explain_structure(const scene::Scene& scene) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"
                               : "\nstructure (LAMMPS, fix magttice)\n";
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) text += explain_body(scene, b);
+    std::vector<structure::Body> solids;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        text +=
+            explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
     if (!scene.time.equilibrium) return text + explain_steps(scene);
     const double points = scene.time.end_s / scene::path_step_s(scene);
     text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);

@@ -227,9 +227,11 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
     std::vector<std::string> held = body.clamps;
     for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i) {
         const Origin& here = marks.item({"bodies", body.name, "prescribed_motion"}, i);
-        require(!scene.time.equilibrium, here,
-                "a prescribed motion on a path of equilibria", "it in runs over time",
-                "leave time.equilibrium out, or the motion");
+        const auto& path = scene.time.equilibrium;
+        require(!path || path->method == EquilibriumMethod::newton, here,
+                "a prescribed motion on a path of equilibria by damped motion",
+                "it in runs over time, or with the method newton",
+                "take time.equilibrium.method: newton");
         for (const std::string& face : body.prescribed_motion[i].faces) {
             check_face(body, face, "prescribed_motion", here);
             require(std::ranges::find(held, face) == held.end(), here,

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "structure/equilibrium/iteration.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -16,6 +15,10 @@ namespace {
 // Within a load step the mixed iteration needs 4 to 8 steps or it does not converge.
 constexpr int max_mixed = 12;
 constexpr int max_descent = 400;
+// Steps of it before the mixed iteration is tried, doubled each time that fails; and how
+// far that may move a node, as a share of the longest side.
+constexpr int first_descent = 10;
+constexpr double largest_share_near = 0.2;
 // Residual of the equilibria that a load step only passes through.
 constexpr double passing_tolerance = 1e-4;
 // A load step that moves a node further than this share of the longest side is halved, so
@@ -169,11 +172,37 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
 }
 
 void NewtonSolver::release_at(Progress& state, const NodalLoads& load) {
-    const Iterate found = energy_descent(problem_, state.x, load, goal(), max_descent);
+    const Iterate found = descend(state.x, load);
     state.iterations += found.iterations;
     state.take(found);
     ++state.releases;
     if (!found.converged) fail(state, load, found.response.element);
+}
+
+// The line search lets a slender body turn its elements only as far as the stretch of a
+// linearised step costs less than the turn gains: hundreds of steps to a buckled shape.
+// The mixed iteration knows no such limit, but does not care where it goes, so that it
+// gets no further than near, and its end must be lower, and stable.
+Iterate NewtonSolver::descend(const Eigen::VectorXd& start, const NodalLoads& load) {
+    const double near_m = largest_share_near * problem_.longest_side_m();
+    int spent = 0;
+    Iterate out;
+    out.x = start;
+    for (int steps = first_descent; spent < max_descent; steps *= 2) {
+        out = energy_descent(problem_, out.x, load, goal(),
+                             std::min(steps, max_descent - spent));
+        spent += out.iterations;
+        if (out.converged || out.iterations < steps) break;
+        Iterate near = mixed_iteration(problem_, out.x, load, goal(), max_mixed, near_m);
+        spent += near.iterations;
+        if (!near.converged || !(near.response.total_j < out.response.total_j) ||
+            negative_eigenvalues(problem_, near.x, load) > 0)
+            continue;
+        out = std::move(near);
+        break;
+    }
+    out.iterations = spent;
+    return out;
 }
 
 void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
@@ -182,8 +211,7 @@ void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
     const Eigen::VectorXd balanced = state.x;
     double lowest = INFINITY;
     for (double sign : {1.0, -1.0}) {
-        const Iterate fallen = energy_descent(problem_, balanced + sign * push_m * mode,
-                                              load, goal(), max_descent);
+        const Iterate fallen = descend(balanced + sign * push_m * mode, load);
         state.iterations += fallen.iterations;
         const double energy = fallen.response.total_j;
         if (!fallen.converged || !(energy < lowest)) continue;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "structure/equilibrium/static_problem.h"
+#include "structure/equilibrium/iteration.h"
 
 namespace magfsi::structure {
 
@@ -78,6 +78,8 @@ class NewtonSolver {
     struct Progress;
     void advance(Progress& state, const NodalLoads& from, const NodalLoads& to);
     void release_at(Progress& state, const NodalLoads& load);
+    // Downhill from the start, with the mixed iteration once it is near: a minimum.
+    Iterate descend(const Eigen::VectorXd& start, const NodalLoads& load);
     void push_off(Progress& state, const NodalLoads& load);
     // `passing`: where a load step only passes through.
     Goal goal(bool passing = false) const;

@@ -70,7 +70,7 @@ std::vector<Vec3> nodes_from(const Eigen::VectorXd& x) {
 }
 
 void require_held(const Body& body, const Vec3& gravity_m_s2,
-                  const std::optional<Platform>& platform) {
+                  const Surroundings& surroundings) {
     const std::vector<HeldAxes> held = held_axes(body);
     const std::vector<int> part = connected_parts(body.mesh);
     std::vector<HeldAxes> along(1 + static_cast<std::size_t>(std::ranges::max(part)));
@@ -94,7 +94,8 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
             "each a body of its own",
             body.name, along.size(), std::ranges::find(part, number) - part.begin());
     }
-    refuse_to_fall(body, anywhere, gravity_m_s2, normal_of(platform));
+    refuse_to_fall(body, anywhere, gravity_m_s2, normal_of(surroundings.platform));
+    if (surroundings.gradient) refuse_to_be_carried(body, anywhere);
 }
 
 bool NodalLoads::none() const {
@@ -109,7 +110,7 @@ NodalLoads between(const NodalLoads& from, const NodalLoads& to, double share) {
 
 StaticProblem::StaticProblem(const Body& body, Surroundings surroundings)
     : StaticProblem(body, build_lattice(with_elements(body)), std::move(surroundings)) {
-    require_held(body, {});
+    require_held(body, {}, surroundings_);
 }
 
 StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
@@ -135,7 +136,6 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
         }
     }
     if (surroundings_.gradient) {
-        refuse_to_be_carried(body_, held_along_);
         gradient_elements_ = gradient_elements(body_.mesh.nodes, body_.mesh.elements,
                                                body_.magnetization_a_m);
     }

@@ -33,10 +33,11 @@ struct StaticLoads {
 };
 
 // What has no equilibrium: a body of parts that are not joined, one of which is not held
-// along all axes, and a body with weight along a way on which neither a clamp, a roller
-// nor the platform holds it: it would fall without end. Throws std::invalid_argument.
+// along all axes; a body with weight along a way on which neither a clamp, a roller nor
+// the platform holds it, which would fall without end; one that is free along an axis in
+// a field gradient, which carries it away. Throws std::invalid_argument.
 void require_held(const Body& body, const Vec3& gravity_m_s2,
-                  const std::optional<Platform>& platform = {});
+                  const Surroundings& surroundings = {});
 
 // The same for the nodes.
 struct NodalLoads {

@@ -2,7 +2,7 @@
 // restarts, and faces that something outside moves.
 #include <gtest/gtest.h>
 
-#include "structure/lammps/effects/prescribed_motion/motion_law.h"
+#include "structure/motion.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 
