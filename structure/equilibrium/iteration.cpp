@@ -181,11 +181,14 @@ class MixedVolumes {
 // A stretched state on the way (a body half turned by a linearised step) can make the
 // tangent indefinite although the equilibrium is stable. A foundation in rough steps then
 // holds the unknowns back that have lost their stiffness; the volumes still move on.
-bool factorize_mixed(StaticProblem& problem) {
+// stable: whether it took none.
+bool factorize_mixed(StaticProblem& problem, bool& stable) {
+    stable = true;
     const double scale = problem.bending_stiffness_scale();
     for (double foundation : {problem.rigid_foundation(), 1e4 * scale, 1e6 * scale}) {
         problem.matrix().raise_foundation(foundation);
         if (problem.matrix().factorize()) return true;
+        stable = false;
     }
     return false;
 }
@@ -239,7 +242,10 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
             upright && drive_m.isZero(0) && StaticProblem::reached(goal, out.response);
         if (out.converged || out.iterations == max_iterations) return out;
         const Eigen::VectorXd right = volumes.assemble(out.x, load, drive_m);
-        if (!factorize_mixed(problem)) return out;
+        bool stable = true;
+        const bool solved = factorize_mixed(problem, stable);
+        if (out.iterations == 0) out.stable_start = stable;
+        if (!solved) return out;
         Eigen::VectorXd step = problem.matrix().solve(right);
         if (drive_m.size() > 0) step += drive_m;
         if (out.iterations == 0) out.first_step_m = step.cwiseAbs().maxCoeff();

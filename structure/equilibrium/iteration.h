@@ -12,7 +12,8 @@ struct Iterate {
     StaticProblem::Response response;  // at x
     int iterations = 0;
     bool converged = false;
-    double first_step_m = 0;  // mixed_iteration: linear response to the load step
+    bool stable_start = true;  // mixed_iteration: the tangent at the start
+    double first_step_m = 0;   // mixed_iteration: linear response to the load step
 };
 
 // The stationary point of  springs(x) + sum V0 U(theta) + p (V(x) - V0 theta) - f.x  in

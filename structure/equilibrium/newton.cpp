@@ -15,10 +15,6 @@ namespace {
 // Within a load step the mixed iteration needs 4 to 8 steps or it does not converge.
 constexpr int max_mixed = 12;
 constexpr int max_descent = 400;
-// Steps of it before the mixed iteration is tried, doubled each time that fails; and how
-// far that may move a node, as a share of the longest side.
-constexpr int first_descent = 10;
-constexpr double largest_share_near = 0.2;
 // Residual of the equilibria that a load step only passes through.
 constexpr double passing_tolerance = 1e-4;
 // A load step that moves a node further than this share of the longest side is halved, so
@@ -143,6 +139,7 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
     const double largest_move = largest_share_moved * problem_.longest_side_m();
     double reached = 0;
     double step = 1;
+    bool settled = false;  // pushed off the branch here
     while (reached < 1) {
         const double ahead = std::min(reached + step, 1.0);
         const NodalLoads load = between(from, to, ahead);
@@ -155,6 +152,10 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
         const double room = 0.7 * largest_move / found.first_step_m;
         if (found.converged) {
             state.take(found);
+        } else if (options_.leave_unstable && !found.stable_start && !settled) {
+            settled = true;
+            (void)settle(state, between(from, to, reached));
+            continue;
         } else if (step > smallest_step) {
             step =
                 std::max((ahead - reached) * std::clamp(room, 0.02, 0.5), smallest_step);
@@ -162,47 +163,23 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
         } else {
             if (drive_m.size() > 0) state.x += drive_m;
             release_at(state, load);
+            (void)settle(state, load);
         }
         if (state.load_steps > max_load_steps) {
             fail(state, load, found.response.element);
         }
+        settled = false;
         step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
         reached = ahead;
     }
 }
 
 void NewtonSolver::release_at(Progress& state, const NodalLoads& load) {
-    const Iterate found = descend(state.x, load);
+    const Iterate found = energy_descent(problem_, state.x, load, goal(), max_descent);
     state.iterations += found.iterations;
     state.take(found);
     ++state.releases;
     if (!found.converged) fail(state, load, found.response.element);
-}
-
-// The line search lets a slender body turn its elements only as far as the stretch of a
-// linearised step costs less than the turn gains: hundreds of steps to a buckled shape.
-// The mixed iteration knows no such limit, but does not care where it goes, so that it
-// gets no further than near, and its end must be lower, and stable.
-Iterate NewtonSolver::descend(const Eigen::VectorXd& start, const NodalLoads& load) {
-    const double near_m = largest_share_near * problem_.longest_side_m();
-    int spent = 0;
-    Iterate out;
-    out.x = start;
-    for (int steps = first_descent; spent < max_descent; steps *= 2) {
-        out = energy_descent(problem_, out.x, load, goal(),
-                             std::min(steps, max_descent - spent));
-        spent += out.iterations;
-        if (out.converged || out.iterations < steps) break;
-        Iterate near = mixed_iteration(problem_, out.x, load, goal(), max_mixed, near_m);
-        spent += near.iterations;
-        if (!near.converged || !(near.response.total_j < out.response.total_j) ||
-            negative_eigenvalues(problem_, near.x, load) > 0)
-            continue;
-        out = std::move(near);
-        break;
-    }
-    out.iterations = spent;
-    return out;
 }
 
 void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
@@ -210,8 +187,17 @@ void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
     const Eigen::VectorXd mode = lowest_mode(problem_, state.x, load);
     const Eigen::VectorXd balanced = state.x;
     double lowest = INFINITY;
+    const auto pushed_j = [&](double way_m) {
+        return problem_.response(balanced + way_m * mode, load).total_j;
+    };
+    // Of two ways that mirror each other one is enough.
+    const double one_j = pushed_j(push_m), other_j = pushed_j(-push_m);
+    const bool mirrored =
+        std::abs(one_j - other_j) <= 1e-4 * std::abs(one_j - pushed_j(0));
     for (double sign : {1.0, -1.0}) {
-        const Iterate fallen = descend(balanced + sign * push_m * mode, load);
+        if (mirrored && sign < 0 && std::isfinite(lowest)) break;
+        const Iterate fallen = energy_descent(problem_, balanced + sign * push_m * mode,
+                                              load, goal(), max_descent);
         state.iterations += fallen.iterations;
         const double energy = fallen.response.total_j;
         if (!fallen.converged || !(energy < lowest)) continue;
@@ -237,6 +223,17 @@ Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) cons
     return flat_positions(start);
 }
 
+int NewtonSolver::settle(Progress& state, const NodalLoads& load) {
+    int unstable = negative_eigenvalues(problem_, state.x, load);
+    // A second mode may be left after the first; as many pushes as there are modes.
+    const int pushes = options_.leave_unstable ? unstable : 0;
+    for (int push = 0; push < pushes && unstable > 0; ++push) {
+        push_off(state, load);
+        unstable = negative_eigenvalues(problem_, state.x, load);
+    }
+    return unstable;
+}
+
 void NewtonSolver::refine(Progress& state, const NodalLoads& load, Equilibrium& out) {
     if (load.none()) return;
     double before = INFINITY;
@@ -259,13 +256,7 @@ void NewtonSolver::refine(Progress& state, const NodalLoads& load, Equilibrium& 
 Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
     const NodalLoads load = problem_.load(loads);
     Equilibrium out;
-    out.negative_eigenvalues = negative_eigenvalues(problem_, state.x, load);
-    // A second mode may be left after the first; as many pushes as there are modes.
-    const int pushes = options_.leave_unstable ? out.negative_eigenvalues : 0;
-    for (int push = 0; push < pushes && out.negative_eigenvalues > 0; ++push) {
-        push_off(state, load);
-        out.negative_eigenvalues = negative_eigenvalues(problem_, state.x, load);
-    }
+    out.negative_eigenvalues = settle(state, load);
     refine(state, load, out);
     const auto response = problem_.response(state.x, load);
     out.residual = problem_.relative_residual(response);

@@ -78,9 +78,11 @@ class NewtonSolver {
     struct Progress;
     void advance(Progress& state, const NodalLoads& from, const NodalLoads& to);
     void release_at(Progress& state, const NodalLoads& load);
-    // Downhill from the start, with the mixed iteration once it is near: a minimum.
-    Iterate descend(const Eigen::VectorXd& start, const NodalLoads& load);
     void push_off(Progress& state, const NodalLoads& load);
+    // Off what is unstable, where that is wanted: on an unstable branch that symmetry
+    // keeps, every further step of load would be refused down to the smallest. Returns
+    // how many directions are still unstable.
+    int settle(Progress& state, const NodalLoads& load);
     // `passing`: where a load step only passes through.
     Goal goal(bool passing = false) const;
     Eigen::VectorXd checked_start(const std::vector<Vec3>& start) const;
