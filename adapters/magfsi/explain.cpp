@@ -43,7 +43,7 @@ std::string explain_error(const scene::Scene& scene, const scene::Body& body,
     if (!estimate) return "    error of the displacements: not estimated\n";
     std::string text = fmt::format(
         "    error of the displacements: about {} (linear response to {}, "
-        "against a finer mesh)",
+        "against finer elements)",
         in_percent(estimate->largest), estimate->loads);
     double worst = estimate->largest;
     for (const auto& [point, error] : estimate->points) {
@@ -147,16 +147,28 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
         fmt::format("    size {:.4g} x {:.4g} x {:.4g} mm, mass {:.4g} mg\n",
                     1e3 * size[0], 1e3 * size[1], 1e3 * size[2], 1e6 * mass);
     std::vector<std::string> held;
-    for (const std::string& face : body.clamps) held.push_back(face + " clamped");
+    const auto with_nodes = [&](const std::string& face) {
+        return fmt::format("{} ({} nodes)", face,
+                           structure::face_nodes(solid, face, "held").size());
+    };
+    for (const std::string& face : body.clamps)
+        held.push_back(with_nodes(face) + " clamped");
     for (const structure::Roller& roller : body.rollers) {
-        held.push_back(fmt::format("{} along {}", fmt::join(roller.faces, ", "),
-                                   scene::axis_names[roller.axis]));
+        for (const std::string& face : roller.faces)
+            held.push_back(fmt::format("{} along {}", with_nodes(face),
+                                       scene::axis_names[roller.axis]));
     }
-    for (const structure::PrescribedMotion& motion : body.prescribed_motion)
-        held.push_back(fmt::format("{} moved", fmt::join(motion.faces, ", ")));
+    for (const structure::PrescribedMotion& motion : body.prescribed_motion) {
+        for (const std::string& face : motion.faces)
+            held.push_back(with_nodes(face) + " moved");
+    }
     text +=
         fmt::format("    held: {}\n",
                     held.empty() ? "nowhere" : fmt::format("{}", fmt::join(held, "; ")));
+    if (scene.gravity)
+        text += fmt::format("    weight {:.4g} uN{}\n",
+                            1e6 * mass * scene.gravity->acceleration_m_s2,
+                            scene.fluid ? ", buoyancy apart" : "");
     if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
     double largest = 0;
     for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
