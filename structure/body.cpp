@@ -58,6 +58,28 @@ void check_materials(const std::vector<int>& element_material, std::size_t eleme
     }
 }
 
+std::vector<HeldFace> held_faces(const Body& body) {
+    std::vector<HeldFace> out;
+    std::vector<HeldAxes> taken(body.mesh.nodes.size());
+    const auto hold = [&](const std::string& face, std::size_t axis, const char* how) {
+        auto found = std::ranges::find(out, face, &HeldFace::name);
+        if (found == out.end()) found = out.insert(out.end(), {face, {}});
+        for (const int node : face_nodes(body, face, how)) {
+            bool& is_taken = taken[static_cast<std::size_t>(node)][axis];
+            if (!is_taken) found->nodes[axis].push_back(node);
+            is_taken = true;
+        }
+    };
+    for (const std::string& face : body.clamps) {
+        for (const std::size_t axis : {0, 1, 2}) hold(face, axis, "clamped");
+    }
+    for (const Roller& roller : body.rollers) {
+        for (const std::string& face : roller.faces)
+            hold(face, static_cast<std::size_t>(roller.axis), "on rollers");
+    }
+    return out;
+}
+
 std::vector<HeldAxes> held_axes(const Body& body, const std::set<std::string>& moved) {
     std::vector<HeldAxes> held(body.mesh.nodes.size());
     for (const std::string& face : body.clamps) {

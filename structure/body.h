@@ -59,4 +59,12 @@ using HeldAxes = std::array<bool, 3>;
 std::vector<HeldAxes> held_axes(const Body& body,
                                 const std::set<std::string>& moved = {});
 
+// What holds a body, face by face: its clamps, then its rollers, a face each. Along each
+// axis a node belongs to the first face that holds it.
+struct HeldFace {
+    std::string name;
+    std::array<std::vector<int>, 3> nodes;  // held along x, y, z
+};
+std::vector<HeldFace> held_faces(const Body& body);
+
 }  // namespace magfsi::structure

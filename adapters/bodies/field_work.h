@@ -1,30 +1,39 @@
-// Work of the uniform field along a path of equilibria.
+// Work of the magnetic field along a path of equilibria.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "structure/body.h"
+#include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::bodies {
 
-// sum over the path of q_a (B_before + B_after)/2 . (x_after - x_before), q_a the nodes'
-// charges: a property of the equilibria, whatever motion leads from one to the next.
+// sum over the path of (F_before + F_after)/2 . (x_after - x_before), F the field's
+// forces on the nodes: q_a B of a uniform field, q_a the nodes' charges, and those of a
+// gradient. A property of the equilibria, whatever motion leads from one to the next.
 class FieldWork {
   public:
     // Where the body is before any load. `let_go`: moves to the first equilibrium in the
     // field at full strength; else the field is raised from zero on the way.
     FieldWork(const structure::Body& body, std::vector<structure::Vec3> placed_m,
-              bool let_go);
+              bool let_go,
+              const std::optional<structure::GradientInput>& gradient = std::nullopt);
 
     void move_to(std::span<const structure::Vec3> nodes_m,
                  const structure::Vec3& field_t);
     double work_j() const { return work_j_; }
 
   private:
+    // On all nodes where they are.
+    std::vector<structure::Vec3> forces_n(const structure::Vec3& field_t) const;
+
     std::vector<double> charge_a_m_;
-    std::vector<structure::Vec3> nodes_m_;
-    structure::Vec3 field_t_{};
+    std::optional<structure::FieldGradient> gradient_;
+    std::vector<structure::GradientElement> gradient_elements_;  // none without it
+    std::vector<structure::Hexahedron> elements_;
+    std::vector<structure::Vec3> nodes_m_, force_n_;
     bool let_go_;
     double work_j_ = 0;
 };

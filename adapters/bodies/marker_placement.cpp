@@ -1,5 +1,7 @@
 #include "adapters/bodies/marker_placement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +10,7 @@
 
 #include "adapters/bodies/marker_surface.h"
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/scene/checks.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/sheet.h"
 #include "structure/mesh/surface.h"
@@ -66,6 +69,26 @@ std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh, const DryF
     return markers;
 }
 
+// Of the elements, across the thickness of a sheet excepted.
+double longest_edge_m(const structure::Mesh& mesh, const structure::Sheet* sheet) {
+    double longest = 0;
+    const auto measure = [&](int a, int b) {
+        longest = std::max(longest, structure::distance_m(mesh.nodes[a], mesh.nodes[b]));
+    };
+    for (std::size_t e = 0; !sheet && e < mesh.elements.size(); ++e) {
+        const structure::Hexahedron& node = mesh.elements[e];
+        for (int a = 0; a < 8; ++a) {
+            for (const int axis : {1, 2, 4}) measure(node[a], node[a ^ axis]);
+        }
+    }
+    for (std::size_t c = 0; sheet && c < sheet->columns.size(); ++c) {
+        for (const auto& level : sheet->columns[c].levels) {
+            for (std::size_t a = 0; a < 4; ++a) measure(level[a], level[(a + 1) % 4]);
+        }
+    }
+    return longest;
+}
+
 // Markers displace the body in the proportion of the fluid that they move.
 void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) {
     double sum = 0;
@@ -94,11 +117,16 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
             "' is no sheet (columns of equally many elements between two large faces): "
             "its markers can only be coupling.immersed_boundary.markers: volume");
     }
+    const bool on_surface = surface || (sheet && !boundary.markers);
+    if (boundary.forcing != coupler::Forcing::no_slip)
+        scene::require_marker_spacing(
+            scene, body, longest_edge_m(mesh, on_surface ? &*sheet : nullptr),
+            {fmt::format("body '{}'", body.name)});
     const DryFaces dry(body, mesh, continues);
     const bool both_faces = boundary.markers != coupler::Markers::mid_surface;
     auto markers = boundary.forcing == coupler::Forcing::no_slip
                        ? no_slip_markers(body, mesh, dry, reach_in(scene), continues)
-                   : surface || (sheet && !boundary.markers)
+                   : on_surface
                        ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
                        : through_volume(mesh, dry, boundary, spacing);
     share_body(markers, structure::volume_m3(mesh), static_cast<int>(number));
@@ -108,14 +136,9 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
 structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body) {
     structure::Continues spans{};
     const structure::Mesh mesh = to_mesh(body);
-    for (std::size_t d = 0; d < 3; ++d) {
-        const auto& turn = body.initial.rotation;
-        const bool turned = turn && (turn->plane[0] == static_cast<int>(d) ||
-                                     turn->plane[1] == static_cast<int>(d));
-        spans[d] = !turned &&
-                   fluid.boundaries[2 * d].kind == fluid::BoundaryKind::periodic &&
-                   extent(mesh, static_cast<int>(d)) >= fluid.box_m[d] * (1 - 1e-6);
-    }
+    for (int d = 0; d < 3; ++d)
+        spans[static_cast<std::size_t>(d)] =
+            scene::spans_fluid(fluid, body, d, extent(mesh, d));
     return spans;
 }
 

@@ -20,9 +20,11 @@ struct MeshEstimate {
     std::vector<std::pair<std::string, double>> points;  // of the body's point probes
 };
 
-// By structure/equilibrium/mesh_error.h, under the strongest field of the run and the
-// weight; without either, of a held body, under its weight across the thickness. Empty
-// for a free body without field, and for meshes that take more than half a second.
+// By structure/equilibrium/mesh_error.h, for blocks of more than 750 elements against
+// what they and half as many elements along each axis extrapolate to, under the strongest
+// field of the run and the weight; without either, of a held body, under its weight
+// across the thickness. Empty for a free body without field, and for meshes that take
+// more than about a second: above 750 elements, or 6000 of a block.
 std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
                                                 const scene::Body& body,
                                                 const structure::Body& solid);

@@ -140,6 +140,7 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity) {
          {"fluid_force_x[N]", "fluid_force_y[N]", "fluid_force_z[N]"},
          Load::fluid_force,
          [](Body b) { return row_of(b.loads.fluid_force_n); }},
+        {Q::reaction_force, {}, Load::support, nullptr},  // add_reactions
         {Q::energy,
          {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
          Load::energies,
@@ -224,7 +225,7 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
             scene.bodies.begin());
     };
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        add_body(scene, b, bodies[b].mesh, first_node[b]);
+        add_body(scene, b, bodies[b], first_node[b]);
     for (const scene::PointProbe& probe : scene.probes->points) {
         const std::size_t b = number(probe.body);
         add_point(probe, scene.bodies[b], bodies[b].mesh, first_node[b]);
@@ -239,9 +240,14 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
 }
 
 void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
-                        const structure::Mesh& mesh, std::size_t first_node) {
+                        const structure::Body& solid, std::size_t first_node) {
+    const structure::Mesh& mesh = solid.mesh;
     for (const auto quantity : scene.probes->bodies) {
         const BodyProbe& probe = body_probe(quantity);
+        if (probe.needs == Load::support) {
+            add_reactions(b, solid);
+            continue;
+        }
         Group& group = groups_.emplace_back();
         for (const char* column : probe.columns)
             group.columns.push_back(scene.bodies[b].name + "." + column);
@@ -251,6 +257,24 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
             const Row mine = values({sample.nodes, sample.loads[b], first_node, count,
                                      line, start_m_.data() + first_node});
             row.insert(row.end(), mine.begin(), mine.end());
+        };
+    }
+}
+
+void ProbeRow::add_reactions(std::size_t b, const structure::Body& solid) {
+    for (const structure::HeldFace& face : structure::held_faces(solid)) {
+        Group& group = groups_.emplace_back();
+        for (const char axis : {'x', 'y', 'z'})
+            group.columns.push_back(
+                fmt::format("{}.{}.reaction_{}[N]", solid.name, face.name, axis));
+        group.add = [b, nodes = face.nodes](const ProbeSample& sample, Row& row) {
+            const std::vector<Vec3>& support_n = sample.loads[b].support_n;
+            for (std::size_t d = 0; d < 3; ++d) {
+                double sum = 0;
+                for (const int node : nodes[d])
+                    sum += support_n[static_cast<std::size_t>(node)][d];
+                row.push_back(sum);
+            }
         };
     }
 }

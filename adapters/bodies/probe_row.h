@@ -16,8 +16,9 @@ struct BodyLoads {
     Vec3 fluid_force_n{};
     double energy_elastic_j = 0;
     double work_magnetic_j = 0;
+    std::vector<Vec3> support_n{};  // by clamps, rollers and motions on each node
 };
-enum class Load { none, fluid_force, energies };
+enum class Load { none, fluid_force, energies, support };
 // Whether a probe of the scene needs it.
 bool needs(const scene::Scene& scene, Load load);
 
@@ -54,7 +55,8 @@ class ProbeRow {
         std::function<void(const ProbeSample& sample, std::vector<double>& row)> add;
     };
     void add_body(const scene::Scene& scene, std::size_t body,
-                  const structure::Mesh& mesh, std::size_t first_node);
+                  const structure::Body& solid, std::size_t first_node);
+    void add_reactions(std::size_t body, const structure::Body& solid);
     void add_point(const scene::PointProbe& probe, const scene::Body& body,
                    const structure::Mesh& mesh, std::size_t first_node);
     void add_part(const std::string& name, const scene::BodyPart& part,

@@ -3,14 +3,17 @@
 //   magfsi-equilibrium SCENE --out DIR
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "adapters/bodies/field_work.h"
 #include "adapters/bodies/nodal_state.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/bodies/structure_files.h"
+#include "adapters/bodies/surroundings.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
@@ -21,7 +24,6 @@
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
 #include "structure/equilibrium/newton.h"
-#include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
 #include "structure/lattice/lattice.h"
 
@@ -36,7 +38,10 @@ structure::EquilibriumOptions to_options(const scene::Equilibrium& wanted) {
 }
 
 bool loaded(const structure::StaticLoads& loads) {
-    return loads.field_t != structure::Vec3{} || loads.gravity_m_s2 != structure::Vec3{};
+    return loads.field_t != structure::Vec3{} ||
+           loads.gravity_m_s2 != structure::Vec3{} || loads.gradient != 0 ||
+           std::ranges::any_of(loads.driven_m,
+                               [](const auto& u) { return u != structure::Vec3{}; });
 }
 
 // One body on a path of loads: its equilibrium at each point.
@@ -44,7 +49,8 @@ class LoadPath {
   public:
     // Finds the equilibrium at the start of the path. Throws std::invalid_argument on
     // what cannot be in equilibrium (a body with weight that nothing holds).
-    LoadPath(const scene::Scene& scene, const scene::Body& body);
+    LoadPath(const scene::Scene& scene, const scene::Body& described,
+             const structure::Body& body, structure::Surroundings surroundings);
 
     const structure::Body& body() const { return body_; }
     // Where the body is before any load: flat, relaxed, turned, as the scene says.
@@ -58,11 +64,13 @@ class LoadPath {
     bool unresolved() const { return loaded_ && !resolved_; }
 
   private:
-    structure::StaticLoads loads_at(double time_s) const;
+    structure::StaticLoads loads_at(double time_s) const {
+        return bodies::loads_at(scene_, described_, time_s);
+    }
     void note_point(const structure::StaticLoads& loads);
+    const scene::Scene& scene_;
+    const scene::Body& described_;
     structure::Body body_;
-    std::optional<structure::FieldProgram> field_;
-    std::optional<structure::Vec3> gravity_m_s2_;
     std::vector<structure::Vec3> placed_m_;
     std::vector<double> mass_kg_;
     std::optional<bodies::FieldWork> work_;
@@ -72,34 +80,29 @@ class LoadPath {
     bool loaded_ = false, resolved_ = false;
 };
 
-LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& body)
-    : body_(bodies::to_body(body)),
-      field_(scene.magnetic_field),
-      gravity_m_s2_(bodies::to_gravity(scene)),
-      solver_(body_, to_options(*scene.time.equilibrium)) {
-    const std::array<int, 2> plane = field_ ? field_->plane : std::array<int, 2>{0, 2};
-    placed_m_ = structure::placed_nodes(body_, body.initial, plane);
+LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& described,
+                   const structure::Body& body, structure::Surroundings surroundings)
+    : scene_(scene),
+      described_(described),
+      body_(body),
+      solver_(body_, to_options(*scene.time.equilibrium), std::move(surroundings)) {
+    const auto& field = scene.magnetic_field;
+    placed_m_ = structure::placed_nodes(body_, described.initial,
+                                        field ? field->plane : std::array<int, 2>{0, 2});
     mass_kg_ = structure::build_lattice(body_).node_mass_kg;
     const structure::StaticLoads start = loads_at(0);
     now_.nodes_m = placed_m_;
+    now_.support_n.resize(placed_m_.size());
     // A held body takes its first load step by step; a free one is let go.
-    const bool at_rest = bodies::is_let_go(body_, body.initial);
-    work_.emplace(body_, placed_m_, at_rest);
-    if (loaded(start)) {
+    const bool at_rest = bodies::is_let_go(body_, described.initial);
+    work_.emplace(body_, placed_m_, at_rest, field ? field->gradient : std::nullopt);
+    if (loaded(start) || scene.platform) {
         now_ = at_rest ? solver_.release(placed_m_, start)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();
         if (at_rest) now_.releases = 0;  // meant, not met on the way
     }
     note_point(start);
     work_->move_to(now_.nodes_m, start.field_t);
-}
-
-structure::StaticLoads LoadPath::loads_at(double time_s) const {
-    structure::StaticLoads loads;
-    if (field_ && !body_.magnetization_a_m.empty())
-        loads.field_t = structure::field_at(*field_, time_s);
-    if (gravity_m_s2_) loads.gravity_m_s2 = *gravity_m_s2_;
-    return loads;
 }
 
 void LoadPath::advance(double to_s) {
@@ -120,6 +123,7 @@ bodies::BodyLoads LoadPath::loads() const {
     bodies::BodyLoads loads;
     loads.energy_elastic_j = now_.energy_elastic_j;
     loads.work_magnetic_j = work_->work_j();
+    loads.support_n = now_.support_n;
     return loads;
 }
 
@@ -175,11 +179,15 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
     : scene_(scene), session_(session) {
     std::vector<structure::Body> solids;
     bodies::NodalState start;
-    for (const scene::Body& body : scene.bodies) {
-        or_diverged([&] { paths_.push_back(std::make_unique<LoadPath>(scene, body)); });
+    for (const scene::Body& body : scene.bodies) solids.push_back(bodies::to_body(body));
+    const auto surroundings = bodies::to_surroundings(scene, solids);
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        or_diverged([&] {
+            paths_.push_back(std::make_unique<LoadPath>(scene, scene.bodies[b], solids[b],
+                                                        surroundings[b]));
+        });
         const LoadPath& path = *paths_.back();
         report_branch(path, 0);
-        solids.push_back(path.body());
         append(start, path.placed_m(), path.masses_kg());
     }
     if (scene.probes) {

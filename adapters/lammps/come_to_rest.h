@@ -1,5 +1,5 @@
 // Equilibria by damped motion: the independent path beside Newton's method, and the only
-// one with platform, friction and contact.
+// one with friction and contact.
 #pragma once
 
 #include <cstdint>

@@ -121,6 +121,24 @@ NodalState Engine::gather(int atoms) const {
     return state;
 }
 
+std::vector<Vec3> Engine::gather_forces(int atoms) const {
+    const LAMMPS_NS::Atom& atom = *lammps_->atom;
+    const int kept = lammps_->modify->find_fix("before_rollers");
+    const double* const* const force =
+        kept < 0 ? atom.f : lammps_->modify->fix[kept]->array_atom;
+    std::vector<int> index;
+    std::vector<double> mine;
+    for (int i = 0; i < atom.nlocal; ++i) {
+        index.push_back(static_cast<int>(atom.tag[i]) - 1);
+        mine.insert(mine.end(), force[i], force[i] + 3);
+    }
+    const auto all =
+        coupler::gather_rows(comm_, index, mine, 3, static_cast<std::size_t>(atoms));
+    std::vector<Vec3> out(all.size() / 3);
+    std::copy(all.begin(), all.end(), out.empty() ? nullptr : out.front().data());
+    return out;
+}
+
 std::string Engine::version() const {
     return lammps_->version;
 }

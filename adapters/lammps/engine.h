@@ -73,6 +73,10 @@ class Engine final : public coupler::StructureSolver {
     // In the order of the atoms' ids; empty but on the root. Collective.
     NodalState gather(int atoms) const;
 
+    // Of all forces on each node, likewise; those that rollers take away included where
+    // the script keeps them (LammpsInput::reactions). Collective.
+    std::vector<Vec3> gather_forces(int atoms) const;
+
     // Entry n (from 1) of a fix's global vector. Collective.
     double fix_vector(const std::string& fix_id, int n) const;
     double fix_scalar(const std::string& fix_id) const;  // collective

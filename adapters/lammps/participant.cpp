@@ -227,12 +227,13 @@ void Participant::each_body(const std::vector<structure::Vec3>& all, const Use& 
 }
 
 void Participant::start_field_work() {
-    if (!run_.input.field || scene_.magnetic_field->gradient) return;
+    if (!run_.input.field) return;
     if (!session_.world().root()) return;
     each_body(run_.start.position_m, [&](std::size_t b, auto placed) {
         const structure::Body& body = run_.input.bodies[b];
         run_.field_work.emplace_back(body, std::vector(placed.begin(), placed.end()),
-                                     bodies::is_let_go(body, scene_.bodies[b].initial));
+                                     bodies::is_let_go(body, scene_.bodies[b].initial),
+                                     run_.input.gradient);
     });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "adapters/bodies/fluid_inside.h"
+#include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "structure/lammps/step_limit.h"
 
@@ -24,6 +25,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     input.drag = scene.damping;
     input.platform = scene.platform;
     input.contact = scene.contact;
+    input.reactions = bodies::needs(scene, bodies::Load::support);
     input.time_step_s = time_step_s;
     structure::check_effects(input);
     return input;

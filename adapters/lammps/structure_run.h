@@ -34,7 +34,7 @@ struct StructureRun {
     NodalState start{};  // step 0, on the root; only while outputs are made
     // With a fluid, on the root: the bodies' whole masses, whatever came off their nodes.
     std::vector<double> whole_mass_kg{};
-    // On a path of equilibria in a uniform field, on the root: of each body.
+    // On a path of equilibria in a field, on the root: of each body.
     std::vector<bodies::FieldWork> field_work{};
     bool recorded = false;  // --record
     // Called with what the fluid has sent for a row of probes, on the root; may be empty.

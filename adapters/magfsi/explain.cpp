@@ -13,6 +13,7 @@
 #include "adapters/bodies/mesh_estimate.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/bodies/surroundings.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/checks.h"
@@ -42,7 +43,7 @@ std::string explain_error(const scene::Scene& scene, const scene::Body& body,
     if (!estimate) return "    error of the displacements: not estimated\n";
     std::string text = fmt::format(
         "    error of the displacements: about {} (linear response to {}, "
-        "against a finer mesh)",
+        "against finer elements)",
         in_percent(estimate->largest), estimate->loads);
     double worst = estimate->largest;
     for (const auto& [point, error] : estimate->points) {
@@ -108,10 +109,7 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
 void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
     (void)structure::held_axes(solid);
     (void)structure::build_lattice(solid);
-    if (by_newton(scene))
-        structure::require_held(solid, bodies::to_gravity(scene).value_or(scene::Vec3{}));
-    else if (scene.time.equilibrium && !scene.platform)
-        structure::require_held(solid, {});
+    if (scene.time.equilibrium && !scene.platform) structure::require_held(solid, {});
 }
 
 // What is known only with the mesh: its size, places that are probed. Throws
@@ -149,16 +147,28 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
         fmt::format("    size {:.4g} x {:.4g} x {:.4g} mm, mass {:.4g} mg\n",
                     1e3 * size[0], 1e3 * size[1], 1e3 * size[2], 1e6 * mass);
     std::vector<std::string> held;
-    for (const std::string& face : body.clamps) held.push_back(face + " clamped");
+    const auto with_nodes = [&](const std::string& face) {
+        return fmt::format("{} ({} nodes)", face,
+                           structure::face_nodes(solid, face, "held").size());
+    };
+    for (const std::string& face : body.clamps)
+        held.push_back(with_nodes(face) + " clamped");
     for (const structure::Roller& roller : body.rollers) {
-        held.push_back(fmt::format("{} along {}", fmt::join(roller.faces, ", "),
-                                   scene::axis_names[roller.axis]));
+        for (const std::string& face : roller.faces)
+            held.push_back(fmt::format("{} along {}", with_nodes(face),
+                                       scene::axis_names[roller.axis]));
     }
-    for (const structure::PrescribedMotion& motion : body.prescribed_motion)
-        held.push_back(fmt::format("{} moved", fmt::join(motion.faces, ", ")));
+    for (const structure::PrescribedMotion& motion : body.prescribed_motion) {
+        for (const std::string& face : motion.faces)
+            held.push_back(with_nodes(face) + " moved");
+    }
     text +=
         fmt::format("    held: {}\n",
                     held.empty() ? "nowhere" : fmt::format("{}", fmt::join(held, "; ")));
+    if (scene.gravity)
+        text += fmt::format("    weight {:.4g} uN{}\n",
+                            1e6 * mass * scene.gravity->acceleration_m_s2,
+                            scene.fluid ? ", buoyancy apart" : "");
     if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
     double largest = 0;
     for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
@@ -173,9 +183,9 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                               1e3 * field_t, largest * field_t);
 }
 
-std::string explain_body(const scene::Scene& scene, std::size_t number) {
+std::string explain_body(const scene::Scene& scene, std::size_t number,
+                         const structure::Body& solid) {
     const scene::Body& body = scene.bodies[number];
-    const structure::Body solid = bodies::to_body(body);
     check_on_mesh(scene, body, solid);
     refuse_what_cannot_run(scene, solid);
     std::string text = fmt::format("  body '{}': ", body.name);
@@ -226,7 +236,11 @@ std::string explain_structure(const scene::Scene& scene) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"
                               : "\nstructure (LAMMPS, fix magttice)\n";
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) text += explain_body(scene, b);
+    std::vector<structure::Body> solids;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        text +=
+            explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
     if (!scene.time.equilibrium) return text + explain_steps(scene);
     const double points = scene.time.end_s / scene::path_step_s(scene);
     text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);

@@ -76,6 +76,25 @@ void check_marker_count(const Scene& scene, const Body& body, const Box& box,
             "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
 }
 
+// Along the thickness of a sheet there is nothing to space.
+void check_marker_spacing(const Scene& scene, const Body& body, const Box& box,
+                          const Marks& marks) {
+    if (!scene.coupling || !scene.fluid) return;
+    int across = -1;
+    const bool sheet = scene.coupling->immersed_boundary.markers != Markers::volume;
+    for (int d = 0; sheet && d < 3; ++d) {
+        if (spans_fluid(*scene.fluid, body, d, box.size_m[d])) continue;
+        if (across < 0 || box.size_m[d] < box.size_m[across]) across = d;
+    }
+    double longest_m = 0;
+    for (int d = 0; d < 3; ++d) {
+        if (d != across) longest_m = std::max(longest_m, box.size_m[d] / box.elements[d]);
+    }
+    require_marker_spacing(
+        scene, body, longest_m,
+        marks.value({"coupling", "immersed_boundary", "marker_spacing"}));
+}
+
 // Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
 // what the face stands in.
 void check_face(const Body& body, const std::string& face, std::string_view list,
@@ -208,9 +227,11 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
     std::vector<std::string> held = body.clamps;
     for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i) {
         const Origin& here = marks.item({"bodies", body.name, "prescribed_motion"}, i);
-        require(!scene.time.equilibrium, here,
-                "a prescribed motion on a path of equilibria", "it in runs over time",
-                "leave time.equilibrium out, or the motion");
+        const auto& path = scene.time.equilibrium;
+        require(!path || path->method == EquilibriumMethod::newton, here,
+                "a prescribed motion on a path of equilibria by damped motion",
+                "it in runs over time, or with the method newton",
+                "take time.equilibrium.method: newton");
         for (const std::string& face : body.prescribed_motion[i].faces) {
             check_face(body, face, "prescribed_motion", here);
             require(std::ranges::find(held, face) == held.end(), here,
@@ -234,11 +255,34 @@ double most_markers(const Scene& scene, const Vec3& extent_m) {
                                                         : faces;
 }
 
+bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m) {
+    const auto& turn = body.initial.rotation;
+    if (turn && (turn->plane[0] == axis || turn->plane[1] == axis)) return false;
+    const auto d = static_cast<std::size_t>(axis);
+    return fluid.boundaries[2 * d].kind == BoundaryKind::periodic &&
+           extent_m >= fluid.box_m[d] * (1 - 1e-6);
+}
+
+void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,
+                            const Origin& where) {
+    const double spacing = scene.coupling->immersed_boundary.marker_spacing;
+    const double most = longest_edge_m / scene.fluid->spacing_m;
+    if (spacing == ImmersedBoundary{}.marker_spacing) return;  // nobody asked for it
+    require(spacing <= most * (1 + 1e-9), where,
+            fmt::format("markers {} apart, further than the elements of \"{}\", each of "
+                        "which carries one",
+                        metres(spacing * scene.fluid->spacing_m), body.name),
+            fmt::format("at most {:.3g}, which is {}", std::floor(most * 1e3) / 1e3,
+                        metres(longest_edge_m)),
+            "take larger elements, or leave the key out");
+}
+
 void check_bodies(const Scene& scene, const Marks& marks) {
     check_element_count(scene, marks);
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<Box>(&body.mesh);
         if (box) check_marker_count(scene, body, *box, marks);
+        if (box) check_marker_spacing(scene, body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
         check_clamps(body, marks);
         check_rollers(body, marks);

@@ -72,9 +72,8 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
                 fmt::format("{} with the equilibrium method newton", what),
                 "it with the method dynamics", "take time.equilibrium.method: dynamics");
     };
-    without(scene.magnetic_field && scene.magnetic_field->gradient,
-            {"magnetic_field", "gradient"}, "a field gradient");
-    without(scene.platform.has_value(), {"platform"}, "platform");
+    without(scene.platform && scene.platform->friction > 0, {"platform", "friction"},
+            "friction");
     without(scene.contact.has_value(), {"contact"}, "contact");
 }
 

@@ -141,6 +141,13 @@ void check_probes(const Scene& scene, const Marks& marks) {
                  "obstacles", "add fluid.obstacles");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_force) || fluid,
                  marks.value({"probes", "bodies"}), "the probe fluid_force", "a fluid");
+    const bool held = std::ranges::any_of(scene.bodies, [](const Body& body) {
+        return !body.clamps.empty() || !body.rollers.empty() ||
+               !body.prescribed_motion.empty();
+    });
+    require_with(!asks(probes.bodies, BodyQuantity::reaction_force) || held,
+                 marks.value({"probes", "bodies"}), "the probe reaction_force",
+                 "a face that is held or moved", "add clamps to a body");
     require_with(!probes.interface_balance || scene.coupling,
                  marks.value({"probes", "interface_balance"}), "interface_balance",
                  "bodies in a fluid");

@@ -61,6 +61,14 @@ constexpr double max_markers = 500'000;
 // over its volume. 0 without a fluid.
 double most_markers(const Scene& scene, const Vec3& extent_m);
 
+// Along this axis the body, of this extent, spans the fluid's box from one periodic side
+// to the other.
+bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m);
+// Refuses a marker spacing that is asked for and above what markers keep, as each element
+// carries at least one: longest_edge_m, of the elements along the body's surface.
+void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,
+                            const Origin& where);
+
 double length(const Vec3& v);
 inline std::string metres(double value) {
     return format_si(value, "m");

@@ -278,6 +278,10 @@ std::vector<std::string> idle_effects(const Scene& scene) {
          scene.damping && !still && equilibrium &&
              equilibrium->method == EquilibriumMethod::newton,
          "damping", "Newton's method knows no motion");
+    note(lines,
+         scene.platform && scene.platform->damping_pa_s_m > 0 && equilibrium &&
+             equilibrium->method == EquilibriumMethod::newton,
+         "platform.damping", "Newton's method knows no motion");
     const Fluid fluid = scene.fluid.value_or(Fluid{});
     note(lines, fluid.body_force_n_m3 == Vec3{}, "fluid.body_force", "it is 0");
     note(lines, fluid.initial_velocity_m_s == Vec3{}, "fluid.initial_velocity",

@@ -10,8 +10,9 @@ namespace magfsi::scene {
 
 template <class Io>
 void keys(Io& io, Equilibrium& equilibrium) {
-    io(key("method", "newton: Newton's method on the sparse tangent; dynamics: damped motion "
-           "in LAMMPS, also with contact.").by_default(),
+    io(key("method", "newton: Newton's method on the sparse tangent, also with prescribed "
+           "motion, without friction and contact; dynamics: damped motion in LAMMPS, without "
+           "prescribed motion.").by_default(),
        equilibrium.method);
     io(key("tolerance", "Largest nodal force over the largest nodal load of the same "
            "moment; newton holds the displacements to it, too.").above(0)
@@ -72,7 +73,9 @@ void keys(Io& io, IntegralProbe& integral) {
 template <class Io>
 void keys(Io& io, Probes& probes) {
     io(quantity("every", "s", "Time between rows.").above(0), probes.every_s);
-    io(key("bodies", "Columns for each body.").optional(), probes.bodies);
+    io(key("bodies", "Columns for each body; reaction_force: for each of its faces that is held or "
+           "moved, what does that, by its clamps, rollers or motion. Nodes of two faces count "
+           "in the first one.").optional(), probes.bodies);
     io(key("points", "Material points by name: position and displacement.").optional(),
        probes.points);
     io(key("integrals", "Integrals by name, over a plane of the fluid or a part of a body.")

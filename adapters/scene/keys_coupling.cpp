@@ -50,8 +50,9 @@ void keys(Io& io, ImmersedBoundary& boundary) {
            "both of them, or through the volume; without it, below both faces of sheets and "
            "through other bodies."),
        boundary.markers);
-    io(key("marker_spacing", "Distance of markers, in fluid spacings; beyond about 1 the "
-           "surface leaks.").above(0).at_most(1.5).by_default(),
+    io(key("marker_spacing", "Largest distance of markers, in fluid spacings; beyond about 1 the "
+           "surface leaks. Each element carries at least one, so that no more than the longest "
+           "edge of an element can be asked for.").above(0).at_most(1.5).by_default(),
        boundary.marker_spacing);
     io(key("retraction", "Depth of markers below the surface, in fluid spacings: the kernel "
            "smears them beyond it.").at_least(0).at_most(1).by_default(),

@@ -153,10 +153,18 @@ struct Fluid : fluid::Options {
 
 // --- output -------------------------------------------------------------------------
 
-enum class BodyQuantity { com, speed, shape, max_displacement, fluid_force, energy };
+enum class BodyQuantity {
+    com,
+    speed,
+    shape,
+    max_displacement,
+    fluid_force,
+    reaction_force,
+    energy
+};
 constexpr auto words_of(BodyQuantity) {
-    return std::to_array<std::string_view>(
-        {"com", "speed", "shape", "max_displacement", "fluid_force", "energy"});
+    return std::to_array<std::string_view>({"com", "speed", "shape", "max_displacement",
+                                            "fluid_force", "reaction_force", "energy"});
 }
 enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed, obstacle_force };
 constexpr auto words_of(FluidQuantity) {

@@ -46,6 +46,8 @@ Motion::Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
     for (int d = 0; d < 3; ++d) {
         if (held[d]) shift[d] = 0;
     }
+    const Eigen::Vector3d& normal = problem.platform_normal();
+    shift -= normal.dot(shift) * normal;
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
     for (Eigen::Index n = 0; n < nodes; ++n) {
@@ -105,11 +107,13 @@ class MixedVolumes {
         }
     }
 
-    // Fills the matrix and returns the right side.
-    Eigen::VectorXd assemble(const Eigen::VectorXd& x, const Eigen::VectorXd& load) {
-        Eigen::VectorXd right = load;
+    // Fills the matrix and returns the right side. drive_m: as of mixed_iteration.
+    Eigen::VectorXd assemble(const Eigen::VectorXd& x, const NodalLoads& load,
+                             const Eigen::VectorXd& drive_m) {
+        Eigen::VectorXd right = problem_.surrounding_n(x, load);
         problem_.matrix().set_zero();
-        for (std::size_t e = 0; e < ratio_.size(); ++e) add_element(e, x, right);
+        for (std::size_t e = 0; e < ratio_.size(); ++e) add_element(e, x, drive_m, right);
+        problem_.add_surroundings(x, load);
         return right;
     }
 
@@ -137,7 +141,8 @@ class MixedVolumes {
     }
 
   private:
-    void add_element(std::size_t e, const Eigen::VectorXd& x, Eigen::VectorXd& right) {
+    void add_element(std::size_t e, const Eigen::VectorXd& x,
+                     const Eigen::VectorXd& drive_m, Eigen::VectorXd& right) {
         const ElementReference& reference = problem_.references()[e];
         const Material& material = problem_.material(e);
         const Positions8 xe = problem_.element_positions(e, x);
@@ -159,6 +164,14 @@ class MixedVolumes {
             right.segment<3>(3 * nodes[a]) -=
                 (inner.row(a) + pressure * v.gradient_m2.row(a)).transpose();
         }
+        if (drive_m.size() == 0) return;
+        Eigen::Matrix<double, 24, 1> ahead;
+        for (int a = 0; a < 8; ++a)
+            ahead.segment<3>(3 * a) = drive_m.segment<3>(3 * nodes[a]);
+        if (ahead.isZero(0)) return;
+        const Eigen::Matrix<double, 24, 1> pull = tangent * ahead;
+        for (int a = 0; a < 8; ++a)
+            right.segment<3>(3 * nodes[a]) -= pull.segment<3>(3 * a);
     }
 
     StaticProblem& problem_;
@@ -168,26 +181,25 @@ class MixedVolumes {
 // A stretched state on the way (a body half turned by a linearised step) can make the
 // tangent indefinite although the equilibrium is stable. A foundation in rough steps then
 // holds the unknowns back that have lost their stiffness; the volumes still move on.
-bool factorize_mixed(StaticProblem& problem) {
+// stable: whether it took none.
+bool factorize_mixed(StaticProblem& problem, bool& stable) {
+    stable = true;
     const double scale = problem.bending_stiffness_scale();
     for (double foundation : {problem.rigid_foundation(), 1e4 * scale, 1e6 * scale}) {
         problem.matrix().raise_foundation(foundation);
         if (problem.matrix().factorize()) return true;
+        stable = false;
     }
     return false;
 }
 
-double energy(const StaticProblem::Response& response, const Eigen::VectorXd& x,
-              const Eigen::VectorXd& load) {
-    return response.elastic_j - load.dot(x);
-}
-
 // Factorises the tangent on the weakest foundation, in factors of ten, that makes it
 // positive definite, from a tenth of the last one on. Returns the foundation.
-double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x, double last) {
+double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x,
+                         const NodalLoads& load, double last) {
     const double first = 1e-2 * problem.bending_stiffness_scale();
     double foundation = 0.1 * last > first ? 0.1 * last : problem.rigid_foundation();
-    problem.assemble(x);
+    problem.assemble(x, load);
     for (int attempt = 0; attempt < 30; ++attempt) {
         problem.matrix().raise_foundation(foundation);
         if (problem.matrix().factorize()) return foundation;
@@ -198,8 +210,8 @@ double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x, doubl
 
 // Halves the step until the energy falls enough; zero if it never does.
 double line_search(const StaticProblem& problem, const Motion& motion, const Iterate& now,
-                   const Eigen::VectorXd& load, double slope) {
-    const double before = energy(now.response, now.x, load);
+                   const NodalLoads& load, double slope) {
+    const double before = now.response.total_j;
     // Rounding of the energy: springs and volume terms of about G V cancel at rest.
     const double rounding =
         1e-14 * problem.largest_shear_modulus_pa() * problem.volume_m3();
@@ -208,7 +220,7 @@ double line_search(const StaticProblem& problem, const Motion& motion, const Ite
         const Eigen::VectorXd x = motion.at(fraction);
         const auto response = problem.response(x, load);
         if (!(response.smallest_j > 0)) continue;
-        if (energy(response, x, load) <= before - 1e-4 * fraction * slope + rounding) {
+        if (response.total_j <= before - 1e-4 * fraction * slope + rounding) {
             return fraction;
         }
     }
@@ -218,8 +230,8 @@ double line_search(const StaticProblem& problem, const Motion& motion, const Ite
 }  // namespace
 
 Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
-                        const Eigen::VectorXd& load, double allowed_n, int max_iterations,
-                        double largest_move_m) {
+                        const NodalLoads& load, const Goal& goal, int max_iterations,
+                        double largest_move_m, Eigen::VectorXd drive_m) {
     Iterate out;
     out.x = start;
     MixedVolumes volumes(problem, start);
@@ -227,16 +239,21 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
         out.response = problem.response(out.x, load);
         const bool upright = out.response.smallest_j > 0;
         out.converged =
-            upright && out.response.residual_n.cwiseAbs().maxCoeff() <= allowed_n;
+            upright && drive_m.isZero(0) && StaticProblem::reached(goal, out.response);
         if (out.converged || out.iterations == max_iterations) return out;
-        const Eigen::VectorXd right = volumes.assemble(out.x, load);
-        if (!factorize_mixed(problem)) return out;
-        const Eigen::VectorXd step = problem.matrix().solve(right);
+        const Eigen::VectorXd right = volumes.assemble(out.x, load, drive_m);
+        bool stable = true;
+        const bool solved = factorize_mixed(problem, stable);
+        if (out.iterations == 0) out.stable_start = stable;
+        if (!solved) return out;
+        Eigen::VectorXd step = problem.matrix().solve(right);
+        if (drive_m.size() > 0) step += drive_m;
         if (out.iterations == 0) out.first_step_m = step.cwiseAbs().maxCoeff();
         const Motion motion(problem, out.x, step);
         const double fraction = motion.largest_fraction();
         const bool sound = volumes.advance(out.x, step, fraction);
         out.x = motion.at(fraction);
+        drive_m *= 1 - fraction;
         if (!sound || !((out.x - start).cwiseAbs().maxCoeff() <= largest_move_m)) {
             ++out.iterations;
             return out;
@@ -245,17 +262,16 @@ Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
 }
 
 Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
-                       const Eigen::VectorXd& load, double allowed_n,
-                       int max_iterations) {
+                       const NodalLoads& load, const Goal& goal, int max_iterations) {
     Iterate out;
     out.x = start;
     double foundation = 0;
     for (;; ++out.iterations) {
         out.response = problem.response(out.x, load);
         if (!(out.response.smallest_j > 0)) return out;
-        out.converged = out.response.residual_n.cwiseAbs().maxCoeff() <= allowed_n;
+        out.converged = StaticProblem::reached(goal, out.response);
         if (out.converged || out.iterations == max_iterations) return out;
-        foundation = factorize_shifted(problem, out.x, foundation);
+        foundation = factorize_shifted(problem, out.x, load, foundation);
         if (!std::isfinite(foundation)) return out;
         const Eigen::VectorXd step = problem.matrix().solve(out.response.residual_n);
         const Motion motion(problem, out.x, step);

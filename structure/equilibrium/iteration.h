@@ -6,13 +6,14 @@
 
 namespace magfsi::structure {
 
-// Both end where no component of the residual is above allowed_n.
+// Both end where the residual reaches the goal.
 struct Iterate {
     Eigen::VectorXd x;
     StaticProblem::Response response;  // at x
     int iterations = 0;
     bool converged = false;
-    double first_step_m = 0;  // mixed_iteration: linear response to the load step
+    bool stable_start = true;  // mixed_iteration: the tangent at the start
+    double first_step_m = 0;   // mixed_iteration: linear response to the load step
 };
 
 // The stationary point of  springs(x) + sum V0 U(theta) + p (V(x) - V0 theta) - f.x  in
@@ -24,19 +25,22 @@ struct Iterate {
 // load steps of slender bodies. Here p follows the linearised volume. (The idea is that
 // of Magisano, Leonetti, Garcea, Int. J. Numer. Methods Eng. 109 (2017) 1237.)
 //
+// drive_m: by how much the driven nodes move on from the start; the first step takes them
+// along, the body with them as far as it is linear. Empty: they stay.
+//
 // Local: stops without convergence when a node has moved from the start by more than
 // largest_move_m, when the volume of an element is far out of range, or after
 // max_iterations. J may be negative on the way, but not where it has converged.
 Iterate mixed_iteration(StaticProblem& problem, const Eigen::VectorXd& start,
-                        const Eigen::VectorXd& load, double allowed_n, int max_iterations,
-                        double largest_move_m);
+                        const NodalLoads& load, const Goal& goal, int max_iterations,
+                        double largest_move_m, Eigen::VectorXd drive_m = {});
 
 // Damped Newton's method. Each step minimises the quadratic model of the energy on a
 // foundation of its own (Levenberg), the weakest of those tried that makes the tangent
 // positive definite, and is halved until the energy falls (Armijo) with every J positive.
 // Ends at a minimum or, where the start was one already, at an equilibrium of any kind.
 Iterate energy_descent(StaticProblem& problem, const Eigen::VectorXd& start,
-                       const Eigen::VectorXd& load, double allowed_n, int max_iterations);
+                       const NodalLoads& load, const Goal& goal, int max_iterations);
 
 // The step at x without the rigid motion that nothing holds.
 Eigen::VectorXd deformation(const StaticProblem& problem, const Eigen::VectorXd& x,

@@ -94,7 +94,7 @@ std::vector<Vec3> linear_response(const Body& body, const StaticLoads& loads) {
     if (!problem.matrix().factorize())
         throw std::runtime_error("body " + body.name + ": not stable without loads");
     return nodes_from(
-        deformation(problem, x, problem.matrix().solve(problem.load(borne))));
+        deformation(problem, x, problem.matrix().solve(problem.load(borne).dead_n)));
 }
 
 double displacement_error(const Vec3& here_m, const Vec3& on_refined_m) {

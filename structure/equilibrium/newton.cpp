@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "structure/equilibrium/iteration.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -32,19 +32,21 @@ double now_s() {
 }
 
 // Of the tangent at x, on the foundation that stands in for the rigid motions.
-int negative_eigenvalues(StaticProblem& problem, const Eigen::VectorXd& x) {
-    problem.assemble(x);
+int negative_eigenvalues(StaticProblem& problem, const Eigen::VectorXd& x,
+                         const NodalLoads& load) {
+    problem.assemble(x, load);
     problem.matrix().raise_foundation(problem.rigid_foundation());
     return problem.matrix().negative_eigenvalues();
 }
 
 // The mode K m = w V m of lowest w, V the volumes of the nodes; largest component 1.
 // Found by inverse iteration with the tangent made positive definite by a shift.
-Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x) {
+Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x,
+                            const NodalLoads& load) {
     // In factors of two: the shift exceeds -w by at most as much, and the iteration gains
     // a factor of at least two to the next mode that is not negative.
     double shift = problem.rigid_foundation();
-    problem.assemble(x);
+    problem.assemble(x, load);
     problem.matrix().raise_foundation(shift);
     while (!problem.matrix().factorize()) {
         shift = std::max(2 * shift, 1e-3 * problem.bending_stiffness_scale());
@@ -67,13 +69,15 @@ Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x) {
 
 // As Equilibrium::displacement_error; with the tangent that negative_eigenvalues left.
 double displacement_error(StaticProblem& problem, const Eigen::VectorXd& x,
-                          const Eigen::VectorXd& load) {
+                          const NodalLoads& load) {
     const auto deformation_m = [&](const Eigen::VectorXd& force_n) {
         return deformation(problem, x, problem.matrix().solve(force_n))
             .cwiseAbs()
             .maxCoeff();
     };
-    const double response_m = deformation_m(load);
+    double response_m = deformation_m(problem.surrounding_n(x, load));
+    if (load.driven_m.size() > 0)
+        response_m = std::max(response_m, load.driven_m.cwiseAbs().maxCoeff());
     const double error_m = deformation_m(problem.response(x, load).residual_n);
     return response_m > 0 ? error_m / response_m : 0;
 }
@@ -92,8 +96,9 @@ struct NewtonSolver::Progress {
     }
 };
 
-NewtonSolver::NewtonSolver(const Body& body, const EquilibriumOptions& options)
-    : options_(options), problem_(body) {}
+NewtonSolver::NewtonSolver(const Body& body, const EquilibriumOptions& options,
+                           Surroundings surroundings)
+    : options_(options), problem_(body, std::move(surroundings)) {}
 
 Equilibrium NewtonSolver::solve(const StaticLoads& loads) {
     return follow(problem_.body().mesh.nodes, {}, {&loads, 1}).front();
@@ -104,14 +109,12 @@ std::vector<Equilibrium> NewtonSolver::follow(const std::vector<Vec3>& start,
                                               std::span<const StaticLoads> path) {
     Progress state;
     state.x = checked_start(start);
-    Eigen::VectorXd load = problem_.load(from);
-    const auto response = problem_.response(state.x, load);
-    if (response.residual_n.cwiseAbs().maxCoeff() > allowed_n(load, true)) {
+    NodalLoads load = problem_.load(from);
+    if (!StaticProblem::reached(goal(true), problem_.response(state.x, load)))
         release_at(state, load);
-    }
     std::vector<Equilibrium> out;
     for (const StaticLoads& point : path) {
-        const Eigen::VectorXd ahead = problem_.load(point);
+        const NodalLoads ahead = problem_.load(point);
         advance(state, load, ahead);
         load = ahead;
         out.push_back(finish(state, point));
@@ -131,56 +134,72 @@ Equilibrium NewtonSolver::release(const std::vector<Vec3>& start,
     return finish(state, loads);
 }
 
-void NewtonSolver::advance(Progress& state, const Eigen::VectorXd& from,
-                           const Eigen::VectorXd& to) {
+void NewtonSolver::advance(Progress& state, const NodalLoads& from,
+                           const NodalLoads& to) {
     const double largest_move = largest_share_moved * problem_.longest_side_m();
     double reached = 0;
     double step = 1;
+    bool settled = false;  // pushed off the branch here
     while (reached < 1) {
         const double ahead = std::min(reached + step, 1.0);
-        const Eigen::VectorXd load = (1 - ahead) * from + ahead * to;
+        const NodalLoads load = between(from, to, ahead);
+        const Eigen::VectorXd drive_m = (ahead - reached) * (to.driven_m - from.driven_m);
         state.load_factor = ahead;
-        const Iterate found = mixed_iteration(
-            problem_, state.x, load, allowed_n(load, ahead < 1), max_mixed, largest_move);
+        const Iterate found = mixed_iteration(problem_, state.x, load, goal(ahead < 1),
+                                              max_mixed, largest_move, drive_m);
         state.iterations += found.iterations;
         // The first step is linear in the load step: it tells how far to go.
         const double room = 0.7 * largest_move / found.first_step_m;
         if (found.converged) {
             state.take(found);
+        } else if (options_.leave_unstable && !found.stable_start && !settled) {
+            settled = true;
+            (void)settle(state, between(from, to, reached));
+            continue;
         } else if (step > smallest_step) {
             step =
                 std::max((ahead - reached) * std::clamp(room, 0.02, 0.5), smallest_step);
             continue;
         } else {
+            if (drive_m.size() > 0) state.x += drive_m;
             release_at(state, load);
+            (void)settle(state, load);
         }
         if (state.load_steps > max_load_steps) {
             fail(state, load, found.response.element);
         }
+        settled = false;
         step = (ahead - reached) * std::clamp(room, 1.0, 4.0);
         reached = ahead;
     }
 }
 
-void NewtonSolver::release_at(Progress& state, const Eigen::VectorXd& load) {
-    const Iterate found =
-        energy_descent(problem_, state.x, load, allowed_n(load), max_descent);
+void NewtonSolver::release_at(Progress& state, const NodalLoads& load) {
+    const Iterate found = energy_descent(problem_, state.x, load, goal(), max_descent);
     state.iterations += found.iterations;
     state.take(found);
     ++state.releases;
     if (!found.converged) fail(state, load, found.response.element);
 }
 
-void NewtonSolver::push_off(Progress& state, const Eigen::VectorXd& load) {
+void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
     const double push_m = 0.05 * problem_.shortest_side_m();
-    const Eigen::VectorXd mode = lowest_mode(problem_, state.x);
+    const Eigen::VectorXd mode = lowest_mode(problem_, state.x, load);
     const Eigen::VectorXd balanced = state.x;
     double lowest = INFINITY;
+    const auto pushed_j = [&](double way_m) {
+        return problem_.response(balanced + way_m * mode, load).total_j;
+    };
+    // Of two ways that mirror each other one is enough.
+    const double one_j = pushed_j(push_m), other_j = pushed_j(-push_m);
+    const bool mirrored =
+        std::abs(one_j - other_j) <= 1e-4 * std::abs(one_j - pushed_j(0));
     for (double sign : {1.0, -1.0}) {
+        if (mirrored && sign < 0 && std::isfinite(lowest)) break;
         const Iterate fallen = energy_descent(problem_, balanced + sign * push_m * mode,
-                                              load, allowed_n(load), max_descent);
+                                              load, goal(), max_descent);
         state.iterations += fallen.iterations;
-        const double energy = fallen.response.elastic_j - load.dot(fallen.x);
+        const double energy = fallen.response.total_j;
         if (!fallen.converged || !(energy < lowest)) continue;
         lowest = energy;
         state.x = fallen.x;
@@ -191,9 +210,8 @@ void NewtonSolver::push_off(Progress& state, const Eigen::VectorXd& load) {
     }
 }
 
-double NewtonSolver::allowed_n(const Eigen::VectorXd& load, bool passing) const {
-    return problem_.allowed_residual_n(load,
-                                       passing ? passing_tolerance : options_.tolerance);
+Goal NewtonSolver::goal(bool passing) const {
+    return problem_.goal(passing ? passing_tolerance : options_.tolerance);
 }
 
 Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) const {
@@ -205,9 +223,19 @@ Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) cons
     return flat_positions(start);
 }
 
-void NewtonSolver::refine(Progress& state, const Eigen::VectorXd& load,
-                          Equilibrium& out) {
-    if (load.isZero(0)) return;
+int NewtonSolver::settle(Progress& state, const NodalLoads& load) {
+    int unstable = negative_eigenvalues(problem_, state.x, load);
+    // A second mode may be left after the first; as many pushes as there are modes.
+    const int pushes = options_.leave_unstable ? unstable : 0;
+    for (int push = 0; push < pushes && unstable > 0; ++push) {
+        push_off(state, load);
+        unstable = negative_eigenvalues(problem_, state.x, load);
+    }
+    return unstable;
+}
+
+void NewtonSolver::refine(Progress& state, const NodalLoads& load, Equilibrium& out) {
+    if (load.none()) return;
     double before = INFINITY;
     while (out.negative_eigenvalues == 0) {
         out.displacement_error = displacement_error(problem_, state.x, load);
@@ -217,40 +245,35 @@ void NewtonSolver::refine(Progress& state, const Eigen::VectorXd& load,
         }
         before = out.displacement_error;
         const Iterate closer =
-            mixed_iteration(problem_, state.x, load, 0, 2, problem_.longest_side_m());
+            mixed_iteration(problem_, state.x, load, {}, 2, problem_.longest_side_m());
         state.iterations += closer.iterations;
         if (!(closer.response.smallest_j > 0)) return;
         state.x = closer.x;
-        out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
+        out.negative_eigenvalues = negative_eigenvalues(problem_, state.x, load);
     }
 }
 
 Equilibrium NewtonSolver::finish(Progress& state, const StaticLoads& loads) {
-    const Eigen::VectorXd load = problem_.load(loads);
+    const NodalLoads load = problem_.load(loads);
     Equilibrium out;
-    out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
-    // A second mode may be left after the first; as many pushes as there are modes.
-    const int pushes = options_.leave_unstable ? out.negative_eigenvalues : 0;
-    for (int push = 0; push < pushes && out.negative_eigenvalues > 0; ++push) {
-        push_off(state, load);
-        out.negative_eigenvalues = negative_eigenvalues(problem_, state.x);
-    }
+    out.negative_eigenvalues = settle(state, load);
     refine(state, load, out);
     const auto response = problem_.response(state.x, load);
-    out.residual = problem_.relative_residual(response, load);
+    out.residual = problem_.relative_residual(response);
     out.nodes_m = nodes_from(state.x);
+    out.support_n = nodes_from(problem_.support_n(state.x, load));
     out.load_steps = state.load_steps;
     out.iterations = state.iterations;
     out.releases = state.releases;
     out.energy_elastic_j = response.elastic_j;
     const Eigen::VectorXd moved = state.x - flat_positions(problem_.body().mesh.nodes);
-    out.energy_magnetic_j = -problem_.load({loads.field_t, {}}).dot(state.x);
-    out.energy_weight_j = -problem_.load({{}, loads.gravity_m_s2}).dot(moved);
+    out.energy_magnetic_j = -problem_.load({loads.field_t, {}}).dead_n.dot(state.x);
+    out.energy_weight_j = -problem_.load({{}, loads.gravity_m_s2}).dead_n.dot(moved);
     out.seconds = now_s() - state.start_s;
     return out;
 }
 
-void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
+void NewtonSolver::fail(const Progress& state, const NodalLoads& load,
                         int worst_element) const {
     const auto response = problem_.response(state.x, load);
     Eigen::Index worst = 0;
@@ -261,8 +284,8 @@ void NewtonSolver::fail(const Progress& state, const Eigen::VectorXd& load,
                     "node {}, and the smallest J is {:.3g} in element {}: use weaker "
                     "loads, a finer mesh or more points on the way",
                     problem_.body().name, state.load_factor, state.load_steps,
-                    state.iterations, problem_.relative_residual(response, load),
-                    worst / 3, response.smallest_j, worst_element));
+                    state.iterations, problem_.relative_residual(response), worst / 3,
+                    response.smallest_j, worst_element));
 }
 
 std::string unresolved_loads(const std::string& body) {

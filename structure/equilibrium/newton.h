@@ -1,11 +1,11 @@
-// Static equilibrium of one body under a uniform field and its weight, followed along a
-// path of loads.
+// Static equilibrium of one body under fields, its weight and what holds, moves or bears
+// it, followed along a path of loads.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "structure/equilibrium/static_problem.h"
+#include "structure/equilibrium/iteration.h"
 
 namespace magfsi::structure {
 
@@ -34,8 +34,9 @@ struct Equilibrium {
     // count.
     int negative_eigenvalues = 0;
     double seconds = 0;
+    std::vector<Vec3> support_n{};  // by clamps and rollers on each node
     double energy_elastic_j = 0;
-    double energy_magnetic_j = 0;  // - integral of (F M) . B
+    double energy_magnetic_j = 0;  // - integral of (F M) . B, of the uniform field B
     double energy_weight_j = 0;    // zero in the undeformed mesh
 };
 
@@ -54,7 +55,8 @@ struct Equilibrium {
 class NewtonSolver {
   public:
     // Throws as StaticProblem does.
-    explicit NewtonSolver(const Body& body, const EquilibriumOptions& options = {});
+    explicit NewtonSolver(const Body& body, const EquilibriumOptions& options = {},
+                          Surroundings surroundings = {});
 
     // Loads raised from zero on the undeformed body.
     Equilibrium solve(const StaticLoads& loads);
@@ -62,7 +64,7 @@ class NewtonSolver {
     // The equilibrium at each point of the path, each followed from the one before by
     // loads linear in between: give a turning field in steps of some degrees. `start` is
     // an equilibrium under `from` (else the body is first released there). Clamped nodes
-    // stay where the start has them.
+    // stay where the start has them, and driven ones go on from there.
     std::vector<Equilibrium> follow(const std::vector<Vec3>& start,
                                     const StaticLoads& from,
                                     std::span<const StaticLoads> path);
@@ -74,16 +76,20 @@ class NewtonSolver {
 
   private:
     struct Progress;
-    void advance(Progress& state, const Eigen::VectorXd& from, const Eigen::VectorXd& to);
-    void release_at(Progress& state, const Eigen::VectorXd& load);
-    void push_off(Progress& state, const Eigen::VectorXd& load);
-    // Of the residual, under this load; `passing`: where a load step only passes through.
-    double allowed_n(const Eigen::VectorXd& load, bool passing = false) const;
+    void advance(Progress& state, const NodalLoads& from, const NodalLoads& to);
+    void release_at(Progress& state, const NodalLoads& load);
+    void push_off(Progress& state, const NodalLoads& load);
+    // Off what is unstable, where that is wanted: on an unstable branch that symmetry
+    // keeps, every further step of load would be refused down to the smallest. Returns
+    // how many directions are still unstable.
+    int settle(Progress& state, const NodalLoads& load);
+    // `passing`: where a load step only passes through.
+    Goal goal(bool passing = false) const;
     Eigen::VectorXd checked_start(const std::vector<Vec3>& start) const;
     // Goes on until the displacements, too, are within the tolerance.
-    void refine(Progress& state, const Eigen::VectorXd& load, Equilibrium& out);
+    void refine(Progress& state, const NodalLoads& load, Equilibrium& out);
     Equilibrium finish(Progress& state, const StaticLoads& loads);
-    [[noreturn]] void fail(const Progress& state, const Eigen::VectorXd& load,
+    [[noreturn]] void fail(const Progress& state, const NodalLoads& load,
                            int worst_element) const;
 
     EquilibriumOptions options_;

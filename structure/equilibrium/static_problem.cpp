@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
-#include "structure/magnetics/magnetic_forces.h"
 #include "structure/mesh/mesh_check.h"
+#include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -16,16 +17,43 @@ const Body& with_elements(const Body& body) {
     refuse("body {} has no elements, at least one is needed", body.name);
 }
 
-void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_m_s2) {
+// n . v n
+Eigen::Vector3d along(const Eigen::Vector3d& n, const Eigen::Vector3d& v) {
+    return n.dot(v) * n;
+}
+
+Eigen::Vector3d normal_of(const std::optional<Platform>& platform) {
+    if (!platform) return Eigen::Vector3d::Zero();
+    return Eigen::Map<const Eigen::Vector3d>(platform->normal.data()).normalized();
+}
+
+// A smooth platform bears what presses on it, and nothing along it.
+void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_m_s2,
+                    const Eigen::Vector3d& platform_normal) {
     const bool massive = std::ranges::any_of(
         used_materials(body), [](const Material& m) { return m.density_kg_m3 != 0; });
-    for (std::size_t d = 0; d < 3; ++d) {
-        if (!massive || held[d] || gravity_m_s2[d] == 0) continue;
+    Eigen::Vector3d falls = Eigen::Map<const Eigen::Vector3d>(gravity_m_s2.data());
+    const double rounding = 1e-12 * falls.norm();
+    for (int d = 0; d < 3; ++d) {
+        if (held[static_cast<std::size_t>(d)]) falls[d] = 0;
+    }
+    if (platform_normal.dot(falls) < 0) falls -= along(platform_normal, falls);
+    for (int d = 0; d < 3; ++d) {
+        if (!massive || std::abs(falls[d]) <= rounding) continue;
         refuse(
-            "body {} has weight but no clamp or roller that holds it along {}: only the "
-            "field may load a body along an axis on which it is free",
+            "body {} has weight but no clamp, roller or level platform that holds it "
+            "along {}: only the field may load a body along an axis on which it is free",
             body.name, "xyz"[d]);
     }
+}
+
+// A gradient carries a body away, other than a uniform field.
+void refuse_to_be_carried(const Body& body, const HeldAxes& held) {
+    if (held == HeldAxes{true, true, true}) return;
+    refuse(
+        "body {} is in a field gradient, which carries it away, and no clamp or roller "
+        "holds it along every axis: take time.equilibrium.method: dynamics",
+        body.name);
 }
 
 }  // namespace
@@ -41,7 +69,8 @@ std::vector<Vec3> nodes_from(const Eigen::VectorXd& x) {
     return out;
 }
 
-void require_held(const Body& body, const Vec3& gravity_m_s2) {
+void require_held(const Body& body, const Vec3& gravity_m_s2,
+                  const Surroundings& surroundings) {
     const std::vector<HeldAxes> held = held_axes(body);
     const std::vector<int> part = connected_parts(body.mesh);
     std::vector<HeldAxes> along(1 + static_cast<std::size_t>(std::ranges::max(part)));
@@ -65,16 +94,30 @@ void require_held(const Body& body, const Vec3& gravity_m_s2) {
             "each a body of its own",
             body.name, along.size(), std::ranges::find(part, number) - part.begin());
     }
-    refuse_to_fall(body, anywhere, gravity_m_s2);
+    refuse_to_fall(body, anywhere, gravity_m_s2, normal_of(surroundings.platform));
+    if (surroundings.gradient) refuse_to_be_carried(body, anywhere);
 }
 
-StaticProblem::StaticProblem(const Body& body)
-    : StaticProblem(body, build_lattice(with_elements(body))) {
-    require_held(body, {});
+bool NodalLoads::none() const {
+    return dead_n.isZero(0) && gradient == 0 && driven_m.isZero(0);
 }
 
-StaticProblem::StaticProblem(const Body& body, const Lattice& lattice)
+NodalLoads between(const NodalLoads& from, const NodalLoads& to, double share) {
+    return {(1 - share) * from.dead_n + share * to.dead_n,
+            (1 - share) * from.gradient + share * to.gradient,
+            (1 - share) * from.driven_m + share * to.driven_m};
+}
+
+StaticProblem::StaticProblem(const Body& body, Surroundings surroundings)
+    : StaticProblem(body, build_lattice(with_elements(body)), std::move(surroundings)) {
+    require_held(body, {}, surroundings_);
+}
+
+StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
+                             Surroundings surroundings)
     : body_(body),
+      surroundings_(std::move(surroundings)),
+      platform_normal_(normal_of(surroundings_.platform)),
       node_volume_m3_(lattice.node_volume_m3),
       node_mass_kg_(lattice.node_mass_kg),
       charge_(nodal_charges(body.mesh.nodes, body.mesh.elements, body.magnetization_a_m)),
@@ -92,6 +135,12 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice)
             held_along_[d] = held_along_[d] || node[d];
         }
     }
+    if (surroundings_.gradient) {
+        gradient_elements_ = gradient_elements(body_.mesh.nodes, body_.mesh.elements,
+                                               body_.magnetization_a_m);
+    }
+    if (surroundings_.platform)
+        surface_m2_ = surface_areas(body_.mesh.nodes, body_.mesh.elements);
     measure_stiffness();
 }
 
@@ -110,25 +159,83 @@ void StaticProblem::measure_stiffness() {
         softest * shortest_side_m_ * shortest_side_m_ / std::pow(longest_side_m_, 4);
 }
 
-Eigen::VectorXd StaticProblem::load(const StaticLoads& loads) const {
-    refuse_to_fall(body_, held_along_, loads.gravity_m_s2);
-    Eigen::VectorXd out(3 * static_cast<Eigen::Index>(charge_.size()));
+NodalLoads StaticProblem::load(const StaticLoads& loads) const {
+    refuse_to_fall(body_, held_along_, loads.gravity_m_s2, platform_normal_);
+    const auto size = 3 * static_cast<Eigen::Index>(charge_.size());
+    NodalLoads out{Eigen::VectorXd(size), surroundings_.gradient ? loads.gradient : 0,
+                   Eigen::VectorXd::Zero(surroundings_.driven.empty() ? 0 : size)};
     for (std::size_t n = 0; n < charge_.size(); ++n) {
         const double mass = node_mass_kg_[n];
         for (std::size_t d = 0; d < 3; ++d) {
-            out[static_cast<Eigen::Index>(3 * n + d)] =
+            out.dead_n[static_cast<Eigen::Index>(3 * n + d)] =
                 charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
         }
+    }
+    for (std::size_t g = 0; g < loads.driven_m.size(); ++g) {
+        for (const int node : surroundings_.driven[g])
+            out.driven_m.segment<3>(3 * node) =
+                Eigen::Map<const Eigen::Vector3d>(loads.driven_m[g].data());
     }
     return out;
 }
 
+KernelResult StaticProblem::add_internal(const Eigen::VectorXd& x,
+                                         Eigen::VectorXd& force_n) const {
+    return kernel_.add_forces_and_energy(x.data(), force_n.data());
+}
+
+double StaticProblem::add_gradient(const Eigen::VectorXd& x, double share,
+                                   Eigen::VectorXd& force_n) const {
+    if (share == 0) return 0;
+    Eigen::VectorXd whole_n = Eigen::VectorXd::Zero(x.size());
+    const double energy_j =
+        add_gradient_forces(gradient_elements_, body_.mesh.elements,
+                            *surroundings_.gradient, x.data(), whole_n.data());
+    force_n += share * whole_n;
+    return share * energy_j;
+}
+
+double StaticProblem::depth_m(const Eigen::VectorXd& x, Eigen::Index node) const {
+    const Eigen::Map<const Eigen::Vector3d> point(surroundings_.platform->point_m.data());
+    return platform_normal_.dot(point - x.segment<3>(3 * node));
+}
+
+double StaticProblem::add_platform(const Eigen::VectorXd& x,
+                                   Eigen::VectorXd& force_n) const {
+    double energy_j = 0;
+    for (std::size_t n = 0; n < surface_m2_.size(); ++n) {
+        const auto node = static_cast<Eigen::Index>(n);
+        const double depth = depth_m(x, node);
+        if (surface_m2_[n] == 0 || depth <= 0) continue;
+        const double spring = surroundings_.platform->stiffness_pa_m * surface_m2_[n];
+        energy_j += 0.5 * spring * depth * depth;
+        force_n.segment<3>(3 * node) += spring * depth * platform_normal_;
+    }
+    return energy_j;
+}
+
+Eigen::VectorXd StaticProblem::surrounding_n(const Eigen::VectorXd& x,
+                                             const NodalLoads& loads) const {
+    Eigen::VectorXd out = loads.dead_n;
+    add_gradient(x, loads.gradient, out);
+    add_platform(x, out);
+    return out;
+}
+
 StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
-                                                const Eigen::VectorXd& load) const {
+                                                const NodalLoads& loads) const {
     Response out;
-    out.residual_n = load;
-    const KernelResult result =
-        kernel_.add_forces_and_energy(x.data(), out.residual_n.data());
+    out.residual_n = loads.dead_n;
+    out.total_j = -loads.dead_n.dot(x);
+    out.total_j += add_gradient(x, loads.gradient, out.residual_n);
+    out.load_n = out.residual_n.cwiseAbs().maxCoeff();
+    const KernelResult result = add_internal(x, out.residual_n);
+    out.total_j += add_platform(x, out.residual_n) + result.energy_j;
+    for (const std::vector<int>& group : surroundings_.driven) {
+        for (const int node : group)
+            out.load_n = std::max(
+                out.load_n, out.residual_n.segment<3>(3 * node).cwiseAbs().maxCoeff());
+    }
     for (std::size_t n = 0; n < held_.size(); ++n) {
         for (std::size_t d = 0; d < 3; ++d) {
             if (held_[n][d]) out.residual_n[static_cast<Eigen::Index>(3 * n + d)] = 0;
@@ -140,6 +247,19 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     return out;
 }
 
+Eigen::VectorXd StaticProblem::support_n(const Eigen::VectorXd& x,
+                                         const NodalLoads& loads) const {
+    Eigen::VectorXd out = surrounding_n(x, loads);
+    add_internal(x, out);
+    for (std::size_t n = 0; n < held_.size(); ++n) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            double& force = out[static_cast<Eigen::Index>(3 * n + d)];
+            force = held_[n][d] ? -force : 0;
+        }
+    }
+    return out;
+}
+
 double StaticProblem::rounding_n() const {
     // Positions are rounded to 1e-16 of the longest side, which strains an element of
     // edge l by 1e-16 L / l and gives forces of about (K + G) l^2 times that; a node has
@@ -148,27 +268,45 @@ double StaticProblem::rounding_n() const {
     return 10 * 1e-16 * largest_modulus_pa_ * edge * longest_side_m_;
 }
 
-double StaticProblem::relative_residual(const Response& response,
-                                        const Eigen::VectorXd& load) const {
-    const double largest = load.cwiseAbs().maxCoeff();
+double StaticProblem::relative_residual(const Response& response) const {
     return response.residual_n.cwiseAbs().maxCoeff() /
-           (largest > 0 ? largest : rounding_n());
+           (response.load_n > 0 ? response.load_n : rounding_n());
 }
 
-double StaticProblem::allowed_residual_n(const Eigen::VectorXd& load,
-                                         double tolerance) const {
-    return std::max(tolerance * load.cwiseAbs().maxCoeff(), rounding_n());
+bool StaticProblem::reached(const Goal& goal, const Response& response) {
+    return response.residual_n.cwiseAbs().maxCoeff() <=
+           std::max(goal.tolerance * response.load_n, goal.least_n);
 }
 
 double StaticProblem::rigid_foundation() const {
     return held_along_ == HeldAxes{true, true, true} ? 0 : 1e-3 * bending_scale_;
 }
 
-void StaticProblem::assemble(const Eigen::VectorXd& x) {
+void StaticProblem::assemble(const Eigen::VectorXd& x, const NodalLoads& loads) {
     matrix_.set_zero();
     for (std::size_t e = 0; e < references_.size(); ++e) {
         matrix_.add_element(
             e, element_tangent(references_[e], material(e), element_positions(e, x)));
+    }
+    add_surroundings(x, loads);
+}
+
+void StaticProblem::add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads) {
+    for (std::size_t e = 0; loads.gradient != 0 && e < references_.size(); ++e) {
+        const Matrix8& coupling = gradient_elements_[e].coupling;
+        Matrix24 tangent;
+        for (int a = 0; a < 8; ++a) {
+            for (int b = 0; b < 8; ++b)
+                tangent.block<3, 3>(3 * a, 3 * b) = -loads.gradient * coupling(a, b) *
+                                                    surroundings_.gradient->tesla_per_m();
+        }
+        matrix_.add_element(e, tangent);
+    }
+    for (std::size_t n = 0; n < surface_m2_.size(); ++n) {
+        if (surface_m2_[n] == 0 || depth_m(x, static_cast<Eigen::Index>(n)) <= 0)
+            continue;
+        const double spring = surroundings_.platform->stiffness_pa_m * surface_m2_[n];
+        matrix_.add_node(n, spring * platform_normal_ * platform_normal_.transpose());
     }
 }
 

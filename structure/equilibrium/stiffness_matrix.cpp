@@ -127,6 +127,16 @@ void StiffnessMatrix::add_element(std::size_t element, const Matrix24& tangent) 
     }
 }
 
+void StiffnessMatrix::add_node(std::size_t node, const Eigen::Matrix3d& tangent) {
+    for (int d = 0; d < 3; ++d) {
+        double* column = matrix_.valuePtr() +
+                         matrix_.outerIndexPtr()[3 * static_cast<int>(node) + d] - d;
+        for (int e = d; e < 3; ++e) {
+            if (!held_[node][d] && !held_[node][e]) column[e] += tangent(e, d);
+        }
+    }
+}
+
 void StiffnessMatrix::raise_foundation(double foundation) {
     for (std::size_t q = 0; q < volume_m3_.size(); ++q) {
         matrix_.valuePtr()[matrix_.outerIndexPtr()[q]] +=

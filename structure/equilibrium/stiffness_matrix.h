@@ -21,6 +21,7 @@ class StiffnessMatrix {
 
     void set_zero();
     void add_element(std::size_t element, const Matrix24& tangent);
+    void add_node(std::size_t node, const Eigen::Matrix3d& tangent);
 
     // Adds to the diagonal what is missing to this foundation: its stiffness [Pa/m2]
     // times the volume of each node.

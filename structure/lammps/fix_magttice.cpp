@@ -17,7 +17,7 @@
 #include <stdexcept>
 
 #include "structure/lammps/lattice_file.h"
-#include "structure/lammps/step_limit.h"
+#include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {

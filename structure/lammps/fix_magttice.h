@@ -65,7 +65,7 @@ class FixMagttice : public LAMMPS_NS::Fix {
     ElementKernel kernel_;
     std::vector<std::unique_ptr<BodyForce>> forces_;
 
-    ElementVariant variant_ = ElementVariant::full;
+    ElementVariant variant_ = ElementVariant::assumed_strain;
     std::vector<Material> materials_;  // as the lattice file numbers them
 
     double work_j_ = 0;  // of the field; this rank's share, as those below

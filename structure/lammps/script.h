@@ -25,6 +25,7 @@ struct LammpsInput {
     std::vector<PrescribedMotion> motions;
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
     bool quiet = false;                 // fix quiet: how far from equilibrium
+    bool reactions = false;  // with rollers: fix before_rollers keeps the forces on nodes
     double time_step_s = 0;
 };
 
@@ -47,11 +48,11 @@ struct LammpsScript {
 // lines. Run them, then `run 0`, then `run N pre no post no` as often as needed: with
 // neigh_modify once yes nothing but the forces and the integration is left in a step;
 // with contact atoms change ranks and places within their rank during a run. Besides
-// fix_id there are, where asked for, the fixes platform, quiet, drag, gravity and field
-// and the compute contact. A relaxed shape lies in the plane of `field` (x and z where
-// there is none), and is found here, before LAMMPS starts, so that the script holds the
-// run alone. Throws std::invalid_argument on bad input, std::runtime_error if a file
-// cannot be written or a shape not be relaxed.
+// fix_id there are, where asked for, the fixes platform, quiet, drag, gravity, field,
+// before_rollers and the compute contact. A relaxed shape lies in the plane of `field` (x
+// and z where there is none), and is found here, before LAMMPS starts, so that the script
+// holds the run alone. Throws std::invalid_argument on bad input, std::runtime_error if a
+// file cannot be written or a shape not be relaxed.
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder);
 

@@ -83,6 +83,11 @@ FieldGradient::FieldGradient(const Eigen::Matrix3d& tesla_per_m, const Vec3& ori
     check(tesla_per_m);
 }
 
+FieldGradient::FieldGradient(const GradientInput& input)
+    : FieldGradient(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+                        input.matrix_t_m.front().data()),
+                    input.origin_m) {}
+
 std::vector<GradientElement> gradient_elements(
     const std::vector<Vec3>& nodes_m, const std::vector<Hexahedron>& elements,
     const std::vector<Vec3>& magnetization_a_m) {

@@ -32,6 +32,8 @@ class FieldGradient {
     // traceless to 1e-6 of its largest entry, or not finite.
     FieldGradient(const Eigen::Matrix3d& tesla_per_m, const Vec3& origin_m);
 
+    explicit FieldGradient(const GradientInput& input);
+
     const Eigen::Matrix3d& tesla_per_m() const { return tesla_per_m_; }
     const Vec3& origin_m() const { return origin_m_; }
 

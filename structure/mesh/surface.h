@@ -63,4 +63,11 @@ struct QuadCell {
 // quad_area. Throws std::invalid_argument for a spacing that is not positive.
 std::vector<QuadCell> cut_quad(const Corners4& corners_m, double spacing_m);
 
+// How much surface a node stands for [m2]: length of its share of the vector area of the
+// boundary, at rest. That is the tributary area on flat parts, that of the mean direction
+// at edges and corners (a plain sum would make the edges of a sheet stiffer than its
+// middle). Zero for inner nodes.
+std::vector<double> surface_areas(const std::vector<Vec3>& nodes_m,
+                                  const std::vector<Hexahedron>& elements);
+
 }  // namespace magfsi::structure

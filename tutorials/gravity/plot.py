@@ -79,7 +79,7 @@ def draw_weights(axes, paths):
             rows = [r for r in rods if r["g"] == g and r["source"] == kind]
             axes.plot([float(r["B_mT"]) for r in rows], [float(r["heading_deg"]) for r in rows],
                       color="0.65", lw=0.7, ls="--", zorder=1)
-    places = {"0g": (20.3, 89), "half": (20.3, 82), "1g": (20.3, 74.5), "2g": (20.3, 52)}
+    places = {"0g": (20.3, 79), "half": (20.3, 71.5), "1g": (20.3, 64), "2g": (20.3, 48)}
     for name, label in WEIGHTS.items():
         axes.plot(paths[name].field_mt, paths[name].heading, color=INK, lw=1.3, zorder=2)
         axes.text(*places[name], label, va="center", fontsize=8)
@@ -103,10 +103,10 @@ def draw_variants(axes, paths):
     for name, mark in (("fine", "+"), ("smooth", "o")):
         axes.plot(paths[name].field_mt, paths[name].middle, mark, ms=4.5, mfc="none", mec=INK,
                   mew=0.8)
-    axes.text(20.3, 72, "140\N{DEGREE SIGN}", va="center", fontsize=7.5)
-    axes.text(20.3, 60, "135\N{DEGREE SIGN}", va="center", fontsize=7.5)
-    axes.text(20.3, 50, "130\N{DEGREE SIGN}", va="center", fontsize=7.5)
-    axes.text(8.2, 24, "crosses: 40 elements\ncircles: no friction\nall under 1 g",
+    axes.text(20.3, 47, "140\N{DEGREE SIGN}", va="center", fontsize=7.5)
+    axes.text(20.3, 38, "135\N{DEGREE SIGN}", va="center", fontsize=7.5)
+    axes.text(20.3, 29, "130\N{DEGREE SIGN}", va="center", fontsize=7.5)
+    axes.text(8.2, 18, "crosses: 40 elements\ncircles: no friction\nall under 1 g",
               fontsize=7.5, va="center")
     axes.axhline(0, color="0.8", lw=0.6)
     axes.set(xlim=(0, 20), ylim=(-15, 90), xticks=range(0, 21, 5), yticks=range(0, 91, 30),

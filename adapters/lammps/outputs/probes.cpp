@@ -8,6 +8,7 @@
 #include "coupler/participants/errors.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
+#include "structure/motion.h"
 
 namespace magfsi::lammps {
 
@@ -26,6 +27,7 @@ class Probes : public coupler::Output {
 
   private:
     std::vector<bodies::BodyLoads> collect_loads() const;
+    void add_supports(std::vector<bodies::BodyLoads>& loads) const;
     double add_partner_values(std::vector<double>& row);
     void add_audit(double fluid_kinetic_j, std::vector<double>& row);
     void write();
@@ -67,7 +69,35 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
                 loads[b].work_magnetic_j = run_.field_work[b].work_j();
         }
     }
+    if (needs(run_.scene, bodies::Load::support)) add_supports(loads);
     return loads;
+}
+
+// What a node that is held lacks for its motion: m a - F, F all other forces on it.
+void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
+    const auto force_n = run_.engine->gather_forces(run_.atoms);
+    const auto mass_kg = run_.engine->gather(run_.atoms).mass_kg;
+    if (!run_.session.world().root()) return;
+    const double time_s = run_.session.clock().time_s();
+    std::size_t first = 0;
+    for (std::size_t b = 0; b < loads.size(); ++b) {
+        const std::size_t nodes = run_.input.bodies[b].mesh.nodes.size();
+        auto& support_n = loads[b].support_n;
+        support_n.resize(nodes);
+        for (std::size_t n = 0; n < nodes; ++n) {
+            for (std::size_t d = 0; d < 3; ++d) support_n[n][d] = -force_n[first + n][d];
+        }
+        for (const structure::PrescribedMotion& motion : run_.input.motions) {
+            if (motion.body != b) continue;
+            const auto a = structure::acceleration_m_s2(motion.course, time_s);
+            for (const int node : structure::moved_nodes(run_.input.bodies[b], motion)) {
+                const auto n = static_cast<std::size_t>(node);
+                for (std::size_t d = 0; d < 3; ++d)
+                    support_n[n][d] += mass_kg[first + n] * a[d];
+            }
+        }
+        first += nodes;
+    }
 }
 
 // Returns what the fluid's last column is, on the root.

@@ -20,6 +20,7 @@ std::vector<int> rolling_ids(const LammpsInput& input, std::size_t axis) {
 // rest along the axis at first, the nodes stay so. The fluid's force comes earlier in the
 // step, before the forces of ghosts are summed.
 void add_rollers(Lines& lines, const LammpsInput& input) {
+    if (input.reactions) lines.push_back("fix before_rollers all store/force");
     for (std::size_t d = 0; d < 3; ++d) {
         const std::vector<int> ids = rolling_ids(input, d);
         if (ids.empty()) continue;

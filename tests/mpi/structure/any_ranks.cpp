@@ -218,6 +218,11 @@ TEST(PrescribedMotion, StartsAtTheFaceAndGoesOnWithoutAJump) {
                                  (2 * step);
             // Central differences: u''' step^2 / 6 is 4e-8 m/s, rounding of u 1e-13.
             EXPECT_NEAR(velocity_m_s(course, t)[0], slope, 1e-7);
+            const double bend =
+                (velocity_m_s(course, t + step)[0] - velocity_m_s(course, t - step)[0]) /
+                (2 * step);
+            // Of up to 4 m/s2, as above.
+            EXPECT_NEAR(acceleration_m_s2(course, t)[0], bend, 1e-5);
         }
     }
     EXPECT_EQ(displacement_m(motion_from({"ramp", "1", "2", "3", "4"}), 4),

@@ -8,6 +8,7 @@
 #include "structure/lammps/effects/contact/contact_law.h"
 #include "structure/lammps/effects/platform/platform_law.h"
 #include "structure/lammps/step_limit.h"
+#include "structure/platform.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 
@@ -20,7 +21,8 @@ double contact_step_limit_s(const LammpsInput& input) {
 }
 
 double platform_step_limit_s(const LammpsInput& input) {
-    return step_limit_s(input.bodies[0], platform_of(input).stiffness_pa_m);
+    return step_limit_s(input.bodies[0],
+                        with_stiffness(*input.platform, input.bodies).stiffness_pa_m);
 }
 
 // Two sheets across each other, 0.4 mm apart.

@@ -5,13 +5,13 @@
 #include <numbers>
 #include "structure/equilibrium/newton.h"
 #include "structure/lammps/effects/contact/contact_law.h"
-#include "structure/lammps/effects/platform/platform_law.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/names.h"
 #include "structure/lammps/placement.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
+#include "structure/platform.h"
 #include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 
@@ -86,7 +86,8 @@ TEST_F(Script, FillsInWhatIsNotGiven) {
     input_.platform = Platform{};
     input_.contact = ContactLaw{};
     // (lambda + 2 G) / (2 h)
-    EXPECT_DOUBLE_EQ(platform_of(input_).stiffness_pa_m, 0.5 * 726e3 / 1e-4);
+    EXPECT_DOUBLE_EQ(with_stiffness(*input_.platform, input_.bodies).stiffness_pa_m,
+                     0.5 * 726e3 / 1e-4);
     const ContactLaw law = contact_law(input_);
     EXPECT_DOUBLE_EQ(law.distance_m, 0.75 * std::hypot(1e-4, 1e-4));
     EXPECT_DOUBLE_EQ(law.stiffness_pa_m, 0.25 * 726e3 / law.distance_m);

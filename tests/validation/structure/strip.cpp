@@ -82,6 +82,7 @@ double tilt_at_20_mt(const std::array<int, 3>& elements) {
 
 TEST(StripShape, TheTiltOfTheVIsWithinThreeDegreesWithTwoLayers) {
     constexpr double right_deg = -25.691;  // strip_harmonic.csv
+    EXPECT_NEAR(tilt_at_20_mt({20, 8, 2}), right_deg, 3);
     EXPECT_NEAR(tilt_at_20_mt({40, 8, 2}), right_deg, 3);
     EXPECT_NEAR(tilt_at_20_mt({60, 12, 3}), right_deg, 3);
     // One layer: its mean thickness stretch is still that of the mean gradient's volume.

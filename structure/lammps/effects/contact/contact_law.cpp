@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "structure/body.h"
-#include "structure/lammps/step_limit.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 

@@ -13,6 +13,7 @@
 
 #include "structure/lammps/effect.h"
 #include "structure/lammps/effects/platform/platform_law.h"
+#include "structure/platform.h"
 
 namespace magfsi::structure {
 namespace {
@@ -308,7 +309,7 @@ double FixMagtticePlatform::memory_usage() {
 }
 
 void add_platform(Lines& lines, const LammpsInput& input) {
-    const Platform platform = platform_of(input);
+    const Platform platform = with_stiffness(*input.platform, input.bodies);
     std::string line =
         fmt::format("fix platform all magttice/platform {:.17g} {:.17g} {:.17g}",
                     fmt::join(platform.point_m, " "), fmt::join(platform.normal, " "),
@@ -326,8 +327,10 @@ extern const Effect platform_effect{
     .name = "platform",
     .asked = [](const LammpsInput& input) { return input.platform.has_value(); },
     .commands = add_platform,
-    .surface_spring_pa_m = [](const LammpsInput& input,
-                              const Body&) { return platform_of(input).stiffness_pa_m; },
+    .surface_spring_pa_m =
+        [](const LammpsInput& input, const Body&) {
+            return with_stiffness(*input.platform, input.bodies).stiffness_pa_m;
+        },
     .fix = {"magttice/platform", make_fix<FixMagtticePlatform>}};
 
 }  // namespace magfsi::structure

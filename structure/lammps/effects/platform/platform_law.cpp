@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "structure/body.h"
-#include "structure/refuse.h"
-
 namespace magfsi::structure {
 namespace {
 
@@ -77,26 +74,6 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
     if (!stick.held) stick = touched(x, v, out.gap_m, -dot(v, platform.normal), dt_s);
     add_friction(platform, area_m2, x, stick, out);
     return out;
-}
-
-double platform_stiffness_pa_m(const Material& material, double thickness_m) {
-    if (!(thickness_m > 0)) {
-        refuse("thickness of {:g} m found, it must be positive", thickness_m);
-    }
-    return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
-}
-
-Platform platform_of(const LammpsInput& input) {
-    Platform platform = *input.platform;
-    if (platform.stiffness_pa_m > 0) return platform;
-    for (const Body& body : input.bodies) {
-        const double thickness_m = std::ranges::min(bounds(body.mesh.nodes).extent_m());
-        for (const Material& material : used_materials(body)) {
-            platform.stiffness_pa_m = std::max(
-                platform.stiffness_pa_m, platform_stiffness_pa_m(material, thickness_m));
-        }
-    }
-    return platform;
 }
 
 }  // namespace magfsi::structure

@@ -1,12 +1,5 @@
 #include "structure/lammps/effects/prescribed_motion/motion_law.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <cmath>
-#include <numbers>
-#include <set>
-
 #include "structure/lammps/law_words.h"
 #include "structure/refuse.h"
 
@@ -19,93 +12,15 @@ constexpr const char* law_name<DisplacementRamp> = "ramp";
 
 namespace {
 
-using std::numbers::pi;
-
-Vec3 times(double factor, const Vec3& v) {
-    return {factor * v[0], factor * v[1], factor * v[2]};
-}
-
-Vec3 displacement(const Oscillation& o, double time_s) {
-    return times(
-        std::sin(2 * pi * o.frequency_hz * time_s + o.phase_rad) - std::sin(o.phase_rad),
-        o.amplitude_m);
-}
-Vec3 velocity(const Oscillation& o, double time_s) {
-    const double omega = 2 * pi * o.frequency_hz;
-    return times(omega * std::cos(omega * time_s + o.phase_rad), o.amplitude_m);
-}
-
-Vec3 way(const Oscillation& o) {
-    return o.amplitude_m;
-}
 void check(const Oscillation& o) {
     if (!(o.frequency_hz > 0)) refuse("an oscillation needs a frequency above zero");
 }
 
-Vec3 displacement(const DisplacementRamp& r, double time_s) {
-    if (time_s >= r.duration_s) return r.displacement_m;
-    return times((1 - std::cos(pi * time_s / r.duration_s)) / 2, r.displacement_m);
-}
-Vec3 velocity(const DisplacementRamp& r, double time_s) {
-    if (time_s >= r.duration_s) return {};
-    const double rate = pi / r.duration_s;
-    return times(rate * std::sin(rate * time_s) / 2, r.displacement_m);
-}
-
-Vec3 way(const DisplacementRamp& r) {
-    return r.displacement_m;
-}
 void check(const DisplacementRamp& r) {
     if (!(r.duration_s > 0)) refuse("a ramp needs a duration above zero");
 }
 
-// Held where it is, or on rollers across the motion's way.
-bool holds(const HeldAxes& held, const Vec3& way) {
-    if (held == HeldAxes{true, true, true}) return true;
-    return (held[0] && way[0] != 0) || (held[1] && way[1] != 0) ||
-           (held[2] && way[2] != 0);
-}
-
 }  // namespace
-
-std::vector<int> moved_nodes(const Body& body, const PrescribedMotion& motion) {
-    std::set<int> nodes;
-    for (const std::string& face : motion.faces) {
-        const auto& more = face_nodes(body, face, "moved");
-        nodes.insert(more.begin(), more.end());
-    }
-    return {nodes.begin(), nodes.end()};
-}
-
-void check_motions(const std::vector<Body>& bodies,
-                   const std::vector<PrescribedMotion>& motions) {
-    std::vector<std::set<std::string>> faces(bodies.size());
-    for (const PrescribedMotion& motion : motions)
-        faces[motion.body].insert(motion.faces.begin(), motion.faces.end());
-    std::vector<std::set<int>> moved(bodies.size());
-    for (const PrescribedMotion& motion : motions) {
-        const Body& body = bodies[motion.body];
-        const std::vector<HeldAxes> held = held_axes(body, faces[motion.body]);
-        const Vec3 its_way =
-            std::visit([](const auto& c) { return way(c); }, motion.course);
-        for (const int node : moved_nodes(body, motion)) {
-            if (moved[motion.body].insert(node).second && !holds(held[node], its_way))
-                continue;
-            refuse(
-                "prescribed_motion of body {}: the face {} touches one that is held or "
-                "moved differently; they must be apart",
-                body.name, fmt::join(motion.faces, ", "));
-        }
-    }
-}
-
-Vec3 displacement_m(const MotionCourse& course, double time_s) {
-    return std::visit([&](const auto& c) { return displacement(c, time_s); }, course);
-}
-
-Vec3 velocity_m_s(const MotionCourse& course, double time_s) {
-    return std::visit([&](const auto& c) { return velocity(c, time_s); }, course);
-}
 
 std::string motion_words(const MotionCourse& course) {
     return law_words(course);

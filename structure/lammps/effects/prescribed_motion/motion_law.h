@@ -1,24 +1,12 @@
-// The course of a prescribed motion, and the nodes that follow it.
+// The course of a prescribed motion as words of a command.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "structure/body.h"
+#include "structure/motion.h"
 
 namespace magfsi::structure {
-
-// The nodes of a body's motion, ascending. Throws std::invalid_argument on a face that
-// the mesh lacks.
-std::vector<int> moved_nodes(const Body& body, const PrescribedMotion& motion);
-
-// Throws std::invalid_argument, naming body and face, where a node is moved twice, also
-// held by a face that is not moved, or on rollers across its way.
-void check_motions(const std::vector<Body>& bodies,
-                   const std::vector<PrescribedMotion>& motions);
-
-Vec3 displacement_m(const MotionCourse& course, double time_s);
-Vec3 velocity_m_s(const MotionCourse& course, double time_s);
 
 // As words of fix magttice/motion, and back: "oscillation AX AY AZ FREQUENCY PHASE",
 // "ramp DX DY DZ DURATION". Throws std::invalid_argument on other words.

@@ -1,0 +1,60 @@
+// The error of a block of more than 750 elements is told from coarser ones, against the
+// error that it has.
+#include "adapters/bodies/mesh_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "adapters/bodies/scene_to_body.h"
+#include "structure/equilibrium/mesh_error.h"
+
+namespace magfsi::bodies {
+namespace {
+
+scene::Body beam(structure::ElementVariant variant, const std::array<int, 3>& elements) {
+    scene::Body body;
+    body.name = "beam";
+    body.mesh = structure::Box{{17.5e-3, 5e-3, 1e-3}, elements};
+    body.material = {330e3, 6600e3, 1860};
+    body.element = variant;
+    body.clamps = {"x_min"};
+    return body;
+}
+
+double tip_m(const scene::Body& body) {
+    double lowest = 0;
+    for (const auto& u : structure::linear_response(to_body(body), {{}, {0, 0, -1}}))
+        lowest = std::min(lowest, u[2]);
+    return lowest;
+}
+
+TEST(MeshEstimate, OfAFineBlockIsTheErrorThatItHas) {
+    using enum structure::ElementVariant;
+    scene::Scene scene;
+    const double exact_m = tip_m(beam(assumed_strain, {70, 20, 4}));
+    for (const auto& [variant, elements] :
+         {std::pair{full, std::array{36, 11, 2}}, std::pair{full, std::array{70, 12, 1}},
+          std::pair{mean_f, std::array{35, 10, 3}},
+          std::pair{assumed_strain, std::array{33, 9, 3}}}) {
+        const scene::Body body = beam(variant, elements);
+        const auto estimate = estimate_mesh_error(scene, body, to_body(body));
+        ASSERT_TRUE(estimate);
+        const double real = tip_m(body) / exact_m - 1;
+        std::printf("%d x %d x %d: told %+.4f, is %+.4f\n", elements[0], elements[1],
+                    elements[2], estimate->largest, real);
+        // The same as where the mesh is refined (tests/unit/structure/mesh_error.cpp).
+        EXPECT_NEAR((1 + estimate->largest) / (1 + real), 1, 0.03);
+    }
+}
+
+TEST(MeshEstimate, IsNotMadeOfMeshesThatTakeLong) {
+    scene::Scene scene;
+    const scene::Body body =
+        beam(structure::ElementVariant::assumed_strain, {100, 20, 4});
+    EXPECT_FALSE(estimate_mesh_error(scene, body, to_body(body)));
+}
+
+}  // namespace
+}  // namespace magfsi::bodies
