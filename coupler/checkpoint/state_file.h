@@ -57,6 +57,7 @@ class StateWriter {
     struct Files;
     template <class Work>
     void guarded(Work&& work);
+    void end_table();
 
     std::filesystem::path path_;
     std::unique_ptr<Files> files_;
