@@ -158,27 +158,28 @@ class Names(Folder):
                 for script in self.folder.rglob("lammps.in"):
                     self.magfsi(program=[testing.BIN / "magfsi-lammps", "-in", script])
 
+    def study(self, head):
+        (self.folder / "study.yaml").write_text(
+            f"{head}\nscene: scene.yaml\naxes: {{a: {{values: {{b: {{}}}}}}}}\n"
+            'errors: {e: {probe: "bar.com_x[m]", norm: peak, reference: 1}}\n')
+        return self.magfsi(program=[sys.executable, "-P", "-m", "magfsi.study", "study.yaml"])
+
     def test_of_a_study(self):
-        study = self.folder / "study.yaml"
         for name in ("x/../../../victim", "../x", "/tmp/x", "a\\nb", ""):
             with self.subTest(name):
-                study.write_text(f'name: "{name}"\nscene: scene.yaml\naxes: {{a: {{values: '
-                                 '{b: {}}}}\nerrors: {}\n')
-                done = self.magfsi(program=[sys.executable, "-P", "-m", "magfsi.study",
-                                            "study.yaml"])
+                done = self.study(f'name: "{name}"')
                 self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn("study.yaml:1:7: name: found", done.stderr)
                 self.assertFalse((self.folder / "runs").exists())
+        self.assertEqual(self.study("name: good").returncode, 0)
 
     def test_of_settings_in_a_study(self):
         """A key that reads like an option of the command line is a key."""
-        study = self.folder / "study.yaml"
         for key in (f"--out={self.victim}", "--overwrite", f"-o={self.victim}"):
             with self.subTest(key):
-                study.write_text(f'scene: scene.yaml\nset: {{"{key}": x}}\naxes: {{a: {{values: '
-                                 '{b: {}}}}\nerrors: {e: {final: "bar.com_x[m]", reference: 1}}\n')
-                done = self.magfsi(program=[sys.executable, "-P", "-m", "magfsi.study",
-                                            "study.yaml"])
-                self.assertNotEqual(done.returncode, 0, done.stdout)
+                done = self.study(f'set: {{"{key}": x}}')
+                self.assertEqual(done.returncode, 2, done.stderr)
+                testing.report(done.stderr.strip())
                 self.assertFalse(self.victim.exists())
 
 
