@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "coupler/checkpoint/checkpoints.h"
+#include "coupler/checkpoint/rank_rows.h"
 #include "coupler/step/report.h"
 
 namespace magfsi::fluids {

@@ -5,7 +5,7 @@
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
 #include "comm.h"
-#include "coupler/checkpoint/state_file.h"
+#include "coupler/checkpoint/rank_rows.h"
 #include "coupler/participants/errors.h"
 #include "fix.h"
 #include "input.h"

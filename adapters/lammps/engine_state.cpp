@@ -7,7 +7,7 @@
 #include "adapters/lammps/lammps_exit.h"
 #include "atom.h"
 #include "comm.h"
-#include "coupler/checkpoint/state_file.h"
+#include "coupler/checkpoint/rank_rows.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"

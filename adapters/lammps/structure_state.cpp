@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "coupler/checkpoint/rank_rows.h"
 #include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::lammps {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "adapters/bodies/scene_to_body.h"
 #include "adapters/lbm/explain.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/openfoam/explain.h"
@@ -60,6 +61,23 @@ void check_number(const Ranks& ranks) {
         "--ranks: found {} ranks in all; allowed are {} on this machine, {} for each of "
         "its {} cores",
         all, most, ranks_a_core, available_cores()));
+}
+
+// A rank without an element would have nothing to do.
+void check_structure(const scene::Scene& scene, int ranks) {
+    if (ranks == 1) return;
+    if (by_newton(scene))
+        throw std::invalid_argument(fmt::format(
+            "--ranks structure={}: allowed is 1; equilibria are solved by one process",
+            ranks));
+    std::size_t elements = 0;
+    for (const scene::Body& body : scene.bodies)
+        elements += bodies::to_body(body).mesh.elements.size();
+    if (static_cast<std::size_t>(ranks) <= elements) return;
+    throw std::invalid_argument(fmt::format(
+        "--ranks structure={}: the bodies have {} elements in all; allowed is "
+        "a rank for each element at most",
+        ranks, elements));
 }
 
 }  // namespace
@@ -126,6 +144,7 @@ Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
         ranks[role] = number;
     }
     check_number(ranks);
+    if (ranks.contains("structure")) check_structure(scene, ranks.at("structure"));
     return ranks;
 }
 

@@ -35,7 +35,8 @@ Ranks parse_ranks(const std::string& text);
 std::string to_text(const Ranks& ranks);
 
 // Of each participant that the scene has: as given, or what the cores and the number of
-// cells make of it. Throws std::invalid_argument if one is given that the scene lacks.
+// cells make of it. Throws std::invalid_argument if one is given that the scene lacks, or
+// a number beyond what the machine's cores or the bodies' elements can use.
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given);
 
 // Throws std::invalid_argument where the fluid's cells take more than this machine's

@@ -107,6 +107,20 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
     }
 }
 
+// Where the scene's folder is the present one, its author may have put a link in the
+// place of the run folder.
+void check_default_out(const scene::Scene& scene, const fs::path& out) {
+    std::error_code none;  // false where one of them is not there
+    if (!fs::equivalent(scene.folder / ".", ".", none)) return;
+    for (const fs::path& path : {out.parent_path(), out}) {
+        if (fs::is_symlink(fs::symlink_status(path, none)))
+            throw std::invalid_argument(
+                fmt::format("{} beside the scene is a link to {}; if it is yours, name "
+                            "the run folder with --out",
+                            path.string(), fs::read_symlink(path).string()));
+    }
+}
+
 Json read_summary(const fs::path& out) {
     std::ifstream in(out / "summary.json");
     return Json::parse(in, nullptr, false);  // no object where there is none
@@ -291,6 +305,7 @@ int run(const RunOptions& options) {
     const auto warned = warnings(explain(scene, choose_ranks(scene, options.ranks)));
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;
+    if (options.out.empty()) check_default_out(scene, out);
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, run_plan(scene));
     check_exchange(scene, options, out);

@@ -203,11 +203,11 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
                           }));
 }
 
-// Takes away what the engine would stumble over in a folder that was used before: the
-// body force, and a mesh that blockMesh made.
+// Takes away all that the engine reads in a folder that was used before: a body force, a
+// mesh that blockMesh made, or what somebody else put there, which may be code.
 void clear_stock_case(const std::filesystem::path& folder) {
-    std::filesystem::remove_all(folder / "constant" / "polyMesh");
-    std::filesystem::remove(folder / "constant" / "fvOptions");
+    for (const char* part : {"0", "constant", "system"})
+        std::filesystem::remove_all(folder / part);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "adapters/openfoam/mesh.h"
+#include "coupler/checkpoint/rank_rows.h"
 #include "coupler/checkpoint/state_file.h"
 
 namespace magfsi::openfoam {

@@ -1,8 +1,6 @@
 // One participant's file of a checkpoint: tables of numbers in HDF5, written and read.
 #pragma once
 
-#include <mpi.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +55,7 @@ class StateWriter {
     struct Files;
     template <class Work>
     void guarded(Work&& work);
+    void end_table();
 
     std::filesystem::path path_;
     std::unique_ptr<Files> files_;
@@ -99,22 +98,5 @@ class StateReader {
     StateHeader header_;
     std::unique_ptr<Files> files_;
 };
-
-// From the ranks to the root and back, independent of how many ranks there are:
-
-// Rows of `width` numbers, each rank some of them; index: their place among `count` rows
-// in all, each held by one rank. All of them on the root, nothing elsewhere. Collective.
-std::vector<double> gather_rows(MPI_Comm comm, std::span<const int> index,
-                                std::span<const double> rows, std::size_t width,
-                                std::size_t count);
-
-// Numbers of which each rank holds a share, as many on every rank: one row a rank on the
-// root, nothing elsewhere. Collective.
-std::vector<double> gather_shares(MPI_Comm comm, std::span<const double> mine);
-
-// This rank's share of such rows: its own with as many ranks as there were, so that sums
-// over the ranks keep their last bit; with another number the root takes all.
-std::vector<double> share_of(MPI_Comm comm, std::span<const double> rows,
-                             std::size_t ranks_then);
 
 }  // namespace magfsi::coupler

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -186,6 +187,24 @@ fs::path set_aside(const fs::path& folder, const std::vector<std::string>& solve
     });
     for (const fs::path& path : left) fs::rename(path, place / path.filename());
     return place;
+}
+
+void refuse_links(const fs::path& folder,
+                  const std::vector<std::string>& solver_folders) {
+    const auto check = [](const fs::directory_entry& entry) {
+        if (entry.is_symlink())
+            throw std::invalid_argument(fmt::format(
+                "--restart: {} is a link; a run goes on with files of its own: "
+                "put what it leads to in its place",
+                entry.path().string()));
+    };
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!is_ours(name, solver_folders) || is_checkpoint(name)) continue;
+        check(entry);
+        if (!entry.is_directory()) continue;
+        for (const auto& inner : fs::recursive_directory_iterator(entry)) check(inner);
+    }
 }
 
 }  // namespace magfsi::output

@@ -58,4 +58,9 @@ std::filesystem::path set_aside(const std::filesystem::path& folder,
                                 const std::vector<std::string>& solver_folders,
                                 bool overwrite);
 
+// Throws std::invalid_argument if one of the files that a run goes on with is a link:
+// what it writes there would go elsewhere.
+void refuse_links(const std::filesystem::path& folder,
+                  const std::vector<std::string>& solver_folders);
+
 }  // namespace magfsi::output

@@ -131,6 +131,7 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         arguments = parse_arguments(argc, argv, description);
     } catch (const std::exception& e) {
         fmt::print(stderr, "magfsi {}: {} (see --help)\n", to_string(role), e.what());
+        let_the_others_connect();
         return exit_input;
     }
     if (arguments.help) {
@@ -138,8 +139,9 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         return exit_done;
     }
     // MPI_Init waits for all of the job.
-    if (const char* fault = fault_of_job(); *fault != '\0') {
+    if (const std::string fault = fault_of_job(); !fault.empty()) {
         fmt::print(stderr, "magfsi {}: {}\n", to_string(role), fault);
+        let_the_others_connect();
         return exit_partner;
     }
     watch_joining();

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "coupler/participants/errors.h"
@@ -135,17 +137,30 @@ std::vector<std::string> contexts_of_job() {
 
 }  // namespace
 
-const char* fault_of_job() {
-    if (number_in_environment("OMPI_NUM_APP_CTX") <= 2) return "";
-    const bool all_ours =
-        std::ranges::all_of(contexts_of_job(), [](const std::string& words) {
-            return words.find("magfsi-") != std::string::npos;
-        });
-    if (all_ours) return "";
-    return "a third program is in this MPI job, and none of magfsi's; allowed are those "
-           "of "
-           "the structure and the fluid (-n N magfsi-structure SCENE : -n M "
-           "magfsi-fluid-lbm SCENE)";
+std::string fault_of_job() {
+    const auto contexts = contexts_of_job();
+    const auto programs =
+        static_cast<std::size_t>(number_in_environment("OMPI_NUM_APP_CTX"));
+    if (programs < 2 || contexts.size() != programs) return "";
+    for (const std::string& words : contexts) {
+        const bool ours = std::ranges::any_of(
+            std::to_array({"magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-",
+                           "magfsi-replay-"}),
+            [&](const char* name) { return words.find(name) != std::string::npos; });
+        if (ours) continue;
+        return fmt::format(
+            "another program is in this MPI job, and none of magfsi's: {}; allowed are "
+            "those of the structure and the fluid (-n N magfsi-structure SCENE : -n M "
+            "magfsi-fluid-lbm SCENE); a script that starts one takes its name as an "
+            "argument",
+            words.substr(0, words.find_last_not_of(' ') + 1));
+    }
+    return "";
+}
+
+void let_the_others_connect() {
+    if (number_in_environment("OMPI_COMM_WORLD_SIZE") > 1)
+        std::this_thread::sleep_for(std::chrono::seconds(2));
 }
 
 }  // namespace magfsi::coupler

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace magfsi::coupler {
 
@@ -27,6 +28,10 @@ void watch_joining();
 void joined();
 
 // Empty, or why this MPI job cannot be one of ours, as far as its start tells.
-const char* fault_of_job();
+std::string fault_of_job();
+
+// Before an end without MPI_Init: Open MPI 4.1's mpirun may hang for ever where a process
+// ends while another one is just connecting to it.
+void let_the_others_connect();
 
 }  // namespace magfsi::coupler

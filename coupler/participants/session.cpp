@@ -126,6 +126,7 @@ void Session::take_over(bool goes_on) {
                                                output::patience_with_the_ending_s);
     state_.lock->sign("an MPI job");
     if (goes_on) {
+        output::refuse_links(state_.out, plan().solver_folders);
         std::filesystem::remove(state_.out / "summary.json");
         // Of steps that this run is about to do again.
         clear_checkpoints_after(state_.out, restart_->header.step);

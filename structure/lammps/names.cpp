@@ -55,9 +55,14 @@ std::string moved_group(std::size_t motion) {
 }
 
 std::string quoted(const std::string& path) {
-    if (path.find_first_of("\"$") != std::string::npos) {
-        refuse("the path {} has a quote or a dollar sign, which LAMMPS cannot read",
-               path);
+    const auto cannot = [](char c) {
+        return c == '"' || c == '$' || std::iscntrl(static_cast<unsigned char>(c)) != 0;
+    };
+    if (std::ranges::any_of(path, cannot)) {
+        refuse(
+            "the path {} has a quote, a dollar sign or a control character, which "
+            "LAMMPS cannot read",
+            path);
     }
     return '"' + path + '"';
 }

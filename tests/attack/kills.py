@@ -2,8 +2,10 @@
 checkpoint is being written. The same command with --restart latest, at once, goes on to the same
 bytes, and nothing is left running."""
 
+import os
 import random
 import signal
+import subprocess
 import unittest
 from pathlib import Path
 
@@ -83,6 +85,25 @@ class Kills(unittest.TestCase):
             process.kill()
             process.wait()
             attack.wait_for(lambda folder=folder: not attack.at_work(folder), "their end")
+
+    def test_nothing_of_a_job_of_many(self):
+        """Beyond 31 processes there is no death signal: Open MPI's own watch ends them."""
+        hosts = Path(testing.new_folder()) / "hosts"
+        hosts.write_text("localhost slots=64\n")
+        settings = {**SETTINGS, "time.end": "1000 s"}
+        for victim in ("magfsi", "mpirun", "magfsi-fluid-lbm"):
+            with self.subTest(victim):
+                folder = testing.new_folder()
+                words = testing.run_command(testing.SMALL, folder, settings,
+                                            "structure=1,fluid=40")
+                process = subprocess.Popen(
+                    [str(word) for word in words], stdout=subprocess.DEVNULL,
+                    stderr=subprocess.DEVNULL,
+                    env={**os.environ, "OMPI_MCA_orte_default_hostfile": str(hosts)})
+                testing.wait_for_rows(folder, process, 3)
+                attack.send(attack.at_work(folder)[victim], signal.SIGKILL)
+                process.wait()
+                attack.wait_for(lambda folder=folder: not attack.at_work(folder), "their end")
 
     def test_not_even_what_is_stopped(self):
         """mpirun and the launcher are gone while the fluid is suspended."""

@@ -82,6 +82,14 @@ class Sizes(unittest.TestCase):
                 self.refused(testing.SMALL, {}, "allowed", ("run", "explain"),
                              ["--ranks", ranks])
 
+    def test_more_ranks_than_elements(self):
+        two = {"bodies.robot.mesh.box.elements": "[2, 1, 1]", "fluid": "null", "probes": "null"}
+        for verb in ("run", "explain"):
+            self.refused(testing.SMALL, two, "2 elements in all", [verb],
+                         ["--ranks", "structure=3"])
+        self.refused(testing.ROOT / "tutorials/beam/scene.yaml", {}, "allowed is 1", ["run"],
+                     ["--ranks", "structure=2"])
+
     def test_more_ranks_than_rows(self):
         scene = Path(testing.new_folder()) / "scene.yaml"
         scene.write_text("time: {end: 1 ms}\nfluid: {box: [8 mm, 1 mm, 1 mm], spacing: 1 mm, "

@@ -1,5 +1,6 @@
 """A scene folder from a stranger executes nothing, and writes nowhere but in its run folder."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -33,10 +34,11 @@ class Scene(unittest.TestCase):
         text = BODY.format(name=name, more=more, mesh=mesh or self.mesh)
         (self.folder / "scene.yaml").write_text(text)
 
-    def magfsi(self, verb, *more):
+    def magfsi(self, verb, *more, env=None):
         """In the scene's folder, with answers for whoever asks."""
         done = subprocess.run([testing.BIN / "magfsi", verb, "scene.yaml", *more], cwd=self.folder,
-                              input="1\ny\n1\n", text=True, capture_output=True, check=False)
+                              env=env, input="1\ny\n1\n", text=True, capture_output=True,
+                              check=False)
         self.assertFalse(list(self.folder.parent.rglob(f"{TRACE}*")), "something was executed")
         return done
 
@@ -112,6 +114,32 @@ class Meshes(Scene):
         self.write(more="probes: {every: 10 us, points: {p: {body: cubes, "
                         "at: [9 mm, 9 mm, 9 mm]}}}\n")
         self.is_refused("lies in no element")
+
+
+    def test_names_of_groups_that_are_commands(self):
+        """Of faces and regions, which the scene takes over; LAMMPS sees numbers only."""
+        whole = MESH.read_text()
+        for name in (f"x\nshell touch {TRACE}\n", f"$(touch {TRACE})", "${x}", "x & y", f"`touch {TRACE}`",
+                     f"; shell touch {TRACE}"):
+            for old, more in (("held", "    clamps: [{}]\n"),
+                              ("rubber", "    material_regions: [{{region: {}, shear_modulus: "
+                                        "66 kPa}}]\n")):
+                with self.subTest((name, old)):
+                    (self.folder / self.mesh).write_text(whole.replace(f'"{old}"', f'"{name}"'))
+                    self.write(more=more.format(json.dumps(name)))
+                    self.assertIn(self.magfsi("run").returncode, (0, 2))
+                    shutil.rmtree(self.folder / "runs", ignore_errors=True)
+
+    def test_settings_of_gmsh_beside_the_scene(self):
+        """Gmsh reads them in the user's home, and where there is none in the present folder."""
+        for name in (".gmshrc", ".gmsh-options", "gmsh.conf"):
+            (self.folder / name).write_text(f'SystemCall "touch {TRACE}";\n')
+        self.write()
+        for home in (None, str(self.folder)):
+            environment = {k: v for k, v in os.environ.items() if k != "HOME"}
+            done = self.magfsi("run", "--overwrite", env={**environment, **(
+                {"HOME": home} if home else {})})
+            self.assertEqual(done.returncode, 0, done.stderr)
 
 
 class Names(Scene):

@@ -41,9 +41,15 @@ class Jobs(unittest.TestCase):
                           ("magfsi-structure", testing.SMALL, settings),
                           (name, testing.SMALL, settings))
 
-    def test_a_third_program(self):
-        self.ends(4, "none of magfsi's", ("magfsi-structure",), ("magfsi-fluid-lbm",),
-                  ["-n", "1", "sleep", "600"])
+    def test_a_program_of_others(self):
+        """Whether it is one of MPI or not, beside both sides or in the place of one."""
+        for words in (["sleep", "600"], [testing.BIN / "magfsi-lammps"]):
+            other = ["-n", "1", *words]
+            with self.subTest(words):
+                self.ends(4, f"none of magfsi's: -n 1 {' '.join(map(str, words))}",
+                          ("magfsi-structure",), ("magfsi-fluid-lbm",), other)
+                self.ends(4, "none of magfsi's", ("magfsi-structure",), other)
+                self.ends(4, "none of magfsi's", other, ("magfsi-fluid-lbm",))
 
     def test_both_fluids_at_once(self):
         self.ends(4, "are both in this MPI job as the fluid", ("magfsi-structure",),

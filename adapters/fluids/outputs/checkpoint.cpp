@@ -1,5 +1,6 @@
 #include "adapters/fluids/fluid_run.h"
 #include "coupler/checkpoint/checkpoints.h"
+#include "coupler/checkpoint/rank_rows.h"
 
 namespace magfsi::fluids {
 

@@ -4,7 +4,7 @@
 
 #include "adapters/fluids/fluid_probes.h"
 #include "adapters/lammps/structure_run.h"
-#include "coupler/checkpoint/state_file.h"
+#include "coupler/checkpoint/rank_rows.h"
 #include "coupler/exchange/exchange.h"
 #include "coupler/exchange/exchange_record.h"
 

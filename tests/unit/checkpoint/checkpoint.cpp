@@ -104,6 +104,11 @@ TEST(StateFile, damage_is_found) {
         damaged[at + i] = static_cast<char>(damaged[at + i] ^ 0x10);
         EXPECT_TRUE(is_refused(damaged)) << i;
     }
+    // What a power cut may leave of the last blocks.
+    for (std::size_t i = 0; i < whole.size(); i += 5) {
+        const std::string zeros(whole.size() - i, '\0');
+        EXPECT_EQ(is_refused(whole.substr(0, i) + zeros), whole.substr(i) != zeros) << i;
+    }
     for (std::size_t size = 0; size < whole.size(); size += 97)
         EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
 }

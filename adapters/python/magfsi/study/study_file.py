@@ -1,4 +1,5 @@
 """What a study file says."""
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -288,6 +289,14 @@ def _right_within(value, norms):
     return {name: share.share() for name, share in shares.items()}
 
 
+def _study_name(value, path):
+    """It names the run folder, runs/study_NAME."""
+    name = value.scalar() if value else path.resolve().parent.name
+    if value and not re.fullmatch(r"[\w+=,.() -]{1,64}", name, re.ASCII):
+        value.refuse(f'"{name}"', "at most 64 letters, digits, blanks and _ + = , . ( ) -")
+    return name
+
+
 KEYS = ("name", "scene", "set", "derived", "ranks", "limit", "axes", "pairs", "skip", "order",
         "series", "errors", "targets", "right_within", "refusals", "cost", "remark")
 
@@ -313,7 +322,7 @@ def read_study(path):
     sets = {k: "" if v.is_null() else v.text()
             for k, v in keys["set"].entries().items()} if keys["set"] else {}
     return Study(
-        path, keys["name"].scalar() if keys["name"] else path.resolve().parent.name,
+        path, _study_name(keys["name"], path),
         folder / keys["scene"].scalar(), sets, keys["ranks"].scalar() if keys["ranks"] else "",
         _time(keys["limit"], 86400.0), axes, _pairs(keys["pairs"], axes) if keys["pairs"] else [],
         [_chosen(v, axes) for v in keys["skip"].items()] if keys["skip"] else [],
