@@ -81,7 +81,8 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t number) {
     const scene::Body& body = scene.bodies[number];
     const coupler::ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
-    const structure::Continues continues = spans_fluid(*scene.fluid, body);
+    const structure::Continues continues = spans_fluid(
+        *scene.fluid, body, boundary.forcing == coupler::Forcing::no_slip);
     const structure::Mesh mesh = to_mesh(body);
     const double grid_m = scene.fluid->spacing_m;
     const Spacings spacing{grid_m, boundary.marker_spacing * grid_m};
@@ -105,16 +106,20 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
     return markers;
 }
 
-structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body) {
+structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
+                                 bool between_walls) {
     structure::Continues spans{};
     const structure::Mesh mesh = to_mesh(body);
     for (std::size_t d = 0; d < 3; ++d) {
         const auto& turn = body.initial.rotation;
         const bool turned = turn && (turn->plane[0] == static_cast<int>(d) ||
                                      turn->plane[1] == static_cast<int>(d));
-        spans[d] = !turned &&
-                   fluid.boundaries[2 * d].kind == fluid::BoundaryKind::periodic &&
-                   extent(mesh, static_cast<int>(d)) >= fluid.box_m[d] * (1 - 1e-6);
+        const bool periodic =
+            fluid.boundaries[2 * d].kind == fluid::BoundaryKind::periodic;
+        // Beside a wall no fluid passes through less than half a cell.
+        const double gap_m = periodic ? 1e-6 * fluid.box_m[d] : 0.5 * fluid.spacing_m;
+        spans[d] = !turned && (periodic || between_walls) &&
+                   extent(mesh, static_cast<int>(d)) >= fluid.box_m[d] - gap_m;
     }
     return spans;
 }

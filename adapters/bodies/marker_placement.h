@@ -42,7 +42,9 @@ struct PlacedMarker {
 // for of a body that is no sheet.
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
 
-// Along which axes a body spans the fluid's box from one periodic side to the other.
-structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body);
+// Along which axes a body spans the fluid's box from one periodic side to the other, or
+// between_walls from one wall to the other.
+structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
+                                 bool between_walls);
 
 }  // namespace magfsi::bodies
