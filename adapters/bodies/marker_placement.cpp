@@ -81,8 +81,8 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t number) {
     const scene::Body& body = scene.bodies[number];
     const coupler::ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
-    const structure::Continues continues = spans_fluid(
-        *scene.fluid, body, boundary.forcing == coupler::Forcing::no_slip);
+    const structure::Continues continues =
+        spans_fluid(*scene.fluid, body, boundary.forcing == coupler::Forcing::no_slip);
     const structure::Mesh mesh = to_mesh(body);
     const double grid_m = scene.fluid->spacing_m;
     const Spacings spacing{grid_m, boundary.marker_spacing * grid_m};

@@ -54,8 +54,8 @@ class SlipMemory {
              std::span<const Vec3> uneven) {
         for (std::size_t m = 0; m < memory_.size(); ++m) {
             for (std::size_t d = 0; d < 3; ++d)
-                memory_[m][d] += gain * (mean_velocity[m][d] - passed[m][d]) -
-                                 leak * uneven[m][d];
+                memory_[m][d] +=
+                    gain * (mean_velocity[m][d] - passed[m][d]) - leak * uneven[m][d];
         }
     }
 

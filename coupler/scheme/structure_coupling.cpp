@@ -190,8 +190,8 @@ void StructureCoupling::take_answer(std::span<const Vec3> felt) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double of_all =
                 half_m3_kg * session_.clock().step_s() * plan.fluid_body_force_n_m3[d];
-            uneven[m][d] = even * force_.impulse()[m][d] -
-                           (passed[m][d] - of_all - felt[m][d]);
+            uneven[m][d] =
+                even * force_.impulse()[m][d] - (passed[m][d] - of_all - felt[m][d]);
         }
     }
     no_slip_->memory.add(mean_velocity(), passed, uneven);
