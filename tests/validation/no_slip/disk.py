@@ -4,7 +4,6 @@ creeping stream, against the exact force."""
 
 import cmath
 import math
-import sys
 import unittest
 from pathlib import Path
 
@@ -74,16 +73,16 @@ def exact_swing(thickness_m, broadside):
 
 
 def compare(cells, thickness, **how):
+    """Added mass against the exact one, less 1."""
     found, run = swing(cells, thickness, **how)
     right = exact_swing(thickness * 2 * RADIUS / cells, how.get("broadside", True))
-    boundary = run.summary()["immersed_boundary"]
-    print(f"{cells} cells, {thickness} thick, {how}: added mass {found.real:.4f}, exact "
-          f"{right.real:.4f} ({100 * (found.real / right.real - 1):+.1f} %); drag "
-          f"{-found.imag:.4f}, exact {-right.imag:.4f}; modulus "
-          f"{100 * (abs(found) / abs(right) - 1):+.1f} %, phase "
-          f"{math.degrees(cmath.phase(found / right)):+.1f} degrees; {boundary['markers']} markers, "
-          f"leakage {boundary['leakage']:.4f}", flush=True)
-    return found, right
+    testing.report(f"{cells} cells, {thickness} thick, {how}: added mass {found.real:.4f}, exact "
+                   f"{right.real:.4f} ({100 * (found.real / right.real - 1):+.1f} %); drag "
+                   f"{-found.imag:.4f}, exact {-right.imag:.4f}; modulus "
+                   f"{100 * (abs(found) / abs(right) - 1):+.1f} %, phase "
+                   f"{math.degrees(cmath.phase(found / right)):+.1f} degrees; leakage "
+                   f"{run.summary()['immersed_boundary']['leakage']:.4f}")
+    return found.real / right.real - 1
 
 
 def creep(cells, thickness, kernel="3-point", degrees=0, broadside=True, tau=1.0):
@@ -122,8 +121,21 @@ def creep(cells, thickness, kernel="3-point", degrees=0, broadside=True, tau=1.0
     return drag / exact - 1
 
 
+class Disk(unittest.TestCase):
+    def test_swung_broadside_has_its_added_mass(self):
+        # The rim of one layer is known to 0.1 spacings: 5 % of the cube of 6 of them.
+        flat = compare(12, 1)
+        self.assertLess(abs(flat), 0.03)
+        self.assertLess(abs(compare(8, 1)), 0.05)
+        # Neither the grid's directions nor the step matter.
+        self.assertAlmostEqual(compare(12, 1, degrees=30), flat, delta=0.01)
+        self.assertAlmostEqual(compare(12, 1, step_us=20), flat, delta=0.01)
+
+    def test_held_in_a_creeping_stream_has_its_drag(self):
+        # Of one layer of markers the rim is too narrow broadside and too wide edgewise.
+        for broadside in (True, False):
+            self.assertLess(abs(creep(8, 1, broadside=broadside)), 0.05)
+
+
 if __name__ == "__main__":
-    for line in sys.argv[1:]:
-        cells, thick, *rest = line.split(",")
-        how = eval("dict(" + ",".join(rest) + ")")
-        (creep if how.pop("creeps", 0) else compare)(int(cells), float(thick), **how)
+    unittest.main()
