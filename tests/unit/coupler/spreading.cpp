@@ -132,35 +132,6 @@ TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_sp
     }
 }
 
-// Without the memory half of the slip would be left here.
-TEST(SlipMemory, removes_a_steady_slip) {
-    const std::vector<Vec3> body{{1, 0, 0}}, fluid{{0, 0, 0}}, even{{0, 0, 0}};
-    SlipMemory memory(1);
-    double passed = 0;
-    for (int step = 0; step < 400; ++step) {
-        // A fluid of which half a felt slip is left, whatever it does.
-        passed = 0.5 * (body[0][0] - memory.felt(fluid)[0][0]);
-        memory.add(body, std::vector<Vec3>{{passed, 0, 0}}, even);
-    }
-    EXPECT_NEAR(passed, 1, rounding);
-}
-
-// Two markers at one place that pull against each other.
-TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
-    const std::vector<Vec3> rest(2);
-    SlipMemory memory(2);
-    memory.values()[0] = {1, 0, 0};
-    memory.values()[1] = {-1, 0, 0};
-    for (int step = 0; step < 2000; ++step) {
-        const auto felt = memory.felt(rest);
-        std::vector<Vec3> uneven(2);
-        for (std::size_t m = 0; m < 2; ++m)
-            uneven[m][0] = -no_slip_strength * felt[m][0];
-        memory.add(rest, rest, uneven);
-    }
-    EXPECT_LT(std::abs(memory.values()[0][0]), 1e-9);
-}
-
 // However the grid is cut into ranks' boxes, the shares add up to the answer of one box.
 constexpr std::array<int, 3> cut_cells{10, 12, 9};
 constexpr std::array<bool, 3> periodic{true, true, false};
