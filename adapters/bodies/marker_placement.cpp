@@ -104,7 +104,8 @@ void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) 
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t number) {
     const scene::Body& body = scene.bodies[number];
     const coupler::ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
-    const structure::Continues continues = spans_fluid(*scene.fluid, body);
+    const structure::Continues continues =
+        spans_fluid(*scene.fluid, body, boundary.forcing == coupler::Forcing::no_slip);
     const structure::Mesh mesh = to_mesh(body);
     const double grid_m = scene.fluid->finest_spacing_m();
     const Spacings spacing{grid_m, boundary.marker_spacing * grid_m};
@@ -133,12 +134,13 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
     return markers;
 }
 
-structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body) {
+structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
+                                 bool between_walls) {
     structure::Continues spans{};
     const structure::Mesh mesh = to_mesh(body);
     for (int d = 0; d < 3; ++d)
         spans[static_cast<std::size_t>(d)] =
-            scene::spans_fluid(fluid, body, d, extent(mesh, d));
+            scene::spans_fluid(fluid, body, d, extent(mesh, d), between_walls);
     return spans;
 }
 

@@ -2,6 +2,7 @@
 // spacing and the body's elements in their motion.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adapters/scene/scene.h"
@@ -42,7 +43,19 @@ struct PlacedMarker {
 // for of a body that is no sheet.
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
 
-// Along which axes a body spans the fluid's box from one periodic side to the other.
-structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body);
+// A sheet that one layer of markers stands for, in forcing no_slip. Where it moves along
+// its surface it has the inertia of the fluid that the layer carries, whatever its own
+// thickness.
+struct CarriedLayer {
+    double thickness_m = 0;  // of the sheet
+    double carried_m = 0;
+    double spacing_m = 0;  // of a fluid with which both would be the same
+};
+std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t body);
+
+// Along which axes a body spans the fluid's box from one periodic side to the other, or
+// between_walls from one wall to the other.
+structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
+                                 bool between_walls);
 
 }  // namespace magfsi::bodies

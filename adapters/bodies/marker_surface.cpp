@@ -149,14 +149,16 @@ DryFaces::DryFaces(const scene::Body& body, const structure::Mesh& mesh,
     std::vector<std::string> held = body.clamps;
     for (const auto& motion : body.prescribed_motion)
         held.insert(held.end(), motion.faces.begin(), motion.faces.end());
+    std::set<int> all;
     for (const std::string& face : held) {
         const auto found = mesh.faces.find(face);
         if (found == mesh.faces.end()) continue;
-        std::set<int> nodes(found->second.begin(), found->second.end());
-        if (!std::ranges::all_of(structure::boundary_quads(mesh),
-                                 [&](const auto& quad) { return all_in(nodes, quad); }))
-            clamped_.push_back(std::move(nodes));
+        all.insert(found->second.begin(), found->second.end());
+        clamped_.emplace_back(found->second.begin(), found->second.end());
     }
+    if (std::ranges::all_of(structure::boundary_quads(mesh),
+                            [&](const auto& quad) { return all_in(all, quad); }))
+        clamped_.clear();
 }
 
 std::vector<structure::SurfaceQuad> DryFaces::without(

@@ -57,6 +57,8 @@ struct KernelReach {
     double face_m;
     // How far one layer reaches beyond the area of its markers where it moves broadside.
     double edge_m;
+    // Thickness of the fluid that one layer carries where it moves along its plane.
+    double carried_m;
 };
 KernelReach reach_in(const scene::Scene& scene);
 

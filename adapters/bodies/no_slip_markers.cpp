@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "adapters/bodies/marker_surface.h"
+#include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/effective.h"
 #include "fluid_lbm/units.h"
 #include "structure/mesh/body_points.h"
@@ -21,6 +22,9 @@ using structure::Vec3;
 // Distances of markers, in grid spacings: closer ones make the marker system nearly
 // singular, wider ones leak.
 constexpr double widest_row = 1.2, thinned_to = 1.0;
+// How far the area of a thinned-out outer row ends outside of it: with which disks of 12
+// and 16 spacings swung broadside have the exact added mass (tests/validation/no_slip).
+constexpr double beyond_row = 0.4;
 // Layers through the thickness, in grid spacings; where two would be closer, one is.
 constexpr double closest_layers = 0.9;
 
@@ -126,6 +130,10 @@ std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
     return markers;
 }
 
+double distance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
 // Of points that are close together those that are at least `apart_m` from each other;
 // each stands for the points that are nearest to it.
 std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
@@ -142,8 +150,7 @@ std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
                 {bin[0] + n % 3 - 1, bin[1] + n / 3 % 3 - 1, bin[2] + n / 9 - 1});
             if (found == taken.end()) continue;
             free = std::ranges::none_of(found->second, [&](const Vec3& other) {
-                return std::hypot(other[0] - x[0], other[1] - x[1], other[2] - x[2]) <
-                       apart_m;
+                return distance(other, x) < apart_m;
             });
         }
         if (!free) continue;
@@ -159,6 +166,29 @@ std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
     return kept;
 }
 
+// Those within depth_m of the surface first, each nearest to the one before: thinned out
+// they are an even row.
+void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
+                 std::span<const structure::SurfaceQuad> surface, double depth_m,
+                 double fine_m) {
+    std::vector<structure::MaterialPoint> at;
+    for (const PlacedMarker& p : points) at.push_back(p.point);
+    const auto depth = structure::depths(mesh, surface, at, 0.5 * fine_m, 2 * depth_m);
+    std::vector<PlacedMarker> row, inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        (depth[i] < depth_m ? row : inside).push_back(points[i]);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const Vec3 last = structure::position(mesh, row[i - 1].point);
+        const auto from_last = [&](const PlacedMarker& p) {
+            return distance(structure::position(mesh, p.point), last);
+        };
+        const auto next = row.begin() + static_cast<std::ptrdiff_t>(i);
+        std::iter_swap(next, std::ranges::min_element(next, row.end(), {}, from_last));
+    }
+    row.insert(row.end(), inside.begin(), inside.end());
+    points = std::move(row);
+}
+
 // Any other mesh: thin sheets in the middle of their thickness, bodies through their
 // volume, both below what bounds them, thinned out.
 std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
@@ -166,7 +196,7 @@ std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
                                   const DryFaces& dry, const KernelReach& reach) {
     const double grid_m = reach.grid_m;
     const auto surface = dry.without(structure::boundary_quads(mesh));
-    const double apart_m = thinned_to * grid_m, fine_m = 0.25 * grid_m;
+    const double apart_m = thinned_to * grid_m, fine_m = 0.125 * grid_m;
     std::vector<PlacedMarker> points;
     double area_m2 = 0;
     if (sheet) {
@@ -178,13 +208,15 @@ std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
     const double thickness_m = sheet ? structure::volume_m3(mesh) / area_m2 : INFINITY;
     const bool thin = has_one_layer(reach, thickness_m);
     if (thin) {
-        draw_back(points, mesh, dry.without(structure::rim_of(mesh, *sheet)),
-                  rim_depth_m(reach, thickness_m), fine_m);
+        const auto rim = dry.without(structure::rim_of(mesh, *sheet));
+        const double depth_m = rim_depth_m(reach, thickness_m) + beyond_row * apart_m;
+        draw_back(points, mesh, rim, depth_m, fine_m);
+        begin_along(points, mesh, rim, depth_m + fine_m, fine_m);
     } else {
         points.clear();
-        for (const auto& p : structure::volume_points(mesh, 2 * fine_m))
+        for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
             points.push_back({p.point, p.volume_m3});
-        draw_back(points, mesh, surface, reach.face_m, fine_m);
+        draw_back(points, mesh, surface, reach.face_m, 2 * fine_m);
     }
     auto markers = thinned(points, mesh, apart_m);
     if (thin)
@@ -202,10 +234,19 @@ double face(coupler::Kernel kernel, bool small_magic_number) {
     return small_magic_number ? 0.79 : 0.58;
 }
 
-// In grid spacings: with which a plate swung broadside has the exact added mass
+// In grid spacings: with which a plate swung broadside has the exact added mass, or with
+// the larger magic number a disk in a creeping stream errs as much broadside as edgewise
 // (tests/validation/no_slip); not known for the 4-point kernel.
-double edge(coupler::Kernel kernel) {
-    return kernel == coupler::Kernel::two_point ? 0.64 : 0.93;
+double edge(coupler::Kernel kernel, bool small_magic_number) {
+    if (kernel == coupler::Kernel::two_point) return small_magic_number ? 0.64 : 0.48;
+    return small_magic_number ? 0.93 : 0.75;
+}
+
+// In grid spacings, by the same theory, at Stokes layers of 1 (small magic numbers)
+// and 8.
+double carried(coupler::Kernel kernel, bool small_magic_number) {
+    if (kernel == coupler::Kernel::two_point) return small_magic_number ? 1.46 : 1.02;
+    return small_magic_number ? 1.75 : 1.34;
 }
 
 }  // namespace
@@ -213,8 +254,27 @@ double edge(coupler::Kernel kernel) {
 KernelReach reach_in(const scene::Scene& scene) {
     const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
     const double grid_m = scene.fluid->finest_spacing_m();
-    const bool small = scene::relaxation_time_at_bodies(scene).value_or(1) < fluid::trt_from;
-    return {grid_m, face(kernel, small) * grid_m, edge(kernel) * grid_m};
+    const bool small =
+        scene::relaxation_time_at_bodies(scene).value_or(1) < fluid::trt_from;
+    return {grid_m, face(kernel, small) * grid_m, edge(kernel, small) * grid_m,
+            carried(kernel, small) * grid_m};
+}
+
+std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t number) {
+    if (scene.coupling->immersed_boundary.forcing != coupler::Forcing::no_slip)
+        return std::nullopt;
+    const scene::Body& body = scene.bodies[number];
+    const structure::Mesh mesh = to_mesh(body);
+    const auto sheet = structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, true));
+    if (!sheet) return std::nullopt;
+    double area_m2 = 0;
+    for (const auto& top : top_of(*sheet))
+        area_m2 += structure::quad_area(structure::corners(mesh.nodes, top.node));
+    const double thickness_m = structure::volume_m3(mesh) / area_m2;
+    const KernelReach reach = reach_in(scene);
+    if (!has_one_layer(reach, thickness_m)) return std::nullopt;
+    return CarriedLayer{thickness_m, reach.carried_m,
+                        reach.grid_m * thickness_m / reach.carried_m};
 }
 
 std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,

@@ -14,6 +14,7 @@
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/scene/effective.h"
 #include "coupler/exchange/exchange.h"
+#include "coupler/immersed_boundary/conditioning.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "fluid_lbm/config.h"
 #include "fluid_lbm/parallel/decomposition.h"
@@ -74,17 +75,24 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
     return text;
 }
 
+struct Markers {
+    std::vector<fluid::Vec3> at_m;
+    std::vector<double> volume_m3;
+};
+
 // Where they start, but for a body that comes bent.
-std::vector<fluid::Vec3> markers_m(const scene::Scene& scene) {
-    std::vector<fluid::Vec3> all;
+Markers markers_of(const scene::Scene& scene) {
+    Markers all;
     for (std::size_t b = 0; scene.coupling && b < scene.bodies.size(); ++b) {
         const scene::Body& body = scene.bodies[b];
         structure::Body placed = bodies::to_body(body);
         structure::Placement placement = body.initial;
         placement.relaxed.reset();
         placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
-        for (const bodies::PlacedMarker& marker : bodies::place_markers(scene, b))
-            all.push_back(structure::position(placed.mesh, marker.point));
+        for (const bodies::PlacedMarker& marker : bodies::place_markers(scene, b)) {
+            all.at_m.push_back(structure::position(placed.mesh, marker.point));
+            all.volume_m3.push_back(marker.volume_m3);
+        }
     }
     return all;
 }
@@ -231,8 +239,21 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     return memory;
 }
 
-std::string memory(const scene::Scene& scene, int ranks) {
-    const FluidMemory m = fluid_memory(scene, ranks, markers_m(scene));
+std::string conditioning(const scene::Scene& scene, const fluid::FluidConfig& config,
+                         const Markers& markers) {
+    if (!config.holds_no_slip || markers.at_m.empty()) return "";
+    std::array<int, 3> cells = config.cells;
+    for (int& n : cells) n *= scene.fluid->coupled_steps_in_one();
+    const coupler::Grid grid{
+        scene.fluid->finest_spacing_m(), cells, fluid::periodic_axes(config), {}};
+    return fmt::format(
+        "  condition number of the marker system: about {:.2g}\n",
+        coupler::condition_number(grid, scene.coupling->immersed_boundary.kernel,
+                                  markers.at_m, markers.volume_m3));
+}
+
+std::string memory(const scene::Scene& scene, int ranks, const Markers& markers) {
+    const FluidMemory m = fluid_memory(scene, ranks, markers.at_m);
     std::string text =
         fmt::format("  memory: {:.1f} MB of populations", m.populations / 1e6);
     for (const auto& [what, bytes] : m.held)
@@ -320,7 +341,9 @@ std::string explain(const scene::Scene& scene, int ranks) {
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
     if (fluid.refinement) text += refinement(scene);
-    return text + memory(scene, ranks) + warnings(scene, v);
+    const Markers markers = markers_of(scene);
+    return text + memory(scene, ranks, markers) + conditioning(scene, config, markers) +
+           warnings(scene, v);
 }
 
 }  // namespace magfsi::lbm

@@ -81,9 +81,11 @@ void check_marker_spacing(const Scene& scene, const Body& body, const Box& box,
                           const Marks& marks) {
     if (!scene.coupling || !scene.fluid) return;
     int across = -1;
+    const bool no_slip =
+        scene.coupling->immersed_boundary.forcing == coupler::Forcing::no_slip;
     const bool sheet = scene.coupling->immersed_boundary.markers != Markers::volume;
     for (int d = 0; sheet && d < 3; ++d) {
-        if (spans_fluid(*scene.fluid, body, d, box.size_m[d])) continue;
+        if (spans_fluid(*scene.fluid, body, d, box.size_m[d], no_slip)) continue;
         if (across < 0 || box.size_m[d] < box.size_m[across]) across = d;
     }
     double longest_m = 0;
@@ -255,23 +257,27 @@ double most_markers(const Scene& scene, const Vec3& extent_m) {
                                                         : faces;
 }
 
-bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m) {
+bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,
+                 bool between_walls) {
     const auto& turn = body.initial.rotation;
     if (turn && (turn->plane[0] == axis || turn->plane[1] == axis)) return false;
     const auto d = static_cast<std::size_t>(axis);
-    return fluid.boundaries[2 * d].kind == BoundaryKind::periodic &&
-           extent_m >= fluid.box_m[d] * (1 - 1e-6);
+    const bool periodic = fluid.boundaries[2 * d].kind == BoundaryKind::periodic;
+    // Beside a wall no fluid passes through less than half a cell.
+    const double gap_m =
+        periodic ? 1e-6 * fluid.box_m[d] : 0.5 * fluid.finest_spacing_m();
+    return (periodic || between_walls) && extent_m >= fluid.box_m[d] - gap_m;
 }
 
 void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,
                             const Origin& where) {
     const double spacing = scene.coupling->immersed_boundary.marker_spacing;
-    const double most = longest_edge_m / scene.fluid->spacing_m;
+    const double most = longest_edge_m / scene.fluid->finest_spacing_m();
     if (spacing == ImmersedBoundary{}.marker_spacing) return;  // nobody asked for it
     require(spacing <= most * (1 + 1e-9), where,
             fmt::format("markers {} apart, further than the elements of \"{}\", each of "
                         "which carries one",
-                        metres(spacing * scene.fluid->spacing_m), body.name),
+                        metres(spacing * scene.fluid->finest_spacing_m()), body.name),
             fmt::format("at most {:.3g}, which is {}", std::floor(most * 1e3) / 1e3,
                         metres(longest_edge_m)),
             "take larger elements, or leave the key out");

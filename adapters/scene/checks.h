@@ -62,8 +62,9 @@ constexpr double max_markers = 500'000;
 double most_markers(const Scene& scene, const Vec3& extent_m);
 
 // Along this axis the body, of this extent, spans the fluid's box from one periodic side
-// to the other.
-bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m);
+// to the other, or between walls so that no fluid passes.
+bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,
+                 bool between_walls);
 // Refuses a marker spacing that is asked for and above what markers keep, as each element
 // carries at least one: longest_edge_m, of the elements along the body's surface.
 void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,

@@ -7,11 +7,13 @@
 //   r = interpolate(spread(dV)),
 // F = 2 rho dV / (r dt) (V - U) makes q = V where the slip is uniform. What is left where
 // it is not, a memory p of it removes over some steps:
-//   F = s 2 rho dV / (r dt) (V - U + p),   p <- (1 - leak) p + gain (mean V - q).
-// In steady state the slip is leak / gain of what a single pass leaves. Where markers
-// fill a volume, the fluid there follows nothing else: with s = 1 its difference to the
-// body changes sign in every step and does not decay, with 3/4 the pair of it and p
-// decays to 0.4 in a step.
+//   F = s 2 rho dV / (r dt) (V - U + p),   p <- p + gain (mean V - q) - leak (r f - g),
+// f = F dt / (2 rho dV), and g = q - U what these forces together do at the marker. An
+// even force has g = r f: what it holds, such as a pressure, is held without slip. A
+// force of which the fluid feels nothing, g = 0, is let go. Where markers fill a volume,
+// the fluid there follows nothing else: with s = 1 its difference to the body changes
+// sign in every step and does not decay, with 3/4 the pair of it and p decays to 0.4 in a
+// step.
 //
 // Markers must stand about a cell apart, in one layer where the body is thin: closer ones
 // make the marker system nearly singular, and the memory drifts in its null modes.
@@ -47,12 +49,13 @@ class SlipMemory {
   public:
     explicit SlipMemory(std::size_t markers) : memory_(markers) {}
 
-    // After a step: the markers' mean velocities and what passed [m/s].
-    void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed) {
+    // After a step: the markers' mean velocities, what passed, and r f - g [m/s].
+    void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed,
+             std::span<const Vec3> uneven) {
         for (std::size_t m = 0; m < memory_.size(); ++m) {
             for (std::size_t d = 0; d < 3; ++d)
-                memory_[m][d] = (1 - leak) * memory_[m][d] +
-                                gain * (mean_velocity[m][d] - passed[m][d]);
+                memory_[m][d] +=
+                    gain * (mean_velocity[m][d] - passed[m][d]) - leak * uneven[m][d];
         }
     }
 

@@ -339,11 +339,12 @@ std::span<const Vec3> FluidSide::interpolate(std::size_t markers) {
     return sampled_;
 }
 
-void FluidSide::add_passed(double density_kg_m3, NoSlipAnswer& answer) {
+void FluidSide::add_passed(double density_kg_m3, const Vec3& body_force,
+                           NoSlipAnswer& answer) {
     const double half_s = coupled_step_s_ / (2 * density_kg_m3);
     std::vector<double> passing(density_.size());
     for (std::size_t i = 0; i < passing.size(); ++i)
-        passing[i] = felt_[i] + half_s * density_[i];
+        passing[i] = felt_[i] + half_s * (density_[i] + body_force[i % 3]);
     spread_rows_.interpolate(passing, answer.passed);
 }
 

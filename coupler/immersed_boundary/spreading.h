@@ -113,9 +113,10 @@ class FluidSide {
                                         double density_kg_m3);
 
     // For forcing no_slip, after spread() and before sample(): q at the points of the
-    // spread, with the velocities sampled there; after it: the row sums at its points,
-    // with the markers' volumes. This rank's shares.
-    void add_passed(double density_kg_m3, NoSlipAnswer& answer);
+    // spread, with the velocities sampled there and a force [N/m3] on all of the fluid;
+    // after it: the row sums at its points, with the markers' volumes. This rank's
+    // shares.
+    void add_passed(double density_kg_m3, const Vec3& body_force, NoSlipAnswer& answer);
     void add_row_sums(std::span<const double> volume_m3, NoSlipAnswer& answer);
 
     // The velocities of the cells that the last sample read, row after row.

@@ -1,6 +1,7 @@
 // What a participant runs, in the coupler's own terms. adapters/run_scene.cpp fills it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct RunPlan {
 
     // Of the fluid, where there is one.
     double fluid_density_kg_m3 = 0;
+    std::array<double, 3> fluid_body_force_n_m3{};
     double given_speed_m_s = 0;  // the largest of inlets, walls and the initial flow
 
     // What a fluid leaves in the run folder beside the coupler's own files.

@@ -55,7 +55,8 @@ void FluidCoupling::spread_impulses() {
     boundary_.spread(batch_->before_m, batch_->impulse);
     if (!answer_) return;
     answer_->make_room(batch_->now_m.size());
-    boundary_.add_passed(session_.plan().fluid_density_kg_m3, *answer_);
+    boundary_.add_passed(session_.plan().fluid_density_kg_m3,
+                         session_.plan().fluid_body_force_n_m3, *answer_);
 }
 
 // The structure, to which the shares of all fluid ranks add up, answers the slip that is

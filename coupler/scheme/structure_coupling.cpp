@@ -179,10 +179,23 @@ void StructureCoupling::let_change(std::span<const Vec3> start,
 }
 
 // After the step: the slip that is left, and the coefficients of the next.
-void StructureCoupling::take_answer() {
+void StructureCoupling::take_answer(std::span<const Vec3> felt) {
     if (!no_slip_) return;
-    no_slip_->memory.add(mean_velocity(), no_slip_->answer.passed);
-    force_.divide_by(no_slip_->answer.row_sum);
+    const auto& [row_sum, passed] = no_slip_->answer;
+    const RunPlan& plan = session_.plan();
+    const double half_m3_kg = 0.5 / plan.fluid_density_kg_m3;
+    std::vector<Vec3> uneven(felt.size());
+    for (std::size_t m = 0; m < felt.size(); ++m) {
+        const double even = half_m3_kg * row_sum[m] / force_.markers()[m].volume_m3;
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double of_all =
+                half_m3_kg * session_.clock().step_s() * plan.fluid_body_force_n_m3[d];
+            uneven[m][d] =
+                even * force_.impulse()[m][d] - (passed[m][d] - of_all - felt[m][d]);
+        }
+    }
+    no_slip_->memory.add(mean_velocity(), passed, uneven);
+    force_.divide_by(row_sum);
 }
 
 // Of the markers in the step that has been done.
@@ -249,9 +262,10 @@ void StructureCoupling::audit() {
 }
 
 void StructureCoupling::receive_velocities() {
+    const std::vector<Vec3> felt = fluid_velocity_;
     receive({session_.clock().step(), iteration()},
             fixed_point_ ? answer_ : fluid_velocity_);
-    if (!fixed_point_) take_answer();
+    if (!fixed_point_) take_answer(felt);
 }
 
 void StructureCoupling::measure_slip() {
@@ -301,7 +315,7 @@ void StructureCoupling::accept_answer() {
     fluid_velocity_ = answer_;
     // It took the guess for the velocity at the step's end.
     std::ranges::copy(fluid_velocity_, force_.enclosed().last_velocity().begin());
-    take_answer();
+    take_answer(last_velocity_);
 }
 
 std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {

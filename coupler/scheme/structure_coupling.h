@@ -122,7 +122,7 @@ class StructureCoupling {
     // The velocity of the fluid that markers feel.
     void hold(std::span<const Vec3> fluid_velocity);
     void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
-    void take_answer();
+    void take_answer(std::span<const Vec3> felt);  // U of the step
     std::vector<Vec3> mean_velocity() const;
 
     void begin_force(std::span<const Vec3> fluid_velocity,

@@ -125,27 +125,11 @@ TEST_P(SpreadingAndInterpolation, with_row_sums_the_fluid_passes_at_the_bodys_sp
                 2 * ArrayFluid::density_kg_m3 * volume[m] / answer.row_sum[m] * slip[d];
     }
     side.spread(points, impulse);
-    side.add_passed(ArrayFluid::density_kg_m3, answer);
+    side.add_passed(ArrayFluid::density_kg_m3, {}, answer);
     for (std::size_t m = 0; m < points.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             ASSERT_NEAR(answer.passed[m][d], before[m][d] + slip[d], rounding);
     }
-}
-
-// Without the memory half of the slip would be left here.
-TEST(SlipMemory, removes_a_steady_slip) {
-    const Vec3 body{1, 0, 0};
-    SlipMemory memory(1);
-    double passed = 0;
-    for (int step = 0; step < 400; ++step) {
-        // A fluid of which half a felt slip is left, whatever it does.
-        const Vec3 fluid{0, 0, 0};
-        const auto felt = memory.felt(std::vector<Vec3>{fluid});
-        passed = 0.5 * (body[0] - felt[0][0]);
-        memory.add(std::vector<Vec3>{body}, std::vector<Vec3>{{passed, 0, 0}});
-    }
-    // In steady state leak p = gain (1 - q), and q = (1 + p) / 2 here.
-    EXPECT_NEAR(1 - passed, 1.0 / 27, 1e-9);
 }
 
 // However the grid is cut into ranks' boxes, the shares add up to the answer of one box.

@@ -1,0 +1,64 @@
+// The memory of the slip, and what tells whether markers crowd.
+#include "coupler/immersed_boundary/no_slip.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupler/immersed_boundary/conditioning.h"
+#include "tests/unit/coupler/grids.h"
+
+namespace magfsi::coupler {
+namespace {
+
+using namespace testing;
+
+// Without the memory half of the slip would be left here.
+TEST(SlipMemory, removes_a_steady_slip) {
+    const std::vector<Vec3> body{{1, 0, 0}}, fluid{{0, 0, 0}}, even{{0, 0, 0}};
+    SlipMemory memory(1);
+    double passed = 0;
+    for (int step = 0; step < 400; ++step) {
+        // A fluid of which half a felt slip is left, whatever it does.
+        passed = 0.5 * (body[0][0] - memory.felt(fluid)[0][0]);
+        memory.add(body, std::vector<Vec3>{{passed, 0, 0}}, even);
+    }
+    EXPECT_NEAR(passed, 1, 1e-12);
+}
+
+// A periodic plane of markers, `apart` cells from each other.
+double condition_of_a_plane(double apart) {
+    const Grid grid = cut_grid({12, 12, 8}, {true, true, true});
+    std::vector<Vec3> points;
+    const int n = static_cast<int>(std::lround(12 / apart));
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x)
+            points.push_back({(x + 0.3) * apart * grid.spacing_m,
+                              (y + 0.3) * apart * grid.spacing_m, 4.2 * grid.spacing_m});
+    return condition_number(grid, Kernel::three_point, points,
+                            std::vector<double>(points.size(), 1));
+}
+
+// Of forces that alternate half a cell apart the kernel leaves next to nothing.
+TEST(ConditionNumber, tells_crowded_markers) {
+    EXPECT_LT(condition_of_a_plane(1.2), 20);
+    EXPECT_GT(condition_of_a_plane(0.5), 1000);
+}
+
+// Two markers at one place that pull against each other.
+TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
+    const std::vector<Vec3> rest(2);
+    SlipMemory memory(2);
+    memory.values()[0] = {1, 0, 0};
+    memory.values()[1] = {-1, 0, 0};
+    for (int step = 0; step < 2000; ++step) {
+        const auto felt = memory.felt(rest);
+        std::vector<Vec3> uneven(2);
+        for (std::size_t m = 0; m < 2; ++m) uneven[m][0] = -no_slip_strength * felt[m][0];
+        memory.add(rest, rest, uneven);
+    }
+    EXPECT_LT(std::abs(memory.values()[0][0]), 1e-9);
+}
+
+}  // namespace
+}  // namespace magfsi::coupler
