@@ -49,7 +49,7 @@ std::vector<bool> ranks_met(const Grid& grid, Kernel kernel, const Vec3& point) 
 
 // The point moved by up to the margin along each axis, no further than the walls.
 Vec3 moved(const Grid& grid, const Vec3& point, Random& random, bool to_the_limit) {
-    const double margin_m = renew_margin_cells * grid.spacing_m;
+    const double margin_m = Renewal{}.margin_cells * grid.spacing_m;
     Vec3 p = point;
     for (std::size_t d = 0; d < 3; ++d) {
         const double share = random.between(-1, 1);
