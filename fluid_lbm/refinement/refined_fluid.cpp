@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "fluid_lbm/refinement/interlevel.h"
+#include "fluid_lbm/refinement/prolongation.h"
+#include "fluid_lbm/refinement/restriction.h"
 #include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
