@@ -34,8 +34,7 @@ class FoamFluid final : public fluids::FluidSolver {
     std::string headline() const override;
     fluids::FluidTotals totals() override;
     double quantity(scene::FluidQuantity quantity) override;
-    void field(scene::FluidField field, std::size_t level,
-               std::span<float> out) override;
+    void field(scene::FluidField field, std::size_t level, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     output::Named<std::string> versions() const override;

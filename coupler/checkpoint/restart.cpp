@@ -93,7 +93,8 @@ void check_scene_of(const fs::path& file, const StateHeader& header,
 }
 
 void check_end(const fs::path& file, const StateHeader& header, const RunPlan& plan) {
-    if (header.step <= Clock(header.step_s, plan.end_s, plan.steps_at_a_time).steps()) return;
+    if (header.step <= Clock(header.step_s, plan.end_s, plan.steps_at_a_time).steps())
+        return;
     throw std::invalid_argument(fmt::format(
         "--restart: {} is of {:.6g} s, the run ends at {:.6g} s; give a later time.end, "
         "or an earlier checkpoint's file",

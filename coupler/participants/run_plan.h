@@ -24,7 +24,7 @@ struct RunPlan {
     std::uint64_t state_hash =
         0;  // the same whatever end_s: a run may go on to a later end
     double end_s = 0;
-    int steps_at_a_time = 1;  // whole steps of a refined grid's coarsest level
+    int steps_at_a_time = 1;           // whole steps of a refined grid's coarsest level
     std::vector<Role> roles;           // the participants of the run
     std::optional<Coupling> coupling;  // present where there are both
     std::optional<CheckpointPlan> checkpoint;

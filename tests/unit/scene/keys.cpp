@@ -61,7 +61,11 @@ TEST(Keys, of_a_body) {
 }
 
 TEST(Keys, of_a_vortex) {
-    EXPECT_EQ(complete("vortex.yaml").fluid->taylor_green->speed_m_s, 10e-3);
+    const Fluid fluid = *complete("vortex.yaml").fluid;
+    EXPECT_EQ(fluid.taylor_green->speed_m_s, 10e-3);
+    EXPECT_EQ(fluid.refinement->levels, 2);
+    EXPECT_EQ((*fluid.refinement->box_m)[1], (Vec3{12e-3, 12e-3, 12e-3}));
+    EXPECT_EQ(fluid.finest_spacing_m(), 0.25e-3);
 }
 
 TEST(Keys, of_rollers_and_integrals) {
@@ -122,6 +126,8 @@ TEST(Keys, of_the_fluid) {
 TEST(Keys, of_the_implicit_scheme) {
     const Scene s = complete("implicit.yaml");
     EXPECT_EQ(s.coupling->scheme, Scheme::implicit);
+    EXPECT_EQ(s.fluid->refinement->levels, 1);
+    EXPECT_EQ(s.fluid->refinement->margin_m, 1.6e-3);
     EXPECT_EQ(s.coupling->sampled_velocity, SampledVelocity::frozen);
     const Iteration& i = *s.coupling->iteration;
     EXPECT_EQ(i.acceleration, AccelerationMethod::aitken);
