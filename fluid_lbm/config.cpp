@@ -6,6 +6,7 @@
 
 #include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/collision/cells.h"
+#include "fluid_lbm/collision/choice.h"
 #include "fluid_lbm/obstacle/solid.h"
 #include "fluid_lbm/refuse.h"
 
@@ -13,14 +14,11 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Of recursive_mrt. Small ones damp more: at 3/16 the swimmer diverges at a relaxation
-// time of 0.5015, at 0.02 with the 3-point kernel (docs/coupling_measurements.md).
-constexpr double recursive_magic = 0.01;
-
-bool has_moving_wall(const FluidConfig& config) {
-    return std::ranges::any_of(config.boundaries, [](const Boundary& side) {
-        return side.kind == BoundaryKind::no_slip && side.wall_velocity_m_s != Vec3{};
-    });
+CollisionCase collision_case(const FluidConfig& config) {
+    const double tau = relaxation_time(config);
+    return {tau, config.holds_no_slip,
+            cell_reynolds_number(config.expected_speed_m_s, config.spacing_m,
+                                 config.viscosity_m2_s, tau)};
 }
 
 }  // namespace
@@ -55,29 +53,16 @@ Vec3 wall_velocity(const FluidConfig& config, int side) {
     return velocity;
 }
 
+Collision choose_collision(const FluidConfig& config) {
+    return choose_collision(config, collision_case(config));
+}
+
 double choose_magic_number(const FluidConfig& config) {
-    if (config.magic_number) return *config.magic_number;
-    if (choose_collision(config) == Collision::recursive_mrt) return recursive_magic;
-    const double tau = relaxation_time(config);
-    // 3/16 puts half-way walls exactly half way; (tau - 1/2) / 2 makes the odd rate 1.
-    return tau >= trt_from ? 3.0 / 16 : (tau - 0.5) / 2;
+    return choose_magic_number(config, collision_case(config));
 }
 
 double odd_rate(const FluidConfig& config) {
     return odd_rate(1 / relaxation_time(config), choose_magic_number(config));
-}
-
-// Two-relaxation-time collision had the lowest error of the three at moderate relaxation
-// times. Recursive regularisation is the one that survives unresolved turbulence
-// (Taylor-Green at Reynolds number 100,000 on 32^3 cells). But where a moving wall meets
-// a resting one it diverged or lost its way (cavity at Reynolds number 1000 on 64^2
-// cells, relaxation time 0.519), which two relaxation times with an odd rate of 1 do not.
-Collision choose_collision(const FluidConfig& config) {
-    if (config.collision != Collision::automatic) return config.collision;
-    const bool low = relaxation_time(config) < trt_from;
-    if (!low || has_moving_wall(config)) return Collision::trt;
-    return config.holds_no_slip ? Collision::recursive_mrt
-                                : Collision::recursive_regularized;
 }
 
 std::string collision_reason(const FluidConfig& config) {

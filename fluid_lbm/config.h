@@ -23,6 +23,7 @@ struct FluidConfig : Options {
     // Bodies hold the fluid without slip: the automatic collision is one whose layers at
     // them do not depend on the time step.
     bool holds_no_slip = false;
+    double expected_speed_m_s = 0;  // largest; 0: not known
 };
 
 Units units(const FluidConfig& config);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/wall_of_planes.h"
 #include "structure/mesh/surface.h"
 
 namespace magfsi::bodies {
@@ -50,15 +51,24 @@ class DryFaces {
     std::vector<std::set<int>> clamped_;
 };
 
-// How far markers of a kernel reach, in metres.
+// What the markers of a scene reach around them.
 struct KernelReach {
     double grid_m;
-    // How far outside of the outer one of several layers their wall stands.
-    double face_m;
+    WallOfPlanes wall;
     // How far one layer reaches beyond the area of its markers where it moves broadside.
     double edge_m;
-    // Thickness of the fluid that one layer carries where it moves along its plane.
-    double carried_m;
+
+    // Layers across a sheet of this thickness.
+    EvenPlanes layers(double thickness_m) const {
+        return wall.for_body(thickness_m / grid_m);
+    }
+    bool takes_one_layer(double thickness_m) const {
+        return layers(thickness_m).count == 1;
+    }
+    // From a surface to the first of many rows.
+    double depth_m(double apart_m) const { return grid_m * wall.depth(apart_m / grid_m); }
+    // How much further the rim of two layers reaches, and that of more.
+    double rim_of_two_m, rim_of_more_m;
 };
 KernelReach reach_in(const scene::Scene& scene);
 

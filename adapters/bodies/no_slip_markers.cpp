@@ -1,5 +1,5 @@
-// Markers of forcing no_slip: even rows about a grid spacing apart, in one layer through
-// thin sheets.
+// Markers of forcing no_slip: even rows about a grid spacing apart, in as many layers as
+// are as thick as the body.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,7 +9,7 @@
 #include "adapters/bodies/marker_surface.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/effective.h"
-#include "fluid_lbm/units.h"
+#include "fluid_lbm/collision/choice.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
 
@@ -19,28 +19,24 @@ namespace {
 
 using structure::Vec3;
 
-// Distances of markers, in grid spacings: closer ones make the marker system nearly
-// singular, wider ones leak.
-constexpr double widest_row = 1.2, thinned_to = 1.0;
+// Distance of thinned-out markers, in grid spacings.
+constexpr double thinned_to = 1.0;
 // How far the area of a thinned-out outer row ends outside of it: with which disks of 12
 // and 16 spacings swung broadside have the exact added mass (tests/validation/no_slip).
 constexpr double beyond_row = 0.4;
-// Layers through the thickness, in grid spacings; where two would be closer, one is.
-constexpr double closest_layers = 0.9;
-
-bool has_one_layer(const KernelReach& reach, double thickness_m) {
-    return thickness_m < 2 * reach.face_m + closest_layers * reach.grid_m;
-}
+// How much further an even shell reaches than a plane: with which balls of 6 to 12
+// spacings have the exact drag in a creeping stream (tests/validation/no_slip/ball.py).
+constexpr double beyond_shell = 0.08;
+// Distance that neighbours of thinned-out markers have in the mean.
+constexpr double thinned_apart = 1.1;
 
 // A sheet of thickness t with square edges moves as much fluid as one without thickness
 // that reaches 0.31 to 0.35 t further (boundary elements; t up to a tenth of the width),
 // and displaces as much as a tenth of t more would move.
 constexpr double square_edge = 0.44;
 
-// From the rim to where the area of the markers ends.
+// From the rim of a single layer to where the area of its markers ends.
 double rim_depth_m(const KernelReach& reach, double thickness_m) {
-    const double of_layers_m = reach.face_m - 0.5 * reach.grid_m;
-    if (!has_one_layer(reach, thickness_m)) return of_layers_m;
     return std::max(0.0, reach.edge_m - square_edge * thickness_m);
 }
 
@@ -58,16 +54,37 @@ Rows even_rows(double low_m, double high_m, double widest_m) {
     return rows;
 }
 
-// Across the thickness: in the middle, or from one face to the other.
 Rows layers(double low_m, double high_m, const KernelReach& reach) {
-    const double thickness_m = high_m - low_m;
-    if (has_one_layer(reach, thickness_m))
-        return {{low_m + 0.5 * thickness_m}, reach.grid_m};
-    const double between_m = thickness_m - 2 * reach.face_m;
-    const int gaps = static_cast<int>(between_m / reach.grid_m + 1 - closest_layers);
-    Rows rows{{}, between_m / std::max(1, gaps)};
-    for (int i = 0; i <= std::max(1, gaps); ++i)
-        rows.at_m.push_back(low_m + reach.face_m + i * rows.apart_m);
+    const EvenPlanes planes = reach.layers(high_m - low_m);
+    const double middle_m = 0.5 * (low_m + high_m);
+    Rows rows{{}, planes.apart * reach.grid_m};
+    for (int i = 0; i < planes.count; ++i)
+        rows.at_m.push_back(middle_m + (i - 0.5 * (planes.count - 1)) * rows.apart_m);
+    return rows;
+}
+
+// An axis along the sheet and which of its ends fluid meets; of tiny bodies half is left.
+struct Length {
+    double low_m, high_m;
+    bool low_wet, high_wet;
+
+    Rows drawn_back(double depth_m, double widest_m) const {
+        const double drawn_m = std::min(depth_m, 0.25 * (high_m - low_m));
+        return even_rows(low_m + (low_wet ? drawn_m : 0),
+                         high_m - (high_wet ? drawn_m : 0), widest_m);
+    }
+};
+
+Rows rows_along(const Length& length, const KernelReach& reach, double thickness_m) {
+    const double widest_m = widest_apart * reach.grid_m;
+    const int layers = reach.layers(thickness_m).count;
+    if (layers == 1) return length.drawn_back(rim_depth_m(reach, thickness_m), widest_m);
+    const double beyond_m = layers == 2 ? reach.rim_of_two_m : reach.rim_of_more_m;
+    // The depth depends a little on the distance that follows from it.
+    Rows rows{{}, widest_m};
+    for (int turn = 0; turn < 3; ++turn)
+        rows = length.drawn_back(
+            beyond_m + reach.depth_m(rows.apart_m) - 0.5 * rows.apart_m, widest_m);
     return rows;
 }
 
@@ -80,6 +97,13 @@ bool wet(std::span<const structure::SurfaceQuad> surface, const structure::Mesh&
                    slack_m;
         });
     });
+}
+
+double area_m2(const structure::Mesh& mesh, const structure::Sheet& sheet) {
+    double sum_m2 = 0;
+    for (const auto& column : sheet.columns)
+        sum_m2 += structure::quad_area(structure::corners(mesh.nodes, column.top.node));
+    return sum_m2;
 }
 
 // One layer stands for both faces, whose areas would cancel.
@@ -101,20 +125,15 @@ std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
     for (std::size_t d = 1; d < 3; ++d)
         if (continues[thin] || (!continues[d] && size[d] < size[thin])) thin = d;
     const auto surface = dry.without(structure::boundary_quads(mesh));
-    const double depth_m = rim_depth_m(reach, size[thin]), grid_m = reach.grid_m;
     std::array<Rows, 3> rows;
     for (std::size_t d = 0; d < 3; ++d) {
         const double slack_m = 1e-6 * size[d];
-        const bool low = wet(surface, mesh, d, block.low_m[d], slack_m);
-        const bool high = wet(surface, mesh, d, block.high_m[d], slack_m);
-        if (d == thin) {
-            rows[d] = layers(block.low_m[d], block.high_m[d], reach);
-            continue;
-        }
-        const double most_m = 0.25 * size[d];  // of tiny bodies half is left
-        rows[d] = even_rows(block.low_m[d] + (low ? std::min(depth_m, most_m) : 0),
-                            block.high_m[d] - (high ? std::min(depth_m, most_m) : 0),
-                            widest_row * grid_m);
+        const double low_m = block.low_m[d], high_m = block.high_m[d];
+        rows[d] = d == thin
+                      ? layers(low_m, high_m, reach)
+                      : rows_along({low_m, high_m, wet(surface, mesh, d, low_m, slack_m),
+                                    wet(surface, mesh, d, high_m, slack_m)},
+                                   reach, size[thin]);
     }
     const structure::PointLocator locator(mesh);
     const double volume_m3 = rows[0].apart_m * rows[1].apart_m * rows[2].apart_m;
@@ -124,9 +143,9 @@ std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
             for (const double x : rows[0].at_m)
                 markers.push_back({locator.nearest({x, y, z}), volume_m3});
     if (sheet && rows[thin].at_m.size() == 1)
-        share_surface(markers, mesh, top_of(*sheet), grid_m, both);
+        share_surface(markers, mesh, top_of(*sheet), reach.grid_m, both);
     else
-        share_surface(markers, mesh, surface, grid_m);
+        share_surface(markers, mesh, surface, reach.grid_m);
     return markers;
 }
 
@@ -189,64 +208,94 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
     points = std::move(row);
 }
 
-// Any other mesh: thin sheets in the middle of their thickness, bodies through their
-// volume, both below what bounds them, thinned out.
-std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
-                                  const std::optional<structure::Sheet>& sheet,
-                                  const DryFaces& dry, const KernelReach& reach) {
-    const double grid_m = reach.grid_m;
-    const auto surface = dry.without(structure::boundary_quads(mesh));
-    const double apart_m = thinned_to * grid_m, fine_m = 0.125 * grid_m;
-    std::vector<PlacedMarker> points;
-    double area_m2 = 0;
-    if (sheet) {
-        for (const auto& p : structure::mid_surface_points(mesh, *sheet, fine_m)) {
-            points.push_back({p.point, p.area_m2 * grid_m});
-            area_m2 += p.area_m2;
-        }
-    }
-    const double thickness_m = sheet ? structure::volume_m3(mesh) / area_m2 : INFINITY;
-    const bool thin = has_one_layer(reach, thickness_m);
-    if (thin) {
-        const auto rim = dry.without(structure::rim_of(mesh, *sheet));
-        const double depth_m = rim_depth_m(reach, thickness_m) + beyond_row * apart_m;
+// Layers through a sheet of any shape, each of even distances.
+std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
+                                    const structure::Sheet& sheet, double thickness_m,
+                                    const DryFaces& dry, const KernelReach& reach) {
+    const double apart_m = thinned_to * reach.grid_m, fine_m = 0.125 * reach.grid_m;
+    const auto rim = dry.without(structure::rim_of(mesh, sheet));
+    const EvenPlanes layers = reach.layers(thickness_m);
+    double depth_m = rim_depth_m(reach, thickness_m) + beyond_row * apart_m;
+    if (layers.count > 1)
+        depth_m = (layers.count == 2 ? reach.rim_of_two_m : reach.rim_of_more_m) +
+                  reach.depth_m(thinned_apart * reach.grid_m);
+    std::vector<PlacedMarker> markers;
+    for (int i = 0; i < layers.count; ++i) {
+        const double above_m =
+            (i - 0.5 * (layers.count - 1)) * layers.apart * reach.grid_m;
+        const auto side =
+            above_m > 0 ? structure::SheetSide::top : structure::SheetSide::bottom;
+        std::vector<PlacedMarker> points;
+        for (const auto& p : structure::points_below_face(
+                 mesh, sheet, side, 0.5 * thickness_m - std::abs(above_m), fine_m))
+            points.push_back({p.point, p.area_m2 * reach.grid_m});
         draw_back(points, mesh, rim, depth_m, fine_m);
         begin_along(points, mesh, rim, depth_m + fine_m, fine_m);
-    } else {
-        points.clear();
-        for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
-            points.push_back({p.point, p.volume_m3});
-        draw_back(points, mesh, surface, reach.face_m, 2 * fine_m);
+        for (const PlacedMarker& marker : thinned(points, mesh, apart_m))
+            markers.push_back(marker);
     }
-    auto markers = thinned(points, mesh, apart_m);
-    if (thin)
-        share_surface(markers, mesh, top_of(*sheet), grid_m, both);
-    else
-        share_surface(markers, mesh, surface, grid_m);
     return markers;
 }
 
-// In grid spacings, from the response of the lattice, shear wave by shear wave, to
-// markers that move along their plane (tests/validation/no_slip/lattice_response.py): how
-// far outside of the outer of several layers the wall stands in steady flow.
-double face(coupler::Kernel kernel, bool small_magic_number) {
-    if (kernel == coupler::Kernel::two_point) return small_magic_number ? 0.60 : 0.33;
-    return small_magic_number ? 0.79 : 0.58;
+// Through the volume of a body: first an even shell, below what bounds it.
+std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
+                                    std::span<const structure::SurfaceQuad> surface,
+                                    const KernelReach& reach) {
+    const double fine_m = 0.125 * reach.grid_m;
+    const double depth_m =
+        reach.depth_m(thinned_apart * reach.grid_m) + beyond_shell * reach.grid_m;
+    const structure::PointLocator locator(mesh);
+    std::vector<PlacedMarker> points;
+    for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
+        Vec3 x = structure::position(mesh, p.point);
+        for (std::size_t d = 0; d < 3; ++d) x[d] -= depth_m * p.normal[d];
+        points.push_back({locator.nearest(x), p.area_m2 * reach.grid_m});
+    }
+    draw_back(points, mesh, surface, depth_m - fine_m, fine_m);
+    std::vector<PlacedMarker> inside;
+    for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
+        inside.push_back({p.point, p.volume_m3});
+    draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
+    points.insert(points.end(), inside.begin(), inside.end());
+    return thinned(points, mesh, thinned_to * reach.grid_m);
 }
 
-// In grid spacings: with which a plate swung broadside has the exact added mass, or with
-// the larger magic number a disk in a creeping stream errs as much broadside as edgewise
-// (tests/validation/no_slip); not known for the 4-point kernel.
-double edge(coupler::Kernel kernel, bool small_magic_number) {
-    if (kernel == coupler::Kernel::two_point) return small_magic_number ? 0.64 : 0.48;
-    return small_magic_number ? 0.93 : 0.75;
+// Any other mesh than a block.
+std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
+                                  const std::optional<structure::Sheet>& sheet,
+                                  const DryFaces& dry, const KernelReach& reach) {
+    const auto surface = dry.without(structure::boundary_quads(mesh));
+    double thickness_m = 0;
+    std::vector<PlacedMarker> markers;
+    if (sheet) {
+        thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
+        markers = in_layers(mesh, *sheet, thickness_m, dry, reach);
+    } else {
+        markers = in_volume(mesh, surface, reach);
+    }
+    if (sheet && reach.takes_one_layer(thickness_m))
+        share_surface(markers, mesh, top_of(*sheet), reach.grid_m, both);
+    else
+        share_surface(markers, mesh, surface, reach.grid_m);
+    return markers;
 }
 
-// In grid spacings, by the same theory, at Stokes layers of 1 (small magic numbers)
-// and 8.
-double carried(coupler::Kernel kernel, bool small_magic_number) {
-    if (kernel == coupler::Kernel::two_point) return small_magic_number ? 1.46 : 1.02;
-    return small_magic_number ? 1.75 : 1.34;
+// In grid spacings: with which a plate swung broadside has the exact added mass, at a
+// magic number of 0.01, or with 3/16 a disk in a creeping stream errs as much broadside
+// as edgewise (tests/validation/no_slip); not known for the 4-point kernel.
+double edge(coupler::Kernel kernel, double magic_number) {
+    const double of_small = 0.01, of_large = 3.0 / 16;
+    const double part = std::clamp(
+        std::log(magic_number / of_small) / std::log(of_large / of_small), 0.0, 1.0);
+    return kernel == coupler::Kernel::two_point ? std::lerp(0.64, 0.48, part)
+                                                : std::lerp(0.93, 0.75, part);
+}
+
+// In grid spacings: with which plates 2 to 4 spacings thick that swing broadside have the
+// exact added mass (tests/validation/no_slip/plate.py).
+constexpr double rim_of_two = 0.25;
+double rim_of_more(coupler::Kernel kernel) {
+    return kernel == coupler::Kernel::two_point ? 0.15 : 0;
 }
 
 }  // namespace
@@ -254,10 +303,12 @@ double carried(coupler::Kernel kernel, bool small_magic_number) {
 KernelReach reach_in(const scene::Scene& scene) {
     const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
     const double grid_m = scene.fluid->finest_spacing_m();
-    const bool small =
-        scene::relaxation_time_at_bodies(scene).value_or(1) < fluid::trt_from;
-    return {grid_m, face(kernel, small) * grid_m, edge(kernel, small) * grid_m,
-            carried(kernel, small) * grid_m};
+    const double tau = scene::relaxation_time_at_bodies(scene).value_or(1);
+    const double reynolds = fluid::cell_reynolds_number(
+        scene.fluid->expected_speed_m_s, grid_m, scene.fluid->viscosity_m2_s, tau);
+    const double magic = fluid::choose_magic_number(*scene.fluid, {tau, true, reynolds});
+    return {grid_m, WallOfPlanes(kernel, tau, magic), edge(kernel, magic) * grid_m,
+            rim_of_two * grid_m, rim_of_more(kernel) * grid_m};
 }
 
 std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t number) {
@@ -267,14 +318,11 @@ std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t
     const structure::Mesh mesh = to_mesh(body);
     const auto sheet = structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, true));
     if (!sheet) return std::nullopt;
-    double area_m2 = 0;
-    for (const auto& top : top_of(*sheet))
-        area_m2 += structure::quad_area(structure::corners(mesh.nodes, top.node));
-    const double thickness_m = structure::volume_m3(mesh) / area_m2;
+    const double thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
     const KernelReach reach = reach_in(scene);
-    if (!has_one_layer(reach, thickness_m)) return std::nullopt;
-    return CarriedLayer{thickness_m, reach.carried_m,
-                        reach.grid_m * thickness_m / reach.carried_m};
+    if (!reach.takes_one_layer(thickness_m)) return std::nullopt;
+    const double carried = reach.wall.thickness({1, 1});
+    return CarriedLayer{thickness_m, carried * reach.grid_m, thickness_m / carried};
 }
 
 std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,

@@ -77,7 +77,7 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
 std::string explain_layer(const scene::Scene& scene, std::size_t number) {
     const auto layer = bodies::carried_layer(scene, number);
     if (!layer) return "";
-    const double spacing_m = scene.fluid->spacing_m;
+    const double spacing_m = scene.fluid->finest_spacing_m();
     const double own = layer->thickness_m / spacing_m;
     const double carried = layer->carried_m / spacing_m;
     std::string text = fmt::format(

@@ -140,7 +140,8 @@ void keys(Io& io, Fluid& fluid) {
        fluid.collision);
     io(key("magic_number", "Lambda of the collisions trt and recursive_mrt: how odd modes relax. "
            "Without it 3/16, which puts walls exactly half way, or in trt what makes the odd "
-           "rate 1 if the relaxation time is below 0.55; in recursive_mrt 0.01.").above(0).at_most(1),
+           "rate 1 if the relaxation time is below 0.55; in recursive_mrt 0.75 over the "
+           "Reynolds number of a cell, from 0.01 to 3/16.").above(0).at_most(1),
        fluid.magic_number);
     io(key("precision", "Of populations in memory: double; float halves memory and time; "
            "float_double computes in double.").by_default(),

@@ -46,6 +46,21 @@ TEST(CollisionChoice, KeepsTheOddRateFromVanishing) {
     EXPECT_NEAR(odd(0.55), 1 / (0.5 + 0.1875 / 0.05), 1e-12);
 }
 
+TEST(CollisionChoice, TakesTheMagicNumberFromTheCellsReynoldsNumber) {
+    FluidConfig config = lattice_fluid({4, 4, 4}, 0.51, Collision::automatic);
+    config.holds_no_slip = true;
+    const auto magic_at = [&](double cell_reynolds, double step_s) {
+        config.time_step_s *= step_s;
+        config.expected_speed_m_s =
+            cell_reynolds * config.viscosity_m2_s / config.spacing_m;
+        return choose_magic_number(config);
+    };
+    EXPECT_DOUBLE_EQ(magic_at(1000, 1), 0.01);
+    EXPECT_DOUBLE_EQ(magic_at(15, 1), 0.05);
+    EXPECT_DOUBLE_EQ(magic_at(15, 0.5), 0.05);  // whatever the step
+    EXPECT_DOUBLE_EQ(magic_at(1, 1), 3.0 / 16);
+}
+
 TEST(CollisionChoice, GivesItsReason) {
     FluidConfig config = lattice_fluid({4, 4, 4}, 0.5015, Collision::automatic);
     const std::string low = collision_reason(config);

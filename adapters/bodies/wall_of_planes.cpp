@@ -1,0 +1,137 @@
+#include "adapters/bodies/wall_of_planes.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+#include "coupler/immersed_boundary/marker_stencil.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i{0, 1};
+
+constexpr double stokes_layer = 2;
+constexpr int places_in_grid = 10;
+
+// Distances of planes: closer ones pull against each other, wider ones let the fluid
+// between them go. Two carry what is between them up to a larger distance.
+struct Range {
+    double closest, widest;
+};
+constexpr Range range(int count) {
+    return count == 2 ? Range{0.9, 2.0} : Range{0.75, widest_apart};
+}
+// One plane that is too thin by less than this errs less than two that are close together
+// (plates 1.85 and 2 spacings thick: tests/validation/no_slip/plate.py).
+constexpr double thinner_is_better = 0.4;
+// From here on the depth of the outer planes hardly depends on their number, but on
+// whether it is even.
+constexpr int many = 7;
+
+}  // namespace
+
+WallOfPlanes::WallOfPlanes(coupler::Kernel kernel, double relaxation_time,
+                           double magic_number)
+    : kernel_(kernel),
+      viscosity_((relaxation_time - 0.5) / 3),
+      frequency_(2 * viscosity_ / (stokes_layer * stokes_layer)) {
+    for (int n = 0; n < cells; ++n)
+        waves_[static_cast<std::size_t>(n)] =
+            wave(2 * std::numbers::pi * n / cells, relaxation_time, magic_number);
+}
+
+// q = U + F dt / (2 rho) over the amplitude of the force. Populations that carry the
+// shear are lumped by their velocity along z: 0, +1, -1, with 2/3, 1/6, 1/6 of the
+// momentum at rest. They have three modes: momentum, the odd moment of third order and
+// the stress.
+Complex WallOfPlanes::wave(double k, double relaxation_time, double magic_number) const {
+    const double even = 1 / relaxation_time;
+    const double odd = 1 / (magic_number / (relaxation_time - 0.5) + 0.5);
+    const Eigen::RowVector3d momentum(1, 1, 1), third(0, 1, 1), stress(0, 1, -1);
+    const Eigen::RowVector3d third_after = (1 - odd) * third + odd / 3 * momentum;
+    const Eigen::RowVector3d stress_after = (1 - even) * stress;
+    Eigen::Matrix3d after;
+    after << momentum - third_after, (third_after + stress_after) / 2,
+        (third_after - stress_after) / 2;
+    const double third_forced = odd / 6 + (1 - odd / 2) / 3;
+    const Eigen::Vector3d forced(1 - third_forced, third_forced / 2, third_forced / 2);
+    const Eigen::DiagonalMatrix<Complex, 3> stream(1, std::exp(-i * k), std::exp(i * k));
+    Eigen::Matrix3cd system = -(stream * after.cast<Complex>());
+    system.diagonal().array() += std::exp(i * frequency_);
+    return system.partialPivLu().solve(stream * forced.cast<Complex>()).sum() + 0.5;
+}
+
+// Force over rho i omega V.
+Complex WallOfPlanes::moved(const std::vector<double>& places) const {
+    const auto planes = static_cast<Eigen::Index>(places.size());
+    Eigen::MatrixXcd spread(planes, cells);
+    for (Eigen::Index p = 0; p < planes; ++p) {
+        coupler::Stencil1D s;
+        coupler::set_stencil(s, kernel_, places[static_cast<std::size_t>(p)]);
+        for (int n = 0; n < cells; ++n) {
+            spread(p, n) = 0;
+            for (int j = 0; j < s.count; ++j)
+                spread(p, n) += s.weight[static_cast<std::size_t>(j)] *
+                                std::exp(-2 * std::numbers::pi * n / cells * i *
+                                         static_cast<double>(s.first + j));
+        }
+    }
+    const Eigen::Map<const Eigen::VectorXcd> response(waves_.data(), cells);
+    const Eigen::MatrixXcd felt =
+        spread.conjugate() * response.asDiagonal() * spread.transpose() / cells;
+    const Eigen::VectorXcd ones = Eigen::VectorXcd::Ones(planes);
+    return felt.partialPivLu().solve(ones).sum() / (i * frequency_);
+}
+
+double WallOfPlanes::thickness(const EvenPlanes& planes) const {
+    const Complex outside = 2.0 * std::sqrt(viscosity_ / (i * frequency_));
+    double sum = 0;
+    for (int place = 0; place < places_in_grid; ++place) {
+        std::vector<double> at;
+        for (int p = 0; p < planes.count; ++p)
+            at.push_back(0.5 * cells + (p - 0.5 * (planes.count - 1)) * planes.apart +
+                         static_cast<double>(place) / places_in_grid);
+        sum += (moved(at) - outside).real();
+    }
+    return sum / places_in_grid;
+}
+
+double WallOfPlanes::depth(double apart) const {
+    const auto of = [&](int count) {
+        return 0.5 * (thickness({count, apart}) - (count - 1) * apart);
+    };
+    return 0.5 * (of(many) + of(many + 1));
+}
+
+EvenPlanes WallOfPlanes::for_body(double thickness_wanted) const {
+    const auto of = [&](const EvenPlanes& planes) {
+        return planes.count < many
+                   ? thickness(planes)
+                   : (planes.count - 1) * planes.apart + 2 * depth(planes.apart);
+    };
+    EvenPlanes best{1, 1};
+    double best_error = std::abs(of(best) - thickness_wanted);
+    if (thickness_wanted < of(best) + thinner_is_better) return best;
+    const double outside = 2.2;  // no more of a body is outside of its outer planes
+    const int fewest = static_cast<int>((thickness_wanted - outside) / widest_apart);
+    for (int count = std::max(2, fewest);; ++count) {
+        auto [low, high] = range(count);
+        const double least = of({count, low});
+        for (int halving = 0; halving < 20; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (of({count, middle}) < thickness_wanted ? low : high) = middle;
+        }
+        const EvenPlanes found{count, 0.5 * (low + high)};
+        const double error = std::abs(of(found) - thickness_wanted);
+        if (error < best_error) {
+            best = found;
+            best_error = error;
+        }
+        if (best_error < 1e-3 || least > thickness_wanted) return best;
+    }
+}
+
+}  // namespace magfsi::bodies
