@@ -1,8 +1,11 @@
 #include "adapters/bodies/mesh_estimate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -20,6 +23,7 @@ using structure::Vec3;
 // Of a mesh that is solved: about half a second. Meshes are refined as far as these
 // allow, at most twice: where few elements meet a clamp, one refinement does not tell.
 constexpr std::size_t most_elements = 6000;
+constexpr std::size_t most_refined = most_elements / 8;
 constexpr int samples_of_field = 200;
 
 double length(const Vec3& v) {
@@ -118,32 +122,41 @@ Right extrapolated(const scene::Body& body, const structure::Body& solid,
     return {here_m, right_at};
 }
 
-std::optional<Right> right_response(const scene::Body& body, const structure::Body& solid,
-                                    const structure::StaticLoads& loads) {
-    const std::size_t elements = solid.mesh.elements.size();
-    if (8 * elements <= most_elements) return on_refined(body, solid, loads);
-    if (elements > most_elements || !std::holds_alternative<structure::Box>(body.mesh))
-        return std::nullopt;
+bool is_block(const scene::Body& body) {
+    return std::holds_alternative<structure::Box>(body.mesh);
+}
+
+std::string why_not(const scene::Body& body, std::size_t elements) {
+    if (elements <= (is_block(body) ? most_elements : most_refined)) return "";
+    return fmt::format(
+        "more than {} elements{}: compare with a run on elements half or twice as large",
+        is_block(body) ? most_elements : most_refined,
+        is_block(body) ? "" : " that are no block");
+}
+
+Right right_response(const scene::Body& body, const structure::Body& solid,
+                     const structure::StaticLoads& loads) {
+    if (solid.mesh.elements.size() <= most_refined) return on_refined(body, solid, loads);
     return extrapolated(body, solid, loads);
 }
 
 }  // namespace
 
-std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
-                                                const scene::Body& body,
-                                                const structure::Body& solid) {
+MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& body,
+                                 const structure::Body& solid) {
     const Loads loads = loads_of(scene, solid);
-    if (loads.words.empty()) return std::nullopt;
+    if (loads.words.empty()) return {"nothing bends the body", "", 0, {}};
+    if (const std::string why = why_not(body, solid.mesh.elements.size()); !why.empty())
+        return {why, "", 0, {}};
     std::optional<Right> right;
     std::vector<Vec3> here_m;
     try {
         right = right_response(body, solid, loads.loads);
-        if (!right) return std::nullopt;
         here_m = structure::linear_response(solid, loads.loads);
     } catch (const std::runtime_error&) {
-        return std::nullopt;  // not stable without loads: the run will say so
+        return {"not stable without loads", "", 0, {}};
     }
-    MeshEstimate out{loads.words, 0, {}};
+    MeshEstimate out{"", loads.words, 0, {}};
     const auto farthest =
         std::ranges::max_element(right->nodes_m, {}, length) - right->nodes_m.begin();
     const auto node = static_cast<std::size_t>(farthest);

@@ -145,8 +145,7 @@ inline StripShape strip_shape(const Body& body, const std::vector<Vec3>& nodes) 
     out.end_to_end = std::hypot(right[0] - left[0], right[2] - left[2]) / strip_length_m;
     out.mid_rise =
         (-std::sin(angle) * rise_x + std::cos(angle) * rise_z) / strip_length_m;
-    out.mid_angle_deg =
-        slope_between(line[n / 2 - part], line[n / 2 + part]) / degree;
+    out.mid_angle_deg = slope_between(line[n / 2 - part], line[n / 2 + part]) / degree;
     // Summed chord by chord, so that a turn of more than 180 degrees counts in full.
     double bend = 0;
     for (std::size_t i = 2; i <= n; ++i) {

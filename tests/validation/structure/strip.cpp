@@ -43,7 +43,8 @@ void expect_shapes(const std::array<int, 3>& elements, ElementVariant variant,
             const double error = error_against(row, shape);
             std::printf(
                 "%-14s %dx%dx%d theta %3s %2s mT: end_to_end %.5f (%s) mid_rise %.5f "
-                "(%s) bend %.3f (%s) tilt %.2f (section %s): %.2f %%, %d iterations, %.2f s\n",
+                "(%s) bend %.3f (%s) tilt %.2f (section %s): %.2f %%, %d iterations, "
+                "%.2f s\n",
                 std::string(name_of(variant)).c_str(), elements[0], elements[1],
                 elements[2], direction, row.at("B_mT").c_str(), shape.end_to_end,
                 row.at("end_to_end/L").c_str(), shape.mid_rise,
