@@ -54,8 +54,10 @@ class Solid(unittest.TestCase):
 
 class ClampedStrip(unittest.TestCase):
     def compare(self, elements, weight_g, limit):
-        probes = testing.good_run(HERE / "clamped_strip.yaml", {
-            ELEMENTS: elements, "gravity.acceleration": f"{9.81 * weight_g} m/s2"}).probes()
+        run = testing.good_run(HERE / "clamped_strip.yaml", {
+            ELEMENTS: elements, "gravity.acceleration": f"{9.81 * weight_g} m/s2"})
+        self.assertNotIn("released", run.out + run.err)
+        probes = run.probes()
         row = finest("solid_clamped.csv", weight_g=weight_g)
         for point in ("middle", "edge"):
             error = probes[f"{point}_uz[m]"][-1] / 0.185e-3 / float(row[f"{point}_uz/H"]) - 1
