@@ -45,8 +45,8 @@ std::string explain_error(const scene::Scene& scene, const scene::Body& body,
                            estimate.not_made);
     std::string text = fmt::format(
         "    error of the displacements: about {} (linear response to {}, "
-        "against finer elements)",
-        in_percent(estimate.largest), estimate.loads);
+        "against {})",
+        in_percent(estimate.largest), estimate.loads, estimate.against);
     double worst = estimate.largest;
     for (const auto& [point, error] : estimate.points) {
         text += fmt::format(", of {} {}", point, in_percent(error));
