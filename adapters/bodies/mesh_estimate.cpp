@@ -1,8 +1,11 @@
 #include "adapters/bodies/mesh_estimate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -20,6 +23,7 @@ using structure::Vec3;
 // Of a mesh that is solved: about half a second. Meshes are refined as far as these
 // allow, at most twice: where few elements meet a clamp, one refinement does not tell.
 constexpr std::size_t most_elements = 6000;
+constexpr std::size_t most_refined = most_elements / 8;
 constexpr int samples_of_field = 200;
 
 double length(const Vec3& v) {
@@ -79,9 +83,12 @@ namespace {
 // What counts as right at any point of the body. nodes_m: about that, of the mesh's
 // nodes.
 struct Right {
+    std::string words;
     std::vector<Vec3> nodes_m;
     std::function<Vec3(const Vec3& point_m)> at_m;
 };
+
+constexpr auto finer = "finer elements";
 
 std::vector<Vec3> response_of(structure::Body body, const structure::StaticLoads& loads) {
     body.element = structure::ElementVariant::assumed_strain;
@@ -94,7 +101,8 @@ Right on_refined(const scene::Body& body, const structure::Body& solid,
     if (8 * mesh.elements.size() <= most_elements) mesh = structure::refined(mesh);
     const auto fine_m = response_of(to_body(body, mesh), loads);
     const auto nodes = static_cast<std::ptrdiff_t>(solid.mesh.nodes.size());
-    return {{fine_m.begin(), fine_m.begin() + nodes},
+    return {finer,
+            {fine_m.begin(), fine_m.begin() + nodes},
             [mesh, fine_m](const Vec3& point_m) { return at(mesh, fine_m, point_m); }};
 }
 
@@ -115,35 +123,56 @@ Right extrapolated(const scene::Body& body, const structure::Body& solid,
         for (std::size_t d = 0; d < 3; ++d) out[d] += (out[d] - v[d]) / 3;
         return out;
     };
-    return {here_m, right_at};
+    return {finer, here_m, right_at};
 }
 
-std::optional<Right> right_response(const scene::Body& body, const structure::Body& solid,
-                                    const structure::StaticLoads& loads) {
-    const std::size_t elements = solid.mesh.elements.size();
-    if (8 * elements <= most_elements) return on_refined(body, solid, loads);
-    if (elements > most_elements || !std::holds_alternative<structure::Box>(body.mesh))
-        return std::nullopt;
-    return extrapolated(body, solid, loads);
+// What the element does apart from the mesh.
+Right on_the_same_mesh(const structure::Body& solid,
+                       const structure::StaticLoads& loads) {
+    const auto right_m = response_of(solid, loads);
+    return {"elements assumed_strain on the same mesh, whose own error is not estimated",
+            right_m, [mesh = solid.mesh, right_m](const Vec3& point_m) {
+                return at(mesh, right_m, point_m);
+            }};
+}
+
+bool is_block(const scene::Body& body) {
+    return std::holds_alternative<structure::Box>(body.mesh);
+}
+
+std::string why_not(const scene::Body& body, std::size_t elements) {
+    const bool by_element = body.element != structure::ElementVariant::assumed_strain;
+    const std::size_t most = is_block(body) || by_element ? most_elements : most_refined;
+    if (elements <= most) return "";
+    return fmt::format(
+        "more than {} elements{}: compare with a run on elements half or twice as large",
+        most, is_block(body) ? "" : " that are no block");
+}
+
+Right right_response(const scene::Body& body, const structure::Body& solid,
+                     const structure::StaticLoads& loads) {
+    if (solid.mesh.elements.size() <= most_refined) return on_refined(body, solid, loads);
+    if (is_block(body)) return extrapolated(body, solid, loads);
+    return on_the_same_mesh(solid, loads);
 }
 
 }  // namespace
 
-std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
-                                                const scene::Body& body,
-                                                const structure::Body& solid) {
+MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& body,
+                                 const structure::Body& solid) {
     const Loads loads = loads_of(scene, solid);
-    if (loads.words.empty()) return std::nullopt;
+    if (loads.words.empty()) return {"nothing bends the body", "", "", 0, {}};
+    if (const std::string why = why_not(body, solid.mesh.elements.size()); !why.empty())
+        return {why, "", "", 0, {}};
     std::optional<Right> right;
     std::vector<Vec3> here_m;
     try {
         right = right_response(body, solid, loads.loads);
-        if (!right) return std::nullopt;
         here_m = structure::linear_response(solid, loads.loads);
     } catch (const std::runtime_error&) {
-        return std::nullopt;  // not stable without loads: the run will say so
+        return {"not stable without loads", "", "", 0, {}};
     }
-    MeshEstimate out{loads.words, 0, {}};
+    MeshEstimate out{"", loads.words, right->words, 0, {}};
     const auto farthest =
         std::ranges::max_element(right->nodes_m, {}, length) - right->nodes_m.begin();
     const auto node = static_cast<std::size_t>(farthest);

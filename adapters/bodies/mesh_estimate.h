@@ -1,7 +1,6 @@
 // What the mesh of a scene's body does to its displacements, before the run.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,18 +14,20 @@ namespace magfsi::bodies {
 structure::Vec3 strongest_field_t(const scene::Scene& scene);
 
 struct MeshEstimate {
-    std::string loads;   // in words
-    double largest = 0;  // error of the largest displacement over it
+    std::string not_made;  // why, and what to do instead; empty where it is made
+    std::string loads;     // in words
+    std::string against;   // what counts as right, in words
+    double largest = 0;    // error of the largest displacement over it
     std::vector<std::pair<std::string, double>> points;  // of the body's point probes
 };
 
 // By structure/equilibrium/mesh_error.h, for blocks of more than 750 elements against
 // what they and half as many elements along each axis extrapolate to, under the strongest
 // field of the run and the weight; without either, of a held body, under its weight
-// across the thickness. Empty for a free body without field, and for meshes that take
-// more than about a second: above 750 elements, or 6000 of a block.
-std::optional<MeshEstimate> estimate_mesh_error(const scene::Scene& scene,
-                                                const scene::Body& body,
-                                                const structure::Body& solid);
+// across the thickness. Of other meshes of more than 750 elements, only what their
+// element does to them. Not made of a free body without field, of one that is not stable
+// without loads, and of meshes that take more than about a second.
+MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& body,
+                                 const structure::Body& solid);
 
 }  // namespace magfsi::bodies

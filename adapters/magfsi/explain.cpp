@@ -40,13 +40,15 @@ std::string in_percent(double error) {
 std::string explain_error(const scene::Scene& scene, const scene::Body& body,
                           const structure::Body& solid) {
     const auto estimate = bodies::estimate_mesh_error(scene, body, solid);
-    if (!estimate) return "    error of the displacements: not estimated\n";
+    if (!estimate.not_made.empty())
+        return fmt::format("    error of the displacements: not estimated, {}\n",
+                           estimate.not_made);
     std::string text = fmt::format(
         "    error of the displacements: about {} (linear response to {}, "
-        "against finer elements)",
-        in_percent(estimate->largest), estimate->loads);
-    double worst = estimate->largest;
-    for (const auto& [point, error] : estimate->points) {
+        "against {})",
+        in_percent(estimate.largest), estimate.loads, estimate.against);
+    double worst = estimate.largest;
+    for (const auto& [point, error] : estimate.points) {
         text += fmt::format(", of {} {}", point, in_percent(error));
         if (std::abs(error) > std::abs(worst)) worst = error;
     }

@@ -73,12 +73,12 @@ def draw_views(axes, folder):
 
 
 def draw_weights(axes, paths):
-    rods = runs.read_rows(HERE / "reference.csv")
+    reference = runs.read_rows(HERE / "reference.csv")
     for g in ("0.5", "1", "2"):
-        for kind in ("rod plane stress", "rod plane strain"):
-            rows = [r for r in rods if r["g"] == g and r["source"] == kind]
-            axes.plot([float(r["B_mT"]) for r in rows], [float(r["heading_deg"]) for r in rows],
-                      color="0.65", lw=0.7, ls="--", zorder=1)
+        rows = [r for r in reference if r["g"] == g and r["source"] == "solid 40x4x2"]
+        axes.plot([float(r["B_mT"]) for r in rows[1::2]],
+                  [float(r["heading_deg"]) for r in rows[1::2]], "x", ms=3, color=GREY, mew=0.7,
+                  zorder=3)
     places = {"0g": (20.3, 79), "half": (20.3, 71.5), "1g": (20.3, 64), "2g": (20.3, 48)}
     for name, label in WEIGHTS.items():
         axes.plot(paths[name].field_mt, paths[name].heading, color=INK, lw=1.3, zorder=2)
@@ -91,7 +91,7 @@ def draw_weights(axes, paths):
         axes.text(x, y, text, ha=ha, va=va, fontsize=7)
     axes.set(xlim=(0, 20), ylim=(0, 105), xticks=range(0, 21, 5), yticks=range(0, 91, 30),
              xlabel="field [mT]", ylabel="heading, end to end [\N{DEGREE SIGN}]")
-    axes.text(10.5, 18, "dashed: rods of the reference", fontsize=7, color=GREY)
+    axes.text(10.5, 18, "crosses: finite elements", fontsize=7, color=GREY)
     clean(axes)
 
 

@@ -1,6 +1,7 @@
 // The bodies of the static references, the tables of these, and the shapes found.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -114,7 +115,7 @@ struct StripShape {
     double end_to_end = 0;      // over the length
     double mid_rise = 0;        // middle over the mean of the ends, along the normal
     double total_bend_deg = 0;  // turn of the end section against the first one
-    double mid_angle_deg = 0;
+    double mid_angle_deg = 0;   // of the line between 0.45 and 0.55 of the length
 };
 
 inline double slope_between(const Vec3& a, const Vec3& b) {
@@ -137,13 +138,14 @@ inline StripShape strip_shape(const Body& body, const std::vector<Vec3>& nodes) 
     const Vec3& left = line.front();
     const Vec3& right = line.back();
     const double angle = slope_between(line[n / 2 - 1], line[n / 2 + 1]);
+    const std::size_t part = std::max<std::size_t>(1, n / 20);
     const double rise_x = line[n / 2][0] - 0.5 * (left[0] + right[0]);
     const double rise_z = line[n / 2][2] - 0.5 * (left[2] + right[2]);
     StripShape out;
     out.end_to_end = std::hypot(right[0] - left[0], right[2] - left[2]) / strip_length_m;
     out.mid_rise =
         (-std::sin(angle) * rise_x + std::cos(angle) * rise_z) / strip_length_m;
-    out.mid_angle_deg = angle / degree;
+    out.mid_angle_deg = slope_between(line[n / 2 - part], line[n / 2 + part]) / degree;
     // Summed chord by chord, so that a turn of more than 180 degrees counts in full.
     double bend = 0;
     for (std::size_t i = 2; i <= n; ++i) {
