@@ -85,11 +85,12 @@ class SwungPlate(unittest.TestCase):
         self.assertGreater(error["0.2 mm"], 1)
 
     def test_several_layers_are_as_thick_and_as_wide_as_the_plate(self):
-        # 3.5 spacings thick, three layers. Places of planes scatter by 0.05 spacings in the
-        # theory, of 28 and 3.5: 0.4 and 1.5 %; the Stokes layer is 2.1 spacings.
+        # 3.5 spacings thick, three layers. The rim is known to 0.1 spacings of 14, 1.4 % of the
+        # mass broadside. Edgewise the mass is an eighth of that, and 0.1 spacings of thickness
+        # are 3 % of it, the rim another 3 %.
         for broadside in (True, False):
             mass, drag = in_layers(0.0527, broadside)
-            self.assertLess(abs(mass), 0.02 if broadside else 0.04)
+            self.assertLess(abs(mass), 0.02 if broadside else 0.06)
             self.assertLess(abs(drag), 0.05)
 
 
