@@ -115,7 +115,7 @@ def draw_height(axes, probes, body, row, reference):
         fine_ms, fine = 1e3 * reference["t[s]"], 1e3 * plotting.column(reference, f"{body}.com_z[m]")
         inside = fine_ms <= time_ms[-1] + 1e-6 * period_ms
         axes.plot(fine_ms[inside], fine[inside], color=GREY, lw=0.9, ls="--")
-        axes.text(0.65, 0.04, "dashed: reference, 0.133 mm cells", transform=axes.transAxes,
+        axes.text(0.65, 0.04, "dashed: converged.yaml", transform=axes.transAxes,
                   fontsize=7, color=GREY, ha="right", va="bottom")
     axes.plot(time_ms, height, color=INK, lw=1.2)
     axes.plot(marks, at_marks, "o", ms=4, color=INK, clip_on=False)
