@@ -1,0 +1,199 @@
+"""The error of a scene as a sum over its numerical parameters, fitted to a few runs.
+
+    y(u) = Q + sum_k (c_k u_k^p_k + d_k u_k^(p_k + 1)) + sum_k<l e_kl (u_k u_l)^((p_k + p_l) / 2)
+
+y is a number of a run, u_k the size of parameter k over that of the coarsest run. The orders
+p_k are not known: all between 0.8 and 2.5 are admissible (L. Eca, M. Hoekstra, J. Comput. Phys.
+262 (2014) 104, let the observed order in that range and fall back on 1 and 2 elsewhere; T. Xing,
+F. Stern, J. Fluids Eng. 132 (2010) 061403, widen the bar where it is far from the formal one).
+Each choice of orders and of noise is a linear least-squares problem with Gaussian priors, whose
+marginal likelihood is its weight; the bar covers the spread over all of them, the noise, and what
+leaving out any one run changes.
+"""
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+ORDERS = (0.8, 1.0, 1.3, 1.6, 2.0, 2.5)
+ORDER_SPREAD = 0.45  # of the prior, in ln(order) about the nominal one
+NOISE = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1)  # of the largest arm; all alike likely at first
+LEADING = 10.0  # prior of c_k: as good as free, in sizes of the parameter's arm
+NEXT = 0.35  # of d_k: runs are coarse, the next order is not negligible
+BOTH = 0.25  # of e_kl, of the lesser of the two arms
+SIGMAS = 2.0  # of the bar: 95 % of a normal distribution
+KEPT = 400  # hypotheses, by weight
+NEGLIGIBLE = 1e-3  # of the largest arm: such a parameter's order is not looked for
+
+
+@dataclass
+class Parameter:
+    """sizes: of each run; a row for each way to measure them (a step by itself, or relative to
+    the spacing), all of them admissible."""
+    name: str
+    sizes: np.ndarray  # (measures, runs)
+    nominal: float  # order
+
+
+@dataclass
+class Hypothesis:
+    orders: tuple
+    measures: tuple
+    sigma: float
+    weight: float
+    mean: np.ndarray
+    covariance: np.ndarray
+
+
+def _features(u, orders):
+    """Rows of (constant, leading terms, next terms, products) of sizes (runs, parameters)."""
+    powers = [u[:, k]**p for k, p in enumerate(orders)]
+    columns = [np.ones(len(u)), *powers, *(u[:, k] * powers[k] for k in range(len(orders)))]
+    columns += [np.sqrt(a * b) for a, b in itertools.combinations(powers, 2)]
+    return np.column_stack(columns)
+
+
+def arm(sizes, k):
+    """Runs that differ in parameter k only, from large sizes to small: the most of them that there
+    are. sizes: (runs, parameters)."""
+    others = np.delete(sizes, k, axis=1)
+    best = []
+    for row in others:
+        alike = np.flatnonzero(np.all(np.abs(others - row) <= 1e-6 * np.abs(row), axis=1))
+        _, first = np.unique(sizes[alike, k], return_index=True)
+        if len(first) > len(best):
+            best = alike[first]
+    return np.array(best, dtype=int)[::-1]
+
+
+class Fit:
+    """Of one number of all runs. Errors are signed: value less limit."""
+
+    def __init__(self, parameters, values, scale, floor=1e-6, settings=None):
+        """scale: of the values, for what is negligible and (floor) what no run resolves.
+        settings (runs, parameters) tell which runs differ in one only; without it, sizes do."""
+        self.parameters = parameters
+        self.values = np.asarray(values, float)
+        first = np.array([p.sizes[0] for p in parameters]).T.reshape(len(self.values), -1)
+        alike = first if settings is None else np.asarray(settings, float)
+        self.arms = [arm(alike, k) for k in range(len(parameters))]
+        self.coarsest = [p.sizes.max(axis=1) for p in parameters]
+        self.ranges = np.array([np.ptp(self.values[a]) for a in self.arms])
+        self.floor = floor * scale
+        widest = max([*self.ranges, np.ptp(self.values), self.floor])
+        # An arm shows only a part of its parameter's error, even one of first order.
+        shown = np.array([max(0.2, 1 - first[a, k].min() / first[a, k].max()) if len(a) else 1
+                          for k, a in enumerate(self.arms)])
+        self.sizes = np.maximum(self.ranges / shown, 1e-4 * widest)
+        self.widest = widest
+        self.hypotheses = self._weighed(self._candidates(), np.arange(len(self.values)))
+        self._without = None
+
+    def _candidates(self):
+        each = []
+        for k, p in enumerate(self.parameters):
+            known = self.ranges[k] < NEGLIGIBLE * self.widest
+            orders = (p.nominal,) if known else ORDERS
+            measures = range(1 if known else len(p.sizes))
+            each.append([(o, m) for o in orders for m in measures])
+        for choice in itertools.product(*each):
+            orders = tuple(o for o, _ in choice)
+            off = sum(np.log(o / p.nominal)**2 for o, p in zip(orders, self.parameters))
+            for noise in NOISE:
+                yield (orders, tuple(m for _, m in choice), np.hypot(noise * self.widest,
+                       self.floor), -0.5 * off / ORDER_SPREAD**2)
+
+    def _scaled(self, sizes, measures):
+        """sizes: (parameters of (measures, points))."""
+        return np.column_stack([s[m] / self.coarsest[k][m]
+                                for k, (s, m) in enumerate(zip(sizes, measures))]
+                               or [np.empty((len(self.values), 0))])
+
+    def _prior(self):
+        pairs = [BOTH * min(a, b) for a, b in itertools.combinations(self.sizes, 2)]
+        level = 10 * np.abs(self.values).max() + 100 * self.widest
+        return np.concatenate([[level], LEADING * self.sizes, NEXT * self.sizes, pairs])**2
+
+    def _weighed(self, candidates, kept):
+        prior = self._prior()
+        y = self.values[kept]
+        sizes = [p.sizes for p in self.parameters]
+        found, designs = [], {}
+        for orders, measures, sigma, log_prior in candidates:
+            key = (orders, measures)
+            if key not in designs:
+                x = _features(self._scaled(sizes, measures), orders)[kept]
+                designs[key] = x, (x * prior) @ x.T
+            x, spread = designs[key]
+            evidence = spread + sigma**2 * np.eye(len(y))
+            factor = np.linalg.cholesky(evidence)
+            white = np.linalg.solve(factor, y)
+            weight = log_prior - 0.5 * white @ white - np.log(np.diag(factor)).sum()
+            found.append((weight, orders, measures, sigma, x, factor, white))
+        top = max(w for w, *_ in found)
+        found = sorted(found, key=lambda f: -f[0])[:KEPT]
+        out = []
+        for weight, orders, measures, sigma, x, factor, white in found:
+            if weight < top - 12:
+                break
+            gain = np.linalg.solve(factor, x * prior)
+            out.append(Hypothesis(orders, measures, sigma, np.exp(weight - top),
+                                  gain.T @ white, np.diag(prior) - gain.T @ gain))
+        total = sum(h.weight for h in out)
+        for h in out:
+            h.weight /= total
+        return out
+
+    def _moments(self, hypotheses, rows):
+        """rows(hypothesis): functionals (points, features). Means and standard deviations."""
+        mean = second = 0
+        for h in hypotheses:
+            g = rows(h)
+            m = g @ h.mean
+            mean = mean + h.weight * m
+            second = second + h.weight * (np.einsum("ij,jk,ik->i", g, h.covariance, g) + m**2)
+        return mean, np.sqrt(np.maximum(0, second - mean**2))
+
+    def _leaving_one_out(self):
+        """Hypotheses of the likeliest orders, without each run in turn."""
+        if self._without is None:
+            likely = [(h.orders, h.measures, h.sigma, 0.0) for h in self.hypotheses[:40]]
+            every = np.arange(len(self.values))
+            self._without = [self._weighed(likely, np.delete(every, i)) for i in every
+                             ] if len(every) > 3 else []
+        return self._without
+
+    def _bar(self, rows):
+        mean, spread = self._moments(self.hypotheses, rows)
+        bar = SIGMAS * spread
+        for others in self._leaving_one_out():
+            moved, _ = self._moments(others, rows)
+            bar = np.maximum(bar, np.abs(moved - mean))
+        return mean, bar
+
+    def limit(self):
+        """(value, bar) with all parameters at zero."""
+        mean, bar = self._bar(lambda h: np.eye(1, len(h.mean)))
+        return float(mean[0]), float(bar[0])
+
+    def errors(self, sizes, only=None):
+        """(errors, bars) of settings; sizes: for each parameter (measures, settings). only: of
+        that parameter's terms alone."""
+        count = len(self.parameters)
+
+        def rows(h):
+            g = _features(self._scaled(sizes, h.measures), h.orders)
+            g[:, 0] = 0
+            if only is not None:
+                mine = np.zeros(g.shape[1], bool)
+                mine[[1 + only, 1 + count + only]] = True
+                g[:, ~mine] = 0
+            return g
+        return self._bar(rows)
+
+    def order(self, k):
+        """Mean and standard deviation over the hypotheses."""
+        values = np.array([h.orders[k] for h in self.hypotheses])
+        weights = np.array([h.weight for h in self.hypotheses])
+        mean = float(weights @ values)
+        return mean, float(np.sqrt(max(0, weights @ values**2 - mean**2)))
