@@ -97,8 +97,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);
     app.footer(
-        "The launcher ./magfsi has besides: study FILE (accuracy against time), bench, "
-        "test,\nlammps (LAMMPS with our styles), python SCRIPT (with the package "
+        "The launcher ./magfsi has besides: cost SCENE (what accuracy costs), study FILE "
+        "(runs\nover a product of settings), bench, test, lammps (LAMMPS with our styles), python SCRIPT (with the package "
         "magfsi).");
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");

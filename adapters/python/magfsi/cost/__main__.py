@@ -104,10 +104,12 @@ def main():
     command.conclude(result, wish)
     report.write_runs(result, wish.out / "runs.csv")
     report.write_probes(result, wish.out / "cost.csv")
+    from magfsi.cost import figure  # matplotlib is slow to start: not before it is needed
+    figure.draw(result, wish.out / "figure.png")
     text = report.text(result)
     (wish.out / "cost.txt").write_text(text)
     print("\n" + text)
-    print(f"{wish.out}/cost.txt, cost.csv, runs.csv")
+    print(f"{wish.out}/cost.txt, cost.csv, runs.csv, figure.png")
 
 
 if __name__ == "__main__":

@@ -24,8 +24,12 @@ class Advice:
     why: str = ""
 
 
-def _options(parameter, coarsest):
-    factors = [f for f in parameter.factors if coarsest * (1 - 1e-9) <= f <= FINER]
+def _options(parameter, reach):
+    """Factors of the runs (reach), and finer ones; of the step none, which may act through the
+    relaxation time."""
+    most = max(reach) if parameter.name == "step" else FINER
+    factors = [f for f in parameter.factors
+               if min(reach) * (1 - 1e-9) <= f <= most * (1 + 1e-9)]
     while len(factors) > OPTIONS:
         factors = [f for i, f in enumerate(factors) if i % 2 == 0 or f == 1]
         if all(b / a > 1.4 for a, b in zip(factors, factors[1:])):
@@ -55,8 +59,8 @@ class Settings:
         self.scene, self.probes = scene, probes
         self.names = [p.name for p in scene.parameters]
         done = [v for v in variants if v.run.completed()]
-        coarsest = {n: min(v.setting[n] for v in done) for n in self.names}
-        options = [_options(p, coarsest[p.name]) for p in scene.parameters]
+        reach = {n: [v.setting[n] for v in done] for n in self.names}
+        options = [_options(p, reach[p.name]) for p in scene.parameters]
         self.factors = np.array(list(itertools.product(*options)) or [[]])
         self.length_share = (scene.facts["scene"]["time"]["end"]
                              / done[0].facts["scene"]["time"]["end"])

@@ -2,7 +2,10 @@
 
     y(u) = Q + sum_k (c_k u_k^p_k + d_k u_k^(p_k + 1)) + sum_k<l e_kl (u_k u_l)^((p_k + p_l) / 2)
 
-y is a number of a run, u_k the size of parameter k over that of the coarsest run. The orders
+y is a number of a run, u_k the size of parameter k over that of the coarsest run. A lattice's step
+may act another way: finer ones at the same spacing lower the relaxation time and with it what the
+collision resolves, so that the spacing's error grows, as u_h^p log(1 / u), and goes with the
+spacing alone; runs finer in both tell it from a step whose error stays. The orders
 p_k are not known: all between 0.8 and 2.5 are admissible (L. Eca, M. Hoekstra, J. Comput. Phys.
 262 (2014) 104, let the observed order in that range and fall back on 1 and 2 elsewhere; T. Xing,
 F. Stern, J. Fluids Eng. 132 (2010) 061403, widen the bar where it is far from the formal one).
@@ -16,14 +19,16 @@ from dataclasses import dataclass
 import numpy as np
 
 ORDERS = (0.8, 1.0, 1.3, 1.6, 2.0, 2.5)
+FEW_ORDERS = (0.9, 1.4, 2.2)  # of parameters with the lesser arms, beyond two
 ORDER_SPREAD = 0.45  # of the prior, in ln(order) about the nominal one
 NOISE = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1)  # of the largest arm; all alike likely at first
 LEADING = 10.0  # prior of c_k: as good as free, in sizes of the parameter's arm
 NEXT = 0.35  # of d_k: runs are coarse, the next order is not negligible
 BOTH = 0.25  # of e_kl, of the lesser of the two arms
 SIGMAS = 2.0  # of the bar: 95 % of a normal distribution
+SCALES = -1  # the measure of a parameter that scales another's error
 KEPT = 400  # hypotheses, by weight
-NEGLIGIBLE = 1e-3  # of the largest arm: such a parameter's order is not looked for
+NEGLIGIBLE = 0.01  # of the largest arm: such a parameter's order is not looked for
 
 
 @dataclass
@@ -33,6 +38,8 @@ class Parameter:
     name: str
     sizes: np.ndarray  # (measures, runs)
     nominal: float  # order
+    scaled: int = None  # the parameter whose error it may scale
+    scales: bool = False  # it does; its own error is not looked for
 
 
 @dataclass
@@ -45,10 +52,15 @@ class Hypothesis:
     covariance: np.ndarray
 
 
-def _features(u, orders):
-    """Rows of (constant, leading terms, next terms, products) of sizes (runs, parameters)."""
+def _features(u, orders, scaled):
+    """Rows of (constant, leading terms, next terms, products) of sizes (runs, parameters).
+    scaled: {parameter: the one whose error it scales}."""
     powers = [u[:, k]**p for k, p in enumerate(orders)]
-    columns = [np.ones(len(u)), *powers, *(u[:, k] * powers[k] for k in range(len(orders)))]
+    following = [u[:, k] * power for k, power in enumerate(powers)]
+    for k, other in scaled.items():
+        powers[k] = powers[other] * -np.log(np.minimum(u[:, k], 1))
+        following[k] = u[:, k]**2  # compressibility
+    columns = [np.ones(len(u)), *powers, *following]
     columns += [np.sqrt(a * b) for a, b in itertools.combinations(powers, 2)]
     return np.column_stack(columns)
 
@@ -91,11 +103,15 @@ class Fit:
 
     def _candidates(self):
         each = []
+        large = np.sort(self.ranges)[-2:]
         for k, p in enumerate(self.parameters):
             known = self.ranges[k] < NEGLIGIBLE * self.widest
-            orders = (p.nominal,) if known else ORDERS
+            orders = (p.nominal,) if known else (
+                ORDERS if self.ranges[k] >= large[0] else FEW_ORDERS)
             measures = range(1 if known else len(p.sizes))
             each.append([(o, m) for o in orders for m in measures])
+            if p.scaled is not None and not known:
+                each[-1] = [*([] if p.scales else each[-1]), (p.nominal, SCALES)]
         for choice in itertools.product(*each):
             orders = tuple(o for o, _ in choice)
             off = sum(np.log(o / p.nominal)**2 for o, p in zip(orders, self.parameters))
@@ -103,37 +119,40 @@ class Fit:
                 yield (orders, tuple(m for _, m in choice), np.hypot(noise * self.widest,
                        self.floor), -0.5 * off / ORDER_SPREAD**2)
 
-    def _scaled(self, sizes, measures):
-        """sizes: (parameters of (measures, points))."""
-        return np.column_stack([s[m] / self.coarsest[k][m]
-                                for k, (s, m) in enumerate(zip(sizes, measures))]
-                               or [np.empty((len(self.values), 0))])
+    def _rows(self, sizes, orders, measures):
+        """Features of settings; sizes: (parameters of (measures, points))."""
+        u = [s[max(m, 0)] / self.coarsest[k][max(m, 0)]
+             for k, (s, m) in enumerate(zip(sizes, measures))]
+        return _features(np.column_stack(u), orders,
+                         {k: self.parameters[k].scaled
+                          for k, m in enumerate(measures) if m == SCALES})
 
-    def _prior(self):
+    def _prior(self, measures):
+        following = np.where(np.array(measures) == SCALES, 1, NEXT)
         pairs = [BOTH * min(a, b) for a, b in itertools.combinations(self.sizes, 2)]
         level = 10 * np.abs(self.values).max() + 100 * self.widest
-        return np.concatenate([[level], LEADING * self.sizes, NEXT * self.sizes, pairs])**2
+        return np.concatenate([[level], LEADING * self.sizes, following * self.sizes, pairs])**2
 
     def _weighed(self, candidates, kept):
-        prior = self._prior()
         y = self.values[kept]
         sizes = [p.sizes for p in self.parameters]
         found, designs = [], {}
         for orders, measures, sigma, log_prior in candidates:
             key = (orders, measures)
             if key not in designs:
-                x = _features(self._scaled(sizes, measures), orders)[kept]
-                designs[key] = x, (x * prior) @ x.T
-            x, spread = designs[key]
+                x = self._rows(sizes, orders, measures)[kept]
+                prior = self._prior(measures)
+                designs[key] = x, prior, (x * prior) @ x.T
+            x, prior, spread = designs[key]
             evidence = spread + sigma**2 * np.eye(len(y))
             factor = np.linalg.cholesky(evidence)
             white = np.linalg.solve(factor, y)
             weight = log_prior - 0.5 * white @ white - np.log(np.diag(factor)).sum()
-            found.append((weight, orders, measures, sigma, x, factor, white))
+            found.append((weight, orders, measures, sigma, x, prior, factor, white))
         top = max(w for w, *_ in found)
         found = sorted(found, key=lambda f: -f[0])[:KEPT]
         out = []
-        for weight, orders, measures, sigma, x, factor, white in found:
+        for weight, orders, measures, sigma, x, prior, factor, white in found:
             if weight < top - 12:
                 break
             gain = np.linalg.solve(factor, x * prior)
@@ -182,7 +201,7 @@ class Fit:
         count = len(self.parameters)
 
         def rows(h):
-            g = _features(self._scaled(sizes, h.measures), h.orders)
+            g = self._rows(sizes, h.orders, h.measures)
             g[:, 0] = 0
             if only is not None:
                 mine = np.zeros(g.shape[1], bool)

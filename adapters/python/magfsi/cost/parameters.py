@@ -163,16 +163,17 @@ def _meshes(scene):
         counts, _, _ = _counts(body["mesh"])
         axes, layer = _axes(body["mesh"])
 
-        def words(facts, name=name):
+        def words(facts, name=name, which=axes):
             found = _counts(facts["scene"]["bodies"][name]["mesh"])[0]
-            return " x ".join(map(str, found))
+            return " x ".join(str(found[i]) for i in which)
         if axes:
             yield Parameter(f"elements of {name}", _element_factors(counts, axes), 2.0,
                             (1, 0.75, 0.5), words)
         if layer is not None:
             n = counts[layer]
             yield Parameter(f"layers of {name}", [k / n for k in range(1, 4 * n + 1)], 2.0,
-                            (1, 0.5, 0.34), words)
+                            (1, 0.5, 0.34), lambda facts, words=words, layer=layer:
+                            words(facts, which=[layer]))
 
 
 def _mesh_sets(scene, setting):

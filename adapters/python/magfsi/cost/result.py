@@ -12,6 +12,7 @@ from magfsi.study.norms import NoError
 
 SEEN = 0.005  # of the probe's scale: an arm that changes it by less is no cause of doubt
 LEAST_ORDER = 0.5  # seen along an arm; below, the value has no limit that it tends to
+FALLS = 0.5  # order with which the effect of a step that does not settle falls with the spacing
 REVERSAL = 0.2  # of an arm's range: more is no monotonous course
 
 
@@ -65,6 +66,26 @@ def seen_order(sizes, values):
     return best[1]
 
 
+def _falls_with_spacing(variants, values, kind="spacing and step"):
+    """Whether the step's effect is less at a finer spacing, by the run finer in both: it then is
+    a part of the spacing's error."""
+    both = next((i for i, v in enumerate(variants) if v.part == kind), None)
+    if both is None:
+        return False
+    corner = variants[both].setting
+    centre = next(v.setting for v in variants if v.part == "centre")
+
+    def at(**changed):
+        wanted = {**centre, **changed}
+        return next((values[i] for i, v in enumerate(variants) if v.setting == wanted), None)
+    coarse = [at(), at(step=corner["step"])]
+    fine = [at(spacing=corner["spacing"]), values[both]]
+    if None in coarse or None in fine:
+        return False
+    ratio = (fine[1] - fine[0]) / (coarse[1] - coarse[0])
+    return abs(ratio) < (centre["spacing"] / corner["spacing"])**FALLS
+
+
 def _arm_fault(name, sizes, values, scale):
     """What is wrong with the course of values along an arm, from coarse to fine."""
     steps = np.diff(values)
@@ -114,6 +135,25 @@ def common_faults(scene, variants):
     return _thin_sheets(scene, variants) + _diverged(variants)
 
 
+def _fitted(scene, done, values, sizes, scale):
+    """(Fit, faults of its arms)."""
+    names = [p.name for p in scene.parameters]
+    settings = np.array([[1 / v.setting[n] for n in names] for v in done])
+    faults, parameters = [], []
+    for k, p in enumerate(scene.parameters):
+        arm = fitting.arm(settings, k)
+        fault = _arm_fault(p.name, sizes[k][0][arm], values[arm], scale)
+        # With a body in the fluid a step that does not settle is a fault of the forcing: the
+        # penalty's drag coefficient 2 rho h / dt is numerical.
+        alone = p.name == "step" and not scene.facts["scene"].get("bodies")
+        scaled = names.index("spacing") if alone else None
+        scales = bool(fault) and scaled is not None and _falls_with_spacing(done, values)
+        if fault and not scales:
+            faults.append(fault)
+        parameters.append(fitting.Parameter(p.name, sizes[k], p.nominal, scaled, scales))
+    return fitting.Fit(parameters, values, scale, settings=settings), faults
+
+
 def analyse(scene, variants, column, kind, start_s=None):
     """A Probe of the completed variants; raises NoError."""
     done = [v for v in variants if v.run.completed()]
@@ -126,20 +166,14 @@ def analyse(scene, variants, column, kind, start_s=None):
     if scale == 0 or len(done) < 2:
         raise NoError("nothing happens" if scale == 0 else "fewer than two runs completed")
     sizes = measures(scene, done)
-    fit = fitting.Fit([fitting.Parameter(p.name, s, p.nominal)
-                       for p, s in zip(scene.parameters, sizes)], values, scale,
-                      settings=[[1 / v.setting[p.name] for p in scene.parameters] for v in done])
+    fit, faults = _fitted(scene, done, values, sizes, scale)
     own = [np.ones((len(s), 1)) for s in sizes]
     errors, bars = fit.errors(own)
     limit, limit_bar = fit.limit()
     present = [i for i, v in enumerate(done) if v.setting == scene.own_setting()]
     value = values[present[0]] if present else limit + errors[0]
     found = Probe(column, kind, fit, scale, limit, limit_bar, float(value), bool(present),
-                  float(errors[0]), float(bars[0]))
+                  float(errors[0]), float(bars[0]), faults=faults)
     for k, p in enumerate(scene.parameters):
         found.shares[p.name] = float(fit.errors(own, only=k)[0][0])
-        arm = fit.arms[k]
-        fault = _arm_fault(p.name, sizes[k][0][arm], values[arm], scale)
-        if fault:
-            found.faults.append(fault)
     return found

@@ -170,12 +170,14 @@ def star(scene, coarser, length=None):
         wanted = 1 / min(coarser, numerical.COARSEST_STEP) if p.name == "step" else 1 / coarser
         centre[p.name] = min(1, p.nearest(wanted))
     settings = [(centre, "centre")]
-    finest, middle = dict(centre), dict(centre)
-    for p in scene.parameters:
-        arm = _arm(p, centre[p.name])
-        settings += [({**centre, p.name: f}, p.name) for f in arm[1:]]
-        finest[p.name], middle[p.name] = arm[-1], arm[min(1, len(arm) - 1)]
-    if len(scene.parameters) > 1:
+    arms = {p.name: _arm(p, centre[p.name]) for p in scene.parameters}
+    for name, arm in arms.items():
+        settings += [({**centre, name: f}, name) for f in arm[1:]]
+    middle = {name: arm[min(1, len(arm) - 1)] for name, arm in arms.items()}
+    if "spacing" in arms:
+        settings.append(({**centre, "spacing": middle["spacing"], "step": arms["step"][-1]},
+                         "spacing and step"))
+    if len(arms) > (2 if "spacing" in arms else 1):
         settings.append((middle, "all finer"))
     settings.append((scene.own_setting(), "present"))
     out = []
