@@ -116,7 +116,7 @@ def draw(result, path):
     dear = int(np.argmax(x))
     if len(front[0]):
         axes.plot(front[0], 100 * front[1], "-", color=INK, lw=1.4, zorder=2)
-        middle = int(np.argmin(np.abs(np.log(front[1] / 0.03))))
+        middle = max(0, len(front[0]) - 2)
         labels.append(("the cheapest settings", (front[0][middle], 100 * front[1][middle]),
                        INK))
     if own is not None:

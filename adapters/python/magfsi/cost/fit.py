@@ -1,6 +1,6 @@
 """The error of a scene as a sum over its numerical parameters, fitted to a few runs.
 
-    y(u) = Q + sum_k (c_k u_k^p_k + d_k u_k^(p_k + 1)) + sum_k<l e_kl (u_k u_l)^((p_k + p_l) / 2)
+    y(u) = Q + sum_k (c_k u_k^p_k + d_k u_k^(p_k + 1)) + sum_k<l e_kl u_k^p_k u_l^p_l
 
 y is a number of a run, u_k the size of parameter k over that of the coarsest run. A lattice's step
 may act another way: finer ones at the same spacing lower the relaxation time and with it what the
@@ -24,7 +24,7 @@ ORDER_SPREAD = 0.45  # of the prior, in ln(order) about the nominal one
 NOISE = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1)  # of the largest arm; all alike likely at first
 LEADING = 10.0  # prior of c_k: as good as free, in sizes of the parameter's arm
 NEXT = 0.35  # of d_k: runs are coarse, the next order is not negligible
-BOTH = 0.25  # of e_kl, of the lesser of the two arms
+BOTH = 0.5  # of e_kl, of the mean of the two arms (the geometric one)
 SIGMAS = 2.0  # of the bar: 95 % of a normal distribution
 SCALES = -1  # the measure of a parameter that scales another's error
 KEPT = 400  # hypotheses, by weight
@@ -61,7 +61,7 @@ def _features(u, orders, scaled):
         powers[k] = powers[other] * -np.log(np.minimum(u[:, k], 1))
         following[k] = u[:, k]**2  # compressibility
     columns = [np.ones(len(u)), *powers, *following]
-    columns += [np.sqrt(a * b) for a, b in itertools.combinations(powers, 2)]
+    columns += [a * b for a, b in itertools.combinations(powers, 2)]
     return np.column_stack(columns)
 
 
@@ -129,7 +129,7 @@ class Fit:
 
     def _prior(self, measures):
         following = np.where(np.array(measures) == SCALES, 1, NEXT)
-        pairs = [BOTH * min(a, b) for a, b in itertools.combinations(self.sizes, 2)]
+        pairs = [BOTH * np.sqrt(a * b) for a, b in itertools.combinations(self.sizes, 2)]
         level = 10 * np.abs(self.values).max() + 100 * self.widest
         return np.concatenate([[level], LEADING * self.sizes, following * self.sizes, pairs])**2
 

@@ -177,8 +177,9 @@ def star(scene, coarser, length=None):
     if "spacing" in arms:
         settings.append(({**centre, "spacing": middle["spacing"], "step": arms["step"][-1]},
                          "spacing and step"))
+    finest = {name: arm[-1] for name, arm in arms.items()}
     if len(arms) > (2 if "spacing" in arms else 1):
-        settings.append((middle, "all finer"))
+        settings.append((middle if "spacing" in arms else finest, "all finer"))
     settings.append((scene.own_setting(), "present"))
     out = []
     for setting, part in settings:
