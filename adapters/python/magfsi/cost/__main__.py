@@ -14,6 +14,13 @@ from magfsi.study.marked import PERCENT
 EXIT_DONE, EXIT_ERROR, EXIT_INPUT = 0, 1, 2
 
 
+class Parser(argparse.ArgumentParser):
+    """Whose errors are one line."""
+
+    def error(self, message):
+        self.exit(EXIT_INPUT, f"{self.prog}: {message}\n")
+
+
 def _time(text):
     found = units.parse(text)
     if not found or found[1] != "s" or found[0] <= 0:
@@ -56,7 +63,7 @@ def add_options(parser):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="magfsi cost", description=__doc__,
         epilog="Runs that are done are kept in OUT/runs and not done again: what was interrupted "
                "goes on. docs/accuracy/cost.md says how it works and where it does not.")
@@ -64,6 +71,8 @@ def arguments():
     parser.add_argument("--error", type=share, metavar="SHARE",
                         help="advise for this tolerance, such as '3 %%', as well")
     parser.add_argument("--out", type=Path, help="runs and results (default: runs/cost_NAME)")
+    parser.add_argument("--models", action="store_true",
+                        help="compare the limits of kernels, forcings, collisions and elements")
     parser.add_argument("--list", action="store_true", help="print the runs, and run nothing")
     return parser.parse_args()
 
@@ -87,12 +96,22 @@ def _list(result):
         print(f"{state}: {seconds(v.facts):.2g} s: {v.text()}")
 
 
+def write(result, out):
+    """The tables, the figure and the text, which is returned."""
+    report.write_runs(result, out / "runs.csv")
+    report.write_probes(result, out / "cost.csv")
+    from magfsi.cost import figure  # matplotlib is slow to start: not before it is needed
+    figure.draw(result, out / "figure.png")
+    text = report.text(result)
+    (out / "cost.txt").write_text(text)
+    return text
+
+
 def _end(*_):
     raise KeyboardInterrupt  # which ends the run under way, too
 
 
 def main():
-    signal.signal(signal.SIGTERM, _end)
     chosen = arguments()
     wish = wish_of(chosen)
     wish.out = wish.out or default_out(wish)
@@ -100,19 +119,21 @@ def main():
     if chosen.list:
         _list(result)
         return
+    if chosen.models:
+        from magfsi.cost import models
+        text = models.text(models.compare(wish, result))
+        (wish.out / "models.txt").write_text(text)
+        print("\n" + text)
+        return
     command.do(result, wish)
     command.conclude(result, wish)
-    report.write_runs(result, wish.out / "runs.csv")
-    report.write_probes(result, wish.out / "cost.csv")
-    from magfsi.cost import figure  # matplotlib is slow to start: not before it is needed
-    figure.draw(result, wish.out / "figure.png")
-    text = report.text(result)
-    (wish.out / "cost.txt").write_text(text)
-    print("\n" + text)
+    print("\n" + write(result, wish.out))
     print(f"{wish.out}/cost.txt, cost.csv, runs.csv, figure.png")
 
 
-if __name__ == "__main__":
+def ended_well(main):
+    """Runs it; errors are one line and an exit code."""
+    signal.signal(signal.SIGTERM, _end)
     try:
         main()
     except (CannotRun, probes.NoProbe) as error:
@@ -124,3 +145,7 @@ if __name__ == "__main__":
     except OSError as error:
         print(f"magfsi cost: {error}", file=sys.stderr)
         sys.exit(EXIT_ERROR)
+
+
+if __name__ == "__main__":
+    ended_well(main)

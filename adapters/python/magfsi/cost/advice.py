@@ -52,6 +52,11 @@ def _sizes(parameters, factors):
     return out
 
 
+def sizes_of(parameters, setting):
+    """Of one setting."""
+    return _sizes(parameters, np.array([[setting[p.name] for p in parameters]]))
+
+
 class Settings:
     """Those between which a choice is made, with the errors of each probe and a rough price."""
 

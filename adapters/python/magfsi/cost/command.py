@@ -3,6 +3,8 @@ tell."""
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+
 from magfsi.cost import advice as advising
 from magfsi.cost import probes as choosing
 from magfsi.cost import result as finding
@@ -10,6 +12,7 @@ from magfsi.cost import variants as making
 from magfsi.study import store
 from magfsi.study.norms import NoError
 
+UNTOUCHED = 1e-7  # of the scale: a probe that no parameter changes, such as the field
 LIMIT = 5.0  # a run that takes so many times what it should, and 30 s, is ended
 
 
@@ -34,6 +37,7 @@ class Result:
     budget_s: float
     length_words: str
     norm: str
+    start_s: float = None
     done: list = field(default_factory=list)  # of the variants
     probes: list = field(default_factory=list)
     headline: list = field(default_factory=list)
@@ -51,7 +55,7 @@ def planned(wish):
         raise making.CannotRun("the scene has no numerical parameter that this command varies")
     variants, _, words = making.plan(scene, wish.budget_s)
     making.to_run(scene, variants, wish.out)
-    return Result(scene, variants, wish.budget_s, words, wish.norm)
+    return Result(scene, variants, wish.budget_s, words, wish.norm, wish.start_s)
 
 
 def do(result, wish):
@@ -70,8 +74,10 @@ def conclude(result, wish):
     columns = choosing.chosen(result.done[-1].run, wish.probes)
     for column in columns:
         try:
-            result.probes.append(finding.analyse(result.scene, result.variants, column,
-                                                 wish.norm, wish.start_s))
+            probe = finding.analyse(result.scene, result.variants, column, wish.norm,
+                                    wish.start_s)
+            if column in wish.probes or np.ptp(probe.fit.values) > UNTOUCHED * probe.scale:
+                result.probes.append(probe)
         except NoError as why:
             if wish.probes:
                 raise making.CannotRun(f"{column}: {why}") from why

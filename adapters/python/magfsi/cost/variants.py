@@ -88,8 +88,9 @@ class Scene:
         self.own_sets = dict(sets or {})
         self.facts = self.explain({})
         scene = self.facts["scene"]
+        self.scene_keys = set(scene)
         # Files and states cost time and tell nothing here.
-        self.own_sets |= {key: "" for key in ("output", "checkpoint")
+        self.own_sets |= {key: "" for key in ("output", "checkpoint", "accuracy")
                           if key in scene and scene[key]}
         self.parameters = numerical.parameters(scene)
 
