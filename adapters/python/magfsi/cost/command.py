@@ -61,8 +61,12 @@ def planned(wish):
 def do(result, wish):
     """The runs that are missing."""
     longest = max(making.seconds(v.facts) for v in result.variants)
+
+    def check(run):  # a wrong name shows with the first run, not after the last
+        if run.completed():
+            choosing.chosen(run, wish.probes)
     store.do(store.scene_file(wish.path), 30 + LIMIT * longest,
-             [v.run for v in result.variants])
+             [v.run for v in result.variants], check)
     result.done = [v for v in result.variants if v.run.completed()]
     if not result.done:
         raise making.CannotRun("no run completed: " + result.variants[0].run.record["cause"])
