@@ -35,7 +35,7 @@ def share(text):
     except ValueError:
         value = 0
     if not 0 < value < 1:
-        raise argparse.ArgumentTypeError(f"found '{text}'; allowed a percentage such as '3 %%'")
+        raise argparse.ArgumentTypeError(f"found '{text}'; allowed a percentage such as '3 %'")
     return value
 
 

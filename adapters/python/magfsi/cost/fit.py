@@ -53,16 +53,18 @@ class Hypothesis:
 
 
 def _features(u, orders, scaled):
-    """Rows of (constant, leading terms, next terms, products) of sizes (runs, parameters).
-    scaled: {parameter: the one whose error it scales}."""
-    powers = [u[:, k]**p for k, p in enumerate(orders)]
-    following = [u[:, k] * power for k, power in enumerate(powers)]
+    """(choices, points, features): constant, leading terms, next terms, products; of sizes
+    (points, parameters) and orders (choices, parameters). scaled: {parameter: the one whose error
+    it scales}."""
+    powers = u[None, :, :]**orders[:, None, :]
+    following = u[None, :, :] * powers
     for k, other in scaled.items():
-        powers[k] = powers[other] * -np.log(np.minimum(u[:, k], 1))
-        following[k] = u[:, k]**2  # compressibility
-    columns = [np.ones(len(u)), *powers, *following]
-    columns += [a * b for a, b in itertools.combinations(powers, 2)]
-    return np.column_stack(columns)
+        powers[:, :, k] = powers[:, :, other] * -np.log(np.minimum(u[:, k], 1))
+        following[:, :, k] = u[:, k]**2  # compressibility
+    pairs = [powers[:, :, k] * powers[:, :, m]
+             for k, m in itertools.combinations(range(u.shape[1]), 2)]
+    return np.concatenate([np.ones_like(powers[:, :, :1]), powers, following,
+                           *(p[:, :, None] for p in pairs)], axis=2)
 
 
 def arm(sizes, k):
@@ -98,12 +100,12 @@ class Fit:
                           for k, a in enumerate(self.arms)])
         self.sizes = np.maximum(self.ranges / shown, 1e-4 * widest)
         self.widest = widest
-        self.hypotheses = self._weighed(self._candidates(), np.arange(len(self.values)))
+        self.hypotheses = self._weighed(self._choices(), np.arange(len(self.values)))
         self._without = None
 
-    def _candidates(self):
-        each = []
-        large = np.sort(self.ranges)[-2:]
+    def _choices(self):
+        """{measures: (orders (choices, parameters), logarithms of their priors)}."""
+        each, large = [], np.sort(self.ranges)[-2:]
         for k, p in enumerate(self.parameters):
             known = self.ranges[k] < NEGLIGIBLE * self.widest
             orders = (p.nominal,) if known else (
@@ -112,18 +114,19 @@ class Fit:
             each.append([(o, m) for o in orders for m in measures])
             if p.scaled is not None and not known:
                 each[-1] = [*([] if p.scales else each[-1]), (p.nominal, SCALES)]
+        found = {}
         for choice in itertools.product(*each):
-            orders = tuple(o for o, _ in choice)
-            off = sum(np.log(o / p.nominal)**2 for o, p in zip(orders, self.parameters))
-            for noise in NOISE:
-                yield (orders, tuple(m for _, m in choice), np.hypot(noise * self.widest,
-                       self.floor), -0.5 * off / ORDER_SPREAD**2)
+            found.setdefault(tuple(m for _, m in choice), []).append([o for o, _ in choice])
+        nominal = np.array([p.nominal for p in self.parameters])
+        return {measures: (np.array(orders), -0.5 * np.sum(
+            (np.log(np.array(orders) / nominal) / ORDER_SPREAD)**2, axis=1))
+            for measures, orders in found.items()}
 
     def _rows(self, sizes, orders, measures):
         """Features of settings; sizes: (parameters of (measures, points))."""
         u = [s[max(m, 0)] / self.coarsest[k][max(m, 0)]
              for k, (s, m) in enumerate(zip(sizes, measures))]
-        return _features(np.column_stack(u), orders,
+        return _features(np.column_stack(u), np.asarray(orders),
                          {k: self.parameters[k].scaled
                           for k, m in enumerate(measures) if m == SCALES})
 
@@ -133,31 +136,31 @@ class Fit:
         level = 10 * np.abs(self.values).max() + 100 * self.widest
         return np.concatenate([[level], LEADING * self.sizes, following * self.sizes, pairs])**2
 
-    def _weighed(self, candidates, kept):
+    def _weighed(self, choices, kept):
+        """Hypotheses of the runs kept, by their marginal likelihood."""
         y = self.values[kept]
-        sizes = [p.sizes for p in self.parameters]
-        found, designs = [], {}
-        for orders, measures, sigma, log_prior in candidates:
-            key = (orders, measures)
-            if key not in designs:
-                x = self._rows(sizes, orders, measures)[kept]
-                prior = self._prior(measures)
-                designs[key] = x, prior, (x * prior) @ x.T
-            x, prior, spread = designs[key]
-            evidence = spread + sigma**2 * np.eye(len(y))
-            factor = np.linalg.cholesky(evidence)
-            white = np.linalg.solve(factor, y)
-            weight = log_prior - 0.5 * white @ white - np.log(np.diag(factor)).sum()
-            found.append((weight, orders, measures, sigma, x, prior, factor, white))
-        top = max(w for w, *_ in found)
+        noise = np.hypot(np.array(NOISE) * self.widest, self.floor)**2
+        found = []
+        for measures, (orders, log_prior) in choices.items():
+            x = self._rows([p.sizes for p in self.parameters], orders, measures)[:, kept]
+            prior = self._prior(measures)
+            spread, axes = np.linalg.eigh((x * prior) @ x.transpose(0, 2, 1))
+            seen = np.einsum("hij,i->hj", axes, y)
+            evidence = np.maximum(spread, 0)[:, None, :] + noise[None, :, None]
+            weight = log_prior[:, None] - 0.5 * np.sum(
+                seen[:, None, :]**2 / evidence + np.log(evidence), axis=2)
+            for h, s in np.argwhere(weight > weight.max() - 12):
+                found.append((weight[h, s], orders[h], measures, s, x[h], prior,
+                              axes[h], seen[h], evidence[h, s]))
         found = sorted(found, key=lambda f: -f[0])[:KEPT]
         out = []
-        for weight, orders, measures, sigma, x, prior, factor, white in found:
-            if weight < top - 12:
+        for weight, orders, measures, s, x, prior, axes, seen, evidence in found:
+            if weight < found[0][0] - 12:
                 break
-            gain = np.linalg.solve(factor, x * prior)
-            out.append(Hypothesis(orders, measures, sigma, np.exp(weight - top),
-                                  gain.T @ white, np.diag(prior) - gain.T @ gain))
+            gain = (axes / np.sqrt(evidence)).T @ (x * prior)
+            out.append(Hypothesis(tuple(orders), measures, np.sqrt(noise[s]),
+                                  np.exp(weight - found[0][0]), gain.T @ (seen / np.sqrt(evidence)),
+                                  np.diag(prior) - gain.T @ gain))
         total = sum(h.weight for h in out)
         for h in out:
             h.weight /= total
@@ -176,7 +179,10 @@ class Fit:
     def _leaving_one_out(self):
         """Hypotheses of the likeliest orders, without each run in turn."""
         if self._without is None:
-            likely = [(h.orders, h.measures, h.sigma, 0.0) for h in self.hypotheses[:40]]
+            likely = {}
+            for h in self.hypotheses[:40]:
+                likely.setdefault(h.measures, set()).add(h.orders)
+            likely = {m: (np.array(sorted(o)), np.zeros(len(o))) for m, o in likely.items()}
             every = np.arange(len(self.values))
             self._without = [self._weighed(likely, np.delete(every, i)) for i in every
                              ] if len(every) > 3 else []
@@ -201,7 +207,7 @@ class Fit:
         count = len(self.parameters)
 
         def rows(h):
-            g = self._rows(sizes, h.orders, h.measures)
+            g = self._rows(sizes, [h.orders], h.measures)[0]
             g[:, 0] = 0
             if only is not None:
                 mine = np.zeros(g.shape[1], bool)
