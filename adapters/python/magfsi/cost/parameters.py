@@ -1,10 +1,11 @@
 """The numerical parameters of a scene: which it has, and how its own keys make each coarser or
 finer. A setting is a factor for each, how many times finer than in the scene; the keys follow."""
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 RATIO_MAX = 8.0  # from the scene's own value, either way
 ROUNDING = 0.12  # of elements along an axis, where all axes are refined together
+ROUNDED_IS_FAR = 4  # so much further than a factor that is off by as much itself
 COARSEST_STEP = 2.0  # a lattice speed of 0.05 is then 0.1: beyond it, sound counts
 
 
@@ -17,25 +18,29 @@ class Parameter:
     nominal: float  # order
     shares: tuple
     words: object  # of (facts): how large it is, for people
+    rounding: dict = field(default_factory=dict)  # of the factors that whole numbers bend
 
     def nearest(self, factor, above=None):
         known = [f for f in self.factors if above is None or f > above * (1 + 1e-9)]
-        return min(known, key=lambda f: abs(math.log(f / factor))) if known else None
+
+        def distance(f):
+            return abs(math.log(f / factor)) + ROUNDED_IS_FAR * self.rounding.get(f, 0)
+        return min(known, key=distance) if known else None
 
 
 def _number(value, unit):
     return f"{value:.12g} {unit}"
 
 
-def _thinned(factors):
-    """Ascending, at least 8 % apart; 1 stays."""
+def _thinned(factors, rounding=None):
+    """Ascending, at least 8 % apart, the least rounded of those that are closer; 1 stays."""
+    rounding = rounding or {}
     out = []
     for f in sorted(set(factors)):
-        if out and f / out[-1] < 1.08:
-            if abs(f - 1) < 1e-12:
-                out[-1] = 1.0
-            continue
-        out.append(f)
+        if not out or f / out[-1] >= 1.08:
+            out.append(f)
+        elif f == 1 or (out[-1] != 1 and rounding.get(f, 0) < rounding.get(out[-1], 0)):
+            out[-1] = f
     return out
 
 
@@ -130,15 +135,24 @@ def thickness(mesh):
     return min(found[2]) if found else None
 
 
-def _axes(mesh):
+def _plane_axes(body):
+    """Along which no plane can move: one element across is then exact."""
+    held = {(face, roller["axis"]) for roller in body.get("rollers", [])
+            for face in ([roller["face"]] if isinstance(roller["face"], str) else roller["face"])}
+    return [i for i, axis in enumerate("xyz")
+            if {(f"{axis}_min", axis), (f"{axis}_max", axis)} <= held]
+
+
+def _axes(body):
     """(axes that are refined together, that of the layers or None)."""
-    counts, kind, lengths = _counts(mesh)
-    thin = min(range(3), key=lambda i: lengths[i])
-    others = [lengths[i] for i in range(3) if i != thin]
-    layers = thin if kind == "oblique" or (lengths[thin] <= 0.5 * min(others)
+    counts, kind, lengths = _counts(body["mesh"])
+    free = [i for i in range(3) if i not in _plane_axes(body)]
+    thin = min(free, key=lambda i: lengths[i], default=None)
+    others = [lengths[i] for i in free if i != thin]
+    layers = thin if kind == "oblique" or (others and lengths[thin] <= 0.5 * min(others)
                                            and counts[thin] <= 3) else None
     # One element across is a plane problem, and stays one.
-    return [i for i in range(3) if i != layers and counts[i] > 1], layers
+    return [i for i in free if i != layers and counts[i] > 1], layers
 
 
 def _refined(counts, axes, factor):
@@ -146,14 +160,15 @@ def _refined(counts, axes, factor):
 
 
 def _element_factors(counts, axes):
+    """{factor: how far whole numbers of elements are off it}."""
     longest = max(counts[i] for i in axes)
-    factors = []
+    found = {}
     for m in range(1, math.ceil(4 * longest) + 1):
         f = m / longest
         off = max(abs(round(counts[i] * f) / (counts[i] * f) - 1) for i in axes)
-        if off <= ROUNDING and min(round(counts[i] * f) for i in axes) >= 1:
-            factors.append(f)
-    return _thinned([f for f in factors if f >= 1 / RATIO_MAX])
+        if off <= ROUNDING and f >= 1 / RATIO_MAX:
+            found[f] = off
+    return found
 
 
 def _meshes(scene):
@@ -161,14 +176,15 @@ def _meshes(scene):
         if not _counts(body["mesh"]):
             continue
         counts, _, _ = _counts(body["mesh"])
-        axes, layer = _axes(body["mesh"])
+        axes, layer = _axes(body)
 
         def words(facts, name=name, which=axes):
             found = _counts(facts["scene"]["bodies"][name]["mesh"])[0]
             return " x ".join(str(found[i]) for i in which)
         if axes:
-            yield Parameter(f"elements of {name}", _element_factors(counts, axes), 2.0,
-                            (1, 0.75, 0.5), words)
+            off = _element_factors(counts, axes)
+            yield Parameter(f"elements of {name}", _thinned(off, off), 2.0, (1, 0.75, 0.5),
+                            words, off)
         if layer is not None:
             n = counts[layer]
             yield Parameter(f"layers of {name}", [k / n for k in range(1, 4 * n + 1)], 2.0,
@@ -183,7 +199,7 @@ def _mesh_sets(scene, setting):
         if fine == layer == 1:
             continue
         counts, kind, _ = _counts(body["mesh"])
-        axes, thin = _axes(body["mesh"])
+        axes, thin = _axes(body)
         counts = _refined(counts, axes, fine)
         if thin is not None:
             counts[thin] = max(1, round(counts[thin] * layer))
@@ -254,7 +270,7 @@ def sizes(present, facts, setting):
             out["outer spacing"] = [b["fluid"]["spacing"] / a["fluid"]["spacing"]]
     for name, body in a.get("bodies", {}).items():
         if f"elements of {name}" in out:
-            axes, _ = _axes(body["mesh"])
+            axes, _ = _axes(body)
             pairs = [(_counts(body["mesh"])[0][i], _counts(b["bodies"][name]["mesh"])[0][i])
                      for i in axes]
             out[f"elements of {name}"] = [math.prod(m / n for m, n in pairs)**(1 / len(pairs))]

@@ -9,7 +9,8 @@ FEW = 12  # probes in the text; the table has all
 
 
 def percent(share, signed=False):
-    return f"{100 * share:{'+' if signed else ''}.2g} %"
+    digits = 2 if abs(share) < 0.995 else 3
+    return f"{100 * share:{'+' if signed else ''}.{digits}g} %"
 
 
 def duration(seconds):

@@ -18,7 +18,8 @@ MIN_ROWS = 8  # of probes, in a leading part
 FRACTIONS = (1, 1 / 2, 1 / 4, 1 / 8, 1 / 16, 1 / 32, 1 / 64)
 # Seconds of a machine that nobody has calibrated: a cell's and an element's update, a step of
 # LAMMPS, an equilibrium a node^1.3.
-CELL_S, ELEMENT_S, SUBSTEP_S, NODE_S = 2e-8, 8e-8, 3e-5, 1e-6
+CELL_S = {"lbm": 2e-8, "openfoam": 1.5e-6}
+ELEMENT_S, SUBSTEP_S, NODE_S = 8e-8, 3e-5, 1e-6
 
 
 class CannotRun(Exception):
@@ -43,7 +44,7 @@ class Variant:
     sizes: dict = field(default_factory=dict)
 
     def text(self):
-        found = [f"{name} {1 / f:.3g}" for name, f in self.setting.items() if f != 1]
+        found = [f"{name} x {1 / f:.3g}" for name, f in self.setting.items() if f != 1]
         return ", ".join(found) or "the scene's own"
 
 
@@ -59,7 +60,7 @@ def uncalibrated_s(facts):
     if fluid:
         cells = math.prod(side / fluid["spacing"] for side in fluid["box"])
         finer = 2**numerical.levels(scene)
-        seconds += end / facts["fluid"]["step_s"] / finer * cells * CELL_S * finer**1.5
+        seconds += end / facts["fluid"]["step_s"] / finer * cells * CELL_S[fluid["solver"]] * finer**1.5
     if elements:
         seconds += end / facts["structure"]["step_s"] * (SUBSTEP_S + elements * ELEMENT_S)
     return seconds
