@@ -114,7 +114,6 @@ def bars():
 
 HEIGHT, VISCOSITY, SPEED = 1.0, 0.02, 0.1
 ODD = np.arange(1, 4001, 2)
-EVERY_K = np.arange(1, 4001)
 
 
 def _walls(cells, end_s, more, lattice_speed, probes):
@@ -146,14 +145,12 @@ def _decay(end_s):
 
 
 def poiseuille(cells, end_s, lattice_speed=0.05):
-    """From rest; the flow through a cross-section."""
+    """From rest."""
     force = 8 * VISCOSITY * SPEED / HEIGHT**2
     grown = 1 - np.exp(-_decay(end_s) * ODD**2)
-    mean = 8 * force * HEIGHT**2 / (VISCOSITY * math.pi**4) * np.sum(grown / ODD**4.0)
     scene = _walls(cells, end_s, f"  body_force: [{force} N/m3, 0 N/m3, 0 N/m3]\n"
                    f"  boundaries: {{{PERIODIC}}}", lattice_speed, ENERGY)
     squares = 0.5 * np.sum((4 * force * HEIGHT**2 / (VISCOSITY * (ODD * math.pi)**3) * grown)**2)
-    assert mean > 0
     return Case(f"channel from rest, {cells} cells, {end_s:g} s", scene, "kinetic_energy[J]",
                 0.5 * _volume(cells) * squares, "series")
 
@@ -305,8 +302,8 @@ def page(found):
                      f"{'yes' if e <= bar else '**no**'} | {bar / e:.1f} | {percent(limit)} | "
                      f"{percent(limit_bar)} | {'yes' if limit <= limit_bar else '**no**'} |")
     n = len(promised)
-    lines += ["", f"Of {n} cases for which a bar is stated, the true error of the value lies within "
-              f"it in {len(inside)} ({percent(len(inside) / n)}); the bar is at most 3 times the "
+    lines += ["", f"Of {n} cases for which a bar is stated, the true error of the value lies "
+              f"within it in {len(inside)} ({percent(len(inside) / n)}); the bar is at most 3 times the "
               f"error in {len(near)} ({percent(len(near) / n)}); the limit lies within its own bar "
               f"in {len(limits)} ({percent(len(limits) / n)})."]
     doubtful = [f for f in found if f.fault]

@@ -108,8 +108,8 @@ class Settings:
     def cheapest(self, tolerance):
         good = np.flatnonzero(self.bounds <= tolerance)
         if len(good) == 0:
-            return Advice(tolerance, why="no setting that the fit covers is within it; the best has "
-                          f"{100 * self.bounds.min():.2g} %")
+            return Advice(tolerance, why="no setting that the fit covers is within it; the best "
+                          f"has {100 * self.bounds.min():.2g} %")
         best = None
         for row in good[np.argsort(self.rough[good], kind="stable")][:ASKED]:
             try:

@@ -81,7 +81,8 @@ def _plain(value, _=None):
 
 
 def _axes_of(axes, x, y):
-    axes.set(xscale="log", yscale="log", xlabel="seconds of the whole run", ylabel="bound of the error [%]")
+    axes.set(xscale="log", yscale="log", xlabel="seconds of the whole run",
+             ylabel="bound of the error [%]")
     axes.set_xlim(min(x) / 1.6, max(x) * 2.2)
     axes.set_ylim(min([*y, 0.9]) / 1.5, max([*y, 12]) * 1.6)
     for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):

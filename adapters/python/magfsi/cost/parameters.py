@@ -69,6 +69,13 @@ def finest_spacing(scene):
     return scene["fluid"]["spacing"] / 2**levels(scene)
 
 
+def coarsest_spacing(scene):
+    """Times coarser than in the scene: bodies stay a cell thick, or as thick as they are."""
+    thin = [thickness(b["mesh"]) for b in scene.get("bodies", {}).values()]
+    cells = [t / finest_spacing(scene) for t in thin if t]
+    return max(1, min(cells)) if cells else RATIO_MAX
+
+
 def _steps_between_rows(facts):
     """The time between rows, and how many coupled steps the present run has in it."""
     scene = facts["scene"]

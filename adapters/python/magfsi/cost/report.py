@@ -49,11 +49,11 @@ def _probe_rows(scene, found):
 
 
 def _advice_lines(scene, advice):
-    lines = []
-    for a in advice:
-        words = (f"{duration(a.seconds)}, {size(a.memory)}: {described(scene, a.setting)}"
-                 if a.setting else f"none is promised. {a.why}")
-        lines.append(f"  within {percent(a.tolerance)}: {words}")
+    lines = [f"  within {percent(a.tolerance)}: {duration(a.seconds)}, {size(a.memory)}: "
+             f"{described(scene, a.setting)}" for a in advice if a.setting]
+    for why in dict.fromkeys(a.why for a in advice if not a.setting):
+        shares = ", ".join(percent(a.tolerance) for a in advice if a.why == why)
+        lines.append(f"  within {shares}: none is promised. {why}")
     return lines
 
 

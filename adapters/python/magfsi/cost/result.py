@@ -12,7 +12,7 @@ from magfsi.study.norms import NoError
 
 SEEN = 0.005  # of the probe's scale: an arm that changes it by less is no cause of doubt
 LEAST_ORDER = 0.5  # seen along an arm; below, the value has no limit that it tends to
-FALLS = 0.5  # order with which the effect of a step that does not settle falls with the spacing
+FALLS = 0.5  # order with which what a step does that does not settle falls with the spacing
 REVERSAL = 0.2  # of an arm's range: more is no monotonous course
 
 
@@ -66,10 +66,10 @@ def seen_order(sizes, values):
     return best[1]
 
 
-def _falls_with_spacing(variants, values, kind="spacing and step"):
+def _falls_with_spacing(variants, values):
     """Whether the step's effect is less at a finer spacing, by the run finer in both: it then is
     a part of the spacing's error."""
-    both = next((i for i, v in enumerate(variants) if v.part == kind), None)
+    both = next((i for i, v in enumerate(variants) if v.part == "spacing and step"), None)
     if both is None:
         return False
     corner = variants[both].setting
@@ -114,8 +114,8 @@ def _thin_sheets(scene, variants):
     for name, body in facts["bodies"].items():
         thin = numerical.thickness(body["mesh"])
         if thin and thin < spacing * (1 - 1e-9):
-            out.append(Fault("spacing", f"{name} is {thin / spacing:.2f} cells thick in the finest run: "
-                             "errors of sheets below one cell do not fall as the fit supposes"))
+            out.append(Fault("spacing", f"{name} is {thin / spacing:.2f} cells thick in the finest "
+                             "run: errors of sheets below one cell do not fall as the fit supposes"))
     return out
 
 
@@ -126,7 +126,7 @@ def _diverged(variants):
             worst = max(v.setting, key=lambda n: 1 / v.setting[n], default="")
             where = v.part if v.part in v.setting else worst
             out.append(Fault(where, f"the run with {v.text()} ended: {v.run.record['outcome']}: "
-                             f"{v.run.record['cause']}"))
+                             f"{v.run.record['cause'].split(';')[0]}"))
     return out
 
 

@@ -60,7 +60,8 @@ def uncalibrated_s(facts):
     if fluid:
         cells = math.prod(side / fluid["spacing"] for side in fluid["box"])
         finer = 2**numerical.levels(scene)
-        seconds += end / facts["fluid"]["step_s"] / finer * cells * CELL_S[fluid["solver"]] * finer**1.5
+        steps = end / facts["fluid"]["step_s"] / finer
+        seconds += steps * cells * CELL_S[fluid["solver"]] * finer**1.5
     if elements:
         seconds += end / facts["structure"]["step_s"] * (SUBSTEP_S + elements * ELEMENT_S)
     return seconds
@@ -165,12 +166,17 @@ def _arm(parameter, centre):
     return out
 
 
+def _centre(scene, coarser):
+    """So many times coarser than the scene, where that makes sense."""
+    coarsest = {"step": numerical.COARSEST_STEP,
+                "spacing": numerical.coarsest_spacing(scene.facts["scene"])}
+    return {p.name: min(1, p.nearest(1 / min(coarser, coarsest.get(p.name, coarser))))
+            for p in scene.parameters}
+
+
 def star(scene, coarser, length=None):
-    """Variants about a centre that is so many times coarser than the scene, each once."""
-    centre = {}
-    for p in scene.parameters:
-        wanted = 1 / min(coarser, numerical.COARSEST_STEP) if p.name == "step" else 1 / coarser
-        centre[p.name] = min(1, p.nearest(wanted))
+    """Variants about a centre, each once."""
+    centre = _centre(scene, coarser)
     settings = [(centre, "centre")]
     arms = {p.name: _arm(p, centre[p.name]) for p in scene.parameters}
     for name, arm in arms.items():
@@ -219,8 +225,13 @@ def plan(scene, budget_s):
     for most in (KEPT_WHOLE, COARSENINGS[-1]):
         for length, words in lengths:
             for coarser in (c for c in COARSENINGS if c <= most):
+                part = length if (length, words) != lengths[0] else None
                 try:
-                    found = star(scene, coarser, length if (length, words) != lengths[0] else None)
+                    # Of all runs the centre is the cheapest; each arm has one more at least.
+                    centre = scene.variant(_centre(scene, coarser), "centre", part)
+                    if seconds(centre.facts) * (1 + len(scene.parameters)) > budget_s:
+                        continue
+                    found = star(scene, coarser, part)
                 except CannotRun as error:
                     cannot = cannot or error
                     continue
