@@ -303,8 +303,8 @@ def page(found):
                      f"{percent(limit_bar)} | {'yes' if limit <= limit_bar else '**no**'} |")
     n = len(promised)
     lines += ["", f"Of {n} cases for which a bar is stated, the true error of the value lies "
-              f"within it in {len(inside)} ({percent(len(inside) / n)}); the bar is at most 3 times the "
-              f"error in {len(near)} ({percent(len(near) / n)}); the limit lies within its own bar "
+              f"within it in {len(inside)} ({percent(len(inside) / n)}); the bar is at most 3 times "
+              f"the error in {len(near)} ({percent(len(near) / n)}); the limit lies within its own bar "
               f"in {len(limits)} ({percent(len(limits) / n)})."]
     doubtful = [f for f in found if f.fault]
     if doubtful:

@@ -71,6 +71,8 @@ def finest_spacing(scene):
 
 def coarsest_spacing(scene):
     """Times coarser than in the scene: bodies stay a cell thick, or as thick as they are."""
+    if "fluid" not in scene:
+        return RATIO_MAX
     thin = [thickness(b["mesh"]) for b in scene.get("bodies", {}).values()]
     cells = [t / finest_spacing(scene) for t in thin if t]
     return max(1, min(cells)) if cells else RATIO_MAX

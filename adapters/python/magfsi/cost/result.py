@@ -114,8 +114,9 @@ def _thin_sheets(scene, variants):
     for name, body in facts["bodies"].items():
         thin = numerical.thickness(body["mesh"])
         if thin and thin < spacing * (1 - 1e-9):
-            out.append(Fault("spacing", f"{name} is {thin / spacing:.2f} cells thick in the finest "
-                             "run: errors of sheets below one cell do not fall as the fit supposes"))
+            out.append(Fault("spacing", f"{name} is {thin / spacing:.2f} cells thick in the "
+                             "finest run: errors of sheets below one cell do not fall as the "
+                             "fit supposes"))
     return out
 
 

@@ -174,7 +174,7 @@ def _centre(scene, coarser):
             for p in scene.parameters}
 
 
-def star(scene, coarser, length=None):
+def star(scene, coarser):
     """Variants about a centre, each once."""
     centre = _centre(scene, coarser)
     settings = [(centre, "centre")]
@@ -193,19 +193,18 @@ def star(scene, coarser, length=None):
     for setting, part in settings:
         if all(v.setting != setting for v in out):
             try:
-                out.append(scene.variant(setting, part, length))
+                out.append(scene.variant(setting, part))
             except CannotRun:
                 if part in ("centre", "present"):
                     raise
     return out
 
 
-def total_s(variants):
-    return sum(seconds(v.facts) for v in variants)
-
-
-def _affordable(variants, budget_s):
-    """Without what alone takes most of the budget: the scene's own setting, or all finer."""
+def _affordable(variants, budget_s, share):
+    """Without what alone takes most of the budget: the scene's own setting, or all finer. share:
+    of the run that is to be run; None if it does not fit."""
+    def total_s(some):
+        return sum(START_UP_S + share * work_s(v.facts) for v in some)
     if total_s(variants) <= SPARE * budget_s:
         return variants
     lean = [v for v in variants if v.part not in ("present", "all finer")]
@@ -217,28 +216,41 @@ def _affordable(variants, budget_s):
     return lean
 
 
+class _Stars:
+    """By how much coarser their centre is, made when they are asked for."""
+
+    def __init__(self, scene):
+        self.scene, self.made = scene, {}
+
+    def fitting(self, coarser, budget_s, share):
+        """Its variants that fit the budget, or None."""
+        if coarser not in self.made:
+            # Of all runs the centre is the cheapest; each arm has one more at least.
+            centre = self.scene.variant(_centre(self.scene, coarser))
+            runs_at_least = 1 + len(self.scene.parameters)
+            if (START_UP_S + share * work_s(centre.facts)) * runs_at_least > budget_s:
+                return None
+            self.made[coarser] = star(self.scene, coarser)
+        return _affordable(self.made[coarser], budget_s, share)
+
+
 def plan(scene, budget_s):
     """(variants from cheap to dear, length [s] or None, words for it). The finest star that
     fits; where only a coarse one does, a leading part of the run."""
-    lengths = scene.lengths()
-    cannot = None
+    lengths, stars, cannot = scene.lengths(), _Stars(scene), None
+    whole = lengths[0][0]
     for most in (KEPT_WHOLE, COARSENINGS[-1]):
         for length, words in lengths:
             for coarser in (c for c in COARSENINGS if c <= most):
-                part = length if (length, words) != lengths[0] else None
                 try:
-                    # Of all runs the centre is the cheapest; each arm has one more at least.
-                    centre = scene.variant(_centre(scene, coarser), "centre", part)
-                    if seconds(centre.facts) * (1 + len(scene.parameters)) > budget_s:
-                        continue
-                    found = star(scene, coarser, part)
+                    found = stars.fitting(coarser, budget_s, length / whole)
                 except CannotRun as error:
                     cannot = cannot or error
                     continue
-                found = _affordable(found, budget_s)
                 if found:
-                    found.sort(key=lambda v: seconds(v.facts))
-                    return found, length, words
+                    if length < whole:
+                        found = [scene.variant(v.setting, v.part, length) for v in found]
+                    return sorted(found, key=lambda v: seconds(v.facts)), length, words
     if cannot:
         raise cannot
     raise CannotRun(f"no runs of this scene fit into {budget_s:g} s, even a hundredth of it on "
