@@ -2,7 +2,7 @@
 promised."""
 import unittest
 
-from scenes import Scene, testing
+from scenes import BEAM, Scene, testing
 
 
 class DoesNotSettle(unittest.TestCase):
@@ -26,6 +26,12 @@ class DoesNotSettle(unittest.TestCase):
                                "time.end=1 ms", "--set", "probes.points=")
         self.assertRegex(done.out, r"spacing: robot is 0\.\d+ cells thick in the finest run")
         self.assertIn("none is promised", done.out)
+
+    def test_elements_of_two_kinds_have_one_limit(self):
+        scene = Scene(BEAM)
+        done = scene.good_cost("--budget", "60 s", "--probe", "tip_uz", "--models")
+        self.assertRegex(done.out, r"bodies.beam.element=full: .*; agrees within the bars")
+        self.assertNotIn("FAULT", done.out)
 
 
 if __name__ == "__main__":

@@ -133,8 +133,12 @@ class Scene:
             return out
         every = scene["probes"]["every"] if "probes" in scene else end
         period = _period(scene)
-        wanted = [(period, "the first period")] if period and period < end else []
-        wanted += [(end * f, f"1/{round(1 / f)} of the run") for f in FRACTIONS[1:]]
+        wanted = [(end * f, f"1/{round(1 / f)} of the run") for f in FRACTIONS[1:]]
+        if period and period < end:  # parts of whole periods, or of less than one
+            whole = [int(end / period * (1 - 1e-9) * f) for f in FRACTIONS]
+            wanted = [w for w in wanted if w[0] < period]
+            wanted += [(n * period, f"the first {n} periods" if n > 1 else "the first period")
+                       for n in {*whole, 1} if n]
         for length, words in sorted(wanted, reverse=True):
             rows = round(length / every)
             if rows >= MIN_ROWS:
