@@ -395,7 +395,15 @@ nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
         out["fluid"] = {{"spacing_m", scene.fluid->spacing_m},
                         {"step_s", *scene::coupled_step_s(scene)}};
     }
+    if (!scene.bodies.empty() && !scene.time.equilibrium) {
+        const lammps::Substeps s = lammps::choose_substeps(scene);
+        out["structure"] = {{"step_s", s.lammps_step_s},
+                            {"substeps", s.count},
+                            {"stable_step_s", s.elastic_limit_s}};
+    }
     if (const auto cost = prediction(scene, ranks)) out["predicted"] = to_json(*cost);
+    out["warnings"] = warnings(explain(scene, ranks));
+    out["scene"] = scene::effective_scene(scene);
     return out;
 }
 

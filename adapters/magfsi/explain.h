@@ -18,8 +18,8 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks = {});
 std::vector<std::string> warnings(const std::string& explanation);
 
 // For programs: name, scene_hash (as in summary.json), version of magfsi, ranks by role,
-// machine, with a fluid its
-// spacing_m and step_s, and on a calibrated machine what is predicted.
+// machine, with a fluid its spacing_m and step_s, with bodies in motion their steps, on a
+// calibrated machine what is predicted; what explain warns of, and all values in SI.
 nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks);
 
 }  // namespace magfsi::launch

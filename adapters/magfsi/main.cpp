@@ -97,8 +97,9 @@ int main(int argc, char** argv) {
     CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);
     app.footer(
-        "The launcher ./magfsi has besides: study FILE (accuracy against time), bench, "
-        "test,\nlammps (LAMMPS with our styles), python SCRIPT (with the package "
+        "The launcher ./magfsi has besides: cost SCENE (what accuracy costs), study FILE "
+        "(runs\nover a product of settings), bench, test, lammps (LAMMPS with our "
+        "styles), python SCRIPT (with the package "
         "magfsi).");
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");
@@ -114,6 +115,10 @@ int main(int argc, char** argv) {
                  "Write exchange.record: all that the two sides send each other");
     run.add_option("--replay", options.replay,
                    "Play one side from a record: fluid=RUN or structure=RUN");
+    run.add_option(
+        "--error", options.run.error,
+        "Run the cheapest setting within this tolerance, such as '3 %', found by "
+        "magfsi cost; accuracy: {error: 3 %} in the scene does the same");
     add_scene_options(*app.add_subcommand("check", "Check a scene and run nothing"),
                       options);
     CLI::App& explain = *app.add_subcommand(

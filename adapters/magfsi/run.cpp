@@ -269,6 +269,43 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
     return coupler::exit_done;
 }
 
+// The setting within a tolerance is looked for by the Python package, which then calls
+// this program without the tolerance. Returns only where that cannot be.
+void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) {
+    if (!options.restart.empty() || options.record || !options.replay.empty()) {
+        throw std::invalid_argument(
+            "--error: found with --restart, --record or --replay, which belong to one "
+            "setting; run that without a tolerance");
+    }
+    if (!std::getenv("PYTHONPATH")) {
+        throw std::invalid_argument(
+            "--error: needs the launcher ./magfsi, which knows the Python package");
+    }
+    std::vector<std::string> words{"/usr/bin/python3", "-P", "-m", "magfsi.cost.within",
+                                   options.scene.string()};
+    const auto add = [&](const char* option, const std::string& value) {
+        if (!value.empty()) words.insert(words.end(), {option, value});
+    };
+    if (!options.error.empty())
+        add("--error", options.error);
+    else
+        add("--error", fmt::format("{} %", 100 * scene.accuracy->error));
+    add("--out", options.out.string());
+    for (const std::string& o : options.overrides) add("--set", o);
+    if (!options.ranks.empty()) add("--ranks", to_text(options.ranks));
+    if (options.overwrite) words.emplace_back("--overwrite");
+    if (scene.accuracy) {
+        for (const std::string& probe : scene.accuracy->probes) add("--probe", probe);
+        add("--norm", std::string(scene::name_of(scene.accuracy->norm)));
+        add("--budget", fmt::format("{} s", scene.accuracy->budget_s));
+    }
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(arguments.front(), arguments.data());
+    throw std::runtime_error("--error: /usr/bin/python3 cannot be started");
+}
+
 }  // namespace
 
 std::map<std::string, fs::path> parse_replay(const std::string& text) {
@@ -293,6 +330,7 @@ std::map<std::string, fs::path> parse_replay(const std::string& text) {
 
 int run(const RunOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
+    if (scene.accuracy || !options.error.empty()) run_within_tolerance(scene, options);
     if (scene.fluid) {
         const std::string fault = fluid_program(scene).missing();
         if (!fault.empty())

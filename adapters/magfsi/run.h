@@ -23,6 +23,7 @@ struct RunOptions {
     std::string command;             // what the user typed
     bool record = false;             // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
+    std::string error;  // tolerance, "3 %": another setting than the scene's may be run
 };
 
 // The exit code of the command line. Throws scene::SceneError on bad input.

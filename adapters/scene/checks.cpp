@@ -196,6 +196,8 @@ void check_scene(const Scene& scene, const Marks& marks) {
     check_fluid(scene, marks);
     check_probes(scene, marks);
     check_checkpoint(scene, marks);
+    require_with(!scene.accuracy || scene.probes, marks.key({"accuracy"}), "accuracy",
+                 "probes");
     check_output(scene, marks);
 }
 

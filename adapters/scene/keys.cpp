@@ -117,6 +117,17 @@ void keys(Io& io, Checkpoint& checkpoint) {
 }
 
 template <class Io>
+void keys(Io& io, Accuracy& accuracy) {
+    io(quantity("error", "", "Largest error of the probes, of the largest value of their course, "
+                "such as 3 %.").above(0).at_most(0.5), accuracy.error);
+    io(key("probes", "Columns of probes.csv that it is for; without them, how bodies move, or "
+           "without bodies all.").optional(), accuracy.probes);
+    io(key("norm", "Which number of the course.").by_default(), accuracy.norm);
+    io(quantity("budget", "s", "For the runs that find the setting.").above(0).by_default(),
+       accuracy.budget_s);
+}
+
+template <class Io>
 void keys(Io& io, Scene& scene) {
     io(key("name", "Of the scene: it names the run folder, runs/NAME.").by_default(), scene.name);
     io(key("time", "Length of the run and its step."), scene.time);
@@ -134,6 +145,8 @@ void keys(Io& io, Scene& scene) {
     io(key("output", "Fields for ParaView.").optional(), scene.output);
     io(key("checkpoint", "Keeps the state, so that the run can go on from there (--restart)."),
        scene.checkpoint);
+    io(key("accuracy", "magfsi run takes the cheapest spacing, step, mesh and substeps within this "
+           "tolerance in place of the scene's (magfsi cost)."), scene.accuracy);
 }
 
 MAGFSI_KEYS_OF(Scene)

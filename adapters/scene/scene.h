@@ -235,6 +235,20 @@ struct Checkpoint {
     bool retry() const { return on_divergence == OnDivergence::retry; }
 };
 
+// Which number of a probe's course a tolerance is for.
+enum class ProbeNorm { final_, peak, mean, amplitude };
+constexpr auto words_of(ProbeNorm) {
+    return std::to_array<std::string_view>({"final", "peak", "mean", "amplitude"});
+}
+
+// What a run is to be accurate to: magfsi run takes the cheapest setting for it.
+struct Accuracy {
+    double error = 0;                 // of the largest value of a probe's course
+    std::vector<std::string> probes;  // columns; empty: how bodies move, or all
+    ProbeNorm norm = ProbeNorm::final_;
+    double budget_s = 300;  // for finding it out
+};
+
 struct Scene {
     std::string name = "scene";
     std::filesystem::path folder;  // of its file; not of the scene itself
@@ -250,6 +264,7 @@ struct Scene {
     std::optional<Probes> probes;
     Output output;
     std::optional<Checkpoint> checkpoint;
+    std::optional<Accuracy> accuracy;  // gone from the scene that is run
 
     // Hash of the effective scene (after --set), the same for the same meaning: equal on
     // both sides of a coupled run or the handshake refuses.

@@ -5,7 +5,7 @@ import signal
 import sys
 from pathlib import Path
 
-from magfsi.study import findings, marked, product, store, tables
+from magfsi.study import findings, marked, norms, product, store, tables
 from magfsi.study.study_file import read_study
 
 EXIT_DONE, EXIT_ERROR, EXIT_INPUT = 0, 1, 2
@@ -82,7 +82,8 @@ def main():
     if chosen.list:
         _list(planned)
         return
-    store.do(study, planned, chosen.again)
+    store.do(store.scene_file(study.scene), study.limit_s, planned,
+             lambda run: norms.check_probes(study, run), chosen.again)
     _conclude(study, planned, chosen.results or out)
 
 

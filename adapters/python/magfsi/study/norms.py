@@ -81,7 +81,7 @@ def _expected(reference, run, times, finest):
     return times[inside], np.interp(times[inside], t, v)
 
 
-def _one_number(norm, values):
+def one_number(norm, values):
     if norm == "final":
         return values[-1]
     if norm == "mean":
@@ -107,8 +107,8 @@ def error(norm, run, finest=None):
     at, expected = _expected(norm.reference, run, times, finest)
     if norm.norm in ("final", "mean", "peak", "amplitude"):
         found = (np.interp(at[-1], times, values) if norm.norm == "final" and at is not None
-                 else _one_number(norm.norm, values))
-        wanted = expected[0] if at is None else _one_number(norm.norm, expected)
+                 else one_number(norm.norm, values))
+        wanted = expected[0] if at is None else one_number(norm.norm, expected)
         result = abs(found - wanted) / abs(wanted)
     else:
         apart = np.interp(at, times, values) - expected

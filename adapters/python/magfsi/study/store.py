@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from magfsi import runs as programs
-from magfsi.study import marked, norms
+from magfsi.study import marked
 from magfsi.study.product import Cell
 
 RECORD = "study.json"  # in the run folder; its presence says that the run is done
@@ -81,8 +81,8 @@ def _files_of(scene, sets):
     return [f for f in files if f.is_file()]
 
 
-def _scene_file(study):
-    return study.scene / "scene.yaml" if study.scene.is_dir() else study.scene
+def scene_file(scene):
+    return scene / "scene.yaml" if scene.is_dir() else scene
 
 
 def _key(facts, files):
@@ -118,19 +118,21 @@ def _check_input(study, runs):
                                     "a scene that can run")
 
 
+def planned(scene, cell, out):
+    """The run of a cell, with its key, or refused by the program."""
+    run = Run(cell)
+    facts, fault = _explain(scene, cell)
+    if facts:
+        run.facts, run.key = facts, _key(facts, _files_of(scene, cell.sets))
+        run.folder = out / "runs" / run.key
+    else:
+        run.record = {"outcome": "refused", "cause": fault}
+    return run
+
+
 def plan(study, cells, out):
     """All runs, each with its key; those that the program refuses are rows of their own."""
-    scene = _scene_file(study)
-    runs = []
-    for cell in cells:
-        run = Run(cell)
-        facts, fault = _explain(scene, cell)
-        if facts:
-            run.facts, run.key = facts, _key(facts, _files_of(scene, cell.sets))
-            run.folder = out / "runs" / run.key
-        else:
-            run.record = {"outcome": "refused", "cause": fault}
-        runs.append(run)
+    runs = [planned(scene_file(study.scene), cell, out) for cell in cells]
     if not study.refusals_are_rows:
         _check_input(study, runs)
     return runs
@@ -157,17 +159,16 @@ def _load(run):
     return True
 
 
-def _execute(study, run, build):
+def _execute(scene, limit_s, run, build):
     shutil.rmtree(run.folder, ignore_errors=True)
     run.folder.parent.mkdir(parents=True, exist_ok=True)
     load = os.getloadavg()[0]
-    ended = programs.run(_scene_file(study), run.folder, run.cell.sets, run.cell.ranks,
-                         limit_s=study.limit_s)
+    ended = programs.run(scene, run.folder, run.cell.sets, run.cell.ranks, limit_s=limit_s)
     run.folder.mkdir(parents=True, exist_ok=True)
     run.summary = _summary(run)
     outcome, cause = run.summary.get("outcome"), run.summary.get("cause", "")
     if ended.late:
-        fault = f"still running after {study.limit_s:g} s, the study's limit"
+        fault = f"still running after {limit_s:g} s, the study's limit"
     else:
         fault = ended.error()
     if ended.code == programs.EXIT_INPUT:
@@ -183,8 +184,9 @@ def _execute(study, run, build):
     partial.replace(run.folder / RECORD)
 
 
-def do(study, runs, again=False):
-    """Those that are missing, one after the other; returns how many were run now."""
+def do(scene, limit_s, runs, check=None, again=False):
+    """Those that are missing, one after the other; returns how many were run now. check(run):
+    after each of them."""
     build, now, others = _build(), set(), 0
     for number, run in enumerate(runs, 1):
         if not run.key:
@@ -193,11 +195,12 @@ def do(study, runs, again=False):
         # The same scene in two cells is one run.
         if not done or (again and run.key not in now):
             print(f"{number} of {len(runs)}: {run.cell.text()}", end=" ", flush=True)
-            _execute(study, run, build)
+            _execute(scene, limit_s, run, build)
             now.add(run.key)
             print(f"{run.record['outcome']} in {run.record['elapsed_s']:.1f} s "
                   f"{run.record['cause']}".rstrip(), flush=True)
-            norms.check_probes(study, run)
+            if check:
+                check(run)
         elif run.record.get("build") != build:
             others += 1
     if others:
