@@ -153,6 +153,17 @@ double distance(const Vec3& a, const Vec3& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+// To each marker the volume of the points that are nearest to it.
+void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
+                  std::span<const PlacedMarker> points, double apart_m) {
+    std::vector<Vec3> at;
+    for (const PlacedMarker& p : points) at.push_back(structure::position(mesh, p.point));
+    const auto nearest = nearest_markers(markers, mesh, at, apart_m);
+    for (PlacedMarker& marker : markers) marker.volume_m3 = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        markers[nearest[i]].volume_m3 += points[i].volume_m3;
+}
+
 // Of points that are close together those that are at least `apart_m` from each other;
 // each stands for the points that are nearest to it.
 std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
@@ -175,13 +186,8 @@ std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
         if (!free) continue;
         taken[bin].push_back(x);
         kept.push_back(p);
-        kept.back().volume_m3 = 0;
     }
-    std::vector<Vec3> at;
-    for (const PlacedMarker& p : points) at.push_back(structure::position(mesh, p.point));
-    const auto nearest = nearest_markers(kept, mesh, at, apart_m);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        kept[nearest[i]].volume_m3 += points[i].volume_m3;
+    share_volume(kept, mesh, points, apart_m);
     return kept;
 }
 
@@ -228,7 +234,7 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
         std::vector<PlacedMarker> points;
         for (const auto& p : structure::points_below_face(
                  mesh, sheet, side, 0.5 * thickness_m - std::abs(above_m), fine_m))
-            points.push_back({p.point, p.area_m2 * reach.grid_m});
+            points.push_back({p.point, p.area_m2 * layers.apart * reach.grid_m});
         draw_back(points, mesh, rim, depth_m, fine_m);
         begin_along(points, mesh, rim, depth_m + fine_m, fine_m);
         for (const PlacedMarker& marker : thinned(points, mesh, apart_m))
@@ -241,23 +247,26 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
 std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
                                     std::span<const structure::SurfaceQuad> surface,
                                     const KernelReach& reach) {
-    const double fine_m = 0.125 * reach.grid_m;
-    const double depth_m =
-        reach.depth_m(thinned_apart * reach.grid_m) + beyond_shell * reach.grid_m;
+    const double grid_m = reach.grid_m, fine_m = 0.125 * grid_m;
+    const double depth_m = reach.depth_m(thinned_apart * grid_m) + beyond_shell * grid_m;
     const structure::PointLocator locator(mesh);
     std::vector<PlacedMarker> points;
     for (const auto& p : structure::surface_points(mesh, surface, fine_m)) {
         Vec3 x = structure::position(mesh, p.point);
         for (std::size_t d = 0; d < 3; ++d) x[d] -= depth_m * p.normal[d];
-        points.push_back({locator.nearest(x), p.area_m2 * reach.grid_m});
+        points.push_back({locator.nearest(x), 0});
     }
     draw_back(points, mesh, surface, depth_m - fine_m, fine_m);
-    std::vector<PlacedMarker> inside;
+    std::vector<PlacedMarker> volume;
     for (const auto& p : structure::volume_points(mesh, 4 * fine_m))
-        inside.push_back({p.point, p.volume_m3});
+        volume.push_back({p.point, p.volume_m3});
+    std::vector<PlacedMarker> inside = volume;
     draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
     points.insert(points.end(), inside.begin(), inside.end());
-    return thinned(points, mesh, thinned_to * reach.grid_m);
+    auto markers = thinned(points, mesh, thinned_to * grid_m);
+    // With more volume than the body has, at a relaxation time above 1 balls diverge.
+    share_volume(markers, mesh, volume, grid_m);
+    return markers;
 }
 
 // Any other mesh than a block.

@@ -55,6 +55,19 @@ class Sphere(unittest.TestCase):
     def test_settles_as_in_the_experiment_e3(self):
         self.compare("E3", E3, 0.959 * 0.091)
 
+    def test_settles_without_slip(self):
+        # ten Cate et al.: E2 and E4 have Reynolds numbers of 4.1 and 31.9.
+        e2 = {"fluid.density": "965 kg/m3", "fluid.viscosity": "219.7 mm2/s",
+              "fluid.expected_speed": "66 mm/s", "fluid.lattice_speed": 0.04, "time.end": "1.2 s"}
+        e4 = {"fluid.density": "960 kg/m3", "fluid.viscosity": "60.4 mm2/s",
+              "fluid.expected_speed": "141 mm/s", "fluid.lattice_speed": 0.04, "time.end": "0.8 s"}
+        # A relaxation time of 1.38, at which a livelier memory of the slip diverged.
+        e1 = {"fluid.lattice_speed": 0.08}
+        for name, settings, expected in (("E1", e1, 0.947 * 0.038), ("E2", e2, 0.953 * 0.06),
+                                         ("E3", E3, 0.959 * 0.091), ("E4", e4, 0.955 * 0.128)):
+            self.compare(name, {**settings, "coupling.immersed_boundary.forcing": "no_slip"},
+                         expected)
+
     def test_light_and_heavy_spheres_reach_the_same_speed(self):
         for ratio, end in (10, "2 s"), (1.86, "1.4 s"), (0.5, "1.1 s"), (0.1, "1.1 s"):
             excess = (ratio - 1) * FLUID_KG_M3
