@@ -66,6 +66,9 @@ Course run(int n, int steps_per_sample, Collision collision,
            Precision precision = Precision::double_) {
     FluidConfig config = vortex(n, interval / steps_per_sample, viscosity, collision);
     config.precision = precision;
+    // Odd modes alike on all grids; by itself the number would be 0.04 here, with smaller
+    // errors of mixed orders.
+    if (collision == Collision::recursive_mrt) config.magic_number = 0.01;
     Fluid fluid(MPI_COMM_WORLD, config);
     Course course;
     for (int i = 0; i < samples; ++i) {
