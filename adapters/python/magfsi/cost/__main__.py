@@ -1,17 +1,15 @@
 """magfsi cost: what accuracy costs for any scene. Runs cheap variants of it, and tells each
 probe's error bar, what it is made of, and the cheapest setting within a tolerance."""
 import argparse
-import signal
-import sys
 from pathlib import Path
 
 from magfsi import units
 from magfsi.cost import command, probes, report
 from magfsi.cost.variants import CannotRun, seconds
+from magfsi.ending import EXIT_INPUT, ended_well
 from magfsi.study import store
 from magfsi.study.marked import PERCENT
 
-EXIT_DONE, EXIT_ERROR, EXIT_INPUT = 0, 1, 2
 
 
 class Parser(argparse.ArgumentParser):
@@ -107,10 +105,6 @@ def write(result, out):
     return text
 
 
-def _end(*_):
-    raise KeyboardInterrupt  # which ends the run under way, too
-
-
 def main():
     chosen = arguments()
     wish = wish_of(chosen)
@@ -131,21 +125,7 @@ def main():
     print(f"{wish.out}/cost.txt, cost.csv, runs.csv, figure.png")
 
 
-def ended_well(main):
-    """Runs it; errors are one line and an exit code."""
-    signal.signal(signal.SIGTERM, _end)
-    try:
-        main()
-    except (CannotRun, probes.NoProbe) as error:
-        print(error, file=sys.stderr)
-        sys.exit(EXIT_INPUT)
-    except KeyboardInterrupt:
-        print("magfsi cost: interrupted; the same command goes on", file=sys.stderr)
-        sys.exit(EXIT_ERROR)
-    except OSError as error:
-        print(f"magfsi cost: {error}", file=sys.stderr)
-        sys.exit(EXIT_ERROR)
-
+REFUSALS = CannotRun, probes.NoProbe
 
 if __name__ == "__main__":
-    ended_well(main)
+    ended_well(main, "magfsi cost", REFUSALS)

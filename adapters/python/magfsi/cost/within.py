@@ -11,7 +11,7 @@ import numpy as np
 from magfsi import runs
 from magfsi.cost import __main__ as options
 from magfsi.cost import command, probes, report
-from magfsi.cost.variants import CannotRun
+from magfsi.ending import EXIT_ERROR, ended_well
 from magfsi.study.norms import NoError
 
 
@@ -106,7 +106,7 @@ def main():
 
 if __name__ == "__main__":
     try:
-        options.ended_well(main)
+        ended_well(main, "magfsi cost", options.REFUSALS)
     except NoPromise as why:
         print(why, file=sys.stderr)
-        sys.exit(options.EXIT_ERROR)
+        sys.exit(EXIT_ERROR)

@@ -1,14 +1,13 @@
 """magfsi study: runs a scene over a product of settings, and what accuracy costs in time."""
 import argparse
 import shlex
-import signal
 import sys
 from pathlib import Path
 
+from magfsi.ending import ended_well
 from magfsi.study import findings, marked, norms, product, store, tables
 from magfsi.study.study_file import read_study
 
-EXIT_DONE, EXIT_ERROR, EXIT_INPUT = 0, 1, 2
 
 
 def arguments():
@@ -69,12 +68,7 @@ def _conclude(study, planned, results):
     print(f"{results}/runs.csv, results.md" + (", figure.png" if drawn else ""))
 
 
-def _end(*_):
-    raise KeyboardInterrupt  # which ends the run under way, too
-
-
 def main():
-    signal.signal(signal.SIGTERM, _end)
     chosen = arguments()
     study = read_study(chosen.study)
     out = chosen.out or Path("runs") / f"study_{study.name}"
@@ -88,14 +82,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except marked.InputError as error:
-        print(error, file=sys.stderr)
-        sys.exit(EXIT_INPUT)
-    except KeyboardInterrupt:
-        print("magfsi study: interrupted; the same command goes on", file=sys.stderr)
-        sys.exit(EXIT_ERROR)
-    except OSError as error:
-        print(f"magfsi study: {error}", file=sys.stderr)
-        sys.exit(EXIT_ERROR)
+    ended_well(main, "magfsi study", marked.InputError)
