@@ -16,6 +16,7 @@ struct PlacedMarker {
     structure::MaterialPoint point;
     double volume_m3 = 0;     // of fluid that it moves
     double displaced_m3 = 0;  // of the body that it stands for
+    double beyond_m3 = 0;     // of fluid that its layer carries beyond the body
     int body = 0;
     // Of the surface that it stands for, as in MarkerArea of
     // coupler/immersed_boundary/slip.h; zero where it stands for none.
@@ -43,13 +44,12 @@ struct PlacedMarker {
 // for of a body that is no sheet.
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
 
-// A sheet that one layer of markers stands for, in forcing no_slip. Where it moves along
-// its surface it has the inertia of the fluid that the layer carries, whatever its own
-// thickness.
+// A sheet that one layer of markers stands for, in forcing no_slip, and the fluid that
+// the layer carries where it moves along its surface
+// (coupler/immersed_boundary/layer_inertia.h).
 struct CarriedLayer {
     double thickness_m = 0;  // of the sheet
     double carried_m = 0;
-    double spacing_m = 0;  // of a fluid with which both would be the same
 };
 std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t body);
 

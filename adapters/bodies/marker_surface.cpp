@@ -15,14 +15,6 @@ namespace {
 
 using structure::Vec3;
 
-Vec3 middle(const structure::Mesh& mesh, const structure::SurfaceQuad& quad) {
-    Vec3 x{};
-    for (const int node : quad.node)
-        for (std::size_t d = 0; d < 3; ++d)
-            x[d] += mesh.nodes[static_cast<std::size_t>(node)][d] / 4;
-    return x;
-}
-
 class Bins {
   public:
     Bins(std::span<const PlacedMarker> markers, const structure::Mesh& mesh, double size)
@@ -116,11 +108,10 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
                    int faces) {
     const Bins bins(markers, mesh, spacing_m);
     std::map<std::size_t, Vec3> areas;
-    for (const structure::SurfaceQuad& quad : surface) {
-        const Vec3 area =
-            structure::quad_area_vector(structure::corners(mesh.nodes, quad.node));
-        Vec3& sum = areas[bins.nearest(middle(mesh, quad))];
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += faces * area[d];
+    // So close that every marker of an even layer gets some.
+    for (const auto& p : structure::surface_points(mesh, surface, 0.5 * spacing_m)) {
+        Vec3& sum = areas[bins.nearest(structure::position(mesh, p.point))];
+        for (std::size_t d = 0; d < 3; ++d) sum[d] += faces * p.area_m2 * p.normal[d];
     }
     for (const auto& [marker, area] : areas) set_area(markers[marker], mesh, area);
 }

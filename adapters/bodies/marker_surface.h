@@ -23,9 +23,9 @@ std::vector<std::size_t> nearest_markers(std::span<const PlacedMarker> markers,
 void set_area(PlacedMarker& marker, const structure::Mesh& mesh,
               const structure::Vec3& area_m2);
 
-// Each quad of the surface goes to the marker nearest to its middle: the areas of the
-// markers add up to that of the surface.
-// faces: 2 where one side of a sheet stands for both.
+// Each piece of the surface, of half a spacing and less, goes to the marker nearest to
+// its middle: the areas of the markers add up to that of the surface. faces: 2 where one
+// side of a sheet stands for both.
 void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
                    std::span<const structure::SurfaceQuad> surface, double spacing_m,
                    int faces = 1);
@@ -54,7 +54,7 @@ class DryFaces {
 // What the markers of a scene reach around them.
 struct KernelReach {
     double grid_m;
-    WallOfPlanes wall;
+    WallOfPlanes wall, resolved_wall;
     // How far one layer reaches beyond the area of its markers where it moves broadside.
     double edge_m;
 

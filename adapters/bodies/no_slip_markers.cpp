@@ -307,7 +307,21 @@ double rim_of_more(coupler::Kernel kernel) {
     return kernel == coupler::Kernel::two_point ? 0.15 : 0;
 }
 
+std::optional<CarriedLayer> one_layer(const structure::Mesh& mesh,
+                                      const std::optional<structure::Sheet>& sheet,
+                                      const KernelReach& reach) {
+    if (!sheet) return std::nullopt;
+    const double thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
+    if (!reach.takes_one_layer(thickness_m)) return std::nullopt;
+    const double carried = reach.resolved_wall.thickness({1, 1});
+    return CarriedLayer{thickness_m, carried * reach.grid_m};
+}
+
 }  // namespace
+
+// In grid spacings, where the inertia of one layer shall be exact: in flows that resolve
+// it the force is then that of a wall (tests/validation/no_slip/sheet.py).
+constexpr double resolved_stokes_layer = 4;
 
 KernelReach reach_in(const scene::Scene& scene) {
     const coupler::Kernel kernel = scene.coupling->immersed_boundary.kernel;
@@ -316,8 +330,12 @@ KernelReach reach_in(const scene::Scene& scene) {
     const double reynolds = fluid::cell_reynolds_number(
         scene.fluid->expected_speed_m_s, grid_m, scene.fluid->viscosity_m2_s, tau);
     const double magic = fluid::choose_magic_number(*scene.fluid, {tau, true, reynolds});
-    return {grid_m, WallOfPlanes(kernel, tau, magic), edge(kernel, magic) * grid_m,
-            rim_of_two * grid_m, rim_of_more(kernel) * grid_m};
+    return {grid_m,
+            WallOfPlanes(kernel, tau, magic),
+            WallOfPlanes(kernel, tau, magic, resolved_stokes_layer),
+            edge(kernel, magic) * grid_m,
+            rim_of_two * grid_m,
+            rim_of_more(kernel) * grid_m};
 }
 
 std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t number) {
@@ -325,13 +343,9 @@ std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t
         return std::nullopt;
     const scene::Body& body = scene.bodies[number];
     const structure::Mesh mesh = to_mesh(body);
-    const auto sheet = structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, true));
-    if (!sheet) return std::nullopt;
-    const double thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
-    const KernelReach reach = reach_in(scene);
-    if (!reach.takes_one_layer(thickness_m)) return std::nullopt;
-    const double carried = reach.wall.thickness({1, 1});
-    return CarriedLayer{thickness_m, carried * reach.grid_m, thickness_m / carried};
+    return one_layer(mesh,
+                     structure::find_sheet(mesh, spans_fluid(*scene.fluid, body, true)),
+                     reach_in(scene));
 }
 
 std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
@@ -339,9 +353,15 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
                                           const DryFaces& dry, const KernelReach& reach,
                                           const structure::Continues& continues) {
     const auto sheet = structure::find_sheet(mesh, continues);
-    if (std::holds_alternative<structure::Box>(body.mesh))
-        return in_block(mesh, sheet, dry, reach, continues);
-    return in_mesh(mesh, sheet, dry, reach);
+    auto markers = std::holds_alternative<structure::Box>(body.mesh)
+                       ? in_block(mesh, sheet, dry, reach, continues)
+                       : in_mesh(mesh, sheet, dry, reach);
+    if (const auto layer = one_layer(mesh, sheet, reach)) {
+        for (PlacedMarker& marker : markers)
+            marker.beyond_m3 =
+                marker.volume_m3 * (layer->carried_m - layer->thickness_m) / reach.grid_m;
+    }
+    return markers;
 }
 
 }  // namespace magfsi::bodies

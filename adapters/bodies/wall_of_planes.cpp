@@ -13,7 +13,6 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i{0, 1};
 
-constexpr double stokes_layer = 2;
 constexpr int places_in_grid = 10;
 
 // Distances of planes: closer ones pull against each other, wider ones let the fluid
@@ -34,7 +33,7 @@ constexpr int many = 7;
 }  // namespace
 
 WallOfPlanes::WallOfPlanes(coupler::Kernel kernel, double relaxation_time,
-                           double magic_number)
+                           double magic_number, double stokes_layer)
     : kernel_(kernel),
       viscosity_((relaxation_time - 0.5) / 3),
       frequency_(2 * viscosity_ / (stokes_layer * stokes_layer)) {

@@ -28,11 +28,12 @@ constexpr double widest_apart = 1.2;
 class WallOfPlanes {
   public:
     // Of a fluid with this relaxation time and magic number.
-    WallOfPlanes(coupler::Kernel kernel, double relaxation_time, double magic_number);
+    WallOfPlanes(coupler::Kernel kernel, double relaxation_time, double magic_number,
+                 double stokes_layer = 2);
 
     // Thickness of what moves with planes that swing along themselves: a body of that
-    // thickness would have the same inertia. Mean over their places in the grid, at a
-    // Stokes layer of two spacings (thicker layers: 0.05 to 0.1 less).
+    // thickness would have the same inertia. Mean over their places in the grid (thicker
+    // Stokes layers: up to 0.1 less).
     double thickness(const EvenPlanes& planes) const;
 
     // Planes that are as thick as a body: the fewest, since closer ones make the marker

@@ -42,6 +42,7 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
     marker.weight = placed.point.weight;
     marker.volume_m3 = placed.volume_m3;
     marker.displaced_m3 = placed.displaced_m3;
+    marker.beyond_m3 = placed.beyond_m3;
     marker.body = placed.body;
     return marker;
 }
@@ -90,6 +91,7 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
     mine.placed = placed.size();
     mine.bodies = scene.bodies.size();
     for (const bodies::PlacedMarker& p : placed) {
+        if (p.beyond_m3 != 0) mine.carries_layers = true;
         const int first_atom = first_node[static_cast<std::size_t>(p.body)];
         if (!engine.owns(p.point.node[0] + first_atom)) continue;
         const coupler::Marker marker = to_marker(p, first_atom, engine);

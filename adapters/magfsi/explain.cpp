@@ -75,23 +75,15 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
     return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
 }
 
-// Of a thin sheet without slip. What the layer carries is known to a twentieth.
+// Of a thin sheet without slip.
 std::string explain_layer(const scene::Scene& scene, std::size_t number) {
     const auto layer = bodies::carried_layer(scene, number);
     if (!layer) return "";
     const double spacing_m = scene.fluid->finest_spacing_m();
-    const double own = layer->thickness_m / spacing_m;
-    const double carried = layer->carried_m / spacing_m;
-    std::string text = fmt::format(
+    return fmt::format(
         "    one layer of markers carries {:.2f} spacings of fluid, the sheet is {:.2f} "
-        "thick\n",
-        carried, own);
-    if (own > 0.95 * carried) return text;
-    return text + fmt::format(
-                      "    warning: body '{}' moves along its surface as if it were "
-                      "{:.2g} times "
-                      "as thick as it is: take a fluid.spacing of {:.3g} mm there\n",
-                      scene.bodies[number].name, carried / own, layer->spacing_m * 1e3);
+        "thick: the inertia of the difference along the surface is taken away\n",
+        layer->carried_m / spacing_m, layer->thickness_m / spacing_m);
 }
 
 // Of turning about the axes through the centre of mass.

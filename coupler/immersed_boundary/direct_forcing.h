@@ -20,13 +20,15 @@ namespace magfsi::coupler {
 // Lagrangian markers: material points of the body, carried by its elements through their
 // shape functions, so that the fluid's grid and the body's mesh can be refined alone. As
 // one structure rank sees it: eight nodes by local index, their weights (which add up to
-// one), the volume of fluid that it moves and that of the fluid inside the body whose
-// inertia is its force (EnclosedFluid) [m3].
+// one), the volume of fluid that it moves, that of the fluid inside the body whose
+// inertia is its force (EnclosedFluid), and that of the fluid beyond the body which its
+// layer carries along (LayerInertia) [m3].
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};
     double volume_m3 = 0;
     double displaced_m3 = 0;
+    double beyond_m3 = 0;
     int body = 0;
 };
 

@@ -45,6 +45,8 @@ class SlipRecord {
     // areas: of those markers that stand for some of the surface.
     explicit SlipRecord(std::vector<MarkerArea> areas) : areas_(std::move(areas)) {}
 
+    std::span<const MarkerArea> areas() const { return areas_; }
+
     // One sample: velocities of the fluid and of the markers, at each; positions of the
     // nodes (three numbers a node).
     void add(std::span<const Marker> markers, std::span<const Vec3> fluid_velocity,

@@ -85,6 +85,9 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
     }
     if (options_.immersed_boundary.forcing == Forcing::no_slip)
         no_slip_ = std::make_unique<NoSlip>(force_.markers());
+    if (markers_.carries_layers)
+        layer_ = std::make_unique<LayerInertia>(force_.markers(), slip_.areas(),
+                                                session.plan().fluid_density_kg_m3);
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     if (markers_.measures_work) work_ = std::make_unique<MarkerWork>(count);
     fluid_velocity_.resize(count);
@@ -152,6 +155,7 @@ void StructureCoupling::begin() {
     receive(-1, fluid_velocity_);
     if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
     force_.enclosed().start(fluid_velocity_);
+    if (layer_) layer_->start(fluid_velocity_);
     if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
 }
 
@@ -190,8 +194,7 @@ void StructureCoupling::take_answer(std::span<const Vec3> felt) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double of_all =
                 half_m3_kg * session_.clock().step_s() * plan.fluid_body_force_n_m3[d];
-            uneven[m][d] =
-                even * force_.impulse()[m][d] - (passed[m][d] - of_all - felt[m][d]);
+            uneven[m][d] = even * given()[m][d] - (passed[m][d] - of_all - felt[m][d]);
         }
     }
     no_slip_->memory.add(mean_velocity(), passed, uneven);
@@ -238,7 +241,8 @@ void StructureCoupling::take_mean_velocity() {
 void StructureCoupling::send_impulses() {
     before_m_ = std::move(now_m_);
     now_m_ = marker_positions();
-    send({session_.clock().step(), iteration()}, force_.impulse());
+    if (layer_) layer_->add(force_.impulse(), mean_velocity(), solver_.positions());
+    send({session_.clock().step(), iteration()}, given());
 }
 
 // The fluid's slip under these impulses, answered until all iterations are done.
@@ -253,7 +257,7 @@ void StructureCoupling::iterate_forcing() {
 }
 
 void StructureCoupling::audit() {
-    std::vector<Vec3> impulse(force_.impulse().begin(), force_.impulse().end());
+    std::vector<Vec3> impulse(given().begin(), given().end());
     if (iterated_) iterated_->add_to(impulse);
     InterfaceBalance given;
     for (std::size_t m = 0; m < impulse.size(); ++m)
@@ -283,6 +287,7 @@ void StructureCoupling::measure_slip() {
 void StructureCoupling::keep_state() {
     solver_.keep();
     kept_.enclosed = force_.enclosed();
+    if (layer_) kept_.layer = *layer_;
     if (work_) kept_.work = *work_;
     kept_.markers_m = now_m_;
     fixed_point_->begin_step(fluid_velocity_, last_velocity_);
@@ -306,6 +311,7 @@ void StructureCoupling::check_convergence() {
     if (!again_) return;
     solver_.go_back();
     force_.enclosed() = *kept_.enclosed;
+    if (layer_) *layer_ = *kept_.layer;
     if (work_) *work_ = *kept_.work;
     now_m_ = kept_.markers_m;
 }
@@ -331,6 +337,10 @@ std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
     }
     if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
     if (no_slip_) all.push_back({"slip_memory", flat(no_slip_->memory.values())});
+    if (layer_) {
+        all.push_back({"layer_velocity", flat(layer_->last_velocity())});
+        all.push_back({"layer_owed", flat(layer_->owed())});
+    }
     if (work_) {
         all.push_back({"works", flat(work_->works())});
         all.push_back({"fluid_force", flat(work_->last_fluid_force())});

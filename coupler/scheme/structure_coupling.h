@@ -11,6 +11,7 @@
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/balance.h"
 #include "coupler/immersed_boundary/direct_forcing.h"
+#include "coupler/immersed_boundary/layer_inertia.h"
 #include "coupler/immersed_boundary/slip.h"
 #include "coupler/participants/session.h"
 #include "coupler/scheme/fixed_point.h"
@@ -36,7 +37,8 @@ struct BodyMarkers {
     // that came off the nodes.
     bool measures_force = false;
     std::vector<double> off_nodes_kg;
-    bool measures_work = false;  // for the energy audit
+    bool carries_layers = false;  // markers of any rank have a volume beyond their body
+    bool measures_work = false;   // for the energy audit
     std::int64_t steps_between_slip_samples = 1;
 };
 
@@ -77,7 +79,7 @@ class StructureCoupling {
     struct Exchanged {
         std::span<const Vec3> position_m, impulse, velocity;
     };
-    Exchanged exchanged() const { return {now_m_, force_.impulse(), fluid_velocity_}; }
+    Exchanged exchanged() const { return {now_m_, given(), fluid_velocity_}; }
 
     // Sum over the ranks of the force on each body in the last step [N], and on each of
     // the parts. Collective.
@@ -124,6 +126,10 @@ class StructureCoupling {
     void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
     void take_answer(std::span<const Vec3> felt);  // U of the step
     std::vector<Vec3> mean_velocity() const;
+    // To the fluid in the step [N s].
+    std::span<const Vec3> given() const {
+        return layer_ ? layer_->given() : force_.impulse();
+    }
 
     void begin_force(std::span<const Vec3> fluid_velocity,
                      std::span<const Vec3> owed = {});
@@ -146,7 +152,8 @@ class StructureCoupling {
     BodyMarkers markers_;  // those of the force are its own
     PenaltyForce force_;
     std::unique_ptr<IteratedForcing> iterated_;
-    std::unique_ptr<NoSlip> no_slip_;  // null in other forcings
+    std::unique_ptr<NoSlip> no_slip_;      // null in other forcings
+    std::unique_ptr<LayerInertia> layer_;  // null unless a sheet has one layer of markers
     StructureExchange exchange_;
     SlipRecord slip_;
     std::unique_ptr<BalanceRecord> balance_;
@@ -163,6 +170,7 @@ class StructureCoupling {
     std::unique_ptr<FixedPoint> fixed_point_;
     struct Kept {
         std::optional<EnclosedFluid> enclosed;
+        std::optional<LayerInertia> layer;
         std::optional<MarkerWork> work;
         std::vector<Vec3> markers_m;
     } kept_;

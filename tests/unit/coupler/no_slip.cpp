@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupler/immersed_boundary/conditioning.h"
+#include "coupler/immersed_boundary/layer_inertia.h"
 #include "tests/unit/coupler/grids.h"
 
 namespace magfsi::coupler {
@@ -43,6 +44,40 @@ double condition_of_a_plane(double apart) {
 TEST(ConditionNumber, tells_crowded_markers) {
     EXPECT_LT(condition_of_a_plane(1.2), 20);
     EXPECT_GT(condition_of_a_plane(0.5), 1000);
+}
+
+// Two markers of one element in the plane of x and y, of which the second has no volume
+// beyond its body.
+TEST(LayerInertia, gives_the_fluid_what_the_layer_gains_along_the_surface) {
+    constexpr double density = 1000, beyond_m3 = 2e-9;
+    const std::vector<double> nodes{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0,
+                                    0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
+    Marker marker;
+    marker.node = {0, 1, 2, 3, 4, 5, 6, 7};
+    marker.beyond_m3 = beyond_m3;
+    std::vector<Marker> markers{marker, marker};
+    markers[1].beyond_m3 = 0;
+    std::vector<MarkerArea> areas(2);
+    for (int m = 0; m < 2; ++m) {
+        areas[static_cast<std::size_t>(m)].marker = m;
+        areas[static_cast<std::size_t>(m)].first = {-1e-4, 1e-4};
+        areas[static_cast<std::size_t>(m)].second = {-1e-4, 0, 1e-4};
+    }
+    LayerInertia layer(markers, areas, density);
+    const Vec3 before{0.3, 0, 0.1}, after{0.5, -0.2, 0.9}, impulse{1e-7, 2e-7, 3e-7};
+    layer.start(std::vector<Vec3>(2, before));
+    Vec3 sum{};
+    for (int step = 0; step < 60; ++step) {
+        layer.add(std::vector<Vec3>(2, impulse), std::vector<Vec3>(2, after),
+                  nodes.data());
+        for (std::size_t d = 0; d < 3; ++d) {
+            sum[d] += layer.given()[0][d] - impulse[d];
+            EXPECT_EQ(layer.given()[1][d], impulse[d]);
+        }
+    }
+    EXPECT_NEAR(sum[0], density * beyond_m3 * 0.2, 1e-18);
+    EXPECT_NEAR(sum[1], density * beyond_m3 * -0.2, 1e-18);
+    EXPECT_EQ(sum[2], 0);  // along the normal
 }
 
 // Two markers at one place that pull against each other.

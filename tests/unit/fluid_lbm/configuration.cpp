@@ -55,7 +55,9 @@ TEST(CollisionChoice, TakesTheMagicNumberFromTheCellsReynoldsNumber) {
             cell_reynolds * config.viscosity_m2_s / config.spacing_m;
         return choose_magic_number(config);
     };
-    EXPECT_DOUBLE_EQ(magic_at(1000, 1), 0.01);
+    EXPECT_DOUBLE_EQ(magic_at(1000, 1), 0.001);
+    EXPECT_DOUBLE_EQ(magic_at(120, 1), 0.75 / 240);
+    EXPECT_DOUBLE_EQ(magic_at(60, 1), 0.0125);
     EXPECT_DOUBLE_EQ(magic_at(15, 1), 0.05);
     EXPECT_DOUBLE_EQ(magic_at(15, 0.5), 0.05);  // whatever the step
     EXPECT_DOUBLE_EQ(magic_at(1, 1), 3.0 / 16);

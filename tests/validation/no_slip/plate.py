@@ -72,17 +72,18 @@ class SwungPlate(unittest.TestCase):
             # The rim of one layer is known to 0.1 spacings; of 7.5 that is 5 %.
             self.assertAlmostEqual(moved.real / right, 1, delta=0.05)
 
-    def test_edgewise_needs_a_spacing_below_the_layer_that_markers_carry(self):
+    def test_edgewise_without_the_layer_that_markers_carry(self):
         right = exact(False).real
         error = {}
         for spacing in ("0.2 mm", "0.1 mm"):
             moved, _ = measured({"fluid.spacing": spacing,
                                  "coupling.immersed_boundary.kernel": "3-point"}, broadside=False)
             error[spacing] = moved.real / right - 1
-        # One layer of markers moves 1.75 spacings of fluid: 1.85 are as thick as the plate, at
-        # 0.92 it moves twice as much as it should.
+        # At 0.2 mm the layer is twice as thick as the plate. With its inertia the error would be
+        # +150 %. What is left of it is what its ends push, and what it carries more of in a
+        # Stokes layer of half a spacing.
         self.assertLess(abs(error["0.1 mm"]), 0.08)
-        self.assertGreater(error["0.2 mm"], 1)
+        self.assertLess(abs(error["0.2 mm"]), 1.1)
 
     def test_several_layers_are_as_thick_and_as_wide_as_the_plate(self):
         # 3.5 spacings thick, three layers. The rim is known to 0.1 spacings of 14, 1.4 % of the

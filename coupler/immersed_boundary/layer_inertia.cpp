@@ -1,0 +1,54 @@
+#include "coupler/immersed_boundary/layer_inertia.h"
+
+#include <algorithm>
+
+namespace magfsi::coupler {
+
+namespace {
+
+constexpr double given_at_once = 0.5;
+
+// The part of v along a surface with this normal, of any length.
+Vec3 along(const Vec3& v, const Vec3& normal) {
+    const double length2 =
+        normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    const double across =
+        (v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2]) / length2;
+    return {v[0] - across * normal[0], v[1] - across * normal[1],
+            v[2] - across * normal[2]};
+}
+
+}  // namespace
+
+LayerInertia::LayerInertia(std::span<const Marker> markers,
+                           std::span<const MarkerArea> areas, double fluid_density_kg_m3)
+    : last_velocity_(markers.size()), owed_(markers.size()), given_(markers.size()) {
+    for (const MarkerArea& area : areas) {
+        const Marker& marker = markers[static_cast<std::size_t>(area.marker)];
+        if (marker.beyond_m3 != 0)
+            layer_.push_back({marker, area, fluid_density_kg_m3 * marker.beyond_m3});
+    }
+}
+
+void LayerInertia::start(std::span<const Vec3> fluid_velocity) {
+    std::ranges::copy(fluid_velocity, last_velocity_.begin());
+}
+
+void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean_velocity,
+                       const double* position) {
+    std::ranges::copy(impulse, given_.begin());
+    for (const Beyond& beyond : layer_) {
+        const auto m = static_cast<std::size_t>(beyond.area.marker);
+        Vec3 now;
+        for (std::size_t d = 0; d < 3; ++d) {
+            owed_[m][d] += mean_velocity[m][d] - last_velocity_[m][d];
+            now[d] = given_at_once * owed_[m][d];
+            owed_[m][d] -= now[d];
+        }
+        const Vec3 gained = along(now, area_vector(beyond.marker, beyond.area, position));
+        for (std::size_t d = 0; d < 3; ++d) given_[m][d] += beyond.mass_kg * gained[d];
+    }
+    std::ranges::copy(mean_velocity, last_velocity_.begin());
+}
+
+}  // namespace magfsi::coupler
