@@ -4,7 +4,7 @@
 
 OpenFOAM takes longer steps than the lattice (its Courant number is --courant, the lattice's
 0.05). The immersed boundary's strength is raised by the same factor, so that both have the
-same drag coefficient. Both spread by the 3-point kernel, whose smoother force OpenFOAM's
+same drag coefficient (forcing penalty: OpenFOAM has no other). Both spread by the 3-point kernel, whose smoother force OpenFOAM's
 central differences resolve better. --grading makes its cells larger away from the robot, which saves three
 quarters of them; without it both have the same cells. Writes compare.png and prints the
 figures of the table.
@@ -50,7 +50,7 @@ def start(solver, spacing_mm, chosen):
         return Run(solver, spacing_mm, folder)
     settings = {"fluid.spacing": f"{spacing_mm:.10g} mm", "time.end": chosen.end,
                 "name": folder.name, "fluid.solver": solver, "output.fluid.fields": "[velocity]",
-                "coupling.immersed_boundary.kernel": "3-point"}
+                "coupling.immersed_boundary.forcing": "penalty"}
     if solver == "openfoam":
         settings["fluid.courant"] = chosen.courant
         settings["coupling.immersed_boundary.strength"] = chosen.courant / LATTICE_SPEED

@@ -62,7 +62,7 @@ class Sphere(unittest.TestCase):
         e4 = {"fluid.density": "960 kg/m3", "fluid.viscosity": "60.4 mm2/s",
               "fluid.expected_speed": "141 mm/s", "fluid.lattice_speed": 0.04, "time.end": "0.8 s"}
         # A relaxation time of 1.38, at which a livelier memory of the slip diverged.
-        e1 = {"fluid.lattice_speed": 0.08}
+        e1 = {"fluid.lattice_speed": 0.08 * float(SPACING.split()[0]) / 2.5}
         for name, settings, expected in (("E1", e1, 0.947 * 0.038), ("E2", e2, 0.953 * 0.06),
                                          ("E3", E3, 0.959 * 0.091), ("E4", e4, 0.955 * 0.128)):
             self.compare(name, {**settings, "coupling.immersed_boundary.forcing": "no_slip"},
