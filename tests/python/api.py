@@ -1,0 +1,128 @@
+"""Scenes and runs from Python, as a user's script has them."""
+import json
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import magfsi
+from magfsi import runs, testing
+
+STRIP = testing.ROOT / "tutorials/strip"
+SHORT = {"time.end": "2 ms", "output.structure.every": "0.5 ms"}
+
+
+def folder():
+    return Path(testing.new_folder()) / "run"
+
+
+class Scenes(unittest.TestCase):
+    def test_values_are_as_read(self):
+        scene = magfsi.load(testing.SMALL, fluid={"viscosity": "2 mm2/s"})
+        self.assertAlmostEqual(scene["fluid.viscosity"], 2e-6)
+        self.assertEqual(scene.with_({"fluid.viscosity": "3 mm2/s"})["fluid.viscosity"], 3e-6)
+        self.assertAlmostEqual(scene["fluid.viscosity"], 2e-6)
+        with self.assertRaisesRegex(KeyError, "fluid.colour"):
+            scene["fluid.colour"]
+
+    def test_a_wrong_scene_is_one_clear_error(self):
+        with self.assertRaisesRegex(magfsi.SceneError, "viscosity: found .*allowed") as raised:
+            magfsi.load(testing.SMALL, fluid={"viscosity": "2 parsec"})
+        self.assertEqual(raised.exception.code, 2)
+        with self.assertRaisesRegex(TypeError, "fluid.viscosity"):
+            magfsi.load(testing.SMALL, fluid={"viscosity": object()})
+
+    def test_settings_are_written_as_in_a_scene(self):
+        scene = magfsi.load(testing.SMALL, {"probes.bodies": ["com"], "gravity": None},
+                            coupling={"immersed_boundary": {"forcing": "no_slip"}})
+        self.assertEqual(scene["coupling.immersed_boundary.forcing"], "no_slip")
+        nested = magfsi.load(testing.SMALL, {"fluid": {"density": "900 kg/m3"}},
+                             fluid={"viscosity": "2 mm2/s"})
+        self.assertEqual((nested["fluid.density"], nested["fluid.viscosity"]), (900, 2e-6))
+        self.assertNotIn("gravity", scene.values)
+        self.assertEqual(scene["probes.bodies"], ["com"])
+
+
+class Runs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.run_ = magfsi.run(testing.SMALL, SHORT, out=folder(), ranks={"structure": 1,
+                                                                         "fluid": 2})
+
+    def test_has_what_the_run_folder_has(self):
+        self.assertEqual(self.run_.summary["outcome"], "completed")
+        self.assertEqual(self.run_.summary["ranks"]["fluid"], 2)
+        self.assertEqual(self.run_.columns,
+                         runs.read_columns(self.run_.folder / "probes.csv"))
+
+    def test_fields_are_those_of_the_instant(self):
+        self.assertEqual(len(self.run_.times_s), 5)
+        fields = self.run_.fields("1.1 ms")
+        self.assertAlmostEqual(fields.time_s, 1e-3)
+        middle = fields.points.mean(axis=0)
+        com = self.run_.columns
+        at = min(range(len(com["t[s]"])), key=lambda i: abs(com["t[s]"][i] - 1e-3))
+        for axis, found in zip("xyz", middle):
+            # Nodes are no masses: half an element.
+            self.assertAlmostEqual(found, com[f"robot.com_{axis}[m]"][at], delta=1e-4)
+        self.assertEqual(len(fields.arrays["velocity"]), len(fields.points))
+
+    def test_probes_are_a_table(self):
+        try:
+            import pandas
+        except ImportError:
+            with self.assertRaisesRegex(ImportError, "python3-pandas"):
+                self.run_.probes
+            return
+        self.assertIsInstance(self.run_.probes, pandas.DataFrame)
+        self.assertEqual(list(self.run_.probes), list(self.run_.columns))
+
+    def test_a_run_that_diverges_is_an_exception_with_its_cause(self):
+        with self.assertRaisesRegex(magfsi.Diverged, "inverted at step") as raised:
+            magfsi.run(testing.SMALL, {**SHORT, "magnetic_field": {
+                "plane": "xz", "constant": {"magnitude": "9 T", "direction": "45 deg"}}},
+                       out=folder())
+        self.assertEqual(raised.exception.code, 3)
+
+    def test_a_job_is_polled_and_stopped(self):
+        with magfsi.start(testing.SMALL, {"time.end": "10 s", "checkpoint.every": "5 s"},
+                          out=folder()) as job:
+            testing.wait_until(lambda: job.done_until > 0, job._process)
+            self.assertFalse(job.poll())
+            with self.assertRaises(TimeoutError):
+                job.wait(0.01)
+            job.stop()
+            self.assertTrue(job.poll())
+        self.assertEqual(job.summary["outcome"], "stopped")
+        self.assertTrue(list(job.folder.glob("checkpoint_*")))
+        self.assertEqual(list(job.folder.parent.glob(".*.stderr")), [])
+
+
+class Page(unittest.TestCase):
+    def test_its_blocks_run(self):
+        """docs/python.md, as it is, on a shorter scene."""
+        text = (testing.ROOT / "docs/python.md").read_text().replace(
+            '"tutorials/swimmer", time={"end": "40 ms"}',
+            f'"{testing.SWIMMER}", time={{"end": "21 ms"}}, fluid={{"spacing": "0.4 mm"}}')
+        text = text.replace('"0.2 mm"', '"0.4 mm"').replace('"runs/', f'"{folder()}/')
+        blocks = [part.split("```")[0] for part in text.split("```python\n")[1:]]
+        self.assertEqual(len(blocks), 2)
+        done = subprocess.run([sys.executable, "-c", "".join(blocks)], capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        viscosity, _, slip, shape, outcome = done.stdout.splitlines()
+        self.assertEqual((viscosity, shape, outcome), ("1e-06", "(378, 3)", "stopped"))
+        self.assertLess(float(slip), 0.05)
+
+
+class Import(unittest.TestCase):
+    def test_needs_the_standard_library_only(self):
+        code = ("import sys, json, magfsi; print(json.dumps([m for m in sys.modules if m in "
+                "('numpy', 'pandas', 'vtk', 'matplotlib', 'scipy')]))")
+        found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                               check=True)
+        self.assertEqual(json.loads(found.stdout), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
