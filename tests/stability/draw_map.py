@@ -5,7 +5,7 @@
     done
     ./magfsi python tests/stability/draw_map.py runs/map --out docs/stability
 
-Writes fluid.png, coupling.png and bodies.png, cells.csv with a row for each run, and by_axis.md
+Writes fluid.png, coupling.png, bodies.png and no_slip.png, cells.csv with a row for each run, and by_axis.md
 with the counts.
 """
 import argparse
@@ -17,7 +17,8 @@ from map_panel import draw
 
 PICTURES = {"fluid": ["lattice", "ranks"],
             "coupling": ["schemes", "boundary", "density", "substeps"],
-            "bodies": ["elasticity", "thickness", "field", "elements", "reversal"]}
+            "bodies": ["elasticity", "thickness", "field", "elements", "reversal"],
+            "no_slip": ["no_slip", "no_slip_bodies"]}
 # Of what a run ended: a letter for the pictures, and words that its cause holds.
 CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
           ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
