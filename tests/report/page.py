@@ -1,0 +1,142 @@
+"""A page holds what its runs hold, fetches nothing, and shows a scene's texts as text."""
+import base64
+import html.parser
+import json
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from magfsi import runs, testing
+
+FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
+          "output.fluid": "{every: 1 ms, fields: [velocity]}"}
+HOSTILE = "# </script><script>document.title='stolen'</script><img src=x onerror=alert(1)>\n"
+
+
+def report(*words):
+    command = [sys.executable, "-m", "magfsi.report", *map(str, words)]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+class Page(html.parser.HTMLParser):
+    """Elements and data of a page."""
+
+    def __init__(self, file):
+        super().__init__()
+        self.elements, self.texts = [], {}
+        self.feed(Path(file).read_text())
+        self.runs = json.loads(self.texts["data"])
+
+    def handle_starttag(self, tag, attributes):
+        self.elements.append((tag, dict(attributes)))
+
+    def handle_data(self, text):
+        name = self.elements[-1][1].get("id") if self.elements else None
+        if name:
+            self.texts[name] = self.texts.get(name, "") + text
+
+
+def unpacked(text, kind):
+    raw = base64.b64decode(text)
+    return struct.unpack(f"<{len(raw) // struct.calcsize(kind)}{kind}", raw)
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = Path(testing.new_folder())
+        scene = folder / "scene.yaml"
+        scene.write_text(HOSTILE + testing.SMALL.read_text())
+        cls.run_ = testing.good_run(scene, FIELDS)
+        cls.file = folder / "page.html"
+        done = report(cls.run_.folder, "--out", cls.file)
+        assert done.returncode == 0, done.stderr
+        cls.page = Page(cls.file)
+        cls.shown = cls.page.runs[0]
+
+    def test_positions_are_those_of_the_fields(self):
+        bodies = self.shown["bodies"]
+        self.assertEqual(len(bodies["times"]), 5)
+        points = unpacked(bodies["points"], "H")
+        self.assertEqual(len(points), 5 * 3 * bodies["nodes"])
+        ends = self.run_.probes()
+        for axis, name in enumerate("xyz"):
+            for frame in (0, 4):
+                start = 3 * bodies["nodes"] * frame
+                values = points[start + axis:start + 3 * bodies["nodes"]:3]
+                middle = bodies["low"][axis] + bodies["step"] * sum(values) / len(values)
+                row = ends["t[s]"].index(bodies["times"][frame]) if frame == 0 else -1
+                # Nodes are no masses: half an element.
+                self.assertAlmostEqual(middle, ends[f"robot.com_{name}[m]"][row], delta=1e-4)
+
+    def test_curves_are_those_of_the_probes(self):
+        columns = {c["name"]: unpacked(c["values"], "f") for c in self.shown["probes"]["columns"]}
+        expected = self.run_.probes()
+        self.assertEqual(set(columns), set(expected))
+        for found, right in zip(columns["robot.com_z[m]"], expected["robot.com_z[m]"]):
+            self.assertAlmostEqual(found, right, delta=1e-9)
+
+    def test_checks_have_the_figures_of_the_summary(self):
+        found = {check["name"]: check for check in self.shown["checks"]}
+        boundary = self.run_.summary()["immersed_boundary"]
+        self.assertEqual(found["leakage"]["value"], boundary["leakage"])
+        self.assertEqual(found["leakage"]["good"], boundary["leakage"] <= 0.05)
+
+    def test_texts_of_a_scene_are_text_and_nothing_is_fetched(self):
+        tags = [tag for tag, _ in self.page.elements]
+        self.assertEqual((tags.count("script"), tags.count("img")), (2, 0))
+        self.assertIn("<img src=x", self.shown["scene"])
+        for _, attributes in self.page.elements:
+            self.assertFalse({"src", "href"} & set(attributes), attributes)
+
+    def test_opens_in_a_browser_at_a_time(self):
+        chromium = shutil.which("chromium")
+        if not chromium:
+            self.skipTest("no chromium on this machine")
+        done = subprocess.run(
+            [chromium, "--headless=new", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+             "--virtual-time-budget=2000", f"--user-data-dir={testing.new_folder()}", "--dump-dom",
+             f"file://{self.file}#t=0.0015"], capture_output=True, text=True, timeout=300)
+        self.assertNotIn("CONSOLE", done.stderr)
+        self.assertIn('<output id="now">1.5 ms</output>', done.stdout)
+        self.assertIn('data-panel="robot.com[m]"', done.stdout)
+        self.assertNotIn("<title>stolen", done.stdout)
+        self.assertNotIn("<img", done.stdout)
+
+
+class Others(unittest.TestCase):
+    def test_without_fluid_or_fields_diverged_and_two(self):
+        bare = testing.good_run(testing.SMALL, {
+            "time.end": "1 ms", "fluid": "", "probes": "{every: 0.1 ms, bodies: [com]}"})
+        diverged = testing.run(testing.SMALL,
+                               {**FIELDS, "magnetic_field.constant.magnitude": "9 T"})
+        self.assertEqual(diverged.code, 3)
+        done = report(bare.folder, diverged.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        first, second = Page(bare.folder / "report.html").runs
+        self.assertEqual((first["bodies"], first["flow"], first["checks"]), (None, None, []))
+        self.assertEqual(second["outcome"], "diverged")
+        self.assertIn("inverted", second["cause"])
+
+    def test_frames_are_thinned_out_to_the_room(self):
+        from magfsi.report import data
+        run = testing.shared_run(testing.SMALL, FIELDS)
+        stored = len(runs.frames(run.folder))
+        whole = data.bodies(run.folder, 1e9)
+        self.assertEqual(len(whole["times"]), stored)
+        part = data.bodies(run.folder, 3 * 7 * whole["nodes"] * 4 / 3)
+        self.assertEqual((len(part["times"]), part["times"][-1]), (3, whole["times"][-1]))
+
+    def test_what_is_no_run_is_refused(self):
+        folder = Path(testing.new_folder())
+        done = report(folder)
+        self.assertEqual((done.returncode, len(done.stderr.strip().splitlines())), (2, 1))
+        self.assertIn("found no scene.json", done.stderr)
+        self.assertEqual(list(folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
