@@ -97,8 +97,10 @@ int main(int argc, char** argv) {
     CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);
     app.footer(
-        "The launcher ./magfsi has besides: report RUN (a run as one HTML page), cost SCENE "
-        "(what\naccuracy costs), study FILE (runs over a product of settings), bench, test, "
+        "The launcher ./magfsi has besides: report RUN (a run as one HTML page), cost "
+        "SCENE "
+        "(what\naccuracy costs), study FILE (runs over a product of settings), bench, "
+        "test, "
         "lammps (LAMMPS\nwith our styles), python SCRIPT (with the package magfsi).");
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");
