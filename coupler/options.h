@@ -28,7 +28,7 @@ constexpr auto words_of(Forcing) {
 }
 
 struct ImmersedBoundary {
-    Forcing forcing = Forcing::penalty;
+    std::optional<Forcing> forcing;  // absent: no_slip wherever it can be
     Kernel kernel = Kernel::three_point;
     std::optional<Markers> markers;  // absent: by the body's shape
     double marker_spacing = 0.5;     // in units of the fluid's spacing

@@ -52,6 +52,11 @@ double lost(const EnergyTerms& terms) {
     return terms.lost_viscosity + terms.lost_drag + terms.lost_friction;
 }
 
+// Without the layers that sheets carry but should not.
+double moved_fluid(const EnergyTerms& terms) {
+    return terms.fluid_kinetic - terms.carried;
+}
+
 }  // namespace
 
 void attach_audit(const StructureRun& run) {
@@ -78,11 +83,13 @@ EnergyTerms collect_terms(const StructureRun& run) {
     if (run.scene.contact) terms.contact = engine.compute_scalar("contact");
     const auto* markers = run.coupling ? run.coupling->work() : nullptr;
     if (!markers) return terms;
-    std::array<double, 2> works{markers->by_fluid_j(), markers->by_enclosed_j()};
-    MPI_Allreduce(MPI_IN_PLACE, works.data(), 2, MPI_DOUBLE, MPI_SUM,
+    std::array<double, 3> works{markers->by_fluid_j(), markers->by_enclosed_j(),
+                                run.coupling->carried_energy_j()};
+    MPI_Allreduce(MPI_IN_PLACE, works.data(), works.size(), MPI_DOUBLE, MPI_SUM,
                   run.session.world().local());
     terms.by_fluid = works[0];
     terms.by_enclosed = works[1];
+    terms.carried = works[2];
     return terms;
 }
 
@@ -139,6 +146,8 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
                             m.work_weight_nodes - motion - terms.by_fluid -
                             terms.by_enclosed + lost(terms);
     const bool in_fluid = scene_.fluid.has_value();
+    const bool no_slip = scene_.coupling && scene_.coupling->immersed_boundary.forcing ==
+                                                coupler::Forcing::no_slip;
     const auto effect = [&](const char* name) { return scene::has_effect(scene_, name); };
     add(effect("magnetic field"), "work_field", terms.work_field);
     add(effect("gravity"), "work_weight", m.work_weight);
@@ -153,8 +162,9 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
     add(effect("friction"), "lost_friction", terms.lost_friction);
     add(in_fluid, "given_to_fluid", -terms.by_fluid);
     add(in_fluid, "enclosed_lag", lag);
+    add(no_slip, "carried_layer", terms.carried);
     add(in_fluid, "lost_in_fluid",
-        -terms.by_fluid - (terms.fluid_kinetic - record_.fluid_at_start));
+        -terms.by_fluid - (moved_fluid(terms) - record_.fluid_at_start));
     add(true, "residual", residual);
     return all;
 }
@@ -171,7 +181,7 @@ std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms&
         record_.stored_at_start = stored(terms);
         record_.moved_at_start = terms.of_moved;
         record_.nodes_at_start = motion.kinetic_nodes;
-        record_.fluid_at_start = terms.fluid_kinetic;
+        record_.fluid_at_start = moved_fluid(terms);
     }
     std::vector<double> values;
     for (const Column& column : balance(motion, terms)) values.push_back(column.value);
@@ -185,7 +195,7 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
                               record_.stored_at_start + record_.nodes_at_start})
         record_.work = std::max(record_.work, std::abs(part));
     record_.residual = std::max(record_.residual, std::abs(residual));
-    const double unpaid = stored(terms) + m.kinetic + terms.fluid_kinetic + lost(terms) -
+    const double unpaid = stored(terms) + m.kinetic + moved_fluid(terms) + lost(terms) -
                           terms.work_field - m.work_weight - moved;
     if (record_.rows == 0) record_.unpaid_at_start = unpaid;
     record_.unpaid = unpaid;

@@ -24,6 +24,7 @@ struct EnergyTerms {
     double lost_viscosity = 0, lost_drag = 0, lost_friction = 0;
     double by_fluid = 0, by_enclosed = 0;  // work on the body at the markers
     double fluid_kinetic = 0;
+    double carried = 0;  // of it, of layers that sheets carry beyond their own thickness
 };
 
 struct StructureRun;

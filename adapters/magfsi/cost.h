@@ -14,7 +14,7 @@ namespace magfsi::launch {
 
 struct FluidWork {
     double cells = 0, wall_cells = 0;  // at sides that are not periodic
-    bool recursive_regularized = false;
+    bool recursive_collision = false;
     bool single_precision = false;  // of populations in memory
     double probe_rows = 0;
     double sum_rows = 0;  // of them, each a pass over all cells
@@ -71,7 +71,7 @@ struct Calibration {
     std::string machine, date;
     std::vector<FluidSpeed> fluid;
     std::vector<NewtonSpeed> newton;    // by nodes, ascending
-    double s_per_cell_regularized = 0;  // besides, of recursive_regularized
+    double s_per_cell_regularized = 0;  // besides, of recursive collisions
     double s_per_wall_cell = 0;         // besides, at a side that is not periodic
     double s_per_element_substep = 0;   // of assumed_strain elements in LAMMPS
     double s_per_substep = 0;           // whatever the elements

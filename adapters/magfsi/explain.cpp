@@ -225,8 +225,9 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     if (!scene.time.equilibrium) text += explain_moments(scene, solid);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);
-        text +=
-            fmt::format("    {} markers\n", bodies::place_markers(scene, number).size());
+        text += fmt::format("    {} markers, forcing {}\n",
+                            bodies::place_markers(scene, number).size(),
+                            coupler::name_of(*scene.coupling->immersed_boundary.forcing));
         text += explain_layer(scene, number);
     }
     return text;

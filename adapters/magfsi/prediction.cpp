@@ -73,7 +73,7 @@ double fluid_s(const Work& work, const Calibration& c) {
     const double markers = work.structure ? work.structure->markers : 0;
     const double a_step =
         f.cells * cell_step_s(f, c) + markers * c.s_per_marker_step +
-        ((f.recursive_regularized ? f.cells * c.s_per_cell_regularized : 0) +
+        ((f.recursive_collision ? f.cells * c.s_per_cell_regularized : 0) +
          f.wall_cells * c.s_per_wall_cell) /
             f.ranks;
     return work.steps * work.iterations * a_step +

@@ -84,13 +84,6 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
                         "step; take stop",
                         option));
     }
-    if (scene.coupling &&
-        scene.coupling->immersed_boundary.forcing == coupler::Forcing::no_slip) {
-        throw std::invalid_argument(
-            fmt::format("{}: a record has no row sums, which forcing: no_slip exchanges; "
-                        "take coupling.immersed_boundary.forcing: penalty",
-                        option));
-    }
     if (!scene.fluid || scene.bodies.empty()) {
         throw std::invalid_argument(fmt::format(
             "{}: the scene has no {}; only a body in a fluid exchanges anything", option,

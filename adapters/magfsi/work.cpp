@@ -64,8 +64,9 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
         std::ldexp(lbm::updated_cells({config}), 1 - static_cast<int>(levels.size()));
     work.cells = coarse + finer_cell_cost * (lbm::updated_cells(levels) - coarse);
     work.wall_cells = wall_cells(config);
-    work.recursive_regularized =
-        fluid::choose_collision(config) == fluid::Collision::recursive_regularized;
+    const fluid::Collision collision = fluid::choose_collision(config);
+    work.recursive_collision = collision == fluid::Collision::recursive_regularized ||
+                               collision == fluid::Collision::recursive_mrt;
     work.single_precision = scene.fluid->precision != fluid::Precision::double_;
 }
 

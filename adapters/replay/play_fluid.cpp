@@ -52,9 +52,10 @@ std::vector<std::size_t> pair_up(std::span<const Vec3> live,
     return pairs;
 }
 
-std::vector<Vec3> in_order(std::span<const Vec3> recorded,
-                           std::span<const std::size_t> pairs) {
-    std::vector<Vec3> sorted(pairs.size());
+template <class T>
+std::vector<T> in_order(const std::vector<T>& recorded,
+                        std::span<const std::size_t> pairs) {
+    std::vector<T> sorted(pairs.size());
     std::ranges::transform(pairs, sorted.begin(),
                            [&](std::size_t i) { return recorded[i]; });
     return sorted;
@@ -67,7 +68,7 @@ class Player {
         : scene_(scene),
           session_(session),
           record_(std::move(record)),
-          exchange_(session.world(), session.timeout_s()),
+          exchange_(session.world(), session.timeout_s(), record_.header().forcing),
           difference_(session, "m") {
         coupler::Grid grid = record_.header().grid;
         grid.owned_by_rank = {{{0, 0, 0}, grid.cells}};
@@ -82,7 +83,7 @@ class Player {
         coupler::log_steps(session_, tasks_);
         entry_ = record_.read(0);
         pairs_ = pair_up(exchange_.receive(-1).now_m, entry_.position_m);
-        exchange_.send(-1, in_order(entry_.velocity, pairs_));
+        answer(-1);
         if (sends_numbers() && !session_.restart()) send_numbers();
         while (session_.running()) tasks_.run();
         difference_.report("the structure's markers");
@@ -93,6 +94,15 @@ class Player {
 
   private:
     bool sends_numbers() const { return record_.header().numbers > 0; }
+
+    void answer(std::int64_t step) {
+        const auto velocity = in_order(entry_.velocity, pairs_);
+        if (record_.header().forcing == coupler::Forcing::penalty)
+            return exchange_.send(step, velocity);
+        const coupler::NoSlipAnswer more{in_order(entry_.answer.row_sum, pairs_),
+                                         in_order(entry_.answer.passed, pairs_)};
+        exchange_.send(step, velocity, &more);
+    }
 
     void send_numbers() {
         coupler::send_numbers(session_.world(), session_.clock().step(), entry_.numbers,
@@ -106,10 +116,8 @@ class Player {
         tasks_.add("read record",
                    [this] { entry_ = record_.read(session_.clock().steps_here() + 1); });
         tasks_.add("count step", [this] { session_.complete_step(); });
-        tasks_.add_coupling("send velocities", [this] {
-            exchange_.send(session_.clock().step() - 1,
-                           in_order(entry_.velocity, pairs_));
-        });
+        tasks_.add_coupling("send velocities",
+                            [this] { answer(session_.clock().step() - 1); });
         tasks_.add_output("compare", [this] {
             difference_.add(batch_->now_m, in_order(entry_.position_m, pairs_));
         });

@@ -28,7 +28,7 @@ class Player {
           grid_(coupler::grid_from_text(coupler::swap_text(
               session.world(), "", coupler::no_timeout_s, "description of the grid"))),
           exchange_(session.world(), grid_, scene.coupling->immersed_boundary.kernel,
-                    session.timeout_s()),
+                    session.timeout_s(), record_.header().forcing),
           velocity_(record_.header().markers),
           difference_(session, "m/s"),
           progress_(coupler::progress_on_stdout(session, mode)) {
@@ -39,8 +39,8 @@ class Player {
         coupler::log_steps(session_, tasks_);
         entry_ = record_.read(0);
         exchange_.send(-1, entry_.position_m, std::vector<Vec3>(velocity_.size()),
-                       entry_.position_m);
-        exchange_.receive(-1, velocity_);
+                       entry_.position_m, entry_.volume_m3);
+        receive(-1);
         if (probes_ && !session_.restart()) write_probes();
         const double start = output::steady_seconds();
         while (session_.running()) tasks_.run();
@@ -55,11 +55,10 @@ class Player {
         });
         tasks_.add_coupling("send impulses", [this] {
             exchange_.send(session_.clock().step(), before_m_, entry_.impulse,
-                           entry_.position_m);
+                           entry_.position_m, entry_.volume_m3);
         });
-        tasks_.add_coupling("wait for fluid", [this] {
-            exchange_.receive(session_.clock().step(), velocity_);
-        });
+        tasks_.add_coupling("wait for fluid",
+                            [this] { receive(session_.clock().step()); });
         tasks_.add("count step", [this] { session_.complete_step(); });
         tasks_.add_output("compare",
                           [this] { difference_.add(velocity_, entry_.velocity); });
@@ -72,6 +71,11 @@ class Player {
         }
         tasks_.add_output("progress",
                           [this] { progress_->update(session_.clock().step()); });
+    }
+
+    void receive(std::int64_t step) {
+        const bool no_slip = record_.header().forcing == coupler::Forcing::no_slip;
+        exchange_.receive(step, velocity_, no_slip ? &answer_ : nullptr);
     }
 
     void write_probes() {
@@ -100,6 +104,7 @@ class Player {
     coupler::TaskList tasks_;
     coupler::RecordEntry entry_;
     std::vector<Vec3> before_m_, velocity_;
+    coupler::NoSlipAnswer answer_;  // not compared: what follows from it is
     DifferenceFile difference_;
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<output::Progress> progress_;

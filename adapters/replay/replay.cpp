@@ -64,6 +64,13 @@ coupler::RecordReader open_record(const scene::Scene& scene,
         throw std::invalid_argument("--replay: a record is played by one rank");
     coupler::RecordReader record(arguments.replay);
     const RecordHeader& header = record.header();
+    const auto forcing = scene.coupling->immersed_boundary.forcing;
+    if (forcing != header.forcing) {
+        throw std::invalid_argument(fmt::format(
+            "--replay: the record is of forcing: {0}, this run of {1}; add --set "
+            "coupling.immersed_boundary.forcing={0}",
+            coupler::name_of(header.forcing), coupler::name_of(*forcing)));
+    }
     check_steps(header, record.entries(), session.clock());
     const auto wanted = fluids::fluid_columns(scene).size();
     if (header.numbers != wanted) {

@@ -82,40 +82,12 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
 // markers. Above it runs converge in every step and gain energy all the same.
 constexpr double max_implicit_strength = 2;
 
-// Its markers follow from kernel, spacing and thickness; what else would move them, and
-// the passes that its memory replaces, mean nothing.
 void check_no_slip(const Scene& scene, const Marks& marks) {
-    const Coupling& coupling = *scene.coupling;
-    const ImmersedBoundary& boundary = coupling.immersed_boundary;
-    if (boundary.forcing != coupler::Forcing::no_slip) return;
-    const auto refuse_unless = [&](bool fine, const char* key, std::string_view allowed) {
-        require(fine, marks.value({"coupling", "immersed_boundary", key}),
-                fmt::format("{} with forcing: no_slip", key), allowed,
-                "remove this key or take forcing: penalty");
-    };
-    const ImmersedBoundary usual;
-    constexpr std::string_view follows =
-        "none: kernel, fluid spacing and thickness decide where markers sit";
-    refuse_unless(!boundary.markers, "markers", follows);
-    refuse_unless(boundary.marker_spacing == usual.marker_spacing, "marker_spacing",
-                  follows);
-    refuse_unless(boundary.retraction == usual.retraction, "retraction", follows);
-    refuse_unless(boundary.rim_retraction == usual.rim_retraction, "rim_retraction",
-                  follows);
-    refuse_unless(boundary.kernel != Kernel::four_point, "kernel",
-                  "2-point or 3-point: the depth of a 4-point kernel's rim is not known");
-    refuse_unless(boundary.iterations == 1, "iterations",
-                  "1: the memory of the slip replaces further ones");
-    refuse_unless(boundary.strength <= 1, "strength",
-                  "at most 1, which removes a uniform slip in one step");
-    const Origin& forcing = marks.value({"coupling", "immersed_boundary", "forcing"});
-    require(coupling.scheme != Scheme::parallel, forcing,
-            "forcing: no_slip in the parallel scheme", "penalty there",
-            "take coupling.scheme: serial or implicit");
-    require(scene.fluid->solver == FluidSolver::lbm, forcing,
-            fmt::format("forcing: no_slip with fluid.solver: {}",
-                        name_of(scene.fluid->solver)),
-            "penalty there", "take fluid.solver: lbm");
+    if (scene.coupling->immersed_boundary.forcing != coupler::Forcing::no_slip) return;
+    const auto objection = objection_to_no_slip(scene);
+    if (!objection) return;
+    refuse(marks.value({"coupling", "immersed_boundary", objection->key}),
+           objection->found, objection->allowed, objection->suggestion);
 }
 
 void check_coupling(const Coupling& coupling, const Marks& marks) {
@@ -226,6 +198,40 @@ void check_platform(const Scene& scene, const Marks& marks) {
 }
 
 }  // namespace
+
+std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
+    const ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
+    const ImmersedBoundary usual;
+    constexpr const char* follows =
+        "none: kernel, fluid spacing and thickness decide where markers sit";
+    const auto beside = [](const char* key, const char* allowed) {
+        return NoSlipObjection{key, fmt::format("{} with forcing: no_slip", key), allowed,
+                               "remove this key or take forcing: penalty"};
+    };
+    if (boundary.markers) return beside("markers", follows);
+    if (boundary.marker_spacing != usual.marker_spacing)
+        return beside("marker_spacing", follows);
+    if (boundary.retraction != usual.retraction) return beside("retraction", follows);
+    if (boundary.rim_retraction != usual.rim_retraction)
+        return beside("rim_retraction", follows);
+    if (boundary.kernel == Kernel::four_point)
+        return beside("kernel",
+                      "2-point or 3-point: the depth of a 4-point kernel's rim is "
+                      "not known");
+    if (boundary.iterations != 1)
+        return beside("iterations", "1: the memory of the slip replaces further ones");
+    if (boundary.strength > 1)
+        return beside("strength", "at most 1, which removes a uniform slip in one step");
+    if (scene.coupling->scheme == Scheme::parallel)
+        return {{"forcing", "forcing: no_slip in the parallel scheme", "penalty there",
+                 "take coupling.scheme: serial or implicit"}};
+    if (scene.fluid && scene.fluid->solver != FluidSolver::lbm)
+        return {{"forcing",
+                 fmt::format("forcing: no_slip with fluid.solver: {}",
+                             name_of(scene.fluid->solver)),
+                 "penalty there", "take fluid.solver: lbm"}};
+    return {};
+}
 
 void check_loads(const Scene& scene, const Marks& marks) {
     const auto with_bodies = [&](bool present, const char* key) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -46,6 +47,17 @@ void check_scene(const Scene& scene, const Marks& marks);
 
 // Refuses what is there but no regular file, or too large to be meant.
 void require_regular_file(const std::filesystem::path& file, const Origin& where);
+
+// Why forcing: no_slip cannot be: its markers follow from kernel, spacing and thickness,
+// so that what else would move them means nothing; nor do the passes that its memory
+// replaces.
+struct NoSlipObjection {
+    const char* key;  // of coupling.immersed_boundary
+    std::string found;
+    const char* allowed;
+    const char* suggestion;
+};
+std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene);
 
 // Its parts, a source file each.
 void check_files(const Scene& scene, const Marks& marks);

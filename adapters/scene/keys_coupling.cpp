@@ -43,7 +43,9 @@ template <class Io>
 void keys(Io& io, ImmersedBoundary& boundary) {
     io(key("forcing", "How a marker's slip becomes a force: penalty is eq. (13) with the fluid "
            "of its own volume; no_slip makes the fluid that passes the body move with it, with "
-           "markers about one spacing apart.").by_default(),
+           "markers about one spacing apart. Without it: no_slip with solver lbm, in the "
+           "serial and the implicit scheme, with 2-point and 3-point kernels; penalty in "
+           "others, and where a key is given that belongs to the penalty."),
        boundary.forcing);
     io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
     io(key("markers", "Where markers sit: midway between the large faces of a sheet, below "

@@ -47,6 +47,13 @@ void complete(Coupling& coupling) {
             implicit ? SampledVelocity::linear : SampledVelocity::frozen;
 }
 
+// Who asks for another strength means the penalty's.
+coupler::Forcing usual_forcing(const Scene& scene) {
+    const bool penalty =
+        objection_to_no_slip(scene) || scene.coupling->immersed_boundary.strength != 1;
+    return penalty ? coupler::Forcing::penalty : coupler::Forcing::no_slip;
+}
+
 // Defaults that depend on other keys; files of the scene count from its folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
@@ -69,7 +76,10 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();
-    if (scene.coupling) complete(*scene.coupling);
+    if (!scene.coupling) return;
+    complete(*scene.coupling);
+    auto& forcing = scene.coupling->immersed_boundary.forcing;
+    if (!forcing) forcing = usual_forcing(scene);
 }
 
 Node read_tree(const std::filesystem::path& file,

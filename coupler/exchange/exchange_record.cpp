@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t header_block = 4096;
 constexpr const char* magic = "magfsi exchange record";
-constexpr std::size_t row_values = 9;
 
 std::string header_text(const RecordHeader& header) {
     nlohmann::ordered_json json{{"format", magic},
@@ -25,6 +24,7 @@ std::string header_text(const RecordHeader& header) {
                                 {"first_step", header.first_step},
                                 {"markers", header.markers},
                                 {"numbers", header.numbers},
+                                {"values", record_values_of(header.forcing)},
                                 {"grid", nlohmann::json::parse(to_text(header.grid))}};
     const auto with_newline = json.dump().size() + 20;
     const auto blocks = (with_newline + header_block - 1) / header_block;
@@ -67,6 +67,9 @@ RecordReader::RecordReader(const std::filesystem::path& path)
         header_.first_step = json.at("first_step");
         header_.markers = json.at("markers");
         header_.numbers = json.at("numbers");
+        if (json.value("values", record_values_of(Forcing::penalty)) ==
+            record_values_of(Forcing::no_slip))
+            header_.forcing = Forcing::no_slip;
         header_.grid = grid_from_text(json.at("grid").dump());
     } catch (const std::exception& e) {
         throw std::invalid_argument(fmt::format("{}: not a record of an exchange ({})",
@@ -77,7 +80,8 @@ RecordReader::RecordReader(const std::filesystem::path& path)
 }
 
 std::size_t RecordReader::entry_bytes() const {
-    return sizeof(double) * (1 + header_.numbers + row_values * header_.markers);
+    return sizeof(double) *
+           (1 + header_.numbers + record_values_of(header_.forcing) * header_.markers);
 }
 
 RecordEntry RecordReader::read(std::int64_t entry) {
@@ -97,10 +101,16 @@ RecordEntry RecordReader::read(std::int64_t entry) {
     const double* at = all.data() + 1 + header_.numbers;
     result.numbers.assign(all.begin() + 1,
                           all.begin() + 1 + static_cast<std::ptrdiff_t>(header_.numbers));
-    for (std::size_t m = 0; m < header_.markers; ++m, at += row_values) {
+    for (std::size_t m = 0; m < header_.markers; ++m) {
         result.position_m.push_back(get(at));
         result.impulse.push_back(get(at + 3));
         result.velocity.push_back(get(at + 6));
+        if (header_.forcing == Forcing::no_slip) {
+            result.volume_m3.push_back(at[9]);
+            result.answer.row_sum.push_back(at[10]);
+            result.answer.passed.push_back(get(at + 11));
+        }
+        at += record_values_of(header_.forcing);
     }
     return result;
 }

@@ -5,8 +5,10 @@
 // ("offset"), and then, for the start and for each coupled step, one entry of doubles:
 // step, the fluid's numbers of the last probe row, and for each marker where it is at
 // the end of the step [m], the impulse that it gave to the fluid in it [N s], and the
-// fluid's velocity [m/s] that it got back. numpy reads it by
-//   numpy.fromfile(file, offset=OFFSET).reshape(-1, 1 + NUMBERS + 9 * MARKERS)
+// fluid's velocity [m/s] that it got back; in forcing no_slip besides its volume [m3] and
+// NoSlipAnswer, row sum and passed [m/s]. numpy reads it by
+//   numpy.fromfile(file, offset=OFFSET).reshape(-1, 1 + NUMBERS + VALUES * MARKERS)
+// with VALUES 9, or 14 in forcing no_slip.
 // Entries are only added: a run that is killed leaves all but perhaps its last one.
 #pragma once
 
@@ -18,6 +20,8 @@
 #include <vector>
 
 #include "coupler/immersed_boundary/grid.h"
+#include "coupler/immersed_boundary/no_slip.h"
+#include "coupler/options.h"
 #include "coupler/output/file.h"
 
 namespace magfsi::coupler {
@@ -27,6 +31,7 @@ struct RecordHeader {
     std::int64_t first_step = 0;  // coupled steps done before the record starts
     std::size_t markers = 0;      // of all ranks, in the order of their placement
     std::size_t numbers = 0;      // that the fluid sends for a probe row
+    Forcing forcing = Forcing::penalty;
     Grid grid;
 };
 
@@ -34,15 +39,21 @@ struct RecordEntry {
     std::int64_t step = -1;  // the coupled step; that before the first one at the start
     std::vector<double> numbers;
     std::vector<Vec3> position_m, impulse, velocity;  // one a marker
+    std::vector<double> volume_m3;                    // in forcing no_slip, as the next
+    NoSlipAnswer answer;
 };
 
 constexpr const char* record_name = "exchange.record";
+
+constexpr std::size_t record_values_of(Forcing forcing) {
+    return forcing == Forcing::no_slip ? 14 : 9;
+}
 
 class RecordWriter {
   public:
     // Throws output::FileError, as append does.
     RecordWriter(const std::filesystem::path& path, const RecordHeader& header);
-    // rows: position, impulse and velocity of each marker, 9 numbers.
+    // rows: the values of each marker, in the order above.
     void append(std::int64_t step, std::span<const double> numbers,
                 std::span<const double> rows);
 

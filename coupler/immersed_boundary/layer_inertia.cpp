@@ -6,7 +6,7 @@ namespace magfsi::coupler {
 
 namespace {
 
-constexpr double given_at_once = 0.5;
+constexpr double weight_of_last_step = 0.1;  // in the running means
 
 // The part of v along a surface with this normal, of any length.
 Vec3 along(const Vec3& v, const Vec3& normal) {
@@ -22,7 +22,10 @@ Vec3 along(const Vec3& v, const Vec3& normal) {
 
 LayerInertia::LayerInertia(std::span<const Marker> markers,
                            std::span<const MarkerArea> areas, double fluid_density_kg_m3)
-    : last_velocity_(markers.size()), owed_(markers.size()), given_(markers.size()) {
+    : last_velocity_(markers.size()),
+      mean_(markers.size()),
+      mean_of_mean_(markers.size()),
+      given_(markers.size()) {
     for (const MarkerArea& area : areas) {
         const Marker& marker = markers[static_cast<std::size_t>(area.marker)];
         if (marker.beyond_m3 != 0)
@@ -41,14 +44,26 @@ void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean
         const auto m = static_cast<std::size_t>(beyond.area.marker);
         Vec3 now;
         for (std::size_t d = 0; d < 3; ++d) {
-            owed_[m][d] += mean_velocity[m][d] - last_velocity_[m][d];
-            now[d] = given_at_once * owed_[m][d];
-            owed_[m][d] -= now[d];
+            const double change = mean_velocity[m][d] - last_velocity_[m][d];
+            mean_[m][d] += weight_of_last_step * (change - mean_[m][d]);
+            mean_of_mean_[m][d] +=
+                weight_of_last_step * (mean_[m][d] - mean_of_mean_[m][d]);
+            now[d] = 2 * mean_[m][d] - mean_of_mean_[m][d];
         }
         const Vec3 gained = along(now, area_vector(beyond.marker, beyond.area, position));
         for (std::size_t d = 0; d < 3; ++d) given_[m][d] += beyond.mass_kg * gained[d];
     }
     std::ranges::copy(mean_velocity, last_velocity_.begin());
+}
+
+double LayerInertia::energy_j(const double* position) const {
+    double sum = 0;
+    for (const Beyond& beyond : layer_) {
+        const Vec3 v = along(last_velocity_[static_cast<std::size_t>(beyond.area.marker)],
+                             area_vector(beyond.marker, beyond.area, position));
+        sum += 0.5 * beyond.mass_kg * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    return sum;
 }
 
 }  // namespace magfsi::coupler

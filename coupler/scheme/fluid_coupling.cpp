@@ -9,13 +9,14 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
     : session_(session),
       fluid_(fluid),
       options_(*session.plan().coupling),
-      exchange_(session.world(), session.timeout_s(), options_.immersed_boundary.forcing,
+      exchange_(session.world(), session.timeout_s(),
+                options_.immersed_boundary.forcing.value(),
                 fluid.grid().follows ? &fluid : nullptr),
       boundary_(
           fluid,
           fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
           options_.immersed_boundary.kernel, session.clock().step_s(),
-          options_.immersed_boundary.forcing) {
+          options_.immersed_boundary.forcing.value()) {
     if (options_.immersed_boundary.forcing == Forcing::no_slip) answer_.emplace();
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     swap_text(session.world(), to_text(fluid.grid()), no_timeout_s,

@@ -76,7 +76,7 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
       markers_(std::move(markers)),
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
       exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
-                session.timeout_s(), options_.immersed_boundary.forcing),
+                session.timeout_s(), options_.immersed_boundary.forcing.value()),
       slip_(std::move(markers_.areas)) {
     const std::size_t count = force_.markers().size();
     if (options_.immersed_boundary.iterations > 1) {
@@ -245,6 +245,11 @@ void StructureCoupling::send_impulses() {
     send({session_.clock().step(), iteration()}, given());
 }
 
+StructureCoupling::Exchanged StructureCoupling::exchanged() const {
+    if (!no_slip_) return {now_m_, given(), fluid_velocity_, {}};
+    return {now_m_, given(), fluid_velocity_, no_slip_->volume_m3, &no_slip_->answer};
+}
+
 // The fluid's slip under these impulses, answered until all iterations are done.
 void StructureCoupling::iterate_forcing() {
     const std::int64_t step = session_.clock().step();
@@ -339,7 +344,8 @@ std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
     if (no_slip_) all.push_back({"slip_memory", flat(no_slip_->memory.values())});
     if (layer_) {
         all.push_back({"layer_velocity", flat(layer_->last_velocity())});
-        all.push_back({"layer_owed", flat(layer_->owed())});
+        all.push_back({"layer_change", flat(layer_->mean())});
+        all.push_back({"layer_mean_change", flat(layer_->mean_of_mean())});
     }
     if (work_) {
         all.push_back({"works", flat(work_->works())});

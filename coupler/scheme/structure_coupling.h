@@ -78,8 +78,10 @@ class StructureCoupling {
     // What the markers of this rank sent to the fluid last and what it answered.
     struct Exchanged {
         std::span<const Vec3> position_m, impulse, velocity;
+        std::span<const double> volume_m3;  // in forcing no_slip, as the next
+        const NoSlipAnswer* no_slip = nullptr;
     };
-    Exchanged exchanged() const { return {now_m_, given(), fluid_velocity_}; }
+    Exchanged exchanged() const;
 
     // Sum over the ranks of the force on each body in the last step [N], and on each of
     // the parts. Collective.
@@ -89,6 +91,11 @@ class StructureCoupling {
     // Null unless the run measures them.
     BalanceRecord* balance() const { return balance_.get(); }
     const MarkerWork* work() const { return work_.get(); }
+    // Of the fluid that sheets of one layer carry beyond their own thickness; this
+    // rank's.
+    double carried_energy_j() const {
+        return layer_ ? layer_->energy_j(solver_.positions()) : 0;
+    }
     // Null but in the implicit scheme.
     const output::IterationSummary* iterations() const;
     SlipReport slip() const;  // collective

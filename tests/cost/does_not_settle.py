@@ -9,7 +9,8 @@ class DoesNotSettle(unittest.TestCase):
     def test_the_penalty_in_the_step(self):
         """Its drag coefficient 2 rho h / dt is numerical: values go on as the step is halved."""
         scene = Scene(testing.SMALL.read_text())
-        done = scene.good_cost("--budget", "60 s", "--probe", "robot.mid_rise", "--error", "3 %")
+        done = scene.good_cost("--budget", "40 s", "--probe", "robot.mid_rise", "--error", "3 %",
+                               "--set", "coupling.immersed_boundary.forcing=penalty")
         self.assertIn("step: the values do not settle", scene.probe("robot.mid_rise[m]")["doubt"])
         self.assertIn("within 10 %, 5 %, 3 %, 2 %, 1 %: none is promised. step:", done.out)
 
@@ -29,7 +30,7 @@ class DoesNotSettle(unittest.TestCase):
 
     def test_elements_of_two_kinds_have_one_limit(self):
         scene = Scene(BEAM)
-        done = scene.good_cost("--budget", "60 s", "--probe", "tip_uz", "--models")
+        done = scene.good_cost("--budget", "30 s", "--probe", "tip_uz", "--models")
         self.assertRegex(done.out, r"bodies.beam.element=full: .*; agrees within the bars")
         self.assertNotIn("FAULT", done.out)
 

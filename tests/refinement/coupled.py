@@ -12,7 +12,7 @@ from magfsi import testing
 # One face is dragged through the box, and the patch must follow.
 DRAGGED = {"time.end": "3 ms", "fluid.box": "[14 mm, 4 mm, 8 mm]",
            "bodies.robot.prescribed_motion":
-               "[{face: x_min, oscillation: {amplitude: [1 mm, 0 m, 0.5 mm], "
+               "[{face: x_min, oscillation: {amplitude: [1.4 mm, 0 m, 0.5 mm], "
                "frequency: 100 Hz, phase: -90 deg}}]"}
 FINE = {"fluid.spacing": "0.125 mm"}
 REFINED = {"fluid.refinement": "{levels: 1, margin: 0.75 mm}"}  # over cells of 0.25 mm
@@ -33,10 +33,10 @@ class Coupled(unittest.TestCase):
         last = extent(refined.folder / "fields/fluid_000003_level1.pvti")
         self.assertNotEqual(first, last, "the patch has not moved")
         a, b = fine.probes(), refined.probes()
-        # The robot's way, its bend, and what the water has of them: the bounds leave a third
-        # to what was measured (0.02, 0.02, 0.7 %).
-        for name, bound in (("robot.com_x[m]", 1e-3), ("robot.mid_rise[m]", 1e-3),
-                            ("kinetic_energy[J]", 1e-2)):
+        # The robot's way, its bend, and what the water has of them: the bounds are three times
+        # what was measured (0.009, 0.008, 0.04 %; with the penalty 0.02, 0.02, 0.7 %).
+        for name, bound in (("robot.com_x[m]", 3e-4), ("robot.mid_rise[m]", 3e-4),
+                            ("kinetic_energy[J]", 1.2e-3)):
             fine_values, values = np.array(a[name]), np.array(b[name])
             worst = np.max(np.abs(values - fine_values)) / np.ptp(fine_values)
             testing.report(f"{name}: {100 * worst:.3f} % of its change")

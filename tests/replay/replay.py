@@ -124,6 +124,10 @@ class Refused(unittest.TestCase):
                                                    "fluid.lattice_speed": "0.04"})
         self.assertIn("set time.step", err)
 
+    def test_other_forcing(self):
+        self.assertIn("forcing=no_slip", self.refused(*self.play(), settings={
+            "time.end": "0.5 ms", "coupling.immersed_boundary.forcing": "penalty"}))
+
     def test_audit(self):
         self.assertIn("--set probes.interface_balance=", self.refused(
             *self.play(), settings={"probes.interface_balance": "true",

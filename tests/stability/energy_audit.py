@@ -67,8 +67,9 @@ class EnergyAudit(unittest.TestCase):
         z = probes["robot.com_z[m]"]
         for work, height in zip(column(probes, "work_weight"), z):
             self.assertAlmostEqual(work / weight, z[0] - height, delta=1e-12)
-        given = [-(k - column(probes, "fluid_kinetic")[0]) for k in
-                 column(probes, "fluid_kinetic")]
+        fluid = [kinetic - carried for kinetic, carried in
+                 zip(column(probes, "fluid_kinetic"), column(probes, "carried_layer"))]
+        given = [-(k - fluid[0]) for k in fluid]
         for to_fluid, less, lost in zip(column(probes, "given_to_fluid"), given,
                                         column(probes, "lost_in_fluid")):
             self.assertAlmostEqual(to_fluid + less, lost, delta=1e-9 * max(

@@ -21,6 +21,7 @@ class Record : public coupler::Output {
   private:
     const coupler::Session& session_;
     const coupler::StructureCoupling& coupling_;
+    const coupler::Forcing forcing_;
     std::vector<double> fluid_values_;             // of the last probe row
     std::unique_ptr<coupler::RecordWriter> file_;  // on the root
 };
@@ -28,6 +29,7 @@ class Record : public coupler::Output {
 Record::Record(StructureRun& run)
     : session_(run.session),
       coupling_(*run.coupling),
+      forcing_(run.scene.coupling->immersed_boundary.forcing.value()),
       fluid_values_(fluids::fluid_columns(run.scene).size()) {
     run.on_fluid_values = [this](std::span<const double> values) {
         std::ranges::copy(values, fluid_values_.begin());
@@ -39,18 +41,23 @@ Record::Record(StructureRun& run)
     header.markers = coupling_.placed();
     header.numbers = fluid_values_.size();
     header.grid = coupling_.grid();
+    header.forcing = forcing_;
     file_ = std::make_unique<coupler::RecordWriter>(session_.out() / coupler::record_name,
                                                     header);
 }
 
 void Record::end_step() {
-    constexpr std::size_t width = 9;
+    const std::size_t width = coupler::record_values_of(forcing_);
     const auto own = coupling_.exchanged();
     std::vector<double> rows(width * own.position_m.size());
     for (std::size_t m = 0; m < own.position_m.size(); ++m) {
         coupler::put(&rows[width * m], own.position_m[m]);
         coupler::put(&rows[width * m + 3], own.impulse[m]);
         coupler::put(&rows[width * m + 6], own.velocity[m]);
+        if (!own.no_slip) continue;
+        rows[width * m + 9] = own.volume_m3[m];
+        rows[width * m + 10] = own.no_slip->row_sum[m];
+        coupler::put(&rows[width * m + 11], own.no_slip->passed[m]);
     }
     const auto all =
         coupler::gather_rows(session_.world().local(), coupling_.placed_index(), rows,

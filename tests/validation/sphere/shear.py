@@ -22,14 +22,15 @@ FROM_S = 8
 class Course:
     """What a sphere does that starts at a height above the middle [m]."""
 
-    def __init__(self, above):
+    def __init__(self, above, forcing="penalty"):
         folder = testing.new_folder()
         scene = Path(folder) / "shear.yaml"
         scene.write_text(SCENE.read_text())
         ball_mesh.write(Path(folder) / "ball.msh", ball_mesh.ball(4, 2, 2 * RADIUS))
         place = f"[3 mm, 2 mm, {1e3 * (HEIGHT / 2 + above)} mm]"
-        run = testing.good_run(scene, {"bodies.ball.initial.position": place},
-                              ranks="structure=1,fluid=1")
+        run = testing.good_run(scene, {"bodies.ball.initial.position": place,
+                                       "coupling.immersed_boundary.forcing": forcing},
+                               ranks="structure=1,fluid=1")
         p = run.probes()
         t = p["t[s]"]
         i = next(n for n, s in enumerate(t) if s >= FROM_S)
@@ -57,6 +58,14 @@ class Shear(unittest.TestCase):
         # Inertia takes 0.154 Re^1.5 = 0.6 % (Lin, Peery, Schowalter 1970), two walls at 4 radii
         # 2 * 3/16 / 4^3 = 0.6 % (Goldman, Cox, Brenner 1967); the grid some per cent.
         self.assertAlmostEqual(sphere.spin / (SHEAR / 2), 0.988, delta=0.03)
+
+    def test_without_slip(self):
+        sphere = Course(0, "no_slip")
+        self.assertLess(abs(sphere.speed), 2e-3 * WALL)
+        # Its markers, thinned out to a cell, are less symmetric than those of the penalty, which
+        # are those of the mesh: 0.4 % of the radius while the walls move by 23 radii each.
+        self.assertLess(abs(sphere.drift), 5e-3 * RADIUS)
+        self.assertAlmostEqual(sphere.spin / (SHEAR / 2), 0.988, delta=0.01)
 
     def test_beside_the_middle(self):
         above = 0.75e-3

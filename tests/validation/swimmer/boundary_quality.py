@@ -6,6 +6,7 @@ import unittest
 from magfsi import testing
 
 IB = "coupling.immersed_boundary."
+PENALTY = {IB + "forcing": "penalty"}
 
 
 def quality(settings=None, ranks="structure=1,fluid=1"):
@@ -18,7 +19,7 @@ def quality(settings=None, ranks="structure=1,fluid=1"):
 
 class BoundaryQuality(unittest.TestCase):
     def test_a_stronger_boundary_slips_and_leaks_less(self):
-        weak, strong = quality({IB + "strength": 0.25}), quality()
+        weak, strong = quality({IB + "strength": 0.25}), quality(PENALTY)
         self.assertEqual(strong["samples"], 40)  # one a probe row
         self.assertLess(strong["no_slip_error"], 0.6 * weak["no_slip_error"])
         self.assertLess(strong["leakage"], 0.6 * weak["leakage"])
@@ -32,7 +33,7 @@ class BoundaryQuality(unittest.TestCase):
         testing.check_interface_balance(self, run, "no probe of the fluid")
 
     def test_iterated_forcing_slips_less_and_conserves_as_exactly(self):
-        direct = quality()
+        direct = quality(PENALTY)
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
             run = testing.good_run(testing.SMALL, {IB + "iterations": 2}, ranks)
             slip = run.summary()["immersed_boundary"]["no_slip_error"]

@@ -23,6 +23,7 @@ def run(scheme, halving=0, ranks="structure=1,fluid=1", start=testing.shared_run
     # The drag's coefficient is strength / dt: with strength ~ dt all steps solve one problem.
     return start(testing.SMALL, {
         "coupling.scheme": scheme,
+        "coupling.immersed_boundary.forcing": "penalty",  # the parallel scheme has no other
         "time.step": f"{STEP_US / 2**halving} us",
         "coupling.immersed_boundary.strength": str(1 / 2**halving)}, ranks)
 
