@@ -10,6 +10,8 @@ from magfsi import testing
 
 
 class Study:
+    program = "magfsi.study"
+
     def __init__(self, text):
         self.folder = Path(testing.new_folder())
         self.file = self.folder / "study.yaml"
@@ -17,7 +19,7 @@ class Study:
         self.out = self.folder / "out"
 
     def command(self, *more):
-        return [sys.executable, "-m", "magfsi.study", self.file, "--out", self.out, *more]
+        return [sys.executable, "-m", self.program, self.file, "--out", self.out, *more]
 
     def run(self, *more, limit_s=120):
         return testing.finish(testing.start(self.command(*more)), time.monotonic(), self.out,

@@ -81,11 +81,11 @@ class Value:
                 near = difflib.get_close_matches(key, allowed, 1)
                 hint = f'; did you mean "{near[0]}"?' if near else ""
                 mark = next(k for k, _ in self.node.value if k.value == key)
-                Value(mark, self.file, self.name or "the study").refuse(
+                Value(mark, self.file, self.name or "the file").refuse(
                     f'the unknown key "{key}"', ", ".join(allowed) + hint)
         for key in required:
             if key not in found:
-                self.refuse(f'no "{key}"', f"a study with it: {', '.join(allowed)}")
+                self.refuse(f'no "{key}"', f"a file with it: {', '.join(allowed)}")
         return {key: found.get(key) for key in allowed}
 
     def choice(self, allowed):
@@ -112,13 +112,14 @@ class Value:
         return value
 
 
-def read(path):
+def read(path, what="study"):
     """The file's top-level map."""
     try:
         text = path.read_text()
     except OSError as error:
-        raise InputError(f"{path}: found {error.strerror.lower()}; allowed a study file, or a "
-                         "folder with a study.yaml") from error
+        raise InputError(f"{path}: found {error.strerror.lower()}; allowed a {what} file"
+                         + (", or a folder with a study.yaml" if what == "study" else "")
+                         ) from error
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
     except yaml.MarkedYAMLError as error:
@@ -129,5 +130,5 @@ def read(path):
     except yaml.YAMLError as error:
         raise InputError(f"{path}:1:1: found no valid YAML ({error}); allowed YAML") from error
     if node is None:
-        raise InputError(f"{path}:1:1: found an empty file; allowed a study")
+        raise InputError(f"{path}:1:1: found an empty file; allowed a {what}")
     return Value(node, path, "")

@@ -184,9 +184,9 @@ def _execute(scene, limit_s, run, build):
     partial.replace(run.folder / RECORD)
 
 
-def do(scene, limit_s, runs, check=None, again=False):
+def do(scene, limit_s, runs, check=None, again=False, quiet=False):
     """Those that are missing, one after the other; returns how many were run now. check(run):
-    after each of them."""
+    after each of them. quiet: no line for each."""
     build, now, others = _build(), set(), 0
     for number, run in enumerate(runs, 1):
         if not run.key:
@@ -194,16 +194,18 @@ def do(scene, limit_s, runs, check=None, again=False):
         done = _load(run)
         # The same scene in two cells is one run.
         if not done or (again and run.key not in now):
-            print(f"{number} of {len(runs)}: {run.cell.text()}", end=" ", flush=True)
+            if not quiet:
+                print(f"{number} of {len(runs)}: {run.cell.text()}", end=" ", flush=True)
             _execute(scene, limit_s, run, build)
             now.add(run.key)
-            print(f"{run.record['outcome']} in {run.record['elapsed_s']:.1f} s "
-                  f"{run.record['cause']}".rstrip(), flush=True)
+            if not quiet:
+                print(f"{run.record['outcome']} in {run.record['elapsed_s']:.1f} s "
+                      f"{run.record['cause']}".rstrip(), flush=True)
             if check:
                 check(run)
         elif run.record.get("build") != build:
             others += 1
-    if others:
+    if others and not quiet:
         print(f"{others} of {len(runs)} runs are kept from another build of magfsi; --again "
               "repeats them", file=sys.stderr)
     return len(now)

@@ -207,7 +207,7 @@ def _term(item, axes):
         return formula(item, list(axes), weight), column.strip()
 
 
-def _terms(value, axes):
+def read_terms(value, axes):
     """One column, or a list to be summed."""
     return [_term(item, axes) for item in (value.items() if value.is_list() else [value])]
 
@@ -219,25 +219,21 @@ def _norm(name, value, axes, folder):
     if (kind in WITHOUT_REFERENCE) == bool(keys["reference"]):
         value.refuse(f"{kind} with{'' if keys['reference'] else 'out'} a reference",
                      f"a reference for every norm but {', '.join(WITHOUT_REFERENCE)}")
-    norm = Norm(name, _terms(keys["probe"], axes), kind,
+    norm = Norm(name, read_terms(keys["probe"], axes), kind,
                 _reference(keys["reference"], axes, folder) if keys["reference"] else None,
                 mark=keys["probe"])
     if keys["change"]:
         norm.change = keys["change"].choice(("true", "false")) == "true"
     if keys["factor"]:
         norm.factor = keys["factor"].number()
-    if keys["from"]:
-        time = parse(keys["from"].scalar())
-        if not time or time[1] != "s":
-            keys["from"].refuse(keys["from"].shown(), "a time such as 20 ms")
-        norm.start_s = time[0]
+    norm.start_s = read_time(keys["from"], norm.start_s)
     if norm.norm in ("max", "max_relative", "l2") and norm.reference.number is not None:
         keys["reference"].refuse("one number", f"a course in time for the norm {norm.norm}: "
                                  "formula, table or finest")
     return norm
 
 
-def _time(value, default):
+def read_time(value, default):
     if not value:
         return default
     time = parse(value.scalar())
@@ -289,12 +285,19 @@ def _right_within(value, norms):
     return {name: share.share() for name, share in shares.items()}
 
 
-def _study_name(value, path):
+def read_name(value, default):
     """It names the run folder, runs/study_NAME."""
-    name = value.scalar() if value else path.resolve().parent.name
+    name = value.scalar() if value else default
     if value and not re.fullmatch(r"[\w+=,.() -]{1,64}", name, re.ASCII):
         value.refuse(f'"{name}"', "at most 64 letters, digits, blanks and _ + = , . ( ) -")
     return name
+
+
+def read_sets(value):
+    """{path.to.key: text for --set}, where null takes a key away."""
+    if not value:
+        return {}
+    return {k: "" if v.is_null() else v.text() for k, v in value.entries().items()}
 
 
 KEYS = ("name", "scene", "set", "derived", "ranks", "limit", "axes", "pairs", "skip", "order",
@@ -319,12 +322,11 @@ def read_study(path):
                               "fine")
     targets = [v.share() for v in keys["targets"].items()] if keys["targets"] else [
         0.1, 0.03, 0.01]
-    sets = {k: "" if v.is_null() else v.text()
-            for k, v in keys["set"].entries().items()} if keys["set"] else {}
     return Study(
-        path, _study_name(keys["name"], path),
-        folder / keys["scene"].scalar(), sets, keys["ranks"].scalar() if keys["ranks"] else "",
-        _time(keys["limit"], 86400.0), axes, _pairs(keys["pairs"], axes) if keys["pairs"] else [],
+        path, read_name(keys["name"], path.resolve().parent.name),
+        folder / keys["scene"].scalar(), read_sets(keys["set"]),
+        keys["ranks"].scalar() if keys["ranks"] else "",
+        read_time(keys["limit"], 86400.0), axes, _pairs(keys["pairs"], axes) if keys["pairs"] else [],
         [_chosen(v, axes) for v in keys["skip"].items()] if keys["skip"] else [],
         order_axis, size, expected,
         _names(keys["series"], axes) if keys["series"] else [n for n in axes if n != order_axis],

@@ -1,0 +1,44 @@
+"""magfsi optimize: searches the settings of a scene for the best of an objective."""
+import argparse
+import sys
+from pathlib import Path
+
+from magfsi.ending import EXIT_ERROR, ended_well
+from magfsi.optimize import result
+from magfsi.optimize.search import Missing, Searching
+from magfsi.optimize.search_file import read_search
+from magfsi.study import marked
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="magfsi optimize", description=__doc__,
+        epilog="Runs that are done are kept in OUT/runs; the same command goes on where it ended. "
+               "docs/optimize.md says what a search file holds.")
+    parser.add_argument("search", type=Path, help="search file")
+    parser.add_argument("--out", type=Path, help="runs and results (default: runs/search_NAME)")
+    return parser.parse_args()
+
+
+def main():
+    chosen = arguments()
+    search = read_search(chosen.search)
+    out = chosen.out or Path("runs") / f"search_{search.name}"
+    try:
+        points = Searching(search, out).go()
+    except Missing as error:
+        print(error, file=sys.stderr)
+        sys.exit(EXIT_ERROR)
+    some = result.finalists(search, points, out)
+    result.write_runs(search, points, out / "runs.csv")
+    text = result.page(search, points, some)
+    (out / "results.md").write_text(text)
+    if some:
+        result.best_scene(search, some[0].point, out / "best.yaml")
+        result.draw(search, points, out / "search.png")
+    print("\n" + text)
+    print(f"{out}/results.md, runs.csv" + (", best.yaml, search.png" if some else ""))
+
+
+if __name__ == "__main__":
+    ended_well(main, "magfsi optimize", marked.InputError)

@@ -1,0 +1,173 @@
+"""What a search found: a table, a figure, and the best as a scene."""
+import csv
+import os
+import shlex
+import sys
+
+import yaml
+
+from magfsi.optimize.search import Point, ranked, run_at
+from magfsi.study import store
+
+SHOWN = 5
+
+
+class Finalist:
+    """One of the best, repeated finer: how far its value is from known, and by another fluid."""
+
+    def __init__(self, point):
+        self.point, self.finer, self.check = point, None, None
+
+    @property
+    def value(self):
+        return self.finer.value if self.finer and self.finer.good else self.point.value
+
+    @property
+    def bar(self):
+        """What refinement still changed; infinite where the finer run has no value."""
+        if not self.finer:
+            return 0.0
+        return abs(self.finer.value - self.point.value) if self.finer.good else float("inf")
+
+
+def finalists(search, points, out):
+    """The best few, the best by their finer values first; the first of them once with `check`."""
+    some = [Finalist(p) for p in ranked(points, search)[:search.finer[1] if search.finer else 1]]
+    if search.finer:
+        for finalist in some:
+            finalist.finer = _again(search, finalist.point, out, search.finer[0])
+        some.sort(key=lambda f: (f.bar == float("inf"),
+                                 -f.value if search.maximize else f.value))
+    if search.check and some:
+        some[0].check = _again(search, some[0].point, out, search.check)
+    return some
+
+
+def _again(search, point, out, more):
+    print(f"run {point.number + 1} again with {', '.join(f'{k}={v}' for k, v in more.items())}",
+          flush=True)
+    found = Point(point.number, point.values, run_at(search, point.values, out, more))
+    found.evaluate(search)
+    return found
+
+
+def tie(some):
+    """The winner and who cannot be told from it: bars that touch."""
+    if len(some) < 2:
+        return []
+    first = some[0]
+    return [f for f in some[1:] if abs(f.value - first.value) <= f.bar + first.bar]
+
+
+def _numbers(search, point):
+    return [search.parameters[n].text(v) for n, v in point.values.items()]
+
+
+def write_runs(search, points, path):
+    with open(path, "w", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow(["run", *(f"{n}[{p.unit}]" if p.unit else n
+                                for n, p in search.parameters.items()),
+                       *search.measures, "objective", "good", "why", "folder"])
+        for p in points:
+            rows.writerow([p.number + 1, *(v if isinstance(v, str) else v / search.parameters[n].size
+                                           for n, v in p.values.items()),
+                           *(p.measured.get(n, "") for n in search.measures),
+                           "" if p.value is None else p.value, int(p.good), p.why,
+                           p.run.key])
+
+
+def _best_table(search, some):
+    head = ["run", *search.parameters, "objective"]
+    head += ["finer", "bar"] if search.finer else []
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for f in some:
+        row = [str(f.point.number + 1), *_numbers(search, f.point), f"{f.point.value:.5g}"]
+        if search.finer:
+            row += [f"{f.finer.value:.5g}" if f.finer.good else f.finer.why, f"{f.bar:.2g}"]
+        lines.append("| " + " | ".join(row) + " |")
+    return "\n".join(lines)
+
+
+def page(search, points, some):
+    good = sum(p.good for p in points)
+    kind = "largest" if search.maximize else "smallest"
+    text = [f"# {search.name}", "",
+            f"    {shlex.join(['./magfsi', 'python', '-m', 'magfsi.optimize', *sys.argv[1:]])}", "",
+            f"{len(points)} runs by {search.method}, {good} of them good; the {kind} "
+            f"`{search.objective.text}`:", ""]
+    if not some:
+        reasons = sorted({p.why for p in points})
+        return "\n".join(text + [f"None is good: {'; '.join(reasons[:SHOWN])}", ""])
+    text += [_best_table(search, some), ""]
+    equal = tie(some)
+    if equal:
+        others = ", ".join(str(f.point.number + 1) for f in equal)
+        text += [f"A tie: run {others} cannot be told from run {some[0].point.number + 1}, for "
+                 "what refinement changes is more than what sets them apart.", ""]
+    if some[0].check:
+        check = some[0].check
+        found = f"{check.value:.5g}" if check.good else f"no value ({check.why})"
+        text += [f"Run {some[0].point.number + 1} with "
+                 + ", ".join(f"`{k}: {v}`" for k, v in search.check.items()) + f": {found}.", ""]
+    return "\n".join(text + ["![Values run by run, and by parameter](search.png)", ""])
+
+
+def best_scene(search, point, path):
+    """The scene with the point's settings, paths of files as seen from the new place."""
+    scene = store.scene_file(search.scene)
+    tree = yaml.safe_load(scene.read_text())
+    for key, text in search.cell(point.values).sets.items():
+        *above, last = key.split(".")
+        node = tree
+        for word in above:
+            node = node.setdefault(word, {}) if not isinstance(node.get(word), dict) \
+                else node[word]
+        if text == "":
+            node.pop(last, None)
+        else:
+            node[last] = yaml.safe_load(text)
+    _move_files(tree, scene.parent, path.parent)
+    path.write_text(f"# Run {point.number + 1} of the search {search.name}: "
+                    f"{search.objective.text} = {point.value:.6g}\n"
+                    + yaml.safe_dump(tree, sort_keys=False, allow_unicode=True,
+                                     default_flow_style=None, width=100))
+
+
+def _move_files(node, old, new):
+    for key, value in node.items() if isinstance(node, dict) else ():
+        if key == "file" and isinstance(value, str):
+            node[key] = os.path.relpath(old / value, new)
+        _move_files(value, old, new)
+
+
+def draw(search, points, path):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    numbers = [p for p in search.parameters.values() if not p.words]
+    columns = 1 + len(numbers)
+    figure, axes = plt.subplots(1, columns, figsize=(3.4 * columns, 3.2), sharey=True,
+                                constrained_layout=True)
+    axes = [axes] if columns == 1 else list(axes)
+    good = [p for p in points if p.good]
+    best, line = None, []
+    for p in good:
+        better = best is None or (p.value > best if search.maximize else p.value < best)
+        best = p.value if better else best
+        line.append(best)
+    axes[0].plot([p.number + 1 for p in good], [p.value for p in good], "o", ms=4, color="0.55")
+    axes[0].step([p.number + 1 for p in good], line, where="post", color="C0")
+    for p in points:
+        if not p.good:
+            axes[0].axvline(p.number + 1, ymax=0.04, color="C3", lw=1)
+    axes[0].set_xlabel("run (red: no value)")
+    axes[0].set_ylabel(search.objective.text)
+    for at, p in zip(axes[1:], numbers):
+        drawn = at.scatter([q.values[p.name] / p.size for q in good], [q.value for q in good],
+                           c=[q.number + 1 for q in good], s=18, cmap="viridis")
+        at.set_xlabel(f"{p.name} [{p.unit}]" if p.unit else p.name)
+    if good and numbers:
+        figure.colorbar(drawn, ax=axes, label="run")
+    figure.savefig(path, dpi=150)
+    plt.close(figure)
