@@ -9,6 +9,8 @@ import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 from magfsi import runs, testing
 
 FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
@@ -129,6 +131,32 @@ class Others(unittest.TestCase):
         self.assertEqual(len(whole["times"]), stored)
         part = data.bodies(run.folder, 3 * 7 * whole["nodes"] * 4 / 3)
         self.assertEqual((len(part["times"]), part["times"][-1]), (3, whole["times"][-1]))
+
+    def test_obstacles_and_platform_are_lines_in_their_place(self):
+        run = testing.good_run(testing.SMALL, {
+            **FIELDS, "time.end": "0.5 ms", "platform": "{point: [0 mm, 0 mm, 1 mm]}",
+            "fluid.obstacles": "{ball: {sphere: {centre: [2 mm, 2 mm, 6 mm], diameter: 1 mm}}, "
+                               "rod: {cylinder: {centre: [6 mm, 2 mm, 6 mm], diameter: 0.8 mm, "
+                               "axis: y}}, block: {box: [[1 mm, 1 mm, 1 mm], [2 mm, 2 mm, 2 mm]]}}"})
+        self.assertEqual(report(run.folder).returncode, 0)
+        lines = [np.array(line) for line in Page(run.folder / "report.html").runs[0]["wires"]]
+        ball, block, rod, plane = lines[:3], lines[3:15], lines[15:21], lines[21:]
+        for line in ball:
+            np.testing.assert_allclose(np.linalg.norm(line - [2e-3, 2e-3, 6e-3], axis=1), 5e-4,
+                                       atol=2e-9)
+        for line in rod:
+            np.testing.assert_allclose(np.linalg.norm(line[:, ::2] - 6e-3, axis=1), 4e-4, atol=2e-9)
+        self.assertEqual({y for line in rod for y in line[:, 1]}, {0.0, 4e-3})
+        self.assertEqual({x for line in block for x in line.flat}, {1e-3, 2e-3})
+        self.assertEqual({round(z, 12) for line in plane for z in line[:, 2]}, {1e-3})
+
+    def test_flow_of_a_refined_grid(self):
+        run = testing.good_run(testing.SMALL, {
+            **FIELDS, "time.end": "1 ms", "fluid.refinement": "{levels: 1, margin: 0.75 mm}"})
+        self.assertEqual(report(run.folder).returncode, 0)
+        flow = Page(run.folder / "report.html").runs[0]["flow"]
+        self.assertEqual((flow["columns"], flow["rows"]), (32, 32))
+        self.assertGreater(flow["fastest"], 0)
 
     def test_what_is_no_run_is_refused(self):
         folder = Path(testing.new_folder())

@@ -9,6 +9,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi import runs
 from magfsi.plotting import read_grid
+from magfsi.report import shapes
 
 # A page of more cannot be sent by mail or opened at once.
 LARGEST_PAGE = 20e6
@@ -134,8 +135,10 @@ def slice_of(file, axis, at):
 def flow(folder, scene, box_of_bodies):
     """Speed in the plane of the field, or across y, through the bodies' first place."""
     try:
+        # Of a refined grid the coarse cells, which are everywhere and have the finer ones' means.
         stored = [(t, file) for t, file in runs.frames(folder, "fluid.pvd")
-                  if file.suffix in (".vti", ".pvti") and file.exists()]
+                  if file.suffix in (".vti", ".pvti") and "_level" not in file.name
+                  and file.exists()]
     except OSError:
         return None
     plane = scene.get("magnetic_field", {}).get("plane", "xz")
@@ -199,8 +202,10 @@ def read_run(folder, most_bytes):
         raise NotARun(f"{folder}: found no scene.json and run.json; allowed are folders that "
                       "./magfsi run has written")
     summary = read_json(folder / "summary.json", {})
-    shapes = bodies(folder, most_bytes)
-    middle = [(a + b) / 2 for a, b in zip(shapes["low"], shapes["high"])] if shapes else None
+    found = bodies(folder, most_bytes)
+    middle = [(a + b) / 2 for a, b in zip(found["low"], found["high"])] if found else None
+    box = scene.get("fluid", {}).get("box")
+    low, high = ([0, 0, 0], box) if box else (found["low"], found["high"]) if found else (None,) * 2
     last = starts[-1]
     text = folder / "scene.yaml"
     return {"name": scene.get("name", folder.name), "folder": str(folder),
@@ -212,6 +217,7 @@ def read_run(folder, most_bytes):
             "versions": summary.get("versions", last.get("versions", {})),
             "ranks": last.get("ranks", {}), "wall_s": summary.get("wall_s"),
             "steps": summary.get("steps"), "tasks": summary.get("tasks", {}),
-            "checks": checks(folder, summary), "box": scene.get("fluid", {}).get("box"),
-            "field": field_direction(scene), "probes": probes(folder), "bodies": shapes,
+            "checks": checks(folder, summary), "box": box,
+            "wires": shapes.wires(scene, low, high),
+            "field": field_direction(scene), "probes": probes(folder), "bodies": found,
             "flow": flow(folder, scene, middle) if "fluid" in scene else None}

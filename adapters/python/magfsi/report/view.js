@@ -107,6 +107,7 @@ class View {
     this.ink = getComputedStyle(c).color;
     if (this.slices && this.showsFlow) this.drawSlice(ratio);
     if (this.run.box) this.drawBox();
+    this.drawWires();
     if (this.points) this.drawBodies();
     this.drawField(); this.drawScale();
   }
@@ -135,6 +136,18 @@ class View {
       if (n & bit) continue;
       context.moveTo(...corner(n).slice(0, 2)); context.lineTo(...corner(n | bit).slice(0, 2));
     }
+    context.stroke(); context.globalAlpha = 1;
+  }
+
+  // Obstacles and the platform.
+  drawWires() {
+    const context = this.context;
+    context.strokeStyle = this.ink; context.globalAlpha = 0.6; context.lineWidth = 1;
+    context.beginPath();
+    for (const line of this.run.wires) line.forEach((p, i) => {
+      const [x, y] = this.project(p);
+      if (i) context.lineTo(x, y); else context.moveTo(x, y);
+    });
     context.stroke(); context.globalAlpha = 1;
   }
 
