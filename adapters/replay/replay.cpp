@@ -64,6 +64,8 @@ coupler::RecordReader open_record(const scene::Scene& scene,
         throw std::invalid_argument("--replay: a record is played by one rank");
     coupler::RecordReader record(arguments.replay);
     const RecordHeader& header = record.header();
+    if (!scene.coupling)
+        throw std::invalid_argument("--replay: the scene has no body in a fluid");
     const auto forcing = scene.coupling->immersed_boundary.forcing;
     if (forcing != header.forcing) {
         throw std::invalid_argument(fmt::format(
