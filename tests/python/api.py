@@ -1,5 +1,6 @@
 """Scenes and runs from Python, as a user's script has them."""
 import json
+import os
 import subprocess
 import sys
 import unittest
@@ -114,6 +115,24 @@ class Page(unittest.TestCase):
         viscosity, _, slip, shape, outcome = done.stdout.splitlines()
         self.assertEqual((viscosity, shape, outcome), ("1e-06", "(378, 3)", "stopped"))
         self.assertLess(float(slip), 0.05)
+
+
+class Installed(unittest.TestCase):
+    def test_pip_installs_it_from_a_checkout(self):
+        target = folder().parent
+        done = subprocess.run(
+            [sys.executable, "-m", "pip", "install", "-q", "--no-index", "--no-build-isolation",
+             "--no-deps", "--disable-pip-version-check", "--target", target, testing.ROOT],
+            capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # No PYTHONPATH of the checkout, no word of where the programs are.
+        environment = {name: value for name, value in os.environ.items() if name != "MAGFSI_BIN"}
+        code = ("import magfsi; print(magfsi.__file__); "
+                f"print(magfsi.load({str(testing.SMALL)!r})['fluid.viscosity'])")
+        found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                               cwd=target, env={**environment, "PYTHONPATH": str(target)})
+        self.assertEqual(found.stdout.splitlines(),
+                         [str(target / "magfsi/__init__.py"), "1e-06"], found.stderr)
 
 
 class Import(unittest.TestCase):

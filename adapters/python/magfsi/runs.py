@@ -9,7 +9,11 @@ import time
 import xml.etree.ElementTree
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
+try:
+    from magfsi.checkout import FOLDER  # of a package that pip has installed (setup.py)
+    ROOT = Path(FOLDER)
+except ImportError:
+    ROOT = Path(__file__).resolve().parents[3]
 # Where the programs are; the launcher and CTest set it.
 BIN = Path(os.environ.get("MAGFSI_BIN", ROOT / "build/release/bin")).resolve()
 EXIT_INPUT = 2

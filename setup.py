@@ -1,0 +1,15 @@
+"""Besides pyproject.toml: an installed package knows the checkout whose programs it starts."""
+from pathlib import Path
+
+from setuptools import setup
+from setuptools.command.build_py import build_py
+
+
+class WithCheckout(build_py):
+    def run(self):
+        super().run()
+        place = Path(self.build_lib) / "magfsi/checkout.py"
+        place.write_text(f"FOLDER = {str(Path(__file__).resolve().parent)!r}\n")
+
+
+setup(cmdclass={"build_py": WithCheckout})
