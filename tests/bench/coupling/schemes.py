@@ -29,6 +29,7 @@ def run(settings, parts):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = testing.good_run(testing.SMALL, {
         "time.end": END, "time.step": f"{STEP_US / parts} us",
+        "coupling.immersed_boundary.forcing": "penalty",
         "coupling.immersed_boundary.strength": 1 / parts, **settings},
         "structure=1,fluid=1")
     return done, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before

@@ -125,7 +125,7 @@ def fluid():
 
 
 def coupled():
-    table("Coupled", "The small swimmer of the tests: 40 elements and 638 markers in 32 x 16 x 32\n"
+    table("Coupled", "The small swimmer of the tests: 40 elements and 48 markers in 32 x 16 x 32\n"
           "cells, one rank a side, 160 coupled steps of 6 LAMMPS steps. Wall time of the steps.",
           ["instructions of the structure", "of the fluid"])
     scene, short, long = reference.COUPLED_SCENE, {"time.end": "0.2 ms"}, {"time.end": "4 ms"}

@@ -56,13 +56,15 @@ FLUID = {
     "checkpoint, every 10 steps": ({"checkpoint.every": "5 ms"}, {}),
 }
 BOUNDARY = "coupling.immersed_boundary"
+PENALTY = {f"{BOUNDARY}.forcing": "penalty"}
 ROWS = {"probes": "{every: 0.1 ms, bodies: [com]}"}
 COUPLED = {
     "buoyancy and gravity": ({}, {"gravity": "null"}),
-    "parallel scheme": ({"coupling.scheme": "parallel"}, {}),
+    "no slip": ({}, PENALTY),
+    "parallel scheme": ({"coupling.scheme": "parallel"}, PENALTY),
     "implicit scheme": ({"coupling.scheme": "implicit"}, {}),
     "linear velocity": ({"coupling.sampled_velocity": "linear"}, {}),
-    "iterated forcing, 2 iterations": ({f"{BOUNDARY}.iterations": "2"}, {}),
+    "iterated forcing, 2 iterations": ({f"{BOUNDARY}.iterations": "2"}, PENALTY),
     "interface balance": ({"probes": "{every: 0.1 ms, bodies: [com], interface_balance: true}"},
                           ROWS),
     "energy audit, every 4 steps": (
