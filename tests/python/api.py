@@ -135,6 +135,23 @@ class Installed(unittest.TestCase):
                          [str(target / "magfsi/__init__.py"), "1e-06"], found.stderr)
 
 
+class Notebook(unittest.TestCase):
+    def test_its_cells_run(self):
+        """docs/first_steps.ipynb: the weaker field lifts the robot less."""
+        cells = json.loads((testing.ROOT / "docs/first_steps.ipynb").read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        text = "\n".join(["import matplotlib; matplotlib.use('Agg')", *code,
+                          "print(height_mm(run)[-1], height_mm(other)[-1])"])
+        text = text.replace('"runs/', f'"{folder()}/').replace('"tutorials/swimmer"',
+                                                               f'"{testing.SWIMMER}"')
+        done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        mistake, heights = done.stdout.splitlines()
+        self.assertIn('"parsec"', mistake)
+        strong, weak = map(float, heights.split())
+        self.assertGreater(strong, weak)
+
+
 class Import(unittest.TestCase):
     def test_needs_the_standard_library_only(self):
         code = ("import sys, json, magfsi; print(json.dumps([m for m in sys.modules if m in "
