@@ -70,8 +70,9 @@ def write_runs(search, points, path):
                                 for n, p in search.parameters.items()),
                        *search.measures, "objective", "good", "why", "folder"])
         for p in points:
-            rows.writerow([p.number + 1, *(v if isinstance(v, str) else v / search.parameters[n].size
-                                           for n, v in p.values.items()),
+            values = [v if isinstance(v, str) else v / search.parameters[n].size
+                      for n, v in p.values.items()]
+            rows.writerow([p.number + 1, *values,
                            *(p.measured.get(n, "") for n in search.measures),
                            "" if p.value is None else p.value, int(p.good), p.why,
                            p.run.key])

@@ -7,7 +7,7 @@ from magfsi.optimize.search_file import Search
 from magfsi.study import marked, norms, store
 
 # For runs without a value: methods look at the order of values only, or nearly so.
-FAILED, REFUSED_PLACE = 1e30, 1e24
+FAILED, BROKEN = 1e30, 1e24
 
 
 class Missing(Exception):
@@ -69,7 +69,7 @@ class Point:
         if self.value is None:
             return FAILED
         if self.broken:
-            return REFUSED_PLACE * self.broken
+            return BROKEN * self.broken
         return -self.value if search.maximize else self.value
 
 
@@ -90,7 +90,8 @@ def _sampler(library, search, number):
     start = {n: (p.start - p.low) / (p.high - p.low)
              for n, p in search.parameters.items() if p.start is not None}
     return library.samplers.CmaEsSampler(
-        x0=start if len(start) == len(search.parameters) else None, seed=seed, warn_independent_sampling=False)
+        x0=start if len(start) == len(search.parameters) else None, seed=seed,
+        warn_independent_sampling=False)
 
 
 def ranked(points, search):
