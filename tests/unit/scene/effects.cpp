@@ -339,5 +339,34 @@ TEST(ProbeColumns, none_without_probes) {
     EXPECT_TRUE(fluids::interface_columns(scene).empty());
 }
 
+Scene minimal(const std::vector<std::string>& overrides = {}) {
+    return read_scene(test_folder / "minimal.yaml", overrides);
+}
+
+TEST(Defaults, forcing_is_without_slip_where_that_can_be) {
+    const auto forcing = [](const std::string& key, const std::string& value) {
+        const std::string path = "coupling." + key + "=" + value;
+        return minimal({path}).coupling->immersed_boundary.forcing;
+    };
+    const auto no_slip = coupler::Forcing::no_slip, penalty = coupler::Forcing::penalty;
+    EXPECT_EQ(minimal().coupling->immersed_boundary.forcing, no_slip);
+    EXPECT_EQ(forcing("scheme", "implicit"), no_slip);
+    EXPECT_EQ(forcing("immersed_boundary.kernel", "2-point"), no_slip);
+    EXPECT_EQ(forcing("immersed_boundary.forcing", "penalty"), penalty);
+    EXPECT_EQ(forcing("scheme", "parallel"), penalty);
+    EXPECT_EQ(minimal({"fluid.solver=openfoam"}).coupling->immersed_boundary.forcing,
+              penalty);
+    for (const auto& [key, value] : {std::pair{"kernel", "4-point"},
+                                     {"markers", "volume"},
+                                     {"marker_spacing", "0.6"},
+                                     {"retraction", "0.3"},
+                                     {"rim_retraction", "0.8"},
+                                     {"strength", "0.5"},
+                                     {"strength", "2"},
+                                     {"iterations", "2"}})
+        EXPECT_EQ(forcing(std::string("immersed_boundary.") + key, value), penalty)
+            << key;
+}
+
 }  // namespace
 }  // namespace magfsi::scene
