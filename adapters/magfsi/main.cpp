@@ -99,9 +99,9 @@ int main(int argc, char** argv) {
     app.footer(
         "The launcher ./magfsi has besides: report RUN (a run as one HTML page), cost "
         "SCENE "
-        "(what\naccuracy costs), study FILE (runs over a product of settings), bench, "
-        "test, "
-        "lammps (LAMMPS\nwith our styles), python SCRIPT (with the package magfsi).");
+        "(what\naccuracy costs), study FILE (runs over a product of settings), optimize "
+        "FILE (a search for\nthe best settings), bench, test, lammps (LAMMPS with our "
+        "styles), python SCRIPT (with the\npackage magfsi).");
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");
     add_scene_options(run, options);

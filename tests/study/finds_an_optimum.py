@@ -1,11 +1,13 @@
 """A search finds a known optimum, goes on after kill -9 as if nothing had been, counts failed runs
 as points, and calls a tie a tie."""
 import signal
+import time
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
 
 import yaml
+from magfsi import runs
 from magfsi.optimize import result
 from magfsi.optimize.search_file import read_search
 from magfsi.study import store
@@ -13,6 +15,8 @@ from magfsi.study import store
 from searches import BEST_M, BEST_MT, TEXT, Search, testing
 
 SHORT = TEXT.replace("runs: 30", "runs: 8")
+BESIDE = TEXT.replace("runs: 30", "runs: 14").replace(
+    "probes.every: 1 s", "probes.every: 5 ms\n  time.end: 2 s") + "at_a_time: 2\nstop_early: [0.1 s]\n"
 
 
 class Finds(unittest.TestCase):
@@ -49,6 +53,33 @@ class Finds(unittest.TestCase):
         self.assertEqual(killed.rows(), whole.rows())
         after = killed.records()
         self.assertEqual({key: after[key] for key in before}, before)
+
+    def test_two_at_a_time_with_hopeless_ones_goes_on_after_a_kill(self):
+        whole = Search(BESIDE)
+        whole.good_run()
+        rows = whole.rows()
+        self.assertEqual(len(rows), 14)
+        self.assertTrue([row for row in rows if row["why"].startswith("hopeless at 0.1 s")], rows)
+        killed = Search(BESIDE)
+        process = testing.start(killed.command())
+        testing.wait_until(lambda: len(killed.records()) >= 7, process)
+        testing.wait_until(lambda: testing.processes_of(killed.out, "magfsi"), process)
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        self.assertLess(len(killed.records()), 14, "it was killed too late to prove anything")
+        # Its runs end with it.
+        deadline = time.monotonic() + 15
+        while testing.processes_of(killed.out, "magfsi") and time.monotonic() < deadline:
+            time.sleep(0.1)
+        self.assertFalse(testing.processes_of(killed.out, "magfsi"))
+        killed.good_run()
+        self.assertEqual(killed.rows(), rows)
+
+    def test_a_run_that_is_watched_ends_when_told(self):
+        folder = Path(testing.new_folder())
+        ended = runs.run(testing.ROOT / "tutorials/swimmer", folder / "run",
+                         {"output": "", "time.end": "100 s"}, watch=lambda: True)
+        self.assertEqual((ended.code, ended.summary()["outcome"]), (1, "stopped"), ended.err)
 
     def test_failed_runs_and_broken_bounds_are_points(self):
         search = Search(SHORT.replace("range: [0 mT, 0.4 mT]", "range: [0 mT, 900 T]")

@@ -36,6 +36,12 @@ class Refused(unittest.TestCase):
     def test_two_methods(self):
         self.refused(TEXT + "method: [cmaes, tpe]\n", "cmaes, tpe, random")
 
+    def test_times_and_numbers_of_runs(self):
+        self.refused(TEXT + "at_a_time: 0\n", "study.yaml:16:", "at least 1")
+        self.refused(TEXT + "stop_early: [2 mm]\n", "study.yaml:16:", "a time such as")
+        self.refused(TEXT.replace("number: final", "number: final, from: 2 s, until: 1 s"),
+                     "a time after `from`")
+
     def test_words_with_cmaes(self):
         self.refused(TEXT.replace("parameters:", "parameters:\n  element: {key: bodies.beam.element, "
                                   "values: [full, mean_f]}"), "cmaes with parameters that are words")

@@ -1,6 +1,7 @@
 """The built programs: started, waited for, and what they leave in a run folder."""
 import csv
 import json
+import math
 import os
 import resource
 import signal
@@ -17,6 +18,7 @@ except ImportError:
 # Where the programs are; the launcher and CTest set it.
 BIN = Path(os.environ.get("MAGFSI_BIN", ROOT / "build/release/bin")).resolve()
 EXIT_INPUT = 2
+WATCHED_EVERY_S = 0.5
 
 
 def read_table(path):
@@ -79,20 +81,41 @@ def command(verb, scene, settings=None, ranks=None):
     return words + (["--ranks", ranks] if ranks else [])
 
 
-def start(words):
-    return subprocess.Popen([str(word) for word in words], stdout=subprocess.PIPE,
+def start(words, bound=False):
+    """bound: ends with the thread that starts it, even where that one is killed."""
+    binding = ["setpriv", "--pdeathsig", "TERM"] if bound else []
+    return subprocess.Popen([*binding, *(str(word) for word in words)], stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE, text=True, start_new_session=True)
 
 
-def finish(process, began, folder, limit_s, end=signal.SIGKILL):
-    """end: what a process gets that runs for longer, and the run is `late`."""
+def _communicate(process, limit_s, watch):
+    """(output, errors); None when the limit was reached. A run of which watch() says so is told to
+    end before."""
+    until = math.inf if limit_s is None else time.monotonic() + limit_s
+    while True:
+        left = until - time.monotonic()
+        try:
+            wait_s = min(left, WATCHED_EVERY_S) if watch else left
+            return process.communicate(timeout=None if wait_s == math.inf else max(wait_s, 0))
+        except subprocess.TimeoutExpired:
+            if time.monotonic() >= until:
+                return None
+        if watch():
+            process.send_signal(signal.SIGTERM)
+            watch = None
+
+
+def finish(process, began, folder, limit_s, end=signal.SIGKILL, watch=None):
+    """end: what a process gets that runs for longer, and the run is `late`. watch(): looked at
+    while it runs; true, and the run is told to end."""
     late = False
     try:
-        out, err = process.communicate(timeout=limit_s)
-    except subprocess.TimeoutExpired:
-        late = True
-        os.killpg(process.pid, end) if end == signal.SIGKILL else process.send_signal(end)
-        out, err = process.communicate()
+        ended = _communicate(process, limit_s, watch)
+        if ended is None:
+            late = True
+            os.killpg(process.pid, end) if end == signal.SIGKILL else process.send_signal(end)
+            ended = process.communicate()
+        out, err = ended
     except BaseException:  # an interruption ends the run as well
         process.send_signal(signal.SIGTERM)
         process.wait()
@@ -111,11 +134,11 @@ def run_command(scene, folder, settings=None, ranks=None, restart=None, more=())
 
 
 def run(scene, folder, settings=None, ranks=None, restart=None, more=(), limit_s=None,
-        end=signal.SIGTERM):
-    """magfsi run, to its end or to the limit."""
+        end=signal.SIGTERM, watch=None):
+    """magfsi run, to its end or to the limit, or until watch() is true."""
     words = run_command(scene, folder, settings, ranks, restart, more)
     before, began = _processor_s(), time.monotonic()
-    ended = finish(start(words), began, folder, limit_s, end)
+    ended = finish(start(words, bound=True), began, folder, limit_s, end, watch)
     ended.core_s = _processor_s() - before
     return ended
 

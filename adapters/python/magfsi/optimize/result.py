@@ -94,7 +94,7 @@ def page(search, points, some):
     good = sum(p.good for p in points)
     kind = "largest" if search.maximize else "smallest"
     text = [f"# {search.name}", "",
-            f"    {shlex.join(['./magfsi', 'python', '-m', 'magfsi.optimize', *sys.argv[1:]])}", "",
+            f"    {shlex.join(['./magfsi', 'optimize', *sys.argv[1:]])}", "",
             f"{len(points)} runs by {search.method}, {good} of them good; the {kind} "
             f"`{search.objective.text}`:", ""]
     if not some:

@@ -13,7 +13,8 @@ from magfsi.units import PATTERN, parse, size_of
 METHODS = ("cmaes", "tpe", "random")
 NUMBERS = ("final", "peak", "mean", "amplitude")
 KEYS = ("name", "scene", "set", "parameters", "derived", "measures", "maximize", "minimize",
-        "require", "method", "runs", "seed", "ranks", "limit", "finer", "check")
+        "require", "method", "runs", "seed", "at_a_time", "stop_early", "ranks", "limit", "finer",
+        "check")
 
 
 @dataclass
@@ -71,6 +72,8 @@ class Search:
     method: str
     runs: int
     seed: int
+    at_a_time: int
+    stop_early: list  # times at which a run may turn out hopeless [s]
     ranks: str
     limit_s: float
     finer: tuple | None  # (sets, how many of the best)
@@ -133,11 +136,14 @@ def _template(value, names):
 
 
 def _measure(name, value, parameters):
-    keys = value.keys(("probe", "number", "change", "from"), ("probe", "number"))
+    keys = value.keys(("probe", "number", "change", "from", "until"), ("probe", "number"))
     norm = Norm(name, read_terms(keys["probe"], parameters), keys["number"].choice(NUMBERS),
                 None, mark=keys["probe"])
     norm.change = bool(keys["change"]) and keys["change"].choice(("true", "false")) == "true"
     norm.start_s = read_time(keys["from"], norm.start_s)
+    norm.end_s = read_time(keys["until"], norm.end_s)
+    if norm.start_s >= norm.end_s:
+        keys["until"].refuse(keys["until"].shown(), "a time after `from`")
     return norm
 
 
@@ -157,6 +163,10 @@ def _whole(value, default, least=1):
     if number != int(number) or number < least:
         value.refuse(value.shown(), f"a whole number of at least {least}")
     return int(number)
+
+
+def _times(value):
+    return sorted(read_time(item, None) for item in value.items("a list of times")) if value else []
 
 
 def _finer(value):
@@ -192,6 +202,7 @@ def read_search(path):
         formula(keys["maximize"] or keys["minimize"], names), bool(keys["maximize"]),
         [_requirement(n, v, names) for n, v in keys["require"].entries().items()]
         if keys["require"] else [], method, _whole(keys["runs"], 60), _whole(keys["seed"], 1, 0),
+        _whole(keys["at_a_time"], 1), _times(keys["stop_early"]),
         keys["ranks"].scalar() if keys["ranks"] else "", read_time(keys["limit"], 86400.0),
         _finer(keys["finer"]), read_sets(keys["check"].keys(("set",), ("set",))["set"])
         if keys["check"] else None, keys["scene"])

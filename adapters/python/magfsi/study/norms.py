@@ -33,7 +33,7 @@ def _columns(run, norm):
             raise NoError(f'no probe "{name}"; there are {", ".join(probes)}')
     times = np.array(probes["t[s]"])
     values = np.array([probes[name] for _, name in norm.terms])
-    kept = times >= norm.start_s
+    kept = (times >= norm.start_s) & (times <= norm.end_s)
     if kept.sum() < 2:
         raise NoError("fewer than two rows of probes")
     axes = {axis: s.value for axis, s in run.cell.settings.items()}

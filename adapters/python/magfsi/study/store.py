@@ -159,11 +159,12 @@ def _load(run):
     return True
 
 
-def _execute(scene, limit_s, run, build):
+def _execute(scene, limit_s, run, build, watch=None):
     shutil.rmtree(run.folder, ignore_errors=True)
     run.folder.parent.mkdir(parents=True, exist_ok=True)
     load = os.getloadavg()[0]
-    ended = programs.run(scene, run.folder, run.cell.sets, run.cell.ranks, limit_s=limit_s)
+    ended = programs.run(scene, run.folder, run.cell.sets, run.cell.ranks, limit_s=limit_s,
+                         watch=watch and (lambda: watch(run)))
     run.folder.mkdir(parents=True, exist_ok=True)
     run.summary = _summary(run)
     outcome, cause = run.summary.get("outcome"), run.summary.get("cause", "")
@@ -184,9 +185,9 @@ def _execute(scene, limit_s, run, build):
     partial.replace(run.folder / RECORD)
 
 
-def do(scene, limit_s, runs, check=None, again=False, quiet=False):
+def do(scene, limit_s, runs, check=None, again=False, quiet=False, watch=None):
     """Those that are missing, one after the other; returns how many were run now. check(run):
-    after each of them. quiet: no line for each."""
+    after each of them. quiet: no line for each. watch(run): while it runs; true tells it to end."""
     build, now, others = _build(), set(), 0
     for number, run in enumerate(runs, 1):
         if not run.key:
@@ -196,7 +197,7 @@ def do(scene, limit_s, runs, check=None, again=False, quiet=False):
         if not done or (again and run.key not in now):
             if not quiet:
                 print(f"{number} of {len(runs)}: {run.cell.text()}", end=" ", flush=True)
-            _execute(scene, limit_s, run, build)
+            _execute(scene, limit_s, run, build, watch)
             now.add(run.key)
             if not quiet:
                 print(f"{run.record['outcome']} in {run.record['elapsed_s']:.1f} s "

@@ -52,6 +52,7 @@ class Norm:
     change: bool = False  # of the probe since its first row
     factor: float = 1.0
     start_s: float = float("-inf")
+    end_s: float = float("inf")
     mark: marked.Value = None
 
     @property
