@@ -121,7 +121,7 @@ def cheapest(rows, percent):
 
 
 def sweep_rows(folder):
-    table = read_table(folder / "sweep.csv")
+    table = read_table(plotting.needed(folder / "sweep.csv"))
     columns = [table["element"], table["mesh"], numbers(table, "elements"),
                numbers(table, "seconds"), numbers(table, "error_percent")]
     names = ("element", "mesh", "count", "seconds", "error")

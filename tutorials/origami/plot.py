@@ -237,6 +237,8 @@ def main():
         run_all(chosen.folder)
     plates = {mesh: Plate(folder_of(chosen.folder, mesh), mesh) for mesh in STUDY
               if (folder_of(chosen.folder, mesh) / "structure.pvd").exists()}
+    if not plates:
+        plotting.needed(folder_of(chosen.folder, SHOWN) / "structure.pvd")
     found = report(plates)
     plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.6})
     figure = plt.figure(figsize=(7.2, 5.6))

@@ -38,9 +38,17 @@ def run_all(scenes, table, folder):
         run(scenes / scene, folder / name, settings)
 
 
+def needed(path):
+    """The path; ends the script where nothing is there."""
+    if not pathlib.Path(path).exists():
+        sys.exit(f"{path}: not there; --help says which runs this figure is of; ./magfsi plot RUN "
+                 "draws any one run")
+    return path
+
+
 def read_columns(path):
     """Columns of a CSV file by name, as arrays; lines of comment begin with #."""
-    return {name: np.array(values) for name, values in runs.read_columns(path).items()}
+    return {name: np.array(values) for name, values in runs.read_columns(needed(path)).items()}
 
 
 def column(columns, name):
