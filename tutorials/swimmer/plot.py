@@ -134,7 +134,7 @@ def draw(probes, body, row, out, reference):
                          "axes.linewidth": 0.6, "xtick.major.width": 0.6,
                          "ytick.major.width": 0.6})
     field_in, views_in, height_in = 0.6, row.height_in(), 1.7
-    gaps = {"top": 0.2, "field": 0.05, "views": 0.75, "bottom": 0.45}  # inches, downwards
+    gaps = {"top": 0.2, "field": 0.12, "views": 0.75, "bottom": 0.45}  # inches, downwards
     total = field_in + views_in + height_in + sum(gaps.values())
     figure = plt.figure(figsize=(WIDTH_IN, total))
 

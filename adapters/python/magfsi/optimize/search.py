@@ -57,9 +57,9 @@ class Point:
         runs before at that time: the median rule of Golovin et al., KDD 2017."""
         for at in search.stop_early:
             try:
-                times = norms.course(self.run, next(iter(search.measures.values())))[0]
-                if times[-1] < at:
-                    break
+                any_norm = replace(next(iter(search.measures.values())), end_s=math.inf)
+                if norms.course(self.run, any_norm)[0][-1] <= at:
+                    break  # the last row of a run under way may not be whole
                 self.value_at[at] = float(search.objective(**self._known(search, at)))
             except (norms.NoError, ArithmeticError, ValueError):
                 continue
