@@ -52,6 +52,17 @@ class Kills(unittest.TestCase):
             self.assertEqual(attack.at_work(folder), {}, "left by the launcher")
         return hit and ended.code != 0
 
+    def check_same(self, found, expected):
+        """The last checkpoint and all else are the same. The one before may be of another step: a
+        run whose launcher was killed near its end writes one where it stops."""
+        def steady(files):
+            last = max(name for name in files if name.startswith("checkpoint"))[:-len("structure.h5")]
+            return [n for n in files if not n.startswith("checkpoint") or n.startswith(last)]
+        self.assertEqual(steady(found), steady(expected))
+        self.assertEqual(len(found), len(expected))
+        for name in found.keys() & expected.keys():
+            self.assertEqual(found[name], expected[name], name)
+
     def test_each_goes_on_to_the_same_bytes(self):
         whole = testing.new_folder()
         self.assertEqual(attack.run(whole).code, 0)
@@ -69,10 +80,7 @@ class Kills(unittest.TestCase):
             ended = attack.run(folder, restart=restart)
             self.assertEqual(ended.code, 0, ended.err)
             self.assertEqual(attack.at_work(folder), {})
-            found = attack.results(folder)
-            self.assertEqual(list(found), list(expected))
-            for name, content in expected.items():
-                self.assertEqual(found[name], content, name)
+            self.check_same(attack.results(folder), expected)
         testing.report(f"{kills} kills in {runs} runs, {inside} of them inside a checkpoint")
 
     def test_nothing_outlives_the_launcher(self):
