@@ -149,6 +149,46 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     _exit(127);
 }
 
+// Open MPI 4.1's mpirun may deadlock on its way out once all its processes are gone, seen
+// with jobs of 41 in one of twenty ends by SIGTERM. Where this launcher is there, the
+// user is; where it was killed, nobody would end mpirun. So a shell waits for the
+// launcher's end, which closes the pipe, gives mpirun ten seconds, and ends it.
+class MpirunGuard {
+  public:
+    explicit MpirunGuard(pid_t mpirun) {
+        if (pipe2(pipe_, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+        const std::string script = fmt::format(
+            "read _; for i in 1 2 3 4 5 6 7 8 9 10; do kill -0 {0} || exit 0; "
+            "/bin/sleep 1; done; kill -9 {0}",
+            mpirun);
+        shell_ = fork();
+        if (shell_ == 0) wait_as_shell(script);
+        close(pipe_[0]);
+    }
+    MpirunGuard(const MpirunGuard&) = delete;
+    MpirunGuard& operator=(const MpirunGuard&) = delete;
+    // After mpirun has been waited for, so that the shell finds it gone.
+    ~MpirunGuard() {
+        close(pipe_[1]);
+        while (shell_ > 0 && waitpid(shell_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+
+  private:
+    [[noreturn]] void wait_as_shell(const std::string& script) const {
+        setsid();  // what a terminal or a test sends to the job is not for it
+        const int nothing = open("/dev/null", O_WRONLY);
+        dup2(pipe_[0], STDIN_FILENO);
+        dup2(nothing, STDOUT_FILENO);
+        dup2(nothing, STDERR_FILENO);
+        execl("/bin/sh", "sh", "-c", script.c_str(), static_cast<char*>(nullptr));
+        _exit(127);
+    }
+
+    int pipe_[2] = {-1, -1};
+    pid_t shell_ = -1;
+};
+
 // A terminal that goes asks for an end, too, unless nohup has it ignored.
 void pass_on_signals() {
     struct sigaction action {
@@ -222,6 +262,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     if (child < 0) throw std::runtime_error("cannot start a process");
     if (child == 0) become(command, ends[1], launcher);
     close(ends[1]);
+    const MpirunGuard guard(child);
     pass_on_signals();
 
     MpirunMessages messages;
