@@ -39,11 +39,13 @@ constexpr const char* known_banners[] = {
     "mpirun noticed that process", "mpirun detected that one",
     "mpirun has exited due to process rank"};
 // Its own lines "[host:pid] ..." about these banners, and about a read of shared memory
-// that a killed partner had offered.
+// that a killed partner had offered; libevent's "[warn] ..." about a socket that is gone.
 constexpr const char* known_lines[] = {"more process has sent help message",
                                        "more processes have sent help message",
                                        "Set MCA parameter \"orte_base_help_aggregate\"",
-                                       "ORTE_ERROR_LOG", "Read -1, expected"};
+                                       "ORTE_ERROR_LOG",
+                                       "Read -1, expected",
+                                       "Epoll MOD("};
 
 volatile pid_t child = 0;
 volatile std::sig_atomic_t stop_signal = 0;
