@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -15,12 +16,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 
 namespace magfsi::launch {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -152,17 +157,57 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
 }
 
 // Open MPI 4.1's mpirun may deadlock on its way out once all its processes are gone, seen
-// with jobs of 41 in one of twenty ends by SIGTERM. Where this launcher is there, the
-// user is; where it was killed, nobody would end mpirun. So a shell waits for the
-// launcher's end, which closes the pipe, gives mpirun ten seconds, and ends it.
+// with jobs of 41 in one of twenty ends by SIGTERM. Against it, two watch: HungMpirun as
+// long as this launcher lives, MpirunGuard where it was killed.
+constexpr int hung_after_s = 10;
+
+// A process that has ended and was not waited for still has its entry, with state Z.
+bool lives(const std::string& pid) {
+    std::ifstream file("/proc/" + pid + "/stat");
+    std::string stat;
+    std::getline(file, stat);
+    const std::size_t name_end = stat.rfind(") ");
+    return name_end != std::string::npos && stat.substr(name_end + 2, 1) != "Z";
+}
+
+bool has_living_children(pid_t pid) {
+    std::error_code gone;
+    const fs::directory_iterator threads(fmt::format("/proc/{}/task", pid), gone);
+    return std::ranges::any_of(threads, [](const fs::directory_entry& thread) {
+        std::ifstream children(thread.path() / "children");
+        std::string child_pid;
+        while (children >> child_pid)
+            if (lives(child_pid)) return true;
+        return false;
+    });
+}
+
+// Asked once a second while mpirun is silent: whether all that it had started ended
+// hung_after_s ago and it is still there.
+class HungMpirun {
+  public:
+    bool now(pid_t mpirun) {
+        const bool busy = has_living_children(mpirun);
+        started_ = started_ || busy;
+        alone_s_ = started_ && !busy ? alone_s_ + 1 : 0;
+        return alone_s_ > hung_after_s;
+    }
+
+  private:
+    bool started_ = false;
+    int alone_s_ = 0;
+};
+
+// A shell that waits for the launcher's end, which closes the pipe, gives mpirun its
+// seconds, and ends it.
 class MpirunGuard {
   public:
     explicit MpirunGuard(pid_t mpirun) {
         if (pipe2(pipe_, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
         const std::string script = fmt::format(
-            "read _; for i in 1 2 3 4 5 6 7 8 9 10; do kill -0 {0} || exit 0; "
-            "/bin/sleep 1; done; kill -9 {0}",
-            mpirun);
+            "read _; n={1}; while [ $n -gt 0 ]; do kill -0 {0} || exit 0; "
+            "/bin/sleep 1; n=$((n - 1)); done; kill -9 {0}",
+            mpirun, hung_after_s);
         shell_ = fork();
         if (shell_ == 0) wait_as_shell(script);
         close(pipe_[0]);
@@ -202,10 +247,17 @@ void pass_on_signals() {
         sigaction(SIGHUP, &action, nullptr);
 }
 
-void filter_errors(int pipe, MpirunMessages& messages) {
+// Until mpirun ends. Returns whether it hung and had to be ended.
+bool filter_errors(int pipe, MpirunMessages& messages) {
     std::string pending;
     char buffer[4096];
+    HungMpirun hung;
+    bool ended = false;
     while (true) {
+        pollfd waiting{pipe, POLLIN, 0};
+        const int ready = poll(&waiting, 1, 1000);
+        if (ready == 0 && !ended && hung.now(child)) ended = kill(child, SIGKILL) == 0;
+        if (ready <= 0) continue;  // silence, or a signal came
         const ssize_t got = read(pipe, buffer, sizeof buffer);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) break;
@@ -218,6 +270,7 @@ void filter_errors(int pipe, MpirunMessages& messages) {
     }
     if (!pending.empty()) messages.take(pending);
     messages.close_banner();
+    return ended;
 }
 
 }  // namespace
@@ -268,7 +321,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     pass_on_signals();
 
     MpirunMessages messages;
-    filter_errors(ends[0], messages);
+    const bool hung = filter_errors(ends[0], messages);
     close(ends[0]);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -282,10 +335,14 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
         return fmt::format("{} was killed by signal {} ({})", who, signal,
                            strsignal(signal));
     };
-    if (WIFSIGNALED(status)) {
+    if (hung) {
+        // The code went with it: what the participants said or wrote tells their end.
+        end.exit_code = end.told ? 1 : 0;
+    } else if (WIFSIGNALED(status)) {
         end.exit_code = 128 + WTERMSIG(status);
         end.lost = killed_by("mpirun", WTERMSIG(status));
-    } else if (messages.lost() && !end.stopped) {
+    }
+    if (end.lost.empty() && messages.lost() && !end.stopped) {
         end.lost = killed_by(name_of(programs, messages.lost()->world_rank),
                              messages.lost()->signal);
     }

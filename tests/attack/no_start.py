@@ -43,6 +43,10 @@ class NoStart(unittest.TestCase):
     def test_an_mpirun_that_fails(self):
         self.ends(self.mpirun("echo no slots >&2; exit 213"), "ended with code 213")
 
+    def test_an_mpirun_that_hangs_on_its_way_out(self):
+        """As Open MPI's does once in a while: all its processes are gone, and it waits."""
+        self.ends(self.mpirun("sleep 2; exec sleep 1000"), "nothing was run")
+
     def test_no_mpirun(self):
         self.ends({**os.environ, "PATH": str(self.folder)}, "cannot start mpirun")
 
