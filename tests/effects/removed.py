@@ -18,7 +18,7 @@ from magfsi import testing
 import variant
 from variant import Removal
 
-# What is asked for. Two counts of one program differ by less than a tenth of it.
+# What is asked for. Two counts of one program differ by less than a fifth of it.
 BOUND = 1e-3
 STRUCTURE, FLUID = "magfsi-structure", "magfsi-fluid-lbm"
 # The lists of effects, each with the folder beside it; of outputs, by the program that writes.
