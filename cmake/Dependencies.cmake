@@ -1,47 +1,84 @@
-# Each of these is one line of packages.txt; docs say why each was chosen.
-find_package(MPI REQUIRED COMPONENTS CXX)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(yaml-cpp REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
-find_package(nlohmann_json REQUIRED)
+# Libraries of others, each by what it is for; on Debian each is one line of packages.txt. The build
+# asks for all parts; an installation (magfsi-config.cmake), which has a copy of this file, for those
+# that its user names. What is not found is gathered in magfsi_missing, so that it is said at once.
+set(magfsi_missing "")
 
-if(NOT TARGET yaml-cpp::yaml-cpp)  # yaml-cpp before 0.8 exports the bare name
-  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
-endif()
+macro(magfsi_missing_is purpose debian)
+  list(APPEND magfsi_missing "${purpose} (Debian: ${debian})")
+endmacro()
 
-# Reads meshes; Debian ships no CMake package of it.
-find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
-find_library(GMSH_LIBRARY gmsh REQUIRED)
-add_library(gmsh::gmsh UNKNOWN IMPORTED)
-set_target_properties(gmsh::gmsh PROPERTIES
-  IMPORTED_LOCATION ${GMSH_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${GMSH_INCLUDE_DIR})
+# magfsi_package(PURPOSE DEBIAN NAME ...): one with a CMake package.
+macro(magfsi_package purpose debian name)
+  find_package(${name} QUIET ${ARGN})
+  if(NOT ${name}_FOUND)
+    magfsi_missing_is("${purpose}" ${debian})
+  endif()
+endmacro()
 
-# Checkpoints. The serial library: one rank of a participant writes, so that the file does
-# not depend on how many there are.
-find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)
-find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
-add_library(hdf5::hdf5 UNKNOWN IMPORTED)
-set_target_properties(hdf5::hdf5 PROPERTIES
-  IMPORTED_LOCATION ${HDF5_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${HDF5_INCLUDE_DIR})
+# magfsi_library(PURPOSE DEBIAN TARGET PREFIX HEADER FOLDER LIBRARY ...): one without; FOLDER below
+# the include paths, LIBRARY its possible names.
+macro(magfsi_library purpose debian target prefix header folder)
+  find_path(${prefix}_INCLUDE_DIR ${header} PATH_SUFFIXES ${folder})
+  find_library(${prefix}_LIBRARY NAMES ${ARGN})
+  if(NOT ${prefix}_INCLUDE_DIR OR NOT ${prefix}_LIBRARY)
+    magfsi_missing_is("${purpose}" ${debian})
+  elseif(NOT TARGET ${target})
+    add_library(${target} UNKNOWN IMPORTED)
+    set_target_properties(${target} PROPERTIES IMPORTED_LOCATION ${${prefix}_LIBRARY}
+      INTERFACE_INCLUDE_DIRECTORIES ${${prefix}_INCLUDE_DIR})
+  endif()
+endmacro()
 
-# Sparse Cholesky factorisation, with OpenMP inside. Its time is spent in BLAS: packages.txt
-# names OpenBLAS, several times as fast as the reference library, in its serial variant,
-# which starts no threads of its own.
-find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-add_library(cholmod::cholmod UNKNOWN IMPORTED)
-set_target_properties(cholmod::cholmod PROPERTIES
-  IMPORTED_LOCATION ${CHOLMOD_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${CHOLMOD_INCLUDE_DIR}
-  INTERFACE_LINK_LIBRARIES gomp)
+macro(magfsi_find_lbm)
+  magfsi_package("OpenMP, for the fluid's threads" g++ OpenMP COMPONENTS CXX)
+endmacro()
+
+macro(magfsi_find_coupler)
+  magfsi_package("yaml-cpp, which reads scenes" libyaml-cpp-dev yaml-cpp)
+  if(TARGET yaml-cpp AND NOT TARGET yaml-cpp::yaml-cpp)  # before 0.8 it exports the bare name
+    add_library(yaml-cpp::yaml-cpp INTERFACE IMPORTED)
+    set_target_properties(yaml-cpp::yaml-cpp PROPERTIES INTERFACE_LINK_LIBRARIES yaml-cpp)
+  endif()
+  magfsi_package("CLI11, which reads command lines" libcli11-dev CLI11)
+  magfsi_package("spdlog, for the log" libspdlog-dev spdlog)
+  magfsi_package("JSON for Modern C++, for summaries" nlohmann-json3-dev nlohmann_json)
+  # The serial library: one rank of a participant writes, so that the file does not depend on
+  # how many there are.
+  magfsi_library("HDF5, for checkpoints" libhdf5-dev hdf5::hdf5 HDF5 hdf5.h hdf5/serial
+    hdf5_serial hdf5)
+endmacro()
+
+macro(magfsi_find_structure)
+  # With OpenMP inside. Its time is spent in BLAS: packages.txt names OpenBLAS, several times as
+  # fast as the reference library, in its serial variant, which starts no threads of its own.
+  magfsi_library("CHOLMOD, which factorises Newton's tangent" libsuitesparse-dev cholmod::cholmod
+    CHOLMOD cholmod.h suitesparse cholmod)
+  if(TARGET cholmod::cholmod)
+    set_target_properties(cholmod::cholmod PROPERTIES INTERFACE_LINK_LIBRARIES gomp)
+  endif()
+endmacro()
+
+macro(magfsi_find_gmsh)
+  magfsi_library("Gmsh's library, which reads meshes" libgmsh-dev gmsh::gmsh GMSH gmsh.h "" gmsh)
+endmacro()
 
 # The unmodified LAMMPS library. Its headers include a {fmt} that Debian does not ship;
-# structure/lammps/fmt_shim adds what Debian's lacks, and must come first.
-find_path(LAMMPS_INCLUDE_DIR lammps/lammps.h REQUIRED)
-find_library(LAMMPS_LIBRARY lammps REQUIRED)
-add_library(magfsi_lammps_headers INTERFACE)
-target_include_directories(magfsi_lammps_headers SYSTEM BEFORE INTERFACE
-  ${PROJECT_SOURCE_DIR}/structure/lammps/fmt_shim ${LAMMPS_INCLUDE_DIR}/lammps)
-target_compile_definitions(magfsi_lammps_headers INTERFACE LAMMPS_SMALLBIG)
-target_link_libraries(magfsi_lammps_headers INTERFACE ${LAMMPS_LIBRARY} MPI::MPI_CXX)
+# structure/lammps/fmt_shim adds what Debian's lacks, and must come first. shim: its folder.
+macro(magfsi_find_lammps shim)
+  magfsi_library("the LAMMPS library with its headers, which moves the bodies" liblammps-dev
+    lammps::lammps LAMMPS lammps/lammps.h "" lammps)
+  if(TARGET lammps::lammps AND NOT TARGET magfsi_lammps_headers)
+    add_library(magfsi_lammps_headers INTERFACE IMPORTED)
+    target_include_directories(magfsi_lammps_headers SYSTEM BEFORE INTERFACE
+      ${shim} ${LAMMPS_INCLUDE_DIR}/lammps)
+    target_compile_definitions(magfsi_lammps_headers INTERFACE LAMMPS_SMALLBIG)
+    target_link_libraries(magfsi_lammps_headers INTERFACE ${LAMMPS_LIBRARY} MPI::MPI_CXX)
+  endif()
+endmacro()
+
+# What every part takes.
+macro(magfsi_find_common)
+  magfsi_package("MPI, which joins the solvers" libopenmpi-dev MPI COMPONENTS CXX)
+  magfsi_package("Eigen 3.4, for matrices" libeigen3-dev Eigen3 3.4 NO_MODULE)
+  magfsi_package("fmt, for texts" libfmt-dev fmt)
+endmacro()

@@ -12,9 +12,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # ("structure/mesh/mesh.h"), and never -ffast-math, which would defeat the NaN checks.
 add_library(magfsi_options INTERFACE)
 # What all wings share stands beside the build's own files: cmake/isa, cmake/grid.
-target_include_directories(magfsi_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/cmake)
+target_include_directories(magfsi_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cmake>
+  $<INSTALL_INTERFACE:include/magfsi>)
+target_compile_features(magfsi_options INTERFACE $<INSTALL_INTERFACE:cxx_std_20>)
 target_compile_options(magfsi_options INTERFACE
-  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor;-Woverloaded-virtual;-Werror>)
 
 # magfsi_cold(TARGET ...): -O1 in place of -O3 for code that runs at start-up or writes text; it
 # compiles in two thirds of the time. Floating-point results do not depend on it.

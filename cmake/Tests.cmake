@@ -1,5 +1,3 @@
-find_package(GTest REQUIRED)
-
 # What every test run needs under Open MPI: root in containers, more ranks than cores, and
 # waiting ranks that give their core away.
 set(MAGFSI_MPI_ENVIRONMENT

@@ -96,13 +96,7 @@ int execute(CLI::App& app, Options& options) {
 int main(int argc, char** argv) {
     CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);
-    app.footer(
-        "The launcher ./magfsi has besides: plot RUN (one picture of a run), report RUN "
-        "(a page to play\nwith), cost SCENE (what accuracy costs), study FILE (runs over "
-        "a "
-        "product of settings), optimize\nFILE (a search for the best settings), bench, "
-        "test, lammps (LAMMPS with our styles), python\nSCRIPT (with the package "
-        "magfsi).");
+    app.footer("The launcher has more commands: ./magfsi --help.");
     Options options;
     CLI::App& run = *app.add_subcommand("run", "Run a scene");
     add_scene_options(run, options);

@@ -11,12 +11,12 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 try:
-    from magfsi.checkout import FOLDER  # of a package that pip has installed (setup.py)
-    ROOT = Path(FOLDER)
+    from magfsi.place import PROGRAMS, ROOT  # of an installed package: setup.py, Install.cmake
 except ImportError:
     ROOT = Path(__file__).resolve().parents[3]
-# Where the programs are; the launcher and CTest set it.
-BIN = Path(os.environ.get("MAGFSI_BIN", ROOT / "build/release/bin")).resolve()
+    PROGRAMS = ROOT / "build/release/bin"
+# Where the programs are; the launcher and CTest set it. ROOT has the tutorials.
+BIN = Path(os.environ.get("MAGFSI_BIN", PROGRAMS)).resolve()
 EXIT_INPUT = 2
 WATCHED_EVERY_S = 0.5
 
