@@ -17,7 +17,7 @@ namespace {
 // Of a checkpoint: populations of each level; the box of the level below that each finer
 // level covers, six numbers; what keeps the mass.
 constexpr const char* places_table = "patches";
-constexpr const char* mass_table = "kept_mass";
+constexpr const char* mass_table = "mass_owed";
 
 std::string table_of(int level) {
     return level == 0 ? "populations" : fmt::format("populations_{}", level);
@@ -113,6 +113,7 @@ std::vector<fluids::FieldCells> RefinedLbm::field_cells() const {
 
 void RefinedLbm::field(scene::FluidField field, std::size_t level, std::span<float> out) {
     const int l = static_cast<int>(level);
+    if (l == 0) fluid_.cover_all();
     const fluid::Fluid& fluid = fluid_.level(l);
     int rank = 0;
     MPI_Comm_rank(comm_, &rank);

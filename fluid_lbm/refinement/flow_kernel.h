@@ -42,19 +42,41 @@ MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
             NoFourthOrder{});
 }
 
+// Populations of the last cells of a row, fewer than a vector has lanes: rows may be as
+// short as a ring is wide. The buffer's surplus cells are at rest.
+template <int Width, class Real>
+struct LastCells {
+    Real f[d3q19::directions][Width] = {};
+    double flow[flow_numbers][Width] = {};
+    Real* f_at[d3q19::directions];
+    double* flow_at[flow_numbers];
+
+    MAGFSI_INLINE LastCells() {
+        for (int q = 0; q < d3q19::directions; ++q) f_at[q] = f[q];
+        for (int i = 0; i < flow_numbers; ++i) flow_at[i] = flow[i];
+    }
+};
+
 template <int Width, class Real>
 MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow) {
+    using Vector = typename Simd<double, Width>::Vector;
     std::ptrdiff_t x = 0;
     for (; x + Width <= length; x += Width) {
         if (x % cells_per_line<Real> == 0) prefetch_for_read(at, x);
-        flow_block<typename Simd<double, Width>::Vector>(at, x, flow);
+        flow_block<Vector>(at, x, flow);
     }
-    for (; x < length; ++x) flow_block<typename Simd<double, 1>::Vector>(at, x, flow);
+    if (x == length) return;
+    LastCells<Width, Real> last;
+    for (int q = 0; q < d3q19::directions; ++q) {
+        for (std::ptrdiff_t k = x; k < length; ++k) last.f[q][k - x] = at[q][k];
+    }
+    flow_block<Vector>(last.f_at, 0, last.flow_at);
+    for (int i = 0; i < flow_numbers; ++i) {
+        for (std::ptrdiff_t k = x; k < length; ++k) flow[i][k] = last.flow[i][k - x];
+    }
 }
 
-// The last cells by way of a buffer whose surplus cells are at rest: rows may be as short
-// as a ring is wide.
 template <int Width, class Real>
 MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
                                Real* const* at) {
@@ -65,18 +87,13 @@ MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
     std::ptrdiff_t x = 0;
     for (; x + Width <= length; x += Width) rebuild_block<Vector>(flow, x, own);
     if (x == length) return;
-    double rest[flow_numbers][Width] = {};
-    Real f[d3q19::directions][Width];
-    const double* rest_at[flow_numbers];
-    Real* f_at[d3q19::directions];
+    LastCells<Width, Real> last;
     for (int i = 0; i < flow_numbers; ++i) {
-        rest_at[i] = rest[i];
-        for (std::ptrdiff_t k = x; k < length; ++k) rest[i][k - x] = flow[i][k];
+        for (std::ptrdiff_t k = x; k < length; ++k) last.flow[i][k - x] = flow[i][k];
     }
-    for (int q = 0; q < d3q19::directions; ++q) f_at[q] = f[q];
-    rebuild_block<Vector>(rest_at, 0, f_at);
+    rebuild_block<Vector>(last.flow_at, 0, last.f_at);
     for (int q = 0; q < d3q19::directions; ++q) {
-        for (std::ptrdiff_t k = x; k < length; ++k) own[q][k] = f[q][k - x];
+        for (std::ptrdiff_t k = x; k < length; ++k) own[q][k] = last.f[q][k - x];
     }
 }
 

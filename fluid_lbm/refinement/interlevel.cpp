@@ -42,10 +42,4 @@ void apply(const Scales& scales, double sign, double* flow, std::size_t count) {
         stress[i] *= factor;
 }
 
-__attribute__((target_clones("avx2", "default")))  // chosen when the program starts
-void add_scaled(double weight, const double* from, std::size_t count,
-                                double* sum) {
-    for (std::size_t i = 0; i < count; ++i) sum[i] += weight * from[i];
-}
-
 }  // namespace magfsi::fluid

@@ -38,7 +38,4 @@ Scales to_fine(const Level& coarse, const Level& fine);
 // sign: 1 to the fine level, -1 back.
 void apply(const Scales& scales, double sign, double* flow, std::size_t count);
 
-// sum += weight * from
-void add_scaled(double weight, const double* from, std::size_t count, double* sum);
-
 }  // namespace magfsi::fluid

@@ -15,14 +15,24 @@ class Prolongation {
     void run(const Level& coarse, const Level& fine);
 
   private:
+    // A box of fine cells and the coarse ones beneath, whose numbers are laid out as
+    // [z][other][number][line]: lines are along x, in boxes as thin there as a ring
+    // along y.
     struct Piece {
         CellBox fine, coarse;
-        std::vector<double> flow;  // [z][y][number][x] of the coarse cells
+        int line = 0, other = 1;
+        std::vector<double> flow;
+
+        std::size_t length(const CellBox& box, int axis) const {
+            return static_cast<std::size_t>(box.hi[axis] - box.lo[axis]);
+        }
+        void take(const CellRow& row, const double* numbers);
     };
-    static void interpolate(const Piece& piece, const Level& coarse, const Level& fine);
+    void interpolate(const Piece& piece, const Level& coarse, const Level& fine);
 
     std::vector<Piece> pieces_;
     CellTransfer transfer_;
+    std::vector<double> plane_, line_, row_;  // under way
 };
 
 // The ring of the finer level, of every rank.

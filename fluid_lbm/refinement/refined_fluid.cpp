@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fluid_lbm/refinement/interface_flux.h"
 #include "fluid_lbm/refinement/prolongation.h"
 #include "fluid_lbm/refinement/restriction.h"
 #include "fluid_lbm/refuse.h"
@@ -10,24 +11,44 @@ namespace magfsi::fluid {
 
 namespace {
 
+// Covered cells that nothing reads from step to step are overwritten once in so many steps
+// of their level, so that the flow there does not become another.
+constexpr std::int64_t steps_until_all_covered = 16;
+
+// Of an interface between two levels, in cells of the coarser at rest: mass that has gone
+// into the covered box as the coarser level sees it, less what the finer one has received.
+// It goes to the coarse cells beside the patch: what refluxing (Berger, Colella 1989) does
+// face by face, in the mean over them.
+struct InterfaceMass {
+    double lost = 0;      // of this rank, in the coarser level's present step
+    double owed = 0;      // besides, of all ranks
+    double given = 0;     // by the last step of the coarser level
+    double lost_then = 0, owed_then = 0;  // before the last step of the finest level
+    std::int64_t beside = 0;              // cells
+};
+
 // A level and the two ways between it and the one below.
 struct FinerLevel {
     FinerLevel(MPI_Comm comm, const FluidConfig& coarsest, const Level& below,
                const LevelPlace& place, int number)
         : level(comm, coarsest, place, number),
           ring(below, ring_of(level)),
-          restriction(below, level) {}
+          band(below, level, band_of(place)),
+          from_below(below, place.covered(), place),
+          into_level(level, place.inside, place) {}
+
+    Restriction& all_covered(const Level& below) {
+        if (!whole) whole.emplace(below, level, std::vector{level.place.covered()});
+        return *whole;
+    }
+
     Level level;
     Prolongation ring;
-    Restriction restriction;
+    Restriction band;
+    std::optional<Restriction> whole;  // of all covered cells, once it is wanted
+    InterfaceFlux from_below, into_level;
+    InterfaceMass mass;
 };
-
-bool is_closed(const FluidConfig& config) {
-    return std::ranges::none_of(config.boundaries, [](const Boundary& side) {
-        return side.kind == BoundaryKind::velocity_inlet ||
-               side.kind == BoundaryKind::pressure_outlet;
-    });
-}
 
 double summed(MPI_Comm comm, double value) {
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, comm);
@@ -84,37 +105,6 @@ struct RefinedFluid::Levels {
     FinerLevel& above(int number) { return *finer[static_cast<std::size_t>(number)]; }
 };
 
-// Streaming and collisions keep the mass of level 0; what restriction changes is known.
-// The defect of the whole, uncovered coarse cells and finest ones, goes back to the
-// coarse cells beside the patch, through which it came: what refluxing (Berger, Colella
-// 1989) does face by face, in the mean over them.
-struct RefinedFluid::Mass {
-    double whole = 0;   // excess in the beginning; in coarse cells at rest
-    double coarse = 0;  // of level 0 with its covered cells
-    std::int64_t beside = 0;
-
-    void start(const RefinedFluid& fluid) {
-        const FluidConfig& config = fluid.config_.coarse;
-        const double cell_kg = units(config).cell_mass_kg();
-        const auto excess_of = [&](const Totals& totals, double cells) {
-            return totals.mass_kg / cell_kg - cells;
-        };
-        const Totals level_0 = fluid.level(0).totals();
-        const double cells =
-            static_cast<double>(cells_of(fluid.place(0).inside));  // which one cancels
-        coarse = excess_of(level_0, cells);
-        whole = excess_of(fluid.totals(), cells);
-    }
-
-    // Sums over all ranks: of the covered coarse cells before and after restriction, and
-    // of what covers them, in coarse cells.
-    double defect_after(double before, double after, double fine) {
-        const double now = coarse - before + fine;
-        coarse += after - before;
-        return whole - now;
-    }
-};
-
 namespace {
 
 // From a patch to one that stands elsewhere.
@@ -134,10 +124,10 @@ void take_over(const Level& below, const Level& old, const Level& level,
     const View from = old.state().view(), to = level.state().view();
     std::vector<CellBox> owned = old.owned_by_rank();
     for (CellBox& box : owned) box = shared(box, old.place.inside);
-    CellTransfer(level.comm(), owned, period, kept)
+    CellTransfer(level.comm(), one_each(owned), period, kept)
         .run(
             populations_per_cell,
-            [&](const CellRow& row, double* f) {
+            [&](std::size_t, const CellRow& row, double* f) {
                 read_populations(from, old.local(row), f);
             },
             [&](std::size_t, const CellRow& row, const double* f) {
@@ -145,7 +135,34 @@ void take_over(const Level& below, const Level& old, const Level& level,
             });
 }
 
+// Excess of this rank's part of a box, in cells at rest.
+double excess_in(const Level& level, const CellBox& box) {
+    double sum = 0;
+    RowMoments m;
+    for_each_image(level.place.period, [&](const std::array<int, 3>& image) {
+        for_each_row(shared(shifted(box, image), level.owned()), [&](const CellRow& row) {
+            const CellRow at = level.local(row);
+            row_moments(level.state().view(), at.y, at.z, at.x_begin, at.x_end, m);
+            for (const double excess : m.excess) sum += excess;
+        });
+    });
+    return sum;
+}
+
 }  // namespace
+
+// What finer levels have more than the cells that they cover, all over, in cells of level
+// 0 at rest.
+double RefinedFluid::excess_of_finer() const {
+    double sum = 0;
+    for (int l = 1; l < levels(); ++l) {
+        const Level& level = levels_->at(l);
+        sum += std::ldexp(excess_in(level, level.place.inside), -3 * l) -
+               std::ldexp(excess_in(levels_->at(l - 1), level.place.covered()),
+                          -3 * (l - 1));
+    }
+    return summed(comm_, sum);
+}
 
 RefinedFluid::RefinedFluid(MPI_Comm comm, const RefinedConfig& config,
                            const std::array<Vec3, 2>& bodies_m)
@@ -199,35 +216,52 @@ void RefinedFluid::begin_step() {
         if (steps_done_ % steps_in_one(l) != 0) continue;
         FinerLevel& above = levels_->above(l);
         above.ring.run(levels_->at(l), above.level);
-        levels_->at(l).fluid.step();
+        step_level(l);
+        above.mass.lost += above.from_below.into_box(levels_->at(l));
     }
 }
 
+void RefinedFluid::step_level(int number) {
+    Level& level = levels_->at(number);
+    level.fluid.step();
+    if (number == 0) return;
+    FinerLevel& finer = levels_->above(number - 1);
+    finer.mass.lost -= finer.into_level.into_box(level) / 8;
+}
+
 void RefinedFluid::end_step() {
-    RestrictedMass lowest;
     for (int l = levels() - 2; l >= 0; --l) {
         if (steps_done_ % steps_in_one(l) != 0) continue;
         FinerLevel& above = levels_->above(l);
-        const RestrictedMass mass = above.restriction.run(levels_->at(l), above.level);
-        // Level by level what covers stands in for what is covered.
-        lowest = {mass.fine / 8 - (l + 2 < levels() ? lowest.after - lowest.fine : 0) / 8,
-                  mass.before, mass.after};
+        Level& level = levels_->at(l);
+        const bool all = steps_done_ / steps_in_one(l) % steps_until_all_covered == 0;
+        (all ? above.all_covered(level) : above.band).run(level, above.level);
+        InterfaceMass& mass = above.mass;
+        mass.given = summed(comm_, mass.lost) + mass.owed;
+        mass.lost = mass.owed = 0;
+        if (mass.beside > 0)
+            add_density_beside(level, above.level.place,
+                               mass.given / static_cast<double>(mass.beside));
     }
-    if (!mass_ || steps_done_ % steps_in_one(0) != 0) return;
-    double sums[3] = {lowest.before, lowest.after, lowest.fine};
-    MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, comm_);
-    const double defect = mass_->defect_after(sums[0], sums[1], sums[2]);
-    add_density_beside(levels_->coarsest, levels_->above(0).level.place,
-                       defect / static_cast<double>(mass_->beside));
-    mass_->coarse += defect;
 }
 
 void RefinedFluid::step() {
     begin_step();
-    levels_->finest().fluid.step();
+    for (const auto& finer : levels_->finer) {
+        finer->mass.lost_then = finer->mass.lost;
+        finer->mass.owed_then = finer->mass.owed;
+    }
+    step_level(levels() - 1);
     begun_ = false;
     ++steps_done_;
     end_step();
+}
+
+void RefinedFluid::cover_all() {
+    for (int l = levels() - 2; l >= 0; --l) {
+        FinerLevel& above = levels_->above(l);
+        above.all_covered(levels_->at(l)).run(levels_->at(l), above.level);
+    }
 }
 
 void RefinedFluid::keep() {
@@ -237,6 +271,13 @@ void RefinedFluid::keep() {
 
 void RefinedFluid::go_back() {
     levels_->finest().fluid.go_back();
+    for (int l = 0; l + 1 < levels(); ++l) {
+        InterfaceMass& mass = levels_->above(l).mass;
+        mass.lost = mass.lost_then;
+        mass.owed = mass.owed_then;
+        // What has been given stays where it is.
+        if (steps_done_ % steps_in_one(l) == 0) mass.owed -= mass.given;
+    }
     --steps_done_;
     begun_ = true;
 }
@@ -246,14 +287,18 @@ bool RefinedFluid::levels_are_level() const {
 }
 
 // From the coarsest finer level on: cells that the old patch solved are copied, the
-// others interpolated from the level below, which restriction has kept right under the
-// old patch.
+// others interpolated from the level below, which is made right under the old patch.
 void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
     FluidConfig at_rest = config_.coarse;
     const bool first = levels_->finer.empty();
+    double excess = 0, owed = 0;
     if (!first) {
         at_rest.initial_velocity = nullptr;
         at_rest.initial_pressure = nullptr;
+        cover_all();
+        excess = excess_of_finer();
+        for (std::size_t i = 0; i < levels_->finer.size(); ++i)
+            owed += std::ldexp(levels_->finer[i]->mass.owed, -3 * static_cast<int>(i));
     }
     std::vector<std::unique_ptr<FinerLevel>> old = std::move(levels_->finer);
     levels_->finer.clear();
@@ -263,19 +308,15 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
         const Level& below = levels_->at(number - 1);
         levels_->finer.push_back(
             std::make_unique<FinerLevel>(comm_, at_rest, below, places[i], number));
-        Level& level = levels_->finer.back()->level;
+        FinerLevel& finer = *levels_->finer.back();
+        finer.mass.beside = static_cast<std::int64_t>(
+            summed(comm_, static_cast<double>(cells_beside(below, places[i]))));
         if (first) continue;
-        level.fluid.set_steps_done(steps_done_ >> (places.size() - i - 1));
-        take_over(below, old[i]->level, level, periodic_axes(config_.coarse));
+        finer.level.fluid.set_steps_done(steps_done_ >> (places.size() - i - 1));
+        take_over(below, old[i]->level, finer.level, periodic_axes(config_.coarse));
     }
     ++moves_;
-    if (!is_closed(config_.coarse)) return;
-    if (!mass_) {
-        mass_ = std::make_unique<Mass>();
-        mass_->start(*this);
-    }
-    mass_->beside = static_cast<std::int64_t>(summed(
-        comm_, static_cast<double>(cells_beside(levels_->coarsest, places.front()))));
+    if (!first) levels_->finer.front()->mass.owed = owed + excess - excess_of_finer();
 }
 
 bool RefinedFluid::follow(const std::array<Vec3, 2>& bodies_m) {
@@ -296,8 +337,10 @@ bool RefinedFluid::follow(const std::array<Vec3, 2>& bodies_m) {
 }
 
 std::vector<double> RefinedFluid::kept_mass() const {
-    if (!mass_) return {};
-    return {mass_->whole, mass_->coarse};
+    std::vector<double> numbers;
+    for (const auto& finer : levels_->finer)
+        numbers.insert(numbers.end(), {finer->mass.owed, finer->mass.lost});
+    return numbers;
 }
 
 void RefinedFluid::restore(std::int64_t steps, const std::vector<LevelPlace>& finer,
@@ -310,9 +353,9 @@ void RefinedFluid::restore(std::int64_t steps, const std::vector<LevelPlace>& fi
         const std::int64_t in_one = steps_in_one(l);
         level(l).set_steps_done((steps + in_one - 1) / in_one);
     }
-    if (mass_ && kept_mass.size() == 2) {
-        mass_->whole = kept_mass[0];
-        mass_->coarse = kept_mass[1];
+    for (std::size_t i = 0; i < finer.size() && 2 * i + 1 < kept_mass.size(); ++i) {
+        levels_->finer[i]->mass.owed = kept_mass[2 * i];
+        levels_->finer[i]->mass.lost = kept_mass[2 * i + 1];
     }
 }
 

@@ -55,18 +55,23 @@ class RefinedFluid {
     bool follow(const std::array<Vec3, 2>& bodies_m);
     bool levels_are_level() const;  // all stand at one time
     std::int64_t moves() const { return moves_; }
+    // From step to step levels are given only those covered cells that they need; now all,
+    // for somebody who reads them. Changes nothing in coming steps. Collective.
+    void cover_all();
 
     // Each place of the box counts once, with the finest level there. Collective.
     Totals totals() const;
     double enstrophy_1_s2() const;
-    // Of level 0, which has what finer levels have given it.
-    PlaneFlow plane_flow(int axis, double at_m) const {
+    // Of level 0, which is given what finer levels have.
+    PlaneFlow plane_flow(int axis, double at_m) {
+        cover_all();
         return level(0).plane_flow(axis, at_m);
     }
     std::vector<Vec3> obstacle_forces() const { return level(0).obstacle_forces(); }
 
     // The state between steps: places and steps of the levels, what keeps the mass, and
-    // the populations of each level (Fluid::populations). Put back in this order.
+    // the populations of each level (Fluid::populations). Put back in this order. In the
+    // middle of a step of level 0 a part of the mass is each rank's own.
     std::int64_t steps_done() const { return steps_done_; }
     std::vector<double> kept_mass() const;
     void restore(std::int64_t steps, const std::vector<LevelPlace>& finer,
@@ -75,9 +80,10 @@ class RefinedFluid {
 
   private:
     struct Levels;
-    struct Mass;
     void begin_step();
+    void step_level(int number);
     void end_step();
+    double excess_of_finer() const;
     // Boxes of a level where no finer one is, in its fluid's indices.
     std::vector<CellBox> counted_of(int level) const;
     void regrid(const std::vector<LevelPlace>& places);
@@ -86,7 +92,6 @@ class RefinedFluid {
     MPI_Comm comm_;
     RefinedConfig config_;
     std::unique_ptr<Levels> levels_;
-    std::unique_ptr<Mass> mass_;  // of a closed box
     std::int64_t steps_done_ = 0, moves_ = 0;
     bool begun_ = false;  // the coarser levels have done their part of the coming step
 };

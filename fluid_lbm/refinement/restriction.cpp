@@ -1,9 +1,6 @@
 #include "fluid_lbm/refinement/restriction.h"
 
 #include <algorithm>
-#include <map>
-
-#include "fluid_lbm/refinement/interlevel.h"
 
 namespace magfsi::fluid {
 
@@ -20,192 +17,239 @@ Weights fine_in(int coarse_cell, const LevelPlace& fine, int axis) {
     return cubic_at(2 * coarse_cell + 0.5, lo, hi);
 }
 
-CellBox coarse_share(const CellBox& owned, const LevelPlace& place) {
-    const CellBox covered = place.covered();
-    CellBox share = covered;
+// Of a box, coarse cells that a rank with these fine cells averages.
+CellBox share_of(const CellBox& box, const CellBox& owned) {
+    CellBox share = box;
+    if (is_empty(owned)) return {};
     for (int d = 1; d < 3; ++d) {
-        share.lo[d] = std::max(covered.lo[d], (owned.lo[d] + 1) / 2);
-        share.hi[d] = std::min(covered.hi[d], (owned.hi[d] + 1) / 2);
+        share.lo[d] = std::max(box.lo[d], (owned.lo[d] + 1) / 2);
+        share.hi[d] = std::min(box.hi[d], (owned.hi[d] + 1) / 2);
     }
-    return share;
+    return is_empty(share) ? CellBox{} : share;
 }
 
-std::vector<CellBox> coarse_shares(const Level& fine) {
-    std::vector<CellBox> shares;
-    for (const CellBox& owned : fine.owned_by_rank())
-        shares.push_back(coarse_share(owned, fine.place));
-    return shares;
-}
-
-// Whole rows of those that a share is made of.
+// The rows that a share is made of, along x as far as they are stored.
 CellBox fine_beneath(const CellBox& share, const LevelPlace& place) {
-    CellBox box = place.stored;
+    CellBox box;
     if (is_empty(share)) return {};
-    for (int d = 1; d < 3; ++d) {
-        box.lo[d] = std::min(fine_in(share.lo[d], place, d).first, 2 * share.lo[d]);
-        box.hi[d] =
-            std::max(fine_in(share.hi[d] - 1, place, d).first + points, 2 * share.hi[d]);
+    for (int d = 0; d < 3; ++d) {
+        box.lo[d] = fine_in(share.lo[d], place, d).first;
+        box.hi[d] = fine_in(share.hi[d] - 1, place, d).first + points;
     }
+    box.lo[0] = std::max(box.lo[0], place.stored.lo[0]);
+    box.hi[0] = std::min(box.hi[0], place.stored.hi[0]);
     return box;
 }
 
-std::vector<std::vector<CellBox>> halos_of(const Level& fine) {
+// Of each rank, box by box.
+std::vector<std::vector<CellBox>> shares_of(const Level& fine,
+                                            const std::vector<CellBox>& boxes) {
+    std::vector<std::vector<CellBox>> shares;
+    for (const CellBox& owned : fine.owned_by_rank()) {
+        shares.emplace_back();
+        for (const CellBox& box : boxes) shares.back().push_back(share_of(box, owned));
+    }
+    return shares;
+}
+
+std::vector<std::vector<CellBox>> halos_of(const Level& fine,
+                                           const std::vector<CellBox>& boxes) {
     std::vector<std::vector<CellBox>> halos;
-    for (const CellBox& owned : fine.owned_by_rank())
-        halos.push_back(
-            without(fine_beneath(coarse_share(owned, fine.place), fine.place), owned));
+    for (const CellBox& owned : fine.owned_by_rank()) {
+        halos.emplace_back();
+        for (const CellBox& box : boxes) {
+            for (const CellBox& halo :
+                 without(fine_beneath(share_of(box, owned), fine.place), owned))
+                halos.back().push_back(halo);
+        }
+    }
     return halos;
 }
 
-std::vector<std::vector<CellBox>> one_each(const std::vector<CellBox>& boxes) {
-    std::vector<std::vector<CellBox>> all;
-    for (const CellBox& box : boxes) all.push_back({box});
-    return all;
+// The loops below are compiled for AVX2, too, and chosen when the program starts.
+#define MAGFSI_ROW_LOOP __attribute__((target_clones("avx2", "default")))
+
+MAGFSI_ROW_LOOP void combine_four(const std::array<double, points>& w,
+                                  const std::array<const double*, points>& rows,
+                                  std::size_t count, double* sum) {
+    const double *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3];
+    for (std::size_t i = 0; i < count; ++i)
+        sum[i] = (w[0] * a[i] + w[1] * b[i]) + (w[2] * c[i] + w[3] * d[i]);
 }
 
-double sum_of(const double* values, std::size_t count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += values[i];
-    return sum;
+MAGFSI_ROW_LOOP void mean_of_two(const double* a, const double* b, std::size_t count,
+                                 double* mean) {
+    for (std::size_t i = 0; i < count; ++i) mean[i] = 0.5 * (a[i] + b[i]);
+}
+
+// The same along a row, of fine cells that begin at the first coarse cell's first.
+MAGFSI_ROW_LOOP void combine_along(const std::array<double, points>& w,
+                                   const double* fine, std::size_t count, double* sum) {
+    for (std::size_t i = 0; i < count; ++i)
+        sum[i] = (w[0] * fine[2 * i] + w[1] * fine[2 * i + 1]) +
+                 (w[2] * fine[2 * i + 2] + w[3] * fine[2 * i + 3]);
+}
+
+MAGFSI_ROW_LOOP void mean_along(const double* fine, std::size_t count, double* mean) {
+    for (std::size_t i = 0; i < count; ++i)
+        mean[i] = 0.5 * (fine[2 * i] + fine[2 * i + 1]);
+}
+
+// Rows or planes of ten numbers each of so many cells: density and velocity by the four
+// around a coarse cell, the stress by the two in it.
+void combine(const Weights& w, int coarse, std::size_t cells,
+             const std::array<const double*, points>& from, double* to) {
+    const auto first = static_cast<std::size_t>(2 * coarse - w.first);
+    combine_four(w.of, from, first_stress * cells, to);
+    const std::size_t stress = first_stress * cells;
+    mean_of_two(from[first] + stress, from[first + 1] + stress,
+                (numbers - first_stress) * cells, to + stress);
+}
+
+std::size_t length(const CellBox& box, int axis) {
+    return static_cast<std::size_t>(box.hi[axis] - box.lo[axis]);
 }
 
 }  // namespace
 
-Restriction::Restriction(const Level& coarse, const Level& fine)
-    : mine_(coarse_share(fine.owned(), fine.place)),
-      needed_(fine_beneath(mine_, fine.place)),
-      halo_(without(needed_, fine.owned())),
-      to_halo_(coarse.comm(), fine.owned_by_rank(), fine.place.period, halos_of(fine)),
-      to_coarse_(coarse.comm(), coarse_shares(fine), coarse.place.period,
-                 one_each(coarse.owned_by_rank())),
-      averaged_(numbers * static_cast<std::size_t>(cells_of(mine_))) {
-    for (const CellBox& box : halo_)
-        halo_flow_.emplace_back(numbers * static_cast<std::size_t>(cells_of(box)));
+std::vector<CellBox> band_of(const LevelPlace& fine) {
+    const CellBox covered = fine.covered();
+    CellBox core = covered;
+    for (int d = 0; d < 3; ++d) {
+        core.lo[d] += fine.stored.lo[d] < fine.inside.lo[d] ? band_cells : 0;
+        core.hi[d] -= fine.stored.hi[d] > fine.inside.hi[d] ? band_cells : 0;
+    }
+    return is_empty(core) ? std::vector{covered} : without(covered, core);
 }
 
-const double* Restriction::fine_row(const Level& fine, int y, int z,
-                                    RestrictedMass& mass) {
-    const auto count = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
+Restriction::Piece::Piece(const CellBox& share, const Level& level)
+    : coarse(share),
+      fine(fine_beneath(share, level.place)),
+      flow(numbers * static_cast<std::size_t>(cells_of(share))) {
+    for (int x = coarse.lo[0]; x < coarse.hi[0]; ++x)
+        along.push_back(fine_in(x, level.place, 0));
+}
+
+Restriction::Restriction(const Level& coarse, const Level& fine,
+                         const std::vector<CellBox>& boxes)
+    : to_halo_(coarse.comm(), one_each(fine.owned_by_rank()), fine.place.period,
+               halos_of(fine, boxes)),
+      to_coarse_(coarse.comm(), shares_of(fine, boxes), coarse.place.period,
+                 one_each(coarse.owned_by_rank())) {
+    for (const CellBox& box : boxes) {
+        pieces_.emplace_back(share_of(box, fine.owned()), fine);
+        for (const CellBox& halo : without(pieces_.back().fine, fine.owned())) {
+            halo_.push_back(halo);
+            of_piece_.push_back(pieces_.size() - 1);
+            halo_flow_.emplace_back(numbers * static_cast<std::size_t>(cells_of(halo)));
+        }
+    }
+}
+
+const double* Restriction::fine_row(const Piece& piece, std::size_t number,
+                                    const Level& fine, int y, int z) {
+    const std::size_t count = length(piece.fine, 0);
     for (std::size_t b = 0; b < halo_.size(); ++b) {
         const CellBox& box = halo_[b];
+        if (of_piece_[b] != number) continue;
         if (y < box.lo[1] || y >= box.hi[1] || z < box.lo[2] || z >= box.hi[2]) continue;
         const auto row = static_cast<std::size_t>(
             (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1]);
         return halo_flow_[b].data() + row * numbers * count;
     }
     row_.resize(numbers * count);
-    read_flow(fine.state().view(), fine.local({y, z, needed_.lo[0], needed_.hi[0]}),
-              row_.data());
-    const CellBox& inside = fine.place.inside;
-    if (y >= inside.lo[1] && y < inside.hi[1] && z >= inside.lo[2] && z < inside.hi[2])
-        mass.fine += sum_of(row_.data() + (inside.lo[0] - needed_.lo[0]),
-                            static_cast<std::size_t>(inside.hi[0] - inside.lo[0]));
+    read_flow(fine.state().view(),
+              fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}), row_.data());
     return row_.data();
 }
 
-namespace {
-
-// What a fine row or plane counts in a coarse one: density and velocity, and stress.
-struct Share {
-    double cubic = 0, mean = 0;
-};
-Share share_of(int fine, int coarse, const Weights& w) {
-    const int k = fine - w.first, half = fine - 2 * coarse;
-    return {k >= 0 && k < points ? w.of[static_cast<std::size_t>(k)] : 0,
-            half == 0 || half == 1 ? 0.5 : 0};
-}
-
-// Of rows of so many cells.
-void add_share(const Share& share, const double* flow, std::size_t cells, double* sum) {
-    if (share.cubic != 0) add_scaled(share.cubic, flow, first_stress * cells, sum);
-    const std::size_t stress = first_stress * cells;
-    if (share.mean != 0)
-        add_scaled(share.mean, flow + stress, (numbers - first_stress) * cells,
-                   sum + stress);
-}
-
-}  // namespace
-
-// One plane of fine cells, averaged along y: [y of mine_][number][x of needed_].
-void Restriction::average_plane(const Level& fine, int z, std::vector<double>& plane,
-                                RestrictedMass& mass) {
-    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
-    std::ranges::fill(plane, 0.0);
-    for (int y = needed_.lo[1]; y < needed_.hi[1]; ++y) {
-        const double* row = fine_row(fine, y, z, mass);
-        const int middle = y >> 1;  // of the up to four coarse rows that it counts in
-        const int first = std::max(middle - 2, mine_.lo[1]);
-        for (int c = first; c < std::min(middle + 3, mine_.hi[1]); ++c)
-            add_share(share_of(y, c, fine_in(c, fine.place, 1)), row, width,
-                      plane.data() +
-                          static_cast<std::size_t>(c - mine_.lo[1]) * numbers * width);
-    }
-}
-
-// The last average, along x, of a row of which the others are done.
-void Restriction::average_row(const Level& fine, const double* row, double* to) const {
-    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
-    const int period = fine.place.period[0];
-    for (int x = mine_.lo[0]; x < mine_.hi[0]; ++x, ++to) {
-        const Weights w = fine_in(x, fine.place, 0);
-        const auto at = [&](std::size_t i, int fine_x) {
-            if (period > 0) fine_x = (fine_x + period) % period;
-            return row[i * width + static_cast<std::size_t>(fine_x - needed_.lo[0])];
+void Restriction::average_along_x(const Piece& piece, const double* row,
+                                  double* to) const {
+    const std::size_t width = length(piece.fine, 0), count = length(piece.coarse, 0);
+    const int lo = piece.fine.lo[0], hi = piece.fine.hi[0];
+    const auto cell = [&](int fine_x) {  // around the axis where it is periodic
+        const int n = hi - lo;
+        return static_cast<std::size_t>((fine_x - lo + n) % n);
+    };
+    // Cells in the middle whose four all lie in the row, and alike.
+    std::size_t begin = 0, end = count;
+    const auto is_regular = [&](std::size_t i) {
+        const int first = piece.along[i].first;
+        return first >= lo && first + points <= hi &&
+               first == 2 * (piece.coarse.lo[0] + static_cast<int>(i)) - 1;
+    };
+    while (begin < count && !is_regular(begin)) ++begin;
+    while (end > begin && !is_regular(end - 1)) --end;
+    for (std::size_t i = 0; i < numbers; ++i, row += width, to += count) {
+        const auto one = [&](std::size_t x) {
+            const Weights& w = piece.along[x];
+            const int two = 2 * (piece.coarse.lo[0] + static_cast<int>(x));
+            to[x] = i < first_stress
+                        ? (w.of[0] * row[cell(w.first)] + w.of[1] * row[cell(w.first + 1)]) +
+                              (w.of[2] * row[cell(w.first + 2)] +
+                               w.of[3] * row[cell(w.first + 3)])
+                        : 0.5 * (row[cell(two)] + row[cell(two + 1)]);
         };
-        const auto coarse_width = static_cast<std::size_t>(mine_.hi[0] - mine_.lo[0]);
-        for (std::size_t i = 0; i < first_stress; ++i)
-            to[i * coarse_width] =
-                (w.of[0] * at(i, w.first) + w.of[1] * at(i, w.first + 1)) +
-                (w.of[2] * at(i, w.first + 2) + w.of[3] * at(i, w.first + 3));
-        for (std::size_t i = first_stress; i < numbers; ++i)
-            to[i * coarse_width] = 0.5 * (at(i, 2 * x) + at(i, 2 * x + 1));
-    }
-}
-
-void Restriction::average(const Level& fine, RestrictedMass& mass) {
-    if (is_empty(mine_)) return;
-    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
-    const auto rows = static_cast<std::size_t>(mine_.hi[1] - mine_.lo[1]);
-    const std::size_t plane_size = rows * numbers * width;
-    // Coarse planes under way, of up to five that a fine one counts in.
-    std::vector<double> plane(plane_size);
-    std::map<int, std::vector<double>> under_way;
-    for (int z = needed_.lo[2]; z < needed_.hi[2]; ++z) {
-        average_plane(fine, z, plane, mass);
-        for (int c = mine_.lo[2]; c < mine_.hi[2]; ++c) {
-            const Weights w = fine_in(c, fine.place, 2);
-            const Share share = share_of(z, c, w);
-            if (share.cubic == 0 && share.mean == 0) continue;
-            auto& sum = under_way[c];
-            sum.resize(plane_size);
-            for (std::size_t j = 0; j < rows; ++j) {
-                const std::size_t first = j * numbers * width;
-                add_share(share, plane.data() + first, width, sum.data() + first);
-            }
-            if (z + 1 < std::max(w.first + points, 2 * c + 2)) continue;
-            finish_plane(fine, c, sum);
-            under_way.erase(c);
+        for (std::size_t x = 0; x < begin; ++x) one(x);
+        if (begin < end) {
+            const double* first = row + (piece.along[begin].first - lo);
+            if (i < first_stress)
+                combine_along(piece.along[begin].of, first, end - begin, to + begin);
+            else
+                mean_along(first + 1, end - begin, to + begin);
         }
+        for (std::size_t x = end; x < count; ++x) one(x);
     }
 }
 
-void Restriction::finish_plane(const Level& fine, int z, const std::vector<double>& sum) {
-    const auto width = static_cast<std::size_t>(needed_.hi[0] - needed_.lo[0]);
-    const auto coarse_width = static_cast<std::size_t>(mine_.hi[0] - mine_.lo[0]);
-    const auto rows = static_cast<std::size_t>(mine_.hi[1] - mine_.lo[1]);
-    for (std::size_t j = 0; j < rows; ++j) {
-        const auto row = static_cast<std::size_t>(z - mine_.lo[2]) * rows + j;
-        average_row(fine, sum.data() + j * numbers * width,
-                    averaged_.data() + row * numbers * coarse_width);
+// Along x, then y, then z: each fine row and plane once, of which coarse ones are made as
+// soon as their last is there.
+void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
+    if (is_empty(piece.coarse)) return;
+    const CellBox &c = piece.coarse, &f = piece.fine;
+    const std::size_t row_size = numbers * length(c, 0);
+    const std::size_t plane_size = row_size * length(c, 1);
+    rows_.resize(row_size * length(f, 1));
+    for (auto& plane : planes_) plane.resize(plane_size);
+    int next = c.lo[2];  // coarse plane
+    std::vector<Weights> across;
+    for (int y = c.lo[1]; y < c.hi[1]; ++y) across.push_back(fine_in(y, fine.place, 1));
+    for (int z = f.lo[2]; z < f.hi[2]; ++z) {
+        for (int y = f.lo[1]; y < f.hi[1]; ++y)
+            average_along_x(
+                piece, fine_row(piece, number, fine, y, z),
+                rows_.data() + static_cast<std::size_t>(y - f.lo[1]) * row_size);
+        auto& plane = planes_[static_cast<std::size_t>(z - f.lo[2]) % points];
+        for (int y = c.lo[1]; y < c.hi[1]; ++y) {
+            const auto j = static_cast<std::size_t>(y - c.lo[1]);
+            const double* first =
+                rows_.data() +
+                static_cast<std::size_t>(across[j].first - f.lo[1]) * row_size;
+            combine(across[j], y, length(c, 0),
+                    {first, first + row_size, first + 2 * row_size, first + 3 * row_size},
+                    plane.data() + j * row_size);
+        }
+        const Weights w = fine_in(next, fine.place, 2);
+        if (next >= c.hi[2] || z + 1 < w.first + points) continue;
+        std::array<const double*, points> from;
+        double* to = piece.flow.data() +
+                     static_cast<std::size_t>(next - c.lo[2]) * plane_size;
+        for (std::size_t j = 0; j < length(c, 1); ++j) {
+            for (int k = 0; k < points; ++k)
+                from[k] = planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) % points]
+                              .data() +
+                          j * row_size;
+            combine(w, next, length(c, 0), from, to + j * row_size);
+        }
+        ++next;
     }
 }
 
-RestrictedMass Restriction::run(const Level& coarse, const Level& fine) {
-    RestrictedMass mass;
+void Restriction::run(const Level& coarse, const Level& fine) {
     const View fine_view = fine.state().view();
     to_halo_.run(
         numbers,
-        [&](const CellRow& row, double* flow) {
+        [&](std::size_t, const CellRow& row, double* flow) {
             read_flow(fine_view, fine.local(row), flow);
         },
         [&](std::size_t b, const CellRow& row, const double* flow) {
@@ -215,35 +259,28 @@ RestrictedMass Restriction::run(const Level& coarse, const Level& fine) {
             const std::size_t count = numbers * static_cast<std::size_t>(row.size());
             std::copy_n(flow, count, halo_flow_[b].data() + at * count);
         });
-    average(fine, mass);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) average(pieces_[i], i, fine);
     const Scales scales = to_fine(coarse, fine);
     const View view = coarse.state().view();
-    const auto width = static_cast<std::size_t>(mine_.hi[0] - mine_.lo[0]);
-    const auto rows = static_cast<std::size_t>(mine_.hi[1] - mine_.lo[1]);
-    std::vector<double> own;
     to_coarse_.run(
         numbers,
-        [&](const CellRow& row, double* flow) {
-            const auto r = static_cast<std::size_t>(row.z - mine_.lo[2]) * rows +
-                           static_cast<std::size_t>(row.y - mine_.lo[1]);
+        [&](std::size_t box, const CellRow& row, double* flow) {
+            const Piece& piece = pieces_[box];
+            const std::size_t width = length(piece.coarse, 0);
+            const auto r = static_cast<std::size_t>(row.z - piece.coarse.lo[2]) *
+                               length(piece.coarse, 1) +
+                           static_cast<std::size_t>(row.y - piece.coarse.lo[1]);
             const auto count = static_cast<std::size_t>(row.size());
-            const double* from = averaged_.data() + r * numbers * width +
-                                 static_cast<std::size_t>(row.x_begin - mine_.lo[0]);
+            const double* from =
+                piece.flow.data() + r * numbers * width +
+                static_cast<std::size_t>(row.x_begin - piece.coarse.lo[0]);
             for (std::size_t i = 0; i < numbers; ++i)
                 std::copy_n(from + i * width, count, flow + i * count);
+            apply(scales, -1, flow, count);
         },
         [&](std::size_t, const CellRow& row, const double* flow) {
-            const auto count = static_cast<std::size_t>(row.size());
-            own.resize(numbers * count);
-            const CellRow at = coarse.local(row);
-            read_flow(view, at, own.data());
-            mass.before += sum_of(own.data(), count);
-            mass.after += sum_of(flow, count);
-            std::copy_n(flow, numbers * count, own.data());
-            apply(scales, -1, own.data(), count);
-            write_flow(view, at, own.data());
+            write_flow(view, coarse.local(row), flow);
         });
-    return mass;
 }
 
 namespace {

@@ -1,42 +1,50 @@
-// From a level to the next coarser one: what it covers is overwritten.
+// From a level to the next coarser one: cells that it covers are overwritten.
 #pragma once
 
-#include "fluid_lbm/refinement/level.h"
+#include "fluid_lbm/refinement/interlevel.h"
 #include "fluid_lbm/refinement/transfer.h"
 
 namespace magfsi::fluid {
 
-// What a restriction learns about mass on the way, of this rank; in cells of the level at
-// rest.
-struct RestrictedMass {
-    double fine = 0;               // excess of the finer level's box
-    double before = 0, after = 0;  // of the coarse cells that it covers
-};
+// Covered cells that the coarser level reads before it is overwritten anew: one beside
+// what is not covered in its step, two in the cubic that fills the ring.
+constexpr int band_cells = 2;
+// The covered cells of the level below that are so close to those that are not.
+std::vector<CellBox> band_of(const LevelPlace& fine);
 
-// Overwrites the covered cells of the coarser level.
+// Overwrites boxes of covered cells of the coarser level.
 class Restriction {
   public:
-    Restriction(const Level& coarse, const Level& fine);
+    // boxes: disjoint.
+    Restriction(const Level& coarse, const Level& fine,
+                const std::vector<CellBox>& boxes);
     // Collective.
-    RestrictedMass run(const Level& coarse, const Level& fine);
+    void run(const Level& coarse, const Level& fine);
 
   private:
-    // Of this rank's share: coarse cells whose first fine row (of each axis' two) is its
-    // own.
-    void average(const Level& fine, RestrictedMass& mass);
-    void average_plane(const Level& fine, int z, std::vector<double>& plane,
-                       RestrictedMass& mass);
-    void finish_plane(const Level& fine, int z, const std::vector<double>& sum);
-    void average_row(const Level& fine, const double* row, double* to) const;
-    const double* fine_row(const Level& fine, int y, int z, RestrictedMass& mass);
+    // This rank's share of a box: coarse cells whose first fine row (of each axis' two)
+    // is its own.
+    struct Piece {
+        Piece(const CellBox& share, const Level& fine);
 
-    CellBox mine_;                                // coarse cells
-    CellBox needed_;                              // fine cells that they are made of
-    std::vector<CellBox> halo_;                   // of those, others'
+        CellBox coarse;
+        CellBox fine;                // that they are made of
+        std::vector<Weights> along;  // x, of the coarse cells
+        std::vector<double> flow;    // [z][y][number][x] of the coarse cells
+    };
+    void average(Piece& piece, std::size_t number, const Level& fine);
+    void average_along_x(const Piece& piece, const double* row, double* to) const;
+    const double* fine_row(const Piece& piece, std::size_t number, const Level& fine,
+                           int y, int z);
+
+    std::vector<Piece> pieces_;
+    // Fine rows of other ranks; whose piece's they are.
+    std::vector<CellBox> halo_;
+    std::vector<std::size_t> of_piece_;
     std::vector<std::vector<double>> halo_flow_;  // [y, z][number][x]
     CellTransfer to_halo_, to_coarse_;
-    std::vector<double> averaged_;  // [z][y][number][x] of mine_
-    std::vector<double> row_;
+    std::vector<double> row_, own_, rows_;    // under way
+    std::array<std::vector<double>, cubic_points> planes_;
 };
 
 // Of the coarser level's cells around the covered box: adds so much density to each.

@@ -18,7 +18,8 @@ CellRow less(CellRow row, const std::array<int, 3>& image) {
 
 }  // namespace
 
-CellTransfer::CellTransfer(MPI_Comm comm, const std::vector<CellBox>& owned,
+CellTransfer::CellTransfer(MPI_Comm comm,
+                           const std::vector<std::vector<CellBox>>& owned,
                            const std::array<int, 3>& period,
                            const std::vector<std::vector<CellBox>>& wanted)
     : comm_(comm) {
@@ -27,11 +28,13 @@ CellTransfer::CellTransfer(MPI_Comm comm, const std::vector<CellBox>& owned,
         const auto add = [&](std::vector<Part>& parts, std::vector<int>& ranks, int owner,
                              int wants) {
             const std::size_t before = parts.size();
-            for (std::size_t b = 0; b < wanted[wants].size(); ++b) {
+            const std::size_t boxes = owned[owner].size();
+            for (std::size_t i = 0; i < wanted[wants].size() * boxes; ++i) {
+                const std::size_t b = i / boxes, from = i % boxes;
                 for_each_image(period, [&](const std::array<int, 3>& image) {
                     const CellBox cells =
-                        shared(wanted[wants][b], shifted(owned[owner], image));
-                    if (!is_empty(cells)) parts.push_back({other, b, cells, image});
+                        shared(wanted[wants][b], shifted(owned[owner][from], image));
+                    if (!is_empty(cells)) parts.push_back({other, from, b, cells, image});
                 });
             }
             if (parts.size() > before && other != rank_) ranks.push_back(other);
@@ -56,7 +59,7 @@ void CellTransfer::pass_to_itself(std::size_t numbers, const Read& read,
         if (part.rank != rank_) continue;
         for_each_row(part.cells, [&](const CellRow& row) {
             row_.resize(numbers * static_cast<std::size_t>(row.size()));
-            read(less(row, part.image), row_.data());
+            read(part.from, less(row, part.image), row_.data());
             take(part.box, row, row_.data());
         });
     }
@@ -75,7 +78,7 @@ void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take) 
         for (const Part& part : out_) {
             if (part.rank != to_[i]) continue;
             for_each_row(part.cells, [&](const CellRow& row) {
-                read(less(row, part.image), at);
+                read(part.from, less(row, part.image), at);
                 at += numbers * static_cast<std::size_t>(row.size());
             });
         }
@@ -94,6 +97,12 @@ void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take) 
             });
         }
     }
+}
+
+std::vector<std::vector<CellBox>> one_each(const std::vector<CellBox>& boxes) {
+    std::vector<std::vector<CellBox>> all;
+    for (const CellBox& box : boxes) all.push_back({box});
+    return all;
 }
 
 }  // namespace magfsi::fluid

@@ -14,26 +14,26 @@ namespace magfsi::fluid {
 
 class CellTransfer {
   public:
-    // owned: the box of each rank. wanted: of each rank; cells that nobody owns are left
-    // out. period: cells along each axis that is periodic, else 0; cells a period apart
-    // are the same.
-    CellTransfer(MPI_Comm comm, const std::vector<CellBox>& owned,
+    // owned and wanted: boxes of each rank; cells that nobody owns are left out. period:
+    // cells along each axis that is periodic, else 0; cells a period apart are the same.
+    CellTransfer(MPI_Comm comm, const std::vector<std::vector<CellBox>>& owned,
                  const std::array<int, 3>& period,
                  const std::vector<std::vector<CellBox>>& wanted);
 
     // Rows of cells with so many numbers each: all first ones, all second ones, ...
-    // read: of a row that this rank owns. take: of a row in the rank's wanted box of that
-    // number, in the indices of the box. Collective.
-    using Read = std::function<void(const CellRow& row, double* numbers)>;
+    // read: of a row in the rank's own box of that number. take: of a row in its wanted
+    // box of that number, in the indices of the box. Collective.
+    using Read =
+        std::function<void(std::size_t box, const CellRow& row, double* numbers)>;
     using Take =
         std::function<void(std::size_t box, const CellRow& row, const double* numbers)>;
     void run(std::size_t numbers_per_cell, const Read& read, const Take& take);
 
   private:
-    // What goes from one rank to another for one wanted box.
+    // What goes from one rank's box to another's.
     struct Part {
         int rank = 0;  // the other
-        std::size_t box = 0;
+        std::size_t from = 0, box = 0;
         CellBox cells;             // in the wanted box's indices
         std::array<int, 3> image;  // less these they are the owner's
     };
@@ -47,5 +47,8 @@ class CellTransfer {
     std::vector<std::vector<double>> sent_, received_;
     std::vector<double> row_;
 };
+
+// Of each rank one box.
+std::vector<std::vector<CellBox>> one_each(const std::vector<CellBox>& boxes);
 
 }  // namespace magfsi::fluid

@@ -95,6 +95,25 @@ void write_flow(const View& view, const CellRow& row, const double* flow) {
         view.kernels);
 }
 
+void write_flow_along_y(const View& view, const std::array<int, 3>& first, int count,
+                        const double* flow) {
+    std::visit(
+        [&]<class Real>(const RowKernels<Real>& kernels) {
+            const auto n = static_cast<std::size_t>(count);
+            std::vector<Real> column(d3q19::directions * n);
+            const auto at = arrays<d3q19::directions>(column.data(), count);
+            kernels.rebuild(arrays<flow_numbers>(flow, count).data(), count, at.data());
+            const auto rows = view.populations.rows<Real>();
+            const int row = view.layout.row(first[1], first[2]);
+            const std::ptrdiff_t stride = view.populations.row_stride();
+            for (int q = 0; q < d3q19::directions; ++q) {
+                Real* to = rows.row(q, row) + first[0];
+                for (int y = 0; y < count; ++y) to[y * stride] = at[q][y];
+            }
+        },
+        view.kernels);
+}
+
 void add_density(const View& view, const CellRow& row, double excess) {
     view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
         change_row<Real>(view, row, [&](Real* const* at, int count) {
@@ -103,6 +122,33 @@ void add_density(const View& view, const CellRow& row, double excess) {
                     at[q][x] = static_cast<Real>(at[q][x] + d3q19::weight(q) * excess);
             }
         });
+    });
+}
+
+double sum_of_runs(const View& view, const CellRow& row,
+                   std::span<const PopulationRun> runs) {
+    // Runs of one cell each, at the ends of rows, lie in as many cache lines, which no
+    // machine foresees.
+    constexpr std::ptrdiff_t rows_ahead = 4;
+    return view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
+        const auto p = readable_row<Real>(view, row);
+        const std::ptrdiff_t ahead = rows_ahead * view.populations.row_stride();
+        double sum = 0;
+        for (const PopulationRun& run : runs) {
+            const Real* f = p.at[run.q] + run.x_begin;
+            __builtin_prefetch(f + ahead, 0, 3);
+            int left = run.x_end - run.x_begin;
+            double a = 0, b = 0, c = 0, d = 0;  // four, or each addition waits
+            for (; left >= 4; left -= 4, f += 4) {
+                a += f[0];
+                b += f[1];
+                c += f[2];
+                d += f[3];
+            }
+            for (; left > 0; --left) a += *f++;
+            sum += run.factor * ((a + b) + (c + d));
+        }
+        return sum;
     });
 }
 

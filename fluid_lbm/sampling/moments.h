@@ -36,8 +36,20 @@ void row_moments(const View& view, int y, int z, int x_begin, int x_end,
 // and populations made of such: ghost modes are gone.
 void read_flow(const View& view, const CellRow& row, double* flow);
 void write_flow(const View& view, const CellRow& row, const double* flow);
+// The same for so many cells one after the other along y, from `first` on, and in the
+// natural arrangement only: rows as short as a ring is wide fill no vector.
+void write_flow_along_y(const View& view, const std::array<int, 3>& first, int count,
+                        const double* flow);
 // Changes the density by so much, at the velocity zero.
 void add_density(const View& view, const CellRow& row, double excess);
+// Populations that have arrived along q in cells of one row, and what they count.
+struct PopulationRun {
+    int q = 0, x_begin = 0, x_end = 0;
+    double factor = 1;
+};
+// row: what they lie in.
+double sum_of_runs(const View& view, const CellRow& row,
+                   std::span<const PopulationRun> runs);
 // Their populations, one direction after the other.
 void read_populations(const View& view, const CellRow& row, double* values);
 void write_populations(const View& view, const CellRow& row, const double* values);
