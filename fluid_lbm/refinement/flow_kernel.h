@@ -42,39 +42,24 @@ MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
             NoFourthOrder{});
 }
 
-// Populations of the last cells of a row, fewer than a vector has lanes: rows may be as
-// short as a ring is wide. The buffer's surplus cells are at rest.
-template <int Width, class Real>
-struct LastCells {
-    Real f[d3q19::directions][Width] = {};
-    double flow[flow_numbers][Width] = {};
-    Real* f_at[d3q19::directions];
-    double* flow_at[flow_numbers];
-
-    MAGFSI_INLINE LastCells() {
-        for (int q = 0; q < d3q19::directions; ++q) f_at[q] = f[q];
-        for (int i = 0; i < flow_numbers; ++i) flow_at[i] = flow[i];
-    }
-};
+// use(x, V{}) for vectors of Width cells that fit into what is left of a row from x on,
+// then for narrower ones: rows may be as short as a ring is wide.
+template <int Width, class Use>
+MAGFSI_INLINE void in_narrower_vectors(std::ptrdiff_t x, std::ptrdiff_t length,
+                                       const Use& use) {
+    using Vector = typename Simd<double, Width>::Vector;
+    for (; x + Width <= length; x += Width) use(x, Vector{});
+    if constexpr (Width > 1) in_narrower_vectors<Width / 2>(x, length, use);
+}
 
 template <int Width, class Real>
 MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow) {
-    using Vector = typename Simd<double, Width>::Vector;
-    std::ptrdiff_t x = 0;
-    for (; x + Width <= length; x += Width) {
+    const auto block = [=](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {
         if (x % cells_per_line<Real> == 0) prefetch_for_read(at, x);
-        flow_block<Vector>(at, x, flow);
-    }
-    if (x == length) return;
-    LastCells<Width, Real> last;
-    for (int q = 0; q < d3q19::directions; ++q) {
-        for (std::ptrdiff_t k = x; k < length; ++k) last.f[q][k - x] = at[q][k];
-    }
-    flow_block<Vector>(last.f_at, 0, last.flow_at);
-    for (int i = 0; i < flow_numbers; ++i) {
-        for (std::ptrdiff_t k = x; k < length; ++k) flow[i][k] = last.flow[i][k - x];
-    }
+        flow_block<decltype(v)>(at, x, flow);
+    };
+    in_narrower_vectors<Width>(0, length, block);
 }
 
 template <int Width, class Real>
@@ -83,18 +68,10 @@ MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
     // Collisions write each population to the slot of its opposite; here it stays.
     Real* own[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) own[d3q19::opposite(q)] = at[q];
-    using Vector = typename Simd<double, Width>::Vector;
-    std::ptrdiff_t x = 0;
-    for (; x + Width <= length; x += Width) rebuild_block<Vector>(flow, x, own);
-    if (x == length) return;
-    LastCells<Width, Real> last;
-    for (int i = 0; i < flow_numbers; ++i) {
-        for (std::ptrdiff_t k = x; k < length; ++k) last.flow[i][k - x] = flow[i][k];
-    }
-    rebuild_block<Vector>(last.flow_at, 0, last.f_at);
-    for (int q = 0; q < d3q19::directions; ++q) {
-        for (std::ptrdiff_t k = x; k < length; ++k) own[q][k] = last.f[q][k - x];
-    }
+    const auto block = [&](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {
+        rebuild_block<decltype(v)>(flow, x, own);
+    };
+    in_narrower_vectors<Width>(0, length, block);
 }
 
 }  // namespace magfsi::fluid

@@ -1,8 +1,8 @@
 // Where the finer levels lie. Level 0 is the uniform grid over the whole box; level l has
 // a spacing and a time step 2^l times smaller and covers a box of cells of level l - 1.
-// Beyond the box, on sides that are not those of the domain, a level has a ring of three
+// Beyond the box, on sides that are not those of the domain, a level has a ring of two
 // cells that are filled anew in every second of its steps: what the wall behind the ring
-// makes wrong walks inwards by a cell a step, and restriction reads the innermost.
+// makes wrong walks inwards by a cell a step.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace magfsi::fluid {
 
-constexpr int ring_cells = 3;
+constexpr int ring_cells = 2;
 // Cells of a level between the box of the next finer one and its own ring, or it reads
 // what has not been filled: two under the ring, two for a cubic.
 constexpr int apart_cells = 4;

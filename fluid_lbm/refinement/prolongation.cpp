@@ -89,10 +89,10 @@ MAGFSI_ROW_LOOP void expand_pairs(const std::array<double, points>& wa, const do
                                   const std::array<double, points>& wb, const double* b,
                                   std::size_t pairs, double* fine) {
     for (std::size_t m = 0; m < pairs; ++m) {
-        fine[2 * m] = (wa[0] * a[m] + wa[1] * a[m + 1]) +
-                      (wa[2] * a[m + 2] + wa[3] * a[m + 3]);
-        fine[2 * m + 1] = (wb[0] * b[m] + wb[1] * b[m + 1]) +
-                          (wb[2] * b[m + 2] + wb[3] * b[m + 3]);
+        fine[2 * m] =
+            (wa[0] * a[m] + wa[1] * a[m + 1]) + (wa[2] * a[m + 2] + wa[3] * a[m + 3]);
+        fine[2 * m + 1] =
+            (wb[0] * b[m] + wb[1] * b[m + 1]) + (wb[2] * b[m + 2] + wb[3] * b[m + 3]);
     }
 }
 
@@ -128,8 +128,8 @@ Prolongation::Prolongation(const Level& coarse,
     for (const CellBox& box :
          of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))]) {
         const CellBox beneath = coarse_beneath(box, coarse.place);
-        const bool thin = box.hi[0] - box.lo[0] <= ring_cells &&
-                          box.hi[1] - box.lo[1] > ring_cells;
+        const bool thin =
+            box.hi[0] - box.lo[0] <= ring_cells && box.hi[1] - box.lo[1] > ring_cells;
         pieces_.push_back(
             {box, beneath, thin ? 1 : 0, thin ? 0 : 1,
              std::vector<double>(numbers * static_cast<std::size_t>(cells_of(beneath)))});
@@ -172,8 +172,8 @@ void Prolongation::run(const Level& coarse, const Level& fine) {
 void Prolongation::interpolate(const Piece& piece, const Level& coarse,
                                const Level& fine) {
     const View view = fine.state().view();
-    const auto [box, c, along, across, flow] = std::tie(
-        piece.fine, piece.coarse, piece.line, piece.other, piece.flow);
+    const auto [box, c, along, across, flow] =
+        std::tie(piece.fine, piece.coarse, piece.line, piece.other, piece.flow);
     const std::size_t length = piece.length(box, along), n = piece.length(c, along);
     const Expansion expansion(box, c, coarse.place, along);
     const Expansion others(box, c, coarse.place, across);
@@ -186,7 +186,8 @@ void Prolongation::interpolate(const Piece& piece, const Level& coarse,
         combine(wz.of, flow.data() + k * plane_.size(), plane_.size(), plane_.size(),
                 plane_.data());
         for (int other = box.lo[across]; other < box.hi[across]; ++other) {
-            const Weights& w = others.of[static_cast<std::size_t>(other - box.lo[across])];
+            const Weights& w =
+                others.of[static_cast<std::size_t>(other - box.lo[across])];
             const auto j = static_cast<std::size_t>(w.first - c.lo[across]);
             combine(w.of, plane_.data() + j * line_.size(), line_.size(), line_.size(),
                     line_.data());

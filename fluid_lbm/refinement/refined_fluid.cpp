@@ -11,18 +11,18 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Covered cells that nothing reads from step to step are overwritten once in so many steps
-// of their level, so that the flow there does not become another.
+// Covered cells that nothing reads from step to step are overwritten once in so many
+// steps of their level, so that the flow there does not become another.
 constexpr std::int64_t steps_until_all_covered = 16;
 
 // Of an interface between two levels, in cells of the coarser at rest: mass that has gone
-// into the covered box as the coarser level sees it, less what the finer one has received.
-// It goes to the coarse cells beside the patch: what refluxing (Berger, Colella 1989) does
-// face by face, in the mean over them.
+// into the covered box as the coarser level sees it, less what the finer one has
+// received. It goes to the coarse cells beside the patch: what refluxing (Berger, Colella
+// 1989) does face by face, in the mean over them.
 struct InterfaceMass {
-    double lost = 0;      // of this rank, in the coarser level's present step
-    double owed = 0;      // besides, of all ranks
-    double given = 0;     // by the last step of the coarser level
+    double lost = 0;   // of this rank, in the coarser level's present step
+    double owed = 0;   // besides, of all ranks
+    double given = 0;  // by the last step of the coarser level
     double lost_then = 0, owed_then = 0;  // before the last step of the finest level
     std::int64_t beside = 0;              // cells
 };

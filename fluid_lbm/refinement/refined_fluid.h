@@ -55,8 +55,8 @@ class RefinedFluid {
     bool follow(const std::array<Vec3, 2>& bodies_m);
     bool levels_are_level() const;  // all stand at one time
     std::int64_t moves() const { return moves_; }
-    // From step to step levels are given only those covered cells that they need; now all,
-    // for somebody who reads them. Changes nothing in coming steps. Collective.
+    // From step to step levels are given only those covered cells that they need; now
+    // all, for somebody who reads them. Changes nothing in coming steps. Collective.
     void cover_all();
 
     // Each place of the box counts once, with the finest level there. Collective.

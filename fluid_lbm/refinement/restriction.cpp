@@ -9,11 +9,11 @@ namespace {
 constexpr int points = cubic_points;
 constexpr std::size_t numbers = numbers_between_levels;
 
-// Of a coarse cell, among the fine ones within the level's stored cells.
+// Of a coarse cell, among the fine ones that the level solves.
 Weights fine_in(int coarse_cell, const LevelPlace& fine, int axis) {
     const bool wraps = fine.period[axis] > 0;
-    const int lo = wraps ? -points : fine.stored.lo[axis];
-    const int hi = wraps ? fine.domain[axis] + points : fine.stored.hi[axis];
+    const int lo = wraps ? -points : fine.inside.lo[axis];
+    const int hi = wraps ? fine.domain[axis] + points : fine.inside.hi[axis];
     return cubic_at(2 * coarse_cell + 0.5, lo, hi);
 }
 
@@ -158,8 +158,8 @@ const double* Restriction::fine_row(const Piece& piece, std::size_t number,
         return halo_flow_[b].data() + row * numbers * count;
     }
     row_.resize(numbers * count);
-    read_flow(fine.state().view(),
-              fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}), row_.data());
+    read_flow(fine.state().view(), fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}),
+              row_.data());
     return row_.data();
 }
 
@@ -184,11 +184,12 @@ void Restriction::average_along_x(const Piece& piece, const double* row,
         const auto one = [&](std::size_t x) {
             const Weights& w = piece.along[x];
             const int two = 2 * (piece.coarse.lo[0] + static_cast<int>(x));
-            to[x] = i < first_stress
-                        ? (w.of[0] * row[cell(w.first)] + w.of[1] * row[cell(w.first + 1)]) +
-                              (w.of[2] * row[cell(w.first + 2)] +
-                               w.of[3] * row[cell(w.first + 3)])
-                        : 0.5 * (row[cell(two)] + row[cell(two + 1)]);
+            to[x] =
+                i < first_stress
+                    ? (w.of[0] * row[cell(w.first)] + w.of[1] * row[cell(w.first + 1)]) +
+                          (w.of[2] * row[cell(w.first + 2)] +
+                           w.of[3] * row[cell(w.first + 3)])
+                    : 0.5 * (row[cell(two)] + row[cell(two + 1)]);
         };
         for (std::size_t x = 0; x < begin; ++x) one(x);
         if (begin < end) {
@@ -232,13 +233,14 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
         const Weights w = fine_in(next, fine.place, 2);
         if (next >= c.hi[2] || z + 1 < w.first + points) continue;
         std::array<const double*, points> from;
-        double* to = piece.flow.data() +
-                     static_cast<std::size_t>(next - c.lo[2]) * plane_size;
+        double* to =
+            piece.flow.data() + static_cast<std::size_t>(next - c.lo[2]) * plane_size;
         for (std::size_t j = 0; j < length(c, 1); ++j) {
             for (int k = 0; k < points; ++k)
-                from[k] = planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) % points]
-                              .data() +
-                          j * row_size;
+                from[k] =
+                    planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) % points]
+                        .data() +
+                    j * row_size;
             combine(w, next, length(c, 0), from, to + j * row_size);
         }
         ++next;

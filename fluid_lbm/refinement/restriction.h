@@ -43,7 +43,7 @@ class Restriction {
     std::vector<std::size_t> of_piece_;
     std::vector<std::vector<double>> halo_flow_;  // [y, z][number][x]
     CellTransfer to_halo_, to_coarse_;
-    std::vector<double> row_, own_, rows_;    // under way
+    std::vector<double> row_, own_, rows_;  // under way
     std::array<std::vector<double>, cubic_points> planes_;
 };
 

@@ -18,8 +18,7 @@ CellRow less(CellRow row, const std::array<int, 3>& image) {
 
 }  // namespace
 
-CellTransfer::CellTransfer(MPI_Comm comm,
-                           const std::vector<std::vector<CellBox>>& owned,
+CellTransfer::CellTransfer(MPI_Comm comm, const std::vector<std::vector<CellBox>>& owned,
                            const std::array<int, 3>& period,
                            const std::vector<std::vector<CellBox>>& wanted)
     : comm_(comm) {

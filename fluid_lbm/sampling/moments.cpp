@@ -125,33 +125,6 @@ void add_density(const View& view, const CellRow& row, double excess) {
     });
 }
 
-double sum_of_runs(const View& view, const CellRow& row,
-                   std::span<const PopulationRun> runs) {
-    // Runs of one cell each, at the ends of rows, lie in as many cache lines, which no
-    // machine foresees.
-    constexpr std::ptrdiff_t rows_ahead = 4;
-    return view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
-        const auto p = readable_row<Real>(view, row);
-        const std::ptrdiff_t ahead = rows_ahead * view.populations.row_stride();
-        double sum = 0;
-        for (const PopulationRun& run : runs) {
-            const Real* f = p.at[run.q] + run.x_begin;
-            __builtin_prefetch(f + ahead, 0, 3);
-            int left = run.x_end - run.x_begin;
-            double a = 0, b = 0, c = 0, d = 0;  // four, or each addition waits
-            for (; left >= 4; left -= 4, f += 4) {
-                a += f[0];
-                b += f[1];
-                c += f[2];
-                d += f[3];
-            }
-            for (; left > 0; --left) a += *f++;
-            sum += run.factor * ((a + b) + (c + d));
-        }
-        return sum;
-    });
-}
-
 void read_populations(const View& view, const CellRow& row, double* values) {
     view.populations.visit([&]<class Real>(const PopulationRows<Real>&) {
         read_row<Real>(view, row, [&](const Real* const* at, int count) {

@@ -42,14 +42,6 @@ void write_flow_along_y(const View& view, const std::array<int, 3>& first, int c
                         const double* flow);
 // Changes the density by so much, at the velocity zero.
 void add_density(const View& view, const CellRow& row, double excess);
-// Populations that have arrived along q in cells of one row, and what they count.
-struct PopulationRun {
-    int q = 0, x_begin = 0, x_end = 0;
-    double factor = 1;
-};
-// row: what they lie in.
-double sum_of_runs(const View& view, const CellRow& row,
-                   std::span<const PopulationRun> runs);
 // Their populations, one direction after the other.
 void read_populations(const View& view, const CellRow& row, double* values);
 void write_populations(const View& view, const CellRow& row, const double* values);

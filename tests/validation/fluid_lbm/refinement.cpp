@@ -2,6 +2,8 @@
 // patch that stays or follows, a shear wave under a body force, sound.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "tests/support/carried_vortex.h"
 
 namespace magfsi::fluid {
@@ -50,6 +52,8 @@ TEST(Refinement, KeepsTheErrorOfTheFineGridInThePatch) {
         const int steps = one_turn(vortex);
         const Errors error = refined_errors(vortex, steps, false);
         const double coarse = uniform_error(vortex, steps);
+        std::printf("tau %.3g: patch %.3g %%, all %.3g %%; uniform coarse %.3g %%\n", tau,
+                    100 * error.patch, 100 * error.coarse, 100 * coarse);
         EXPECT_LT(error.coarse, 1.3 * coarse) << tau;
         // At rest the vortex's error is that of the whole box, most of it coarse.
         EXPECT_LT(error.patch, 1.7 * std::max(coarse, uniform_fine_error(vortex, steps)))
@@ -62,6 +66,7 @@ TEST(Refinement, IsOfSecondOrder) {
     const CarriedVortex coarse{24, 0.8, 0.04}, fine{48, 0.8, 0.02};
     const double error = refined_errors(coarse, one_turn(coarse), false).patch;
     const double finer = refined_errors(fine, one_turn(fine), false).patch;
+    std::printf("error falls by %.3g\n", error / finer);
     EXPECT_GT(error / finer, 3.2);
 }
 
@@ -72,6 +77,11 @@ TEST(Refinement, FollowsWhatItResolves) {
     const double coarse = uniform_error(vortex, steps);
     const Errors stays = refined_errors(vortex, steps, false);
     const Errors follows = refined_errors(vortex, steps, true);
+    std::printf(
+        "patch follows %.3g %%, stays %.3g %%; outside %.3g, %.3g %%; uniform "
+        "fine %.3g %%, coarse %.3g %%\n",
+        100 * follows.patch, 100 * stays.patch, 100 * follows.coarse, 100 * stays.coarse,
+        100 * fine, 100 * coarse);
     EXPECT_LT(follows.patch, 1.7 * fine);
     EXPECT_LT(follows.coarse, 1.3 * coarse);
     EXPECT_LT(stays.coarse, 1.3 * coarse);
