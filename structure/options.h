@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -143,9 +144,44 @@ struct RotatingField {
     double frequency_hz =
         0;  // turns per second, from the plane's first axis to its second
 };
+// Of three components; the plane means nothing to them.
+struct VectorField {
+    Vec3 vector_t{};
+};
+// As FieldTable, by rows of vectors.
+struct VectorTable {
+    std::vector<double> time_s;
+    std::vector<Vec3> vector_t;
+    bool repeat = false;
+    std::string file;    // CSV that the rows are in, instead
+    std::string source;  // the file that they have been read from
+};
+// amplitude sin(2 pi f t + phase)
+struct OscillatingField {
+    Vec3 amplitude_t{};
+    double frequency_hz = 0, phase_rad = 0;
+};
+// On a cone about the axis n, of a half angle c, right-handed:
+//   magnitude [n cos c + (u cos p + n x u sin p) sin c], p = start + 2 pi f t,
+// u the part across n of the coordinate axis that follows, in the order x, y, z, x, the
+// one nearest to n. A cone of 90 degrees is a rotation in the plane across n.
+struct PrecessingField {
+    double magnitude_t = 0;
+    Vec3 axis{0, 0, 1};  // of any length
+    double cone_rad = std::numbers::pi / 2;
+    double frequency_hz = 0, start_rad = 0;
+    double ramp_s = 0;  // within it the magnitude rises by (1 - cos(pi t / ramp)) / 2
+};
+
+using FieldLaw = std::variant<ConstantField, FieldTable, RotatingField, VectorField,
+                              VectorTable, OscillatingField, PrecessingField>;
+struct FieldTerm {
+    FieldLaw law;
+};
 struct FieldProgram {
     std::array<int, 2> plane{0, 2};  // angles run from the first axis to the second
-    std::variant<ConstantField, FieldTable, RotatingField> course;
+    FieldLaw course;
+    std::vector<FieldTerm> plus{};  // their fields add to it
 };
 
 // Of the flux density; symmetric and traceless, as Maxwell's equations ask without

@@ -207,10 +207,13 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
     if (!scene.probes) return;
     if (scene.magnetic_field) {
         groups_.push_back(
-            {{"field[T]"},
-             [field = *scene.magnetic_field](const ProbeSample& sample, Row& row) {
-                 row.push_back(
-                     structure::polar_field_at(field, sample.time_s).magnitude_t);
+            {{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]"},
+             [law = *scene.magnetic_field](const ProbeSample& sample, Row& row) {
+                 const Vec3 b =
+                     sample.field_t ? *sample.field_t : field_at(law, sample.time_s);
+                 row.push_back(sample.field_t ? std::hypot(b[0], b[1], b[2])
+                                              : field_magnitude_at(law, sample.time_s));
+                 add(row, b);
              }});
     }
     std::vector<std::size_t> first_node;
@@ -334,9 +337,10 @@ std::vector<std::string> ProbeRow::columns() const {
 
 std::vector<double> ProbeRow::values(double time_s, const NodalState& nodes,
                                      const std::vector<BodyLoads>& loads,
-                                     const std::vector<Vec3>& force_on_parts_n) const {
+                                     const std::vector<Vec3>& force_on_parts_n,
+                                     const std::optional<Vec3>& field_t) const {
     std::vector<double> row;
-    const ProbeSample sample{time_s, nodes, loads, force_on_parts_n};
+    const ProbeSample sample{time_s, nodes, loads, force_on_parts_n, field_t};
     for (const Group& group : groups_) group.add(sample, row);
     return row;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct ProbeSample {
     const NodalState& nodes;
     const std::vector<BodyLoads>& loads;
     const std::vector<Vec3>& force_on_parts_n;
+    const std::optional<Vec3>& field_t;  // in place of the scene's law
 };
 
 class ProbeRow {
@@ -46,7 +48,8 @@ class ProbeRow {
     std::vector<std::string> columns() const;
     std::vector<double> values(double time_s, const NodalState& nodes,
                                const std::vector<BodyLoads>& loads,
-                               const std::vector<Vec3>& force_on_parts_n = {}) const;
+                               const std::vector<Vec3>& force_on_parts_n = {},
+                               const std::optional<Vec3>& field_t = {}) const;
 
   private:
     // Columns beside each other and the function that adds their values to a row.

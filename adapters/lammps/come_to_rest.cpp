@@ -66,7 +66,7 @@ double stiffness_load_n(const std::vector<structure::Body>& bodies) {
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) {
     if (!scene.damping)
         input.drag = structure::Drag{critical_drag_rate_1_s(input.bodies)};
-    if (input.field) input.field->course = structure::polar_field_at(*input.field, 0);
+    if (input.field) *input.field = structure::held_at(*input.field, 0);
     input.quiet = true;
 }
 
@@ -88,10 +88,7 @@ double RestFinder::unrest() {
 }
 
 void RestFinder::hold_field(double time_s) {
-    const structure::FieldProgram& program = *scene_.magnetic_field;
-    structure::FieldProgram still;
-    still.plane = program.plane;
-    still.course = structure::polar_field_at(program, time_s);
+    const auto still = structure::held_at(*scene_.magnetic_field, time_s);
     // A fix of the same name and style takes the place of the one before.
     engine_.command(fmt::format("fix field all magttice/field {}",
                                 structure::field_arguments(still)));

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct StructureRun {
     // On a path of equilibria in a field, on the root: of each body.
     std::vector<bodies::FieldWork> field_work{};
     bool recorded = false;  // --record
+    // By set_field; the scene's law where it is absent.
+    std::optional<structure::Vec3> field_t{};
     // Called with what the fluid has sent for a row of probes, on the root; may be empty.
     std::function<void(std::span<const double>)> on_fluid_values{};
 
@@ -49,6 +52,12 @@ struct StructureRun {
         return nodes;
     }
 };
+
+// The applied field from here on, in place of the scene's law: for a controller, between
+// two coupled steps and on all ranks of the structure. The scene needs a magnetic_field;
+// throws std::logic_error without one. A run that goes on from a checkpoint starts with
+// the law of the scene: set it again.
+void set_field(StructureRun& run, const structure::Vec3& field_t);
 
 // An output of outputs.inc is an object of this type, called NAME_output.
 using StructureOutput = coupler::OutputKind<StructureRun>;

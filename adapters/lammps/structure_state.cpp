@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include "coupler/checkpoint/rank_rows.h"
 #include "coupler/checkpoint/state_file.h"
+#include "structure/lammps/field_program.h"
 
 namespace magfsi::lammps {
 
@@ -115,6 +117,13 @@ void restore_coupling(const StructureRun& run, const StateReader& file) {
     if (ratio > 1) coupling.shorten_last_step(1.0 / static_cast<double>(ratio));
     if (run.balance() && file.has("balance"))
         run.balance()->set(share(file, "balance", run.session.world().local()));
+}
+
+void set_field(StructureRun& run, const structure::Vec3& field_t) {
+    if (!run.input.field) throw std::logic_error("set_field without a magnetic field");
+    const structure::FieldProgram held{{0, 2}, structure::VectorField{field_t}};
+    run.engine->command("fix_modify field law " + structure::field_arguments(held));
+    run.field_t = field_t;
 }
 
 }  // namespace magfsi::lammps

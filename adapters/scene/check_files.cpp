@@ -88,6 +88,14 @@ void check_files(const Scene& scene, const Marks& marks) {
 
 std::vector<fs::path> files_elsewhere(const Scene& scene) {
     std::vector<fs::path> files;
+    const auto add_table = [&](const FieldLaw& law) {
+        const auto* table = std::get_if<VectorTable>(&law);
+        if (table && !table->source.empty()) files.emplace_back(table->source);
+    };
+    if (scene.magnetic_field) {
+        add_table(scene.magnetic_field->course);
+        for (const FieldTerm& term : scene.magnetic_field->plus) add_table(term.law);
+    }
     for (const Body& body : scene.bodies) {
         if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
             files.emplace_back(mesh->file);

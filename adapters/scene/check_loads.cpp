@@ -1,25 +1,31 @@
 // The magnetic field, gravity, platform and contact, the coupling.
 #include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace magfsi::scene {
 
 namespace {
 
-void check_table(const FieldTable& table, const Marks& marks) {
-    const auto at = [&](const char* key) -> const Origin& {
-        return marks.value({"magnetic_field", "table", key});
-    };
-    const std::size_t rows = table.time_s.size();
-    for (std::size_t i = 1; i < rows; ++i)
-        require(table.time_s[i] > table.time_s[i - 1], at("time"),
-                fmt::format("the time {} after {}", seconds(table.time_s[i]),
-                            seconds(table.time_s[i - 1])),
+// Of the keys of one law.
+using At = std::function<const Origin&(const char* key)>;
+
+void check_ascending(const std::vector<double>& time_s, const At& at) {
+    for (std::size_t i = 1; i < time_s.size(); ++i)
+        require(time_s[i] > time_s[i - 1], at("time"),
+                fmt::format("the time {} after {}", seconds(time_s[i]),
+                            seconds(time_s[i - 1])),
                 "times that ascend");
+}
+
+void check_law(const FieldTable& table, const At& at) {
+    const std::size_t rows = table.time_s.size();
+    check_ascending(table.time_s, at);
     require(table.magnitude_t.size() == rows, at("magnitude"),
             fmt::format("{} magnitudes for {} times", table.magnitude_t.size(), rows),
             "one magnitude per time");
@@ -29,6 +35,43 @@ void check_table(const FieldTable& table, const Marks& marks) {
             "one direction, or one per time");
     require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
             "it with at least 2 rows");
+}
+
+void check_law(const VectorTable& table, const At& at) {
+    const std::size_t rows = table.time_s.size();
+    require(rows > 0, at("time"), "a table without time", "time and vector, or file");
+    check_ascending(table.time_s, at);
+    require(table.vector_t.size() == rows, at("vector"),
+            fmt::format("{} vectors for {} times", table.vector_t.size(), rows),
+            "one vector per time");
+    require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
+            "it with at least 2 rows");
+}
+
+void check_law(const PrecessingField& field, const At& at) {
+    require(length(field.axis) > 0, at("axis"), "an axis of length 0",
+            "any other vector such as [0, 0, 1]");
+}
+
+void check_any_law(const FieldLaw& law, const At& at) {
+    std::visit(
+        [&]<class Law>(const Law& one) {
+            if constexpr (requires { check_law(one, at); }) check_law(one, at);
+        },
+        law);
+}
+
+void check_laws(const MagneticField& field, const Marks& marks) {
+    const std::string law = law_key(field.course);
+    check_any_law(field.course, [&](const char* key) -> const Origin& {
+        return marks.value({"magnetic_field", law, key});
+    });
+    for (std::size_t i = 0; i < field.plus.size(); ++i) {
+        check_any_law(field.plus[i].law, [&](const char* key) -> const Origin& {
+            return marks.value({"magnetic_field", "plus", std::to_string(i),
+                                law_key(field.plus[i].law), key});
+        });
+    }
 }
 
 // curl B = 0 and div B = 0 where no current flows.
@@ -57,8 +100,7 @@ void check_magnetic_field(const MagneticField& field, const Scene& scene,
             "magnetic_field without a magnetized body",
             "it with at least one body that has a magnetization",
             "add a magnetization or remove this key");
-    if (const auto* table = std::get_if<FieldTable>(&field.course))
-        check_table(*table, marks);
+    check_laws(field, marks);
     if (field.gradient) check_gradient(*field.gradient, marks);
 }
 

@@ -11,10 +11,24 @@
 
 namespace magfsi::scene {
 
+namespace {
+
+// Of a list, by its number from 0.
+const Node* item_of(const Node& list, const std::string& number) {
+    for (std::size_t i = 0; i < list.children.size(); ++i) {
+        if (std::to_string(i) == number) return &list.children[i];
+    }
+    return nullptr;
+}
+
+}  // namespace
+
 const Node& Marks::deepest(Path path) const {
     const Node* node = root_;
     for (const std::string& part : path) {
-        const Node* child = node->find(part);
+        const Node* child = node->type == Node::Type::sequence
+                                ? item_of(*node, part)
+                                : node->find(part);
         if (!child) break;
         node = child;
     }

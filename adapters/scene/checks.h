@@ -15,7 +15,8 @@ namespace magfsi::scene {
 
 using Path = std::initializer_list<std::string>;
 
-// Finds the place of a value for an error.
+// Finds the place of a value for an error. A path has the names of keys, and the numbers
+// of items in lists, from 0.
 class Marks {
   public:
     explicit Marks(const Node& root) : root_(&root) {}
@@ -41,6 +42,9 @@ inline void require(bool fine, const Origin& where, std::string_view found,
 // Refuses a key of the scene without what it needs: "gravity without bodies".
 void require_with(bool there, const Origin& where, std::string_view what,
                   std::string_view need, std::string_view suggestion = {});
+
+// Field tables that are in files: their rows become the scene's, before it is checked.
+void read_field_files(Scene& scene, const Marks& marks);
 
 // Throws SceneError at the first fault. The scene is complete (wavelengths, coupling).
 void check_scene(const Scene& scene, const Marks& marks);

@@ -18,6 +18,11 @@ nlohmann::ordered_json effective_scene(const Scene& scene) {
     return JsonWriter::of(copy);
 }
 
+std::string law_key(const FieldLaw& law) {
+    FieldTerm term{law};
+    return JsonWriter::of(term).begin().key();
+}
+
 std::uint64_t scene_hash(const Scene& scene) {
     // nlohmann::json sorts the keys, ordered_json does not.
     const std::string text = nlohmann::json(effective_scene(scene)).dump();
@@ -218,10 +223,25 @@ bool is_zero(const Vec3& v) {
     return v == Vec3{};
 }
 
-// Every course has a magnitude, or one per row.
+bool is_zero(const std::vector<Vec3>& rows) {
+    return std::ranges::all_of(rows, [](const Vec3& row) { return is_zero(row); });
+}
+
+// Every law has a magnitude, a vector or an amplitude, or one per row.
+bool is_zero(const FieldLaw& law) {
+    return std::visit(
+        []<class Law>(const Law& one) {
+            if constexpr (requires { one.magnitude_t; }) return is_zero(one.magnitude_t);
+            else if constexpr (requires { one.vector_t; }) return is_zero(one.vector_t);
+            else return is_zero(one.amplitude_t);
+        },
+        law);
+}
+
 bool no_field_at_any_time(const MagneticField& field) {
-    return std::visit([](const auto& course) { return is_zero(course.magnitude_t); },
-                      field.course);
+    return is_zero(field.course) && std::ranges::all_of(field.plus, [](const auto& term) {
+               return is_zero(term.law);
+           });
 }
 
 // Tables and regions, which take a mesh or a file to tell, count as magnetised.

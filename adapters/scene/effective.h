@@ -14,6 +14,9 @@ namespace magfsi::scene {
 // All values in SI (angles in rad) under the keys of the scene file, defaults included.
 nlohmann::ordered_json effective_scene(const Scene& scene);
 
+// The key that a law of the field stands under: "rotation".
+std::string law_key(const FieldLaw& law);
+
 // 64-bit FNV-1a of effective_scene with sorted keys: comments, the order of keys and the
 // spelling of units do not matter. scene.hash itself is not looked at.
 std::uint64_t scene_hash(const Scene& scene);

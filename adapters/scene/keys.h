@@ -384,6 +384,8 @@ void keys(Io& io, Body& body);  // keys_bodies.cpp
 template <class Io>
 void keys(Io& io, MagneticField& field);
 template <class Io>
+void keys(Io& io, FieldTerm& term);
+template <class Io>
 void keys(Io& io, Platform& platform);
 template <class Io>
 void keys(Io& io, ContactLaw& contact);

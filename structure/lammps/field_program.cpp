@@ -8,6 +8,7 @@
 
 #include "structure/lammps/law_words.h"
 #include "structure/refuse.h"
+#include "structure/table_rows.h"
 
 namespace magfsi::structure {
 
@@ -15,6 +16,13 @@ template <>
 constexpr const char* law_name<ConstantField> = "constant";
 template <>
 constexpr const char* law_name<RotatingField> = "rotating";
+
+template <>
+constexpr const char* law_name<VectorField> = "vector";
+template <>
+constexpr const char* law_name<OscillatingField> = "oscillating";
+template <>
+constexpr const char* law_name<PrecessingField> = "precessing";
 
 // Rows of time, magnitude and direction.
 template <>
@@ -44,6 +52,32 @@ struct LawWords<FieldTable> {
     }
 };
 
+// Rows of time and vector.
+template <>
+struct LawWords<VectorTable> {
+    static std::string words(const VectorTable& table) {
+        std::string out = table.repeat ? "repeat_vectors" : "vectors";
+        for (std::size_t i = 0; i < table.time_s.size(); ++i) {
+            out += fmt::format(" {:.17g} {:.17g}", table.time_s[i],
+                               fmt::join(table.vector_t[i], " "));
+        }
+        return out;
+    }
+    static std::string usage() { return "vectors and repeat_vectors have 4 per row"; }
+    static std::optional<VectorTable> read(const std::string& name,
+                                           std::span<const double> values) {
+        const bool repeat = name == "repeat_vectors";
+        if ((name != "vectors" && !repeat) || values.size() % 4 != 0) return {};
+        VectorTable table;
+        table.repeat = repeat;
+        for (std::size_t i = 0; i < values.size(); i += 4) {
+            table.time_s.push_back(values[i]);
+            table.vector_t.push_back({values[i + 1], values[i + 2], values[i + 3]});
+        }
+        return table;
+    }
+};
+
 namespace {
 
 // The field of each course at a time, as magnitude and direction.
@@ -56,28 +90,80 @@ ConstantField polar(const RotatingField& course, double time_s) {
             course.start_rad + 2 * std::numbers::pi * course.frequency_hz * time_s};
 }
 
-double fold_time(const FieldTable& table, double time_s) {
-    if (!table.repeat) return time_s;
-    const double start = table.time_s.front();
-    const double period = table.time_s.back() - start;
-    return time_s - period * std::floor((time_s - start) / period);
-}
-
-double interpolate(const std::vector<double>& time_s, const std::vector<double>& value,
-                   double t) {
-    if (value.size() == 1) return value.front();
-    const auto after = std::ranges::upper_bound(time_s, t) - time_s.begin();
-    if (after == 0) return value.front();
-    const auto i = static_cast<std::size_t>(after - 1);
-    if (i + 1 == time_s.size()) return value.back();
-    const double s = (t - time_s[i]) / (time_s[i + 1] - time_s[i]);
-    return value[i] + s * (value[i + 1] - value[i]);
-}
-
 ConstantField polar(const FieldTable& course, double time_s) {
-    const double t = fold_time(course, time_s);
-    return {interpolate(course.time_s, course.magnitude_t, t),
-            interpolate(course.time_s, course.direction_rad, t)};
+    const Between at = rows_at(course.time_s, course.repeat, time_s);
+    return {at.of(course.magnitude_t), at.of(course.direction_rad)};
+}
+
+// Likewise, as a vector.
+Vec3 vector_of(const VectorField& course, double) {
+    return course.vector_t;
+}
+
+Vec3 vector_of(const VectorTable& course, double time_s) {
+    return rows_at(course.time_s, course.repeat, time_s).of(course.vector_t);
+}
+
+Vec3 vector_of(const OscillatingField& course, double time_s) {
+    const double turns = course.frequency_hz * time_s;
+    const double factor = std::sin(2 * std::numbers::pi * turns + course.phase_rad);
+    Vec3 out = course.amplitude_t;
+    for (double& component : out) component *= factor;
+    return out;
+}
+
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+Vec3 vector_of(const PrecessingField& course, double time_s) {
+    Vec3 n = course.axis;
+    const double scale = 1 / length(n);
+    std::size_t nearest = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+        n[d] *= scale;
+        if (std::abs(n[d]) > std::abs(n[nearest])) nearest = d;
+    }
+    const std::size_t next = (nearest + 1) % 3;
+    Vec3 u{};
+    for (std::size_t d = 0; d < 3; ++d) u[d] = (d == next ? 1 : 0) - n[next] * n[d];
+    const double across = 1 / length(u);
+    const double p =
+        course.start_rad + 2 * std::numbers::pi * course.frequency_hz * time_s;
+    double strength = course.magnitude_t;
+    if (time_s < course.ramp_s)
+        strength *= 0.5 * (1 - std::cos(std::numbers::pi * time_s / course.ramp_s));
+    const double along = strength * std::cos(course.cone_rad);
+    const double around = strength * std::sin(course.cone_rad) * across;
+    Vec3 out{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
+        const double n_x_u = n[e] * u[f] - n[f] * u[e];
+        out[d] = along * n[d] + around * (std::cos(p) * u[d] + std::sin(p) * n_x_u);
+    }
+    return out;
+}
+
+template <class Law>
+constexpr bool in_plane = requires(const Law& law) { polar(law, 0.0); };
+
+Vec3 vector_of(const FieldLaw& law, const std::array<int, 2>& plane, double time_s) {
+    return std::visit(
+        [&]<class Law>(const Law& one) {
+            if constexpr (in_plane<Law>) return field_vector(polar(one, time_s), plane);
+            else return vector_of(one, time_s);
+        },
+        law);
+}
+
+template <class Table>
+void check_times(const Table& table) {
+    if (!std::ranges::is_sorted(table.time_s)) {
+        refuse("the times of a field table must not fall");
+    }
+    if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
+        refuse("a repeated field table needs a period above zero");
+    }
 }
 
 void check(const FieldTable& table) {
@@ -90,12 +176,19 @@ void check(const FieldTable& table) {
             "one magnitude per time and one direction, or one per time",
             rows, table.magnitude_t.size(), directions);
     }
-    if (!std::ranges::is_sorted(table.time_s)) {
-        refuse("the times of a field table must not fall");
+    check_times(table);
+}
+
+void check(const VectorTable& table) {
+    if (table.time_s.empty() || table.time_s.size() != table.vector_t.size()) {
+        refuse("field table with {} times and {} vectors found; it needs one per time",
+               table.time_s.size(), table.vector_t.size());
     }
-    if (table.repeat && !(table.time_s.back() > table.time_s.front())) {
-        refuse("a repeated field table needs a period above zero");
-    }
+    check_times(table);
+}
+
+void check(const PrecessingField& field) {
+    if (!(length(field.axis) > 0)) refuse("an axis of length 0 found for a field");
 }
 
 void check_plane(const std::array<int, 2>& plane) {
@@ -106,9 +199,18 @@ void check_plane(const std::array<int, 2>& plane) {
     }
 }
 
+void check_law(const FieldLaw& law) {
+    std::visit(
+        []<class Law>(const Law& one) {
+            if constexpr (requires { check(one); }) check(one);
+        },
+        law);
+}
+
 void check_program(const FieldProgram& program) {
     check_plane(program.plane);
-    if (const auto* table = std::get_if<FieldTable>(&program.course)) check(*table);
+    check_law(program.course);
+    for (const FieldTerm& term : program.plus) check_law(term.law);
 }
 
 }  // namespace
@@ -121,19 +223,36 @@ Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane) {
     return out;
 }
 
-ConstantField polar_field_at(const FieldProgram& program, double time_s) {
-    return std::visit([time_s](const auto& course) { return polar(course, time_s); },
-                      program.course);
+Vec3 field_at(const FieldProgram& program, double time_s) {
+    Vec3 sum = vector_of(program.course, program.plane, time_s);
+    for (const FieldTerm& term : program.plus) {
+        const Vec3 more = vector_of(term.law, program.plane, time_s);
+        for (std::size_t d = 0; d < 3; ++d) sum[d] += more[d];
+    }
+    return sum;
 }
 
-Vec3 field_at(const FieldProgram& program, double time_s) {
-    return field_vector(polar_field_at(program, time_s), program.plane);
+FieldProgram held_at(const FieldProgram& program, double time_s) {
+    return {program.plane, VectorField{field_at(program, time_s)}};
+}
+
+double field_magnitude_at(const FieldProgram& program, double time_s) {
+    if (!program.plus.empty()) return length(field_at(program, time_s));
+    return std::visit(
+        [time_s]<class Law>(const Law& one) {
+            if constexpr (in_plane<Law>) return polar(one, time_s).magnitude_t;
+            else return length(vector_of(one, time_s));
+        },
+        program.course);
 }
 
 std::string field_arguments(const FieldProgram& program) {
     check_program(program);
-    return fmt::format("{}{} {}", "xyz"[program.plane[0]], "xyz"[program.plane[1]],
-                       law_words(program.course));
+    std::string out =
+        fmt::format("{}{} {}", "xyz"[program.plane[0]], "xyz"[program.plane[1]],
+                    law_words(program.course));
+    for (const FieldTerm& term : program.plus) out += " plus " + law_words(term.law);
+    return out;
 }
 
 FieldProgram parse_field_arguments(const std::vector<std::string>& words) {
@@ -142,7 +261,18 @@ FieldProgram parse_field_arguments(const std::vector<std::string>& words) {
     }
     FieldProgram program;
     program.plane = {words[0][0] - 'x', words[0][1] - 'x'};
-    read_law(program.course, std::span(words).subspan(1));
+    std::vector<FieldTerm> terms;
+    std::span<const std::string> rest(words);
+    while (!rest.empty()) {
+        rest = rest.subspan(1);  // after the plane, or after "plus"
+        const auto end = std::ranges::find(rest, "plus") - rest.begin();
+        const auto count = static_cast<std::size_t>(end);
+        read_law(terms.emplace_back().law, rest.first(count));
+        rest = rest.subspan(count);
+    }
+    program.course = std::move(terms.front().law);
+    terms.erase(terms.begin());
+    program.plus = std::move(terms);
     check_program(program);
     return program;
 }

@@ -13,8 +13,11 @@ namespace magfsi::structure {
 // Field vector [T].
 Vec3 field_at(const FieldProgram& program, double time_s);
 
-// The same as signed magnitude and direction in the program's plane.
-ConstantField polar_field_at(const FieldProgram& program, double time_s);
+// Of one law in the plane its magnitude, with its sign; else the length of the vector.
+double field_magnitude_at(const FieldProgram& program, double time_s);
+
+// Its vector at a time, for ever.
+FieldProgram held_at(const FieldProgram& program, double time_s);
 
 Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane);
 
@@ -22,8 +25,13 @@ Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane);
 //   xz constant MAGNITUDE DIRECTION
 //   xz rotating MAGNITUDE START FREQUENCY
 //   xz table|repeat  TIME MAGNITUDE DIRECTION  TIME MAGNITUDE DIRECTION ...
-// The words are the two axes of the plane and the course. Numbers read back exactly. Both
-// throw std::invalid_argument on what is not such a program.
+//   xz vector BX BY BZ
+//   xz vectors|repeat_vectors  TIME BX BY BZ  TIME BX BY BZ ...
+//   xz oscillating BX BY BZ FREQUENCY PHASE
+//   xz precessing MAGNITUDE AXIS_X AXIS_Y AXIS_Z CONE FREQUENCY START RAMP
+// The words are the two axes of the plane, which the last four laws do not use, and the
+// course; further laws that add to it follow, each after the word `plus`. Numbers read
+// back exactly. Both throw std::invalid_argument on what is not such a program.
 std::string field_arguments(const FieldProgram& program);
 FieldProgram parse_field_arguments(const std::vector<std::string>& words);
 

@@ -4,14 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <string_view>
-#include <utility>
 
 #include "structure/refuse.h"
+#include "structure/table_file.h"
 
 namespace magfsi::structure {
 namespace {
@@ -50,139 +47,35 @@ void check(const HarmonicMagnetization& profile) {
     }
 }
 
-constexpr std::array<std::string_view, 6> names{"x", "y", "z", "Mx", "My", "Mz"};
-
-struct Column {
-    std::size_t name = 0;  // place in names
-    double unit = 1;
-};
-
 struct Row {
     Vec3 point_m{};
     Vec3 vector_a_m{};
 };
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+constexpr std::array<ColumnKind, 6> columns{{{"x", units::length},
+                                             {"y", units::length},
+                                             {"z", units::length},
+                                             {"Mx", units::magnetization},
+                                             {"My", units::magnetization},
+                                             {"Mz", units::magnetization}}};
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-    std::vector<std::string_view> out;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        out.push_back(trimmed(line.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    return out;
-}
-
-class TableReader {
-  public:
-    explicit TableReader(const std::filesystem::path& file) : file_(file), stream_(file) {
-        if (!stream_) {
-            refuse("cannot open the magnetisation table {}", file.string());
-        }
-    }
-
-    std::vector<Row> rows() {
-        std::string line;
-        if (!next(line)) fail("no header found, \"Mx[A/m],My[A/m],Mz[A/m]\" is allowed");
-        read_header(line);
-        std::vector<Row> rows;
-        while (next(line)) rows.push_back(read_row(line));
-        if (rows.empty()) fail("no row found, at least one is needed");
-        return rows;
-    }
-    bool has_points() const { return columns_.size() == 6; }
-
-  private:
-    bool next(std::string& line) {
-        while (std::getline(stream_, line)) {
-            ++number_;
-            const std::string_view text = trimmed(line);
-            if (!text.empty() && text[0] != '#') return true;
-        }
-        return false;
-    }
-
-    void read_header(std::string_view line) {
-        for (const std::string_view field : fields_of(line)) {
-            const Column column = read_column(field);
-            for (const Column& other : columns_) {
-                if (other.name == column.name) {
-                    fail(fmt::format("column {} found twice", names[column.name]));
-                }
-            }
-            columns_.push_back(column);
-        }
-        const auto vectors =
-            std::ranges::count_if(columns_, [](const Column& c) { return c.name >= 3; });
-        if (vectors != 3 || (columns_.size() != 3 && columns_.size() != 6)) {
-            fail(
-                fmt::format("header \"{}\" found; the columns Mx, My, Mz are needed, and "
-                            "all or none of x, y, z",
-                            line));
-        }
-    }
-
-    Column read_column(std::string_view field) const {
-        const auto bracket = field.find('[');
-        const auto name = std::ranges::find(names, field.substr(0, bracket));
-        if (name == names.end()) {
-            fail(
-                fmt::format("column \"{}\" found, {} are allowed, each with its unit, "
-                            "like x[m] or Mx[A/m]",
-                            field, fmt::join(names, ", ")));
-        }
-        const auto place = static_cast<std::size_t>(name - names.begin());
-        const std::string_view unit =
-            bracket == std::string_view::npos ? "" : field.substr(bracket);
-        using Units = std::vector<std::pair<std::string_view, double>>;
-        static const Units lengths{{"[m]", 1}, {"[mm]", 1e-3}, {"[um]", 1e-6}};
-        static const Units strengths{{"[A/m]", 1}, {"[kA/m]", 1e3}};
-        for (const auto& [text, value] : place < 3 ? lengths : strengths) {
-            if (unit == text) return {place, value};
-        }
-        fail(fmt::format("column \"{}\" found with the unit \"{}\"; {} are allowed",
-                         field, unit, place < 3 ? "[m], [mm], [um]" : "[A/m], [kA/m]"));
-    }
-
-    Row read_row(std::string_view line) const {
-        const auto fields = fields_of(line);
-        if (fields.size() != columns_.size()) {
-            fail(fmt::format("{} values found, {} are needed", fields.size(),
-                             columns_.size()));
-        }
-        Row row;
-        for (std::size_t c = 0; c < fields.size(); ++c) {
-            const auto [name, unit] = columns_[c];
-            (name < 3 ? row.point_m[name] : row.vector_a_m[name - 3]) =
-                unit * number(fields[c]);
-        }
-        return row;
-    }
-
-    double number(std::string_view text) const {
-        double value = 0;
-        const char* end = text.data() + text.size();
-        const auto [last, error] = std::from_chars(text.data(), end, value);
-        if (error != std::errc{} || last != end || !std::isfinite(value)) {
-            fail(fmt::format("\"{}\" found, a finite number is needed", text));
-        }
-        return value;
-    }
-
-    [[noreturn]] void fail(const std::string& why) const {
-        refuse("magnetisation table {}, line {}: {}", file_.string(), number_, why);
-    }
-
-    std::filesystem::path file_;
-    std::ifstream stream_;
-    int number_ = 0;
-    std::vector<Column> columns_;
+struct Table {
+    std::vector<Row> rows;
+    bool has_points = false;
 };
+
+Table read_rows(const std::filesystem::path& file) {
+    const auto values =
+        read_table("magnetisation table", file, columns, {"Mx", "My", "Mz"});
+    Table table{std::vector<Row>(values[3].size()), !values[0].empty()};
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (table.has_points) table.rows[r].point_m[d] = values[d][r];
+            table.rows[r].vector_a_m[d] = values[3 + d][r];
+        }
+    }
+    return table;
+}
 
 double squared_distance(const Vec3& a, const Vec3& b) {
     double sum = 0;
@@ -322,9 +215,8 @@ std::vector<Vec3> region_magnetization(const Mesh& mesh,
 
 std::vector<Vec3> table_magnetization(const Mesh& mesh,
                                       const std::filesystem::path& file) {
-    TableReader table(file);
-    const std::vector<Row> rows = table.rows();
-    if (table.has_points()) return nearest_vectors(mesh, rows, file);
+    const auto [rows, has_points] = read_rows(file);
+    if (has_points) return nearest_vectors(mesh, rows, file);
     if (rows.size() != mesh.elements.size()) {
         refuse(
             "magnetisation table {}: {} rows found for {} elements; without the columns "

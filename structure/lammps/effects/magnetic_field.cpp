@@ -1,5 +1,5 @@
 // The uniform field over time: fix ID group magttice/field PLANE COURSE ... gives it as a
-// global vector [T], and `field Bx By Bz` of fix magttice makes its forces q_a B on the
+// global vector [T], fix_modify ID law PLANE COURSE ... puts another in its place, and `field Bx By Bz` of fix magttice makes its forces q_a B on the
 // nodes (structure/magnetics/nodal_charge.h).
 #include "atom.h"
 #include "error.h"
@@ -24,17 +24,18 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
   public:
     FixMagtticeFieldSource(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
         : Fix(lammps, narg, arg) {
-        try {
-            program_ = parse_field_arguments({arg + 3, arg + narg});
-        } catch (const std::exception& cause) {
-            fail(*error, "fix {} magttice/field: {}", id, cause.what());
-        }
+        read({arg + 3, arg + narg});
         vector_flag = 1;
         size_vector = 3;
         extvector = 0;
         global_freq = 1;
     }
     int setmask() override { return 0; }
+    int modify_param(int count, char** words) override {
+        if (std::string(words[0]) != "law") return 0;
+        read({words + 1, words + count});
+        return count;
+    }
     // The time is that of the step number, not a sum of steps: it stays right over
     // restarts.
     double compute_vector(int i) override {
@@ -43,6 +44,14 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
     }
 
   private:
+    void read(const std::vector<std::string>& words) {
+        try {
+            program_ = parse_field_arguments(words);
+        } catch (const std::exception& cause) {
+            fail(*error, "fix {} magttice/field: {}", id, cause.what());
+        }
+    }
+
     FieldProgram program_;
 };
 

@@ -187,7 +187,10 @@ TEST(FieldVariables, FollowTheProgram) {
                                         {0.8, 0.9, 1.0, 0.8},
                                         true}};
     const FieldProgram rotation{{1, 2}, RotatingField{0.005, 0.3, 25}};
-    for (const FieldProgram& program : {table, rotation}) {
+    const FieldProgram sum{{0, 2},
+                           PrecessingField{5e-3, {1, 1, 2}, 0.6, 25, 0.3, 1e-3},
+                           {{VectorField{{1e-3, 0, -2e-3}}}}};
+    for (const FieldProgram& program : {table, rotation, sum}) {
         LammpsInput input = test::strip_in_field();
         input.field = program;
         test::Run run(input);
@@ -206,6 +209,15 @@ TEST(FieldVariables, FollowTheProgram) {
         run.command("run 0");
         EXPECT_EQ(run.variable("Bz"), field_at(program, 123456 * input.time_step_s)[2]);
     }
+}
+
+TEST(FieldVariables, TakeAnotherLawBetweenTwoSteps) {
+    test::Run run(test::strip_in_field());
+    run.steps(7);
+    run.command("fix_modify field law xz vector 0.001 -0.002 0.003");
+    run.steps(1);
+    EXPECT_EQ(run.variable("By"), -0.002);
+    EXPECT_EQ(run.variable("Bz"), 0.003);
 }
 
 // --- what ends a run

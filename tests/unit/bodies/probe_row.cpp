@@ -87,7 +87,12 @@ TEST(ProbeRow, the_field_comes_first_and_only_where_there_is_one) {
     auto scene = robots({"robot"});
     scene.probes->bodies = {Q::max_displacement};
     scene.magnetic_field.emplace();
-    EXPECT_EQ(row_of(scene).columns, (Names{"field[T]", "robot.max_displacement[m]"}));
+    scene.magnetic_field->course = structure::VectorField{{2e-3, 3e-3, -6e-3}};
+    const Row row = row_of(scene);
+    EXPECT_EQ(row.columns, (Names{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]",
+                                  "robot.max_displacement[m]"}));
+    EXPECT_NEAR(row.values[0], 7e-3, 1e-18);
+    EXPECT_EQ(row.values[3], -6e-3);
 }
 
 TEST(ProbeRow, of_a_part_with_the_force_on_it_in_a_fluid) {

@@ -199,6 +199,41 @@ TEST(Keys, of_the_other_alternatives) {
     EXPECT_EQ(rotation.frequency_hz, 5);
 }
 
+TEST(Keys, of_fields_of_three_components) {
+    const MagneticField field = *complete("spatial.yaml").magnetic_field;
+    const auto& precession = std::get<PrecessingField>(field.course);
+    EXPECT_EQ(precession.magnitude_t, 5e-3);
+    EXPECT_EQ(precession.axis, (Vec3{0, 1, 1}));
+    EXPECT_EQ(precession.frequency_hz, 8);
+    EXPECT_DOUBLE_EQ(precession.cone_rad, pi / 3);
+    EXPECT_EQ(precession.start_rad, pi / 2);
+    EXPECT_EQ(precession.ramp_s, 0.2);
+    ASSERT_EQ(field.plus.size(), 5u);
+    EXPECT_EQ(std::get<VectorField>(field.plus[0].law).vector_t, (Vec3{1e-3, 0, -2e-3}));
+    const auto& swing = std::get<OscillatingField>(field.plus[1].law);
+    EXPECT_EQ(swing.amplitude_t, (Vec3{0, 3e-3, 0}));
+    EXPECT_EQ(swing.frequency_hz, 2);
+    EXPECT_EQ(swing.phase_rad, pi);
+    EXPECT_EQ(std::get<RotatingField>(field.plus[4].law).frequency_hz, 5);
+}
+
+// Rows of a file and of the scene are the same scene: what is run, and its hash, do not
+// depend on the file any more.
+TEST(FieldFiles, become_rows_of_the_scene) {
+    const Scene s = complete("spatial.yaml");
+    const auto& table = std::get<VectorTable>(s.magnetic_field->plus[2].law);
+    EXPECT_EQ(table.time_s, (std::vector{0.0, 0.05, 0.1}));
+    ASSERT_EQ(table.vector_t.size(), 3u);
+    EXPECT_EQ(table.vector_t[1], (Vec3{1.5e-3, 1e-3, 2e-5}));
+    EXPECT_TRUE(table.repeat);
+    EXPECT_EQ(table.source, (test_folder / "complete/field.csv").string());
+    const Scene rows = read_scene(
+        test_folder / "complete/spatial.yaml",
+        {"magnetic_field.plus.2={vector_table: {time: [0 s, 50 ms, 100 ms], repeat: true, "
+         "vector: [[0 T, 0 T, 0 T], [1.5 mT, 1 mT, 20 uT], [0 T, 0 T, 0 T]]}}"});
+    EXPECT_EQ(rows.hash, s.hash);
+}
+
 TEST(Keys, of_platform_contact_and_equilibrium) {
     const Scene s = complete("platform.yaml");
     EXPECT_EQ(s.time.equilibrium->method, EquilibriumMethod::dynamics);
@@ -316,13 +351,19 @@ TEST(Keys, of_the_table_are_all_stored) {
     std::vector<nlohmann::json> scenes;
     for (const char* name :
          {"swimmer.yaml", "implicit.yaml", "elastic.yaml", "turning.yaml",
-          "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml"})
+          "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml", "spatial.yaml"})
         scenes.push_back(effective_scene(complete(name)));
+    // A field has one first law; those that add have the same keys.
+    for (const nlohmann::json& term : scenes.back()["magnetic_field"]["plus"])
+        scenes.push_back({{"magnetic_field", term}});
     std::vector<std::string> missing;
     missing_leaves(scene_fields(), "", scenes, missing);
-    // One side of each kind is described; the others have no example.
+    // One side of each kind is described, and the first law; the others have no example.
+    // A file of rows becomes the rows (FieldFiles).
     std::erase_if(missing, [](const std::string& path) {
-        return path.starts_with(".fluid.boundaries.");
+        return path.starts_with(".fluid.boundaries.") ||
+               path.starts_with(".magnetic_field.plus.") ||
+               path == ".magnetic_field.vector_table.file";
     });
     EXPECT_EQ(missing, std::vector<std::string>{});
 }

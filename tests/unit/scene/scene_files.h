@@ -18,6 +18,7 @@ inline std::vector<std::filesystem::path> right_scenes() {
     return {test_folder / "complete/swimmer.yaml",
             test_folder / "complete/elastic.yaml",
             test_folder / "complete/turning.yaml",
+            test_folder / "complete/spatial.yaml",
             test_folder / "minimal.yaml",
             source_folder / "tutorials/swimmer/scene.yaml",
             source_folder / "tutorials/swimmer/paper.yaml"};

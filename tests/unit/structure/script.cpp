@@ -186,10 +186,77 @@ TEST(FieldProgram, RotationTurnsFromTheFirstAxisToTheSecond) {
     expect_polar(program, 0.0625, 0.01, pi / 2 + pi / 2);
 }
 
+FieldProgram spatial(FieldLaw law) {
+    return {{0, 2}, std::move(law)};
+}
+
+// About a slanted axis: the parts along and across it, the sense of the turn, the start.
+TEST(FieldProgram, PrecessionKeepsItsConeAndTurnsRightHanded) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 2) / 3;
+    const FieldProgram program =
+        spatial(PrecessingField{0.01, {2, 4, 4}, 0.7, 5, 0.2, 0});
+    const auto at = [&](double t) {
+        return Eigen::Vector3d(field_at(program, t).data());
+    };
+    for (const double t : {0.0, 0.013, 0.11}) {
+        EXPECT_NEAR(at(t).dot(axis), 0.01 * std::cos(0.7), roundoff);
+        EXPECT_NEAR(at(t).norm(), 0.01, roundoff);
+        // A quarter of a turn later, axis x B is where the part across was.
+        const Eigen::Vector3d across = at(t) - at(t).dot(axis) * axis;
+        const Eigen::Vector3d later = at(t + 0.05) - at(t + 0.05).dot(axis) * axis;
+        EXPECT_NEAR((later - axis.cross(across)).norm(), 0, 1e-16) << t;
+    }
+    // y is the nearest of x, y, z (the first of two that are as near), z the next.
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d from = (z - z.dot(axis) * axis).normalized();
+    const Eigen::Vector3d across = at(0) - at(0).dot(axis) * axis;
+    EXPECT_NEAR(across.normalized().dot(from), std::cos(0.2), 1e-15);
+}
+
+TEST(FieldProgram, PrecessionAcrossAnAxisIsARotation) {
+    const FieldProgram plane{{0, 1}, RotatingField{0.01, 0.4, 3}};
+    const FieldProgram space =
+        spatial(PrecessingField{0.01, {0, 0, 5}, pi / 2, 3, 0.4, 0});
+    for (const double t : {0.0, 0.1, 0.77}) {
+        for (std::size_t d = 0; d < 3; ++d)
+            EXPECT_NEAR(field_at(space, t)[d], field_at(plane, t)[d], roundoff);
+    }
+}
+
+TEST(FieldProgram, RampRisesFromZero) {
+    const FieldProgram program =
+        spatial(PrecessingField{0.02, {0, 0, 1}, 0, 3, 0, 0.4});
+    EXPECT_EQ(field_at(program, 0)[2], 0);
+    EXPECT_NEAR(field_at(program, 0.1)[2], 0.01 * (1 - std::cos(pi / 4)), roundoff);
+    EXPECT_EQ(field_at(program, 0.4)[2], 0.02);
+    EXPECT_EQ(field_at(program, 7)[2], 0.02);
+}
+
+TEST(FieldProgram, LawsOfThreeComponentsAndTheirSum) {
+    const VectorTable table{{0, 1, 3}, {{0, 1, 2}, {2, 3, 4}, {4, 3, 0}}, false, {}, {}};
+    EXPECT_EQ(field_at(spatial(table), 2), (Vec3{3, 3, 2}));
+    EXPECT_EQ(field_at(spatial(table), 5), (Vec3{4, 3, 0}));
+    const OscillatingField swing{{0.01, 0, -0.02}, 5, pi / 2};
+    EXPECT_NEAR(field_at(spatial(swing), 0.1)[2], 0.02, roundoff);
+    FieldProgram sum{{0, 2}, ConstantField{0.1, 0}, {{VectorField{{0, 0.2, 0}}}, {swing}}};
+    const Vec3 b = field_at(sum, 0);
+    EXPECT_NEAR(b[0], 0.11, 1e-16);
+    EXPECT_EQ(b[1], 0.2);
+    EXPECT_NEAR(field_magnitude_at(sum, 0), std::hypot(b[0], b[1], b[2]), 1e-16);
+    EXPECT_EQ(field_magnitude_at({{0, 2}, ConstantField{-0.1, 0}}, 0), -0.1);
+}
+
 TEST(FieldProgram, ArgumentsReadBackExactly) {
     const FieldProgram rotating{{2, 1}, RotatingField{0.01 / 3, pi / 7, -25}};
     const FieldProgram constant{{0, 2}, ConstantField{-0.02, 1.0 / 3}};
-    for (const FieldProgram& program : {strokes(), rotating, constant}) {
+    const FieldProgram vectors = spatial(VectorTable{
+        {0, 0.02, 0.03}, {{0.1, 1.0 / 3, 0}, {0, 0, 1}, {1e-9, 0, 0}}, true, {}, {}});
+    FieldProgram sum =
+        spatial(PrecessingField{0.01, {1, 2, 1.0 / 3}, 0.7, -25, 0.1, 0.02});
+    sum.plus = {{VectorField{{1e-3, 0, 1.0 / 7}}},
+                {OscillatingField{{0, 1.0 / 9, 0}, 3, 0.3}},
+                {ConstantField{0.01, 1.0 / 3}}};
+    for (const FieldProgram& program : {strokes(), rotating, constant, vectors, sum}) {
         std::vector<std::string> words;
         std::istringstream text(field_arguments(program));
         for (std::string word; text >> word;) words.push_back(word);
@@ -207,7 +274,11 @@ TEST(FieldProgram, RefusesWhatIsNoProgram) {
           Words{"xw", "constant", "1", "2"}, Words{"xz", "constant", "1"},
           Words{"xz", "constant", "1", "2mT"}, Words{"xz", "table", "0", "1"},
           Words{"xz", "table", "1", "0", "0", "0", "0", "0"},
-          Words{"xz", "repeat", "1", "0", "0"}, Words{"xz", "spiral", "1", "0", "0"}}) {
+          Words{"xz", "repeat", "1", "0", "0"}, Words{"xz", "spiral", "1", "0", "0"},
+          Words{"xz", "vector", "1", "0"}, Words{"xz", "vector", "1", "0", "0", "plus"},
+          Words{"xz", "plus", "vector", "1", "0", "0"},
+          Words{"xz", "vectors", "1", "0", "0", "0", "0", "0", "0", "0"},
+          Words{"xz", "precessing", "1", "0", "0", "0", "1", "5", "0", "0"}}) {
         EXPECT_THROW(parse_field_arguments(words), std::invalid_argument);
     }
     EXPECT_THROW(field_arguments({{0, 2}, FieldTable{{0, 1}, {1, 1}, {0, 1, 2}, false}}),

@@ -1,0 +1,46 @@
+// Where a time stands between the rows of a table: linear between them, the first and the
+// last held outside, or all repeated with the period of the table. Two rows of one time
+// are a jump: from that time on the later one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace magfsi::structure {
+
+// That share of the way from one row to the next.
+struct Between {
+    std::size_t row = 0, next = 0;
+    double share = 0;
+
+    // A column of one value holds for all rows.
+    double of(const std::vector<double>& value) const {
+        if (value.size() == 1) return value.front();
+        return value[row] + share * (value[next] - value[row]);
+    }
+    std::array<double, 3> of(const std::vector<std::array<double, 3>>& value) const {
+        std::array<double, 3> out = value[row];
+        for (std::size_t d = 0; d < 3; ++d) out[d] += share * (value[next][d] - out[d]);
+        return out;
+    }
+};
+
+// times: not falling. None: the only row.
+inline Between rows_at(const std::vector<double>& times, bool repeat, double time) {
+    if (times.empty()) return {};
+    double t = time;
+    if (repeat) {
+        const double period = times.back() - times.front();
+        t -= period * std::floor((time - times.front()) / period);
+    }
+    const auto after = std::ranges::upper_bound(times, t) - times.begin();
+    if (after == 0) return {};
+    const auto i = static_cast<std::size_t>(after - 1);
+    if (i + 1 == times.size()) return {i, i, 0};
+    return {i, i + 1, (t - times[i]) / (times[i + 1] - times[i])};
+}
+
+}  // namespace magfsi::structure
