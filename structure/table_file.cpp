@@ -118,9 +118,9 @@ class TableReader {
         if (kind == known_.end()) {
             std::vector<std::string_view> all;
             for (const ColumnKind& one : known_) all.push_back(one.name);
-            fail(
-                fmt::format("column \"{}\" found, {} are allowed, each with its unit, like {}",
-                            field, fmt::join(all, ", "), names().front()));
+            fail(fmt::format(
+                "column \"{}\" found, {} are allowed, each with its unit, like {}", field,
+                fmt::join(all, ", "), names().front()));
         }
         const std::string unit =
             bracket == std::string::npos ? "" : field.substr(bracket);
@@ -134,8 +134,8 @@ class TableReader {
             columns_.push_back({place, one});
             return;
         }
-        fail(fmt::format("column \"{}\" found with the unit \"{}\"; {} are allowed", field,
-                         unit, fmt::join(allowed, ", ")));
+        fail(fmt::format("column \"{}\" found with the unit \"{}\"; {} are allowed",
+                         field, unit, fmt::join(allowed, ", ")));
     }
 
     void check_columns(const std::string& header,
@@ -143,7 +143,8 @@ class TableReader {
         std::vector<std::string_view> others;
         std::size_t needed_there = 0, others_there = 0;
         for (std::size_t k = 0; k < known_.size(); ++k) {
-            const bool is_needed = std::ranges::find(needed, known_[k].name) != needed.end();
+            const bool is_needed =
+                std::ranges::find(needed, known_[k].name) != needed.end();
             const bool there =
                 std::ranges::find(columns_, k, &Column::known) != columns_.end();
             if (!is_needed) others.push_back(known_[k].name);

@@ -1,5 +1,5 @@
-// CSV files of numbers: a header of columns with their units, such as x[mm],Mx[kA/m], then
-// a row a line. Empty lines and lines that begin with # are left out.
+// CSV files of numbers: a header of columns with their units, such as x[mm],Mx[kA/m],
+// then a row a line. Empty lines and lines that begin with # are left out.
 #pragma once
 
 #include <filesystem>
@@ -29,15 +29,16 @@ inline constexpr ColumnUnit flux_density[] = {{"T"}, {"mT", 1, 1e3}, {"uT", 1, 1
 }  // namespace units
 
 // exported: as other programs write them, too. The header may be the last of leading
-// lines that begin with %, its units in round brackets or absent (SI, or of lengths what a
-// line "% Length unit: mm" says), its names with a capital X, Y, Z or a prefix as in
+// lines that begin with %, its units in round brackets or absent (SI, or of lengths what
+// a line "% Length unit: mm" says), its names with a capital X, Y, Z or a prefix as in
 // mf.Bx (COMSOL); columns that are not known are left out (an index, a norm).
 enum class TableStyle { strict, exported };
 
 // The columns of a file in SI, in the order of `known`; empty where the file has none,
-// which of those that are `needed` is a fault; of the others there are all or none. what: for messages, "magnetisation table". Throws std::invalid_argument, with file and
-// line, on what is no such table: no header, no row, an unknown or repeated column, a unit
-// that is not listed, another number of values, no finite number.
+// which of those that are `needed` is a fault; of the others there are all or none. what:
+// for messages, "magnetisation table". Throws std::invalid_argument, with file and line,
+// on what is no such table: no header, no row, an unknown or repeated column, a unit that
+// is not listed, another number of values, no finite number.
 std::vector<std::vector<double>> read_table(std::string_view what,
                                             const std::filesystem::path& file,
                                             std::span<const ColumnKind> known,

@@ -26,9 +26,8 @@ const Node* item_of(const Node& list, const std::string& number) {
 const Node& Marks::deepest(Path path) const {
     const Node* node = root_;
     for (const std::string& part : path) {
-        const Node* child = node->type == Node::Type::sequence
-                                ? item_of(*node, part)
-                                : node->find(part);
+        const Node* child =
+            node->type == Node::Type::sequence ? item_of(*node, part) : node->find(part);
         if (!child) break;
         node = child;
     }

@@ -231,9 +231,12 @@ bool is_zero(const std::vector<Vec3>& rows) {
 bool is_zero(const FieldLaw& law) {
     return std::visit(
         []<class Law>(const Law& one) {
-            if constexpr (requires { one.magnitude_t; }) return is_zero(one.magnitude_t);
-            else if constexpr (requires { one.vector_t; }) return is_zero(one.vector_t);
-            else return is_zero(one.amplitude_t);
+            if constexpr (requires { one.magnitude_t; })
+                return is_zero(one.magnitude_t);
+            else if constexpr (requires { one.vector_t; })
+                return is_zero(one.vector_t);
+            else
+                return is_zero(one.amplitude_t);
         },
         law);
 }

@@ -1,6 +1,8 @@
 // Field tables from CSV files: once read they are part of the scene, and of its hash.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "structure/table_file.h"

@@ -145,13 +145,17 @@ Vec3 vector_of(const PrecessingField& course, double time_s) {
 }
 
 template <class Law>
-constexpr bool in_plane = requires(const Law& law) { polar(law, 0.0); };
+constexpr bool in_plane = requires(const Law& law) {
+    polar(law, 0.0);
+};
 
 Vec3 vector_of(const FieldLaw& law, const std::array<int, 2>& plane, double time_s) {
     return std::visit(
         [&]<class Law>(const Law& one) {
-            if constexpr (in_plane<Law>) return field_vector(polar(one, time_s), plane);
-            else return vector_of(one, time_s);
+            if constexpr (in_plane<Law>)
+                return field_vector(polar(one, time_s), plane);
+            else
+                return vector_of(one, time_s);
         },
         law);
 }
@@ -240,17 +244,18 @@ double field_magnitude_at(const FieldProgram& program, double time_s) {
     if (!program.plus.empty()) return length(field_at(program, time_s));
     return std::visit(
         [time_s]<class Law>(const Law& one) {
-            if constexpr (in_plane<Law>) return polar(one, time_s).magnitude_t;
-            else return length(vector_of(one, time_s));
+            if constexpr (in_plane<Law>)
+                return polar(one, time_s).magnitude_t;
+            else
+                return length(vector_of(one, time_s));
         },
         program.course);
 }
 
 std::string field_arguments(const FieldProgram& program) {
     check_program(program);
-    std::string out =
-        fmt::format("{}{} {}", "xyz"[program.plane[0]], "xyz"[program.plane[1]],
-                    law_words(program.course));
+    std::string out = fmt::format("{}{} {}", "xyz"[program.plane[0]],
+                                  "xyz"[program.plane[1]], law_words(program.course));
     for (const FieldTerm& term : program.plus) out += " plus " + law_words(term.law);
     return out;
 }

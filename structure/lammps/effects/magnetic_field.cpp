@@ -1,6 +1,7 @@
 // The uniform field over time: fix ID group magttice/field PLANE COURSE ... gives it as a
-// global vector [T], fix_modify ID law PLANE COURSE ... puts another in its place, and `field Bx By Bz` of fix magttice makes its forces q_a B on the
-// nodes (structure/magnetics/nodal_charge.h).
+// global vector [T], fix_modify ID law PLANE COURSE ... puts another in its place, and
+// `field Bx By Bz` of fix magttice makes its forces q_a B on the nodes
+// (structure/magnetics/nodal_charge.h).
 #include "atom.h"
 #include "error.h"
 #include "input.h"

@@ -224,8 +224,7 @@ TEST(FieldProgram, PrecessionAcrossAnAxisIsARotation) {
 }
 
 TEST(FieldProgram, RampRisesFromZero) {
-    const FieldProgram program =
-        spatial(PrecessingField{0.02, {0, 0, 1}, 0, 3, 0, 0.4});
+    const FieldProgram program = spatial(PrecessingField{0.02, {0, 0, 1}, 0, 3, 0, 0.4});
     EXPECT_EQ(field_at(program, 0)[2], 0);
     EXPECT_NEAR(field_at(program, 0.1)[2], 0.01 * (1 - std::cos(pi / 4)), roundoff);
     EXPECT_EQ(field_at(program, 0.4)[2], 0.02);
@@ -238,7 +237,8 @@ TEST(FieldProgram, LawsOfThreeComponentsAndTheirSum) {
     EXPECT_EQ(field_at(spatial(table), 5), (Vec3{4, 3, 0}));
     const OscillatingField swing{{0.01, 0, -0.02}, 5, pi / 2};
     EXPECT_NEAR(field_at(spatial(swing), 0.1)[2], 0.02, roundoff);
-    FieldProgram sum{{0, 2}, ConstantField{0.1, 0}, {{VectorField{{0, 0.2, 0}}}, {swing}}};
+    FieldProgram sum{
+        {0, 2}, ConstantField{0.1, 0}, {{VectorField{{0, 0.2, 0}}}, {swing}}};
     const Vec3 b = field_at(sum, 0);
     EXPECT_NEAR(b[0], 0.11, 1e-16);
     EXPECT_EQ(b[1], 0.2);
