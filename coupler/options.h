@@ -84,12 +84,19 @@ struct Iteration {
     double filter_limit = 1e-2;
 };
 
+// Surfaces that pass through each other, an obstacle or a side of the box.
+enum class OverlapRule { stop, allow };
+constexpr auto words_of(OverlapRule) {
+    return std::to_array<std::string_view>({"stop", "allow"});
+}
+
 struct Coupling {
     Scheme scheme = Scheme::serial;
     std::optional<SampledVelocity> sampled_velocity;  // a read scene always has it
     std::optional<Iteration> iteration;  // always there in the implicit scheme
     std::optional<int> substeps;         // absent: from the structure's stable step
     std::optional<double> timeout_s;     // absent: a partner that lives is waited for
+    OverlapRule overlap = OverlapRule::stop;
     ImmersedBoundary immersed_boundary;
 };
 

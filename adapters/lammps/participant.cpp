@@ -268,6 +268,9 @@ void Participant::check_stable_step() {
 void Participant::assemble_output(output::ProgressMode progress) {
     outputs_.add(structure_outputs(), run_, tasks_);
     run_.start = {};
+    outputs_.need(
+        scene_.coupling && scene_.coupling->overlap == coupler::OverlapRule::stop,
+        "overlap");
     outputs_.need(scene_.probes.has_value(), "probes");
     outputs_.need(scene_.output.structure.has_value(), "structure_fields");
     outputs_.need(scene_.checkpoint.has_value(), "checkpoint");

@@ -39,7 +39,10 @@ std::uint64_t state_hash(const Scene& scene) {
     endless.time.end_s = 0;
     // What a run does when it diverges changes no state before that.
     if (endless.checkpoint) endless.checkpoint = Checkpoint{endless.checkpoint->every_s};
-    if (endless.coupling) endless.coupling->timeout_s.reset();
+    if (endless.coupling) {
+        endless.coupling->timeout_s.reset();
+        endless.coupling->overlap = {};
+    }
     return scene_hash(endless);
 }
 
@@ -139,6 +142,8 @@ std::vector<Effect> effects_of(const Scene& s) {
         {coupled, "buoyancy", s.coupling && s.gravity},
         {coupled, "iterated forcing",
          s.coupling && s.coupling->immersed_boundary.iterations > 1},
+        {coupled, "overlap check",
+         s.coupling && s.coupling->overlap == coupler::OverlapRule::stop},
         {coupled, "parallel scheme", scheme(Scheme::parallel)},
         {coupled, "implicit scheme", scheme(Scheme::implicit)},
         {fluid, "fluid", s.fluid.has_value()},

@@ -91,6 +91,10 @@ void keys(Io& io, Coupling& coupling) {
     io(quantity("timeout", "s", "Longest wait for the partner before the run is given up; "
                 "without it, one that lives is waited for.").above(0),
        coupling.timeout_s);
+    io(key("overlap", "Of a body with itself, another, an obstacle or a side of the box: "
+           "stop ends the run, after a warning where surfaces come within half a cell; "
+           "allow does not look.").by_default(),
+       coupling.overlap);
     io(key("immersed_boundary", "Direct forcing between markers and fluid, eq. (13).")
            .optional(),
        coupling.immersed_boundary);

@@ -15,11 +15,13 @@ class LevelSetSolid final : public Solid {
 
     Bounds bounds() const override { return body_.bounds; }
 
+    bool holds(const Vec3& point) const override { return body_.level(point) < 0; }
+
     void mark_row(double y, double z, int x_begin,
                   std::span<char> inside) const override {
         for (std::size_t i = 0; i < inside.size(); ++i) {
             const double x = x_begin + static_cast<double>(i) + 0.5;
-            if (body_.level({x, y, z}) < 0) inside[i] = 1;
+            if (holds({x, y, z})) inside[i] = 1;
         }
     }
 

@@ -17,6 +17,8 @@ class Solid {
 
     virtual Bounds bounds() const = 0;
 
+    virtual bool holds(const Vec3& point) const = 0;
+
     // Sets inside[i] for the cell centres x_begin + i + 1/2 of the row at (y, z) that lie
     // in the body; leaves the rest.
     virtual void mark_row(double y, double z, int x_begin,

@@ -179,9 +179,10 @@ class TriangulatedSolid final : public Solid {
 
     Bounds bounds() const override { return bounds_; }
 
-    // By the parity of crossings of the ray along x. Each edge is intersected in one
+    // Both by the parity of crossings of the ray along x. Each edge is intersected in one
     // order of its ends, so that triangles that share it agree and a ray through an edge
     // or a vertex is counted once.
+    bool holds(const Vec3& point) const override;
     void mark_row(double y, double z, int x_begin, std::span<char> inside) const override;
 
     double entry(const Vec3& outside, const Vec3& inside) const override;
@@ -193,6 +194,7 @@ class TriangulatedSolid final : public Solid {
     };
 
     void sort_into_bins();
+    std::vector<double> crossings(double y, double z) const;  // x of each, ascending
     void check_closed(const std::filesystem::path& file) const;
 
     std::vector<Triangle> triangles_;
@@ -265,20 +267,31 @@ void TriangulatedSolid::sort_into_bins() {
     }
 }
 
-void TriangulatedSolid::mark_row(double y, double z, int x_begin,
-                                 std::span<char> inside) const {
+std::vector<double> TriangulatedSolid::crossings(double y, double z) const {
+    std::vector<double> all;
     const auto column = columns_.find(
         {static_cast<int>(std::floor(y)), static_cast<int>(std::floor(z)), 0});
-    if (column == columns_.end()) return;
-    std::vector<double> crossings;
+    if (column == columns_.end()) return all;
     for (const int i : column->second) {
         if (!covers(triangles_[i], y, z)) continue;
-        if (const auto x = plane_at(triangles_[i], y, z)) crossings.push_back(*x);
+        if (const auto x = plane_at(triangles_[i], y, z)) all.push_back(*x);
     }
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        const double first = std::ceil(crossings[i] - x_begin - 0.5);
-        const double last = std::ceil(crossings[i + 1] - x_begin - 0.5);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+bool TriangulatedSolid::holds(const Vec3& point) const {
+    const auto all = crossings(point[1], point[2]);
+    const auto before = std::ranges::lower_bound(all, point[0]) - all.begin();
+    return before % 2 == 1;
+}
+
+void TriangulatedSolid::mark_row(double y, double z, int x_begin,
+                                 std::span<char> inside) const {
+    const auto at = crossings(y, z);
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+        const double first = std::ceil(at[i] - x_begin - 0.5);
+        const double last = std::ceil(at[i + 1] - x_begin - 0.5);
         const double size = static_cast<double>(inside.size());
         const auto from = static_cast<std::size_t>(std::clamp(first, 0.0, size));
         const auto to = static_cast<std::size_t>(std::clamp(last, 0.0, size));

@@ -16,8 +16,8 @@ TEST(Effects, of_a_swimmer) {
     const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
     EXPECT_EQ(active_effects(s),
               (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
-                     "immersed boundary", "buoyancy", "iterated forcing", "fluid",
-                     "body force", "moving walls", "probes", "interface balance",
+                     "immersed boundary", "buoyancy", "iterated forcing", "overlap check",
+                     "fluid", "body force", "moving walls", "probes", "interface balance",
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "platform", "friction", "contact",
@@ -43,7 +43,7 @@ TEST(Effects, of_a_solid) {
             "field gradient, gravity, damping, platform, friction, contact, "
             "clamps, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, iterated "
-            "forcing, parallel scheme, implicit scheme",
+            "forcing, overlap check, parallel scheme, implicit scheme",
             "fluid step: none; absent: fluid, body force, eddy viscosity, "
             "moving walls, free slip, inlets and outlets, refinement, obstacles",
             "outputs: none; absent: probes, interface balance, energy audit, structure "

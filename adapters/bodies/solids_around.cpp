@@ -1,0 +1,175 @@
+#include "adapters/bodies/solids_around.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "adapters/bodies/marker_placement.h"
+#include "fluid_lbm/obstacle/solid.h"
+#include "structure/mesh/body_points.h"
+#include "structure/mesh/surface.h"
+
+namespace magfsi::bodies {
+
+namespace {
+
+using structure::Vec3;
+
+Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
+    Vec3 x{};
+    for (std::size_t a = 0; a < 8; ++a) {
+        const Vec3& node = nodes_m[static_cast<std::size_t>(point.node[a])];
+        for (std::size_t d = 0; d < 3; ++d) x[d] += point.weight[a] * node[d];
+    }
+    return x;
+}
+
+// Whether all of x and of six points around it are inside: those of a ball of this
+// radius that lie along the axes.
+template <class Holds>
+bool is_deep(const Holds& holds, const Vec3& x, double radius_m) {
+    if (!holds(x)) return false;
+    for (std::size_t d = 0; d < 3; ++d) {
+        for (const double side : {-radius_m, radius_m}) {
+            Vec3 beside = x;
+            beside[d] += side;
+            if (!holds(beside)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+SolidsAround::SolidsAround(const scene::Scene& scene,
+                           std::span<const structure::Body> solids,
+                           std::span<const Vec3> start_m, double near_m, double deep_m)
+    : spacing_m_(scene.fluid->spacing_m), near_m_(near_m), deep_m_(deep_m) {
+    int first_node = 0;
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+        add_points(solids[b], b, first_node);
+        first_node += static_cast<int>(solids[b].mesh.nodes.size());
+    }
+    add_sides(*scene.fluid, scene.bodies, start_m);
+    add_obstacles(*scene.fluid, start_m);
+}
+
+void SolidsAround::add_points(const structure::Body& body, std::size_t number,
+                              int first_node) {
+    const auto surface = structure::boundary_quads(body.mesh);
+    std::set<int> known;
+    for (const auto& quad : surface) {
+        for (const int node : quad.node) {
+            if (!known.insert(node).second) continue;
+            Point point{{}, number};
+            point.at.node.fill(first_node + node);
+            point.at.weight[0] = 1;
+            point.at.element = quad.element;
+            points_.push_back(point);
+        }
+    }
+    for (const auto& middle :
+         structure::surface_points(body.mesh, surface, spacing_m_)) {
+        points_.push_back({middle.point, number});
+        for (int& node : points_.back().at.node) node += first_node;
+    }
+}
+
+void SolidsAround::add_sides(const scene::Fluid& fluid,
+                             std::span<const scene::Body> bodies,
+                             std::span<const Vec3> start_m) {
+    for (std::size_t side = 0; side < fluid.boundaries.size(); ++side) {
+        if (fluid.boundaries[side].kind == scene::BoundaryKind::periodic) continue;
+        const std::size_t axis = side / 2;
+        const bool low = side % 2 == 0;
+        Side made{static_cast<int>(axis), low ? 1.0 : -1.0, low ? 0 : fluid.box_m[axis],
+                  fmt::format("the side {} of the fluid's box",
+                              scene::names<scene::Face>[side]),
+                  {}};
+        for (const scene::Body& body : bodies)
+            made.of_body.push_back(!spans_fluid(fluid, body, true)[axis]);
+        for (const Point& point : points_) {
+            const double height =
+                made.inwards * (place_of(point.at, start_m)[axis] - made.place_m);
+            if (height < -deep_m_) made.of_body[point.body] = false;
+        }
+        sides_.push_back(std::move(made));
+    }
+}
+
+void SolidsAround::add_obstacles(const scene::Fluid& fluid,
+                                 std::span<const Vec3> start_m) {
+    std::array<int, 3> cells{};
+    for (std::size_t d = 0; d < 3; ++d)
+        cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / spacing_m_));
+    for (const scene::Obstacle& shape : fluid.obstacles) {
+        Obstacle made{fmt::format("the obstacle '{}'", shape.name),
+                      fluid::make_solid(shape.shape, spacing_m_, cells),
+                      {}};
+        std::vector<bool> holds_body(points_.empty() ? 0 : points_.back().body + 1);
+        const auto holds = [&](const Vec3& x) {
+            return made.solid->holds(fluid::in_cells(x, spacing_m_));
+        };
+        for (const Point& point : points_) {
+            if (is_deep(holds, place_of(point.at, start_m), deep_m_))
+                holds_body[point.body] = true;
+        }
+        // Of a body that is held by it, also what starts beside it.
+        for (const Point& point : points_)
+            made.free.push_back(!holds_body[point.body] ||
+                                !comes_within(made, place_of(point.at, start_m),
+                                              spacing_m_));
+        obstacles_.push_back(std::move(made));
+    }
+}
+
+// Itself, or one of the six points around it along the axes.
+bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
+                                double distance_m) const {
+    const auto outside = [&](const Vec3& at) {
+        return !obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
+    };
+    return !is_deep(outside, x, distance_m);
+}
+
+void SolidsAround::note(const Point& point, const std::string& what, const Vec3& x,
+                        double gap_m, SolidMeetings& found) const {
+    const SolidMeeting meeting{point.body, point.at.element, what, x};
+    found.apart_m = std::min(found.apart_m, std::max(0.0, gap_m));
+    if (gap_m < -deep_m_ && !found.inside) found.inside = meeting;
+    if (!(gap_m < near_m_)) return;
+    const bool known = std::ranges::any_of(found.near, [&](const SolidMeeting& m) {
+        return m.body == meeting.body && m.what == what;
+    });
+    if (!known) found.near.push_back(meeting);
+}
+
+SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) const {
+    SolidMeetings found;
+    found.apart_m = reach_m;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+        const Point& point = points_[p];
+        const Vec3 x = place_of(point.at, nodes_m);
+        for (const Side& side : sides_) {
+            const double gap =
+                side.inwards * (x[static_cast<std::size_t>(side.axis)] - side.place_m);
+            if (gap < reach_m && side.of_body[point.body])
+                note(point, side.what, x, gap, found);
+        }
+        for (const Obstacle& obstacle : obstacles_) {
+            if (!obstacle.free[p] || !comes_within(obstacle, x, reach_m)) continue;
+            const auto holds = [&](const Vec3& at) {
+                return obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
+            };
+            const double gap = is_deep(holds, x, deep_m_) ? -INFINITY
+                               : comes_within(obstacle, x, near_m_) ? 0.5 * near_m_
+                                                                     : near_m_;
+            note(point, obstacle.what, x, gap, found);
+        }
+    }
+    return found;
+}
+
+}  // namespace magfsi::bodies

@@ -1,0 +1,172 @@
+#include "structure/mesh/meetings.h"
+#include "structure/mesh/near_pairs.h"
+
+namespace magfsi::structure {
+namespace {
+
+Vec3 minus(const Vec3& a, const Vec3& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const Vec3& a, const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0]};
+}
+
+using Triangle = std::array<Vec3, 3>;
+
+// Where the way from p to q passes through the triangle. What only touches its plane, up
+// to rounding, does not.
+std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
+    constexpr double rounding = 1e-9;
+    const Vec3 normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+    const double before = dot(normal, minus(p, t[0])), after = dot(normal, minus(q, t[0]));
+    const Vec3 way = minus(q, p);
+    const double least = rounding * std::sqrt(dot(normal, normal) * dot(way, way));
+    if ((before > 0) == (after > 0) || std::abs(before) < least ||
+        std::abs(after) < least)
+        return {};
+    // The way passes each edge on the same side.
+    std::array<bool, 3> left;
+    for (std::size_t i = 0; i < 3; ++i)
+        left[i] =
+            dot(way, cross(minus(t[i], p), minus(t[(i + 1) % 3], p))) > 0;
+    if (left[0] != left[1] || left[1] != left[2]) return {};
+    const double part = before / (before - after);
+    Vec3 at;
+    for (std::size_t d = 0; d < 3; ++d) at[d] = p[d] + part * way[d];
+    return at;
+}
+
+// The first corner of the quadrilateral's edges, its diagonal too, that pass through the
+// other.
+std::optional<Vec3> piercing(const Corners4& edges, const Corners4& other) {
+    constexpr int ends[5][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}};
+    for (const auto& [p, q] : ends) {
+        for (const int third : {1, 3}) {
+            const Triangle half{other[0], other[static_cast<std::size_t>(third)],
+                                other[2]};
+            const auto at = piercing(edges[static_cast<std::size_t>(p)],
+                                     edges[static_cast<std::size_t>(q)], half);
+            if (at) return at;
+        }
+    }
+    return {};
+}
+
+// The nearest that a corner of one comes to the other.
+double corner_gap_m(const Corners4& from, const Corners4& to) {
+    double nearest = INFINITY;
+    for (const Vec3& corner : from) {
+        const auto [u, v] = nearest_on_quad(to, corner);
+        const auto weight = quad_shape(u, v);
+        Vec3 foot{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t d = 0; d < 3; ++d) foot[d] += weight[i] * to[i][d];
+        }
+        nearest = std::min(nearest, distance_m(corner, foot));
+    }
+    return nearest;
+}
+
+Corners4 corners_of(const std::array<int, 4>& node, std::span<const Vec3> nodes_m) {
+    Corners4 out;
+    for (std::size_t i = 0; i < 4; ++i)
+        out[i] = nodes_m[static_cast<std::size_t>(node[i])];
+    return out;
+}
+
+}  // namespace
+
+MeetingFinder::Ball MeetingFinder::ball_around(const Patch& patch,
+                                               std::span<const Vec3> nodes_m) {
+    const Corners4 corners = corners_of(patch.node, nodes_m);
+    Ball out;
+    for (const Vec3& x : corners)
+        for (std::size_t d = 0; d < 3; ++d) out.centre_m[d] += 0.25 * x[d];
+    for (const Vec3& x : corners)
+        out.radius_m = std::max(out.radius_m, distance_m(x, out.centre_m));
+    return out;
+}
+
+MeetingFinder::MeetingFinder(std::span<const Mesh* const> bodies, double near_m)
+    : near_m_(near_m) {
+    int first_node = 0;
+    double largest = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        for (const SurfaceQuad& quad : boundary_quads(*bodies[b])) {
+            Patch patch{quad.node, b, quad.element, {}};
+            patch.rest = ball_around(patch, bodies[b]->nodes);
+            largest = std::max(largest, patch.rest.radius_m);
+            const Corners4 x = corners_of(quad.node, bodies[b]->nodes);
+            for (std::size_t i = 0; i < 4; ++i)
+                shortest_edge_m_ =
+                    std::min(shortest_edge_m_, distance_m(x[i], x[(i + 1) % 4]));
+            for (int& node : patch.node) node += first_node;
+            patches_.push_back(patch);
+        }
+        first_node += static_cast<int>(bodies[b]->nodes.size());
+    }
+    // Pairs to look at grow with its cube, the steps between two looks with it alone.
+    reach_m_ = std::max(2 * largest, near_m);
+}
+
+bool MeetingFinder::are_neighbours(const Patch& a, const Patch& b) const {
+    if (a.body != b.body) return false;
+    return distance_m(a.rest.centre_m, b.rest.centre_m) <=
+           2 * (a.rest.radius_m + b.rest.radius_m);
+}
+
+// gap_m: a lower bound, of the balls around the two.
+void MeetingFinder::look_at(const Patch& a, const Patch& b, double gap_m,
+                            std::span<const Vec3> nodes_m, Meetings& found) const {
+    const Corners4 of_a = corners_of(a.node, nodes_m), of_b = corners_of(b.node, nodes_m);
+    Meeting meeting{{a.body, b.body}, {a.element, b.element}, of_a[0], gap_m};
+    auto at = gap_m < 0 ? piercing(of_a, of_b) : std::nullopt;
+    if (gap_m < 0 && !at) at = piercing(of_b, of_a);
+    if (at) {
+        meeting.at_m = *at;
+        meeting.gap_m = 0;
+        if (!found.crossing) found.crossing = meeting;
+    } else if (gap_m < near_m_) {
+        meeting.gap_m = std::min(corner_gap_m(of_a, of_b), corner_gap_m(of_b, of_a));
+    }
+    found.apart_m = std::min(found.apart_m, meeting.gap_m);
+    if (!(meeting.gap_m < near_m_)) return;
+    const auto known = std::ranges::find(found.near, meeting.body, &Meeting::body);
+    if (known == found.near.end())
+        found.near.push_back(meeting);
+    else if (meeting.gap_m < known->gap_m)
+        *known = meeting;
+}
+
+Meetings MeetingFinder::find(std::span<const Vec3> nodes_m) const {
+    std::vector<Vec3> centres;
+    std::vector<double> radii;
+    double largest = 0;
+    for (const Patch& patch : patches_) {
+        const Ball ball = ball_around(patch, nodes_m);
+        centres.push_back(ball.centre_m);
+        radii.push_back(ball.radius_m);
+        largest = std::max(largest, ball.radius_m);
+    }
+    Meetings found;
+    found.apart_m = reach_m_;
+    NearPairs(centres, 2 * largest + reach_m_).visit([&](std::size_t i, std::size_t j) {
+        const double reach = radii[i] + radii[j] + reach_m_;
+        const Vec3 apart = minus(centres[i], centres[j]);
+        if (dot(apart, apart) >= reach * reach) return;
+        const Patch &a = patches_[std::min(i, j)], &b = patches_[std::max(i, j)];
+        if (are_neighbours(a, b)) return;
+        const double gap = std::sqrt(dot(apart, apart)) - radii[i] - radii[j];
+        const double at_rest = distance_m(a.rest.centre_m, b.rest.centre_m) -
+                               a.rest.radius_m - b.rest.radius_m;
+        if (a.body == b.body && gap >= 0.5 * at_rest) return;
+        look_at(a, b, gap, nodes_m, found);
+    });
+    return found;
+}
+
+}  // namespace magfsi::structure

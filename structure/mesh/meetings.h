@@ -1,0 +1,65 @@
+// Where surfaces of moving bodies come near each other or pass through each other, those
+// of one body included.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "structure/mesh/mesh.h"
+#include "structure/mesh/surface.h"
+
+namespace magfsi::structure {
+
+struct Meeting {
+    std::array<std::size_t, 2> body{};
+    std::array<int, 2> element{};  // of that body
+    Vec3 at_m{};
+    double gap_m = 0;  // 0 where surfaces pass through each other
+};
+
+struct Meetings {
+    std::optional<Meeting> crossing;  // the first that is found
+    std::vector<Meeting> near;        // of each pair of bodies the nearest
+    double apart_m = 0;  // all that could meet is at least so far apart, as far as is looked
+};
+
+// Parts of one surface that lie close together in the body at rest are neighbours, which
+// cannot meet: a quadrilateral looks at those that are further away than twice the sum of
+// both radii. They count as near where they have come closer than half of that distance,
+// so that a thin sheet's two sides do not.
+class MeetingFinder {
+  public:
+    // bodies: undeformed. near_m: what is closer is reported.
+    MeetingFinder(std::span<const Mesh* const> bodies, double near_m);
+
+    // nodes_m: of all bodies, one after the other.
+    Meetings find(std::span<const Vec3> nodes_m) const;
+
+    // Of elements' edges on the surfaces at rest.
+    double shortest_edge_m() const { return shortest_edge_m_; }
+
+  private:
+    // A quadrilateral's middle, and how far it reaches from there.
+    struct Ball {
+        Vec3 centre_m{};
+        double radius_m = 0;
+    };
+    struct Patch {
+        std::array<int, 4> node{};  // among those of all bodies
+        std::size_t body = 0;
+        int element = 0;
+        Ball rest;
+    };
+    static Ball ball_around(const Patch& patch, std::span<const Vec3> nodes_m);
+    bool are_neighbours(const Patch& a, const Patch& b) const;
+    void look_at(const Patch& a, const Patch& b, double gap_m,
+                 std::span<const Vec3> nodes_m, Meetings& found) const;
+
+    std::vector<Patch> patches_;
+    double near_m_ = 0;
+    double reach_m_ = 0;  // how far apart pairs are looked at
+    double shortest_edge_m_ = INFINITY;
+};
+
+}  // namespace magfsi::structure
