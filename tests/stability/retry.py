@@ -10,7 +10,8 @@ HERE = Path(__file__).resolve().parent
 RAMP = "bodies.cube.prescribed_motion.0.ramp."
 CUBE = {"time.end": "2 ms", RAMP + "duration": "0.5 ms", "checkpoint.every": "0.1 ms"}
 # Ten times the field at once, after a quiet time.
-SHEET = {"time.end": "4 ms", "fluid.lattice_speed": 0.2, "checkpoint.every": "0.5 ms",
+SHEET = {"time.end": "4 ms", "coupling.overlap": "allow", "fluid.lattice_speed": 0.2,
+         "checkpoint.every": "0.5 ms",
          "magnetic_field": "{plane: xz, table: {time: [0 ms, 2 ms, 2.01 ms, 4 ms], magnitude: "
                            "[10 mT, 10 mT, 150 mT, 150 mT], direction: 50 deg}}"}
 CHANNEL = {"checkpoint.every": "10 ms"}
