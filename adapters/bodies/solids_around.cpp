@@ -70,8 +70,7 @@ void SolidsAround::add_points(const structure::Body& body, std::size_t number,
             points_.push_back(point);
         }
     }
-    for (const auto& middle :
-         structure::surface_points(body.mesh, surface, spacing_m_)) {
+    for (const auto& middle : structure::surface_points(body.mesh, surface, spacing_m_)) {
         points_.push_back({middle.point, number});
         for (int& node : points_.back().at.node) node += first_node;
     }
@@ -84,7 +83,9 @@ void SolidsAround::add_sides(const scene::Fluid& fluid,
         if (fluid.boundaries[side].kind == scene::BoundaryKind::periodic) continue;
         const std::size_t axis = side / 2;
         const bool low = side % 2 == 0;
-        Side made{static_cast<int>(axis), low ? 1.0 : -1.0, low ? 0 : fluid.box_m[axis],
+        Side made{static_cast<int>(axis),
+                  low ? 1.0 : -1.0,
+                  low ? 0 : fluid.box_m[axis],
                   fmt::format("the side {} of the fluid's box",
                               scene::names<scene::Face>[side]),
                   {}};
@@ -118,9 +119,9 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
         }
         // Of a body that is held by it, also what starts beside it.
         for (const Point& point : points_)
-            made.free.push_back(!holds_body[point.body] ||
-                                !comes_within(made, place_of(point.at, start_m),
-                                              spacing_m_));
+            made.free.push_back(
+                !holds_body[point.body] ||
+                !comes_within(made, place_of(point.at, start_m), spacing_m_));
         obstacles_.push_back(std::move(made));
     }
 }
@@ -163,9 +164,9 @@ SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) 
             const auto holds = [&](const Vec3& at) {
                 return obstacle.solid->holds(fluid::in_cells(at, spacing_m_));
             };
-            const double gap = is_deep(holds, x, deep_m_) ? -INFINITY
+            const double gap = is_deep(holds, x, deep_m_)           ? -INFINITY
                                : comes_within(obstacle, x, near_m_) ? 0.5 * near_m_
-                                                                     : near_m_;
+                                                                    : near_m_;
             note(point, obstacle.what, x, gap, found);
         }
     }

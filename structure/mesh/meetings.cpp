@@ -22,7 +22,8 @@ using Triangle = std::array<Vec3, 3>;
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     constexpr double rounding = 1e-9;
     const Vec3 normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
-    const double before = dot(normal, minus(p, t[0])), after = dot(normal, minus(q, t[0]));
+    const double before = dot(normal, minus(p, t[0])),
+                 after = dot(normal, minus(q, t[0]));
     const Vec3 way = minus(q, p);
     const double least = rounding * std::sqrt(dot(normal, normal) * dot(way, way));
     if ((before > 0) == (after > 0) || std::abs(before) < least ||
@@ -31,8 +32,7 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     // The way passes each edge on the same side.
     std::array<bool, 3> left;
     for (std::size_t i = 0; i < 3; ++i)
-        left[i] =
-            dot(way, cross(minus(t[i], p), minus(t[(i + 1) % 3], p))) > 0;
+        left[i] = dot(way, cross(minus(t[i], p), minus(t[(i + 1) % 3], p))) > 0;
     if (left[0] != left[1] || left[1] != left[2]) return {};
     const double part = before / (before - after);
     Vec3 at;

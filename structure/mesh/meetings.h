@@ -21,7 +21,8 @@ struct Meeting {
 struct Meetings {
     std::optional<Meeting> crossing;  // the first that is found
     std::vector<Meeting> near;        // of each pair of bodies the nearest
-    double apart_m = 0;  // all that could meet is at least so far apart, as far as is looked
+    double apart_m =
+        0;  // all that could meet is at least so far apart, as far as is looked
 };
 
 // Parts of one surface that lie close together in the body at rest are neighbours, which

@@ -18,8 +18,8 @@ class NearPairs {
         for (std::size_t i = 0; i < points_m.size(); ++i) {
             Place place;
             for (std::size_t d = 0; d < 3; ++d)
-                place[d] = 1 + static_cast<std::int64_t>(
-                                   (points_m[i][d] - all.low_m[d]) / edge_m);
+                place[d] = 1 + static_cast<std::int64_t>((points_m[i][d] - all.low_m[d]) /
+                                                         edge_m);
             cells_[key(place)].push_back(i);
         }
     }

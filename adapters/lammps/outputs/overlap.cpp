@@ -39,7 +39,8 @@ class Overlap : public coupler::Output {
     };
     void look();  // collective
     std::int64_t look_at(const NodalState& nodes);
-    void tell_near(const structure::Meetings& bodies, const bodies::SolidMeetings& solids);
+    void tell_near(const structure::Meetings& bodies,
+                   const bodies::SolidMeetings& solids);
     std::string body(std::size_t number) const {
         return fmt::format("body '{}'", run_.input.bodies[number].name);
     }
