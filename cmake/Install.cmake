@@ -52,7 +52,8 @@ install(FILES ${magfsi_generated}/place.py DESTINATION ${MAGFSI_PYTHON_DIR}/magf
 # --- for programs in C++ ---
 # Their names there: magfsi::coupler has the scene and the coupled run, magfsi::lammps the styles.
 set(exported
-  magfsi_options:options magfsi_isa:isa magfsi_fluid:lbm magfsi_structure:structure
+  magfsi_options:options magfsi_isa:isa magfsi_fluid:lbm magfsi_tables:tables
+  magfsi_structure:structure
   magfsi_structure_lammps:lammps magfsi_coupler:coupler_core magfsi_scene:scene
   magfsi_run_scene:coupler)
 foreach(pair ${exported})
