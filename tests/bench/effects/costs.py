@@ -88,7 +88,9 @@ off in turn, with the smallest and largest difference of a pair; memory is the l
 
 Made by
 
-    ./magfsi python tests/bench/effects/costs.py > docs/effects.md
+```sh
+./magfsi python tests/bench/effects/costs.py > docs/effects.md
+```
 
 Every step of every scene looks for what is no number any more: the structure at its nodes, the
 fluid within its sweep. That is no effect that a scene can leave out; it is

@@ -1,0 +1,154 @@
+"""Builds the documentation as a site, with the pages that are made: docs/scene_examples.md (an example
+of every key) and docs/cpp_reference.md (the headers of the installed libraries).
+
+    ./magfsi python docs/make_site.py OUT       OUT/html/docs/index.html; any warning is an error
+
+Needs python3-sphinx and python3-myst-parser (packages-tests.txt).
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import yaml
+
+from magfsi import runs
+
+TOP = Path(__file__).resolve().parents[1]
+EXAMPLES = ("tutorials", "docs/examples", "docs/howto")
+HEADERS = {
+    "A structure of your own": ["coupler/scheme/structure_solver.h"],
+    "A fluid of your own": ["coupler/immersed_boundary/grid.h"],
+    "Scenes": ["adapters/scene/reader.h", "adapters/scene/scene.h", "coupler/options.h"],
+    "The coupled run": ["coupler/participants/session.h", "coupler/participants/world.h",
+                        "coupler/scheme/structure_coupling.h", "coupler/scheme/fluid_coupling.h"],
+    "The lattice-Boltzmann fluid": ["fluid_lbm/fluid.h", "fluid_lbm/config.h", "fluid_lbm/options.h"],
+    "The magttice": ["structure/body.h", "structure/lattice/lattice.h",
+                     "structure/equilibrium/newton.h"],
+    "The LAMMPS styles": ["structure/lammps/register_styles.h", "structure/lammps/script.h"],
+}
+# Lists whose items have the keys of another place.
+LIKE_ANOTHER = [("magnetic_field", "plus")]  # magnetic_field
+SIDES = [f"{axis}_{end}" for axis in "xyz" for end in ("min", "max")]
+
+
+def examples():
+    """[(file, values)] of the scenes that examples are taken from."""
+    files = [file for folder in EXAMPLES for file in sorted((TOP / folder).rglob("*.yaml"))]
+    found = [(file, yaml.safe_load(file.read_text())) for file in files]
+    return [(file, values) for file, values in found if isinstance(values, dict) and "time" in values]
+
+
+def keys_of_schema(schema, at=()):
+    """Paths of all keys; NAME stands for a name that users give, SIDE for one of the six sides of the
+    box, an index is left out."""
+    for choice in ("anyOf", "oneOf", "allOf"):
+        for part in schema.get(choice, ()):
+            yield from keys_of_schema(part, at)
+    for key, value in schema.get("properties", {}).items():
+        below = (*at, "SIDE" if key in SIDES else key)
+        yield below
+        if below not in LIKE_ANOTHER:
+            yield from keys_of_schema(value, below)
+    if isinstance(named := schema.get("additionalProperties"), dict):
+        yield from keys_of_schema(named, (*at, "NAME"))
+    if isinstance(named := schema.get("patternProperties"), dict):
+        for value in named.values():
+            yield from keys_of_schema(value, (*at, "NAME"))
+    if isinstance(items := schema.get("items"), dict):
+        yield from keys_of_schema(items, at)
+
+
+def find(values, key):
+    """The part of a scene's values that leads to a key alone, nested as it is there; None without."""
+    if not key:
+        return values
+    if isinstance(values, list):
+        for item in values:
+            found = find(item, key)
+            if found is not None:
+                return [found]
+        return None
+    if not isinstance(values, dict):
+        return None
+    wanted = {"NAME": list(values), "SIDE": SIDES}.get(key[0], [key[0]])
+    for name in (name for name in wanted if name in values):
+        found = find(values[name], key[1:])
+        if found is not None:
+            return {name: found}
+    return None
+
+
+def example_of(key, scenes):
+    """(file, snippet) of the shortest example of a key, or None."""
+    found = []
+    for file, values in scenes:
+        part = find(values, key)
+        if part is not None:
+            text = yaml.safe_dump(part, sort_keys=False, default_flow_style=None, width=90)
+            found.append((len(text), str(file.relative_to(TOP)), text))
+    return min(found)[1:] if found else None
+
+
+def scene_examples(schema):
+    scenes = examples()
+    lines = ["# An example of every key", "",
+             "<!-- Made by docs/make_site.py. -->",
+             "Each is a part of a scene that `check` calls good, which stands behind it. What a key means "
+             "and may be is in [scene.md](scene.md).", ""]
+    missing, part = [], None
+    for key in dict.fromkeys(keys_of_schema(schema)):
+        example = example_of(key, scenes)
+        if example is None:
+            missing.append(".".join(key))
+            continue
+        if key[0] != part:
+            part = key[0]
+            lines += [f"## {part}", ""]
+        lines += [f"`{'.'.join(key)}` ([{example[0]}](../{example[0]}))", "", "```yaml",
+                  example[1].rstrip(), "```", ""]
+    return "\n".join(lines), missing
+
+
+def cpp_reference():
+    lines = ["# C++ reference", "", "<!-- Made by docs/make_site.py. -->",
+             "The headers of the installed libraries that programs begin with; all are below "
+             "`include/magfsi`. How they are used:  "
+             "[adding_a_fluid.md](adding_a_fluid.md).", ""]
+    for title, headers in HEADERS.items():
+        lines += [f"## {title}", ""]
+        for header in headers:
+            text = re.sub(r"\A// SPDX.*\n", "", (TOP / header).read_text())
+            lines += [f"### {header}", "", "```cpp", text.rstrip(), "```", ""]
+    return "\n".join(lines)
+
+
+def build(out):
+    source = out / "source"
+    shutil.rmtree(out, ignore_errors=True)
+    shutil.copytree(TOP, source, ignore=lambda folder, names: [
+        name for name in names if name in (".git", "__pycache__", "shared")
+        or Path(folder) == TOP and name in ("build", "runs")])
+    import json
+    schema = json.loads(subprocess.run([runs.BIN / "magfsi", "schema"], capture_output=True,
+                                       text=True, check=True).stdout)
+    page, missing = scene_examples(schema)
+    (source / "docs/scene_examples.md").write_text(page)
+    (source / "docs/cpp_reference.md").write_text(cpp_reference())
+    words = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going", "-c",
+             source / "docs", source, out / "html"]
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True,
+                          env={**os.environ, "LC_ALL": "C.UTF-8"})
+    return done.returncode, done.stdout + done.stderr, missing
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    code, text, missing = build(Path(sys.argv[1]).resolve())
+    print(text, end="")
+    if missing:
+        print("keys without an example:", *missing, sep="\n  ")
+    sys.exit(code)
