@@ -3,6 +3,7 @@ as points, and calls a tie a tie."""
 import signal
 import time
 import unittest
+from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -34,15 +35,24 @@ class Finds(unittest.TestCase):
         self.assertAlmostEqual(float(best["magnitude[mT]"]) / BEST_MT, 1, delta=0.1)
         self.assertAlmostEqual(float(best["direction[deg]"]), 90, delta=8)
         self.assertIn(f"| {best['run']} |", done.out)
+        # With the shapes of the best, which was run once more with fields.
         self.assertTrue((search.out / "search.png").exists())
+        self.assertEqual(len(list(search.out.glob("runs/*/structure.pvd"))), 1)
         # The best is a scene that runs, and gives what the search says.
         again = testing.good_run(search.out / "best.yaml")
         self.assertAlmostEqual(again.probes()["tip_uz[m]"][-1], float(best["lift"]), delta=1e-12)
 
     def test_goes_on_after_a_kill(self):
-        whole = Search(SHORT)
+        self.goes_on(SHORT)
+
+    @unittest.skipUnless(find_spec("sklearn"), "no python3-sklearn")
+    def test_by_a_gaussian_process_goes_on_after_a_kill(self):
+        self.goes_on(SHORT + "method: gaussian_process\n")
+
+    def goes_on(self, text):
+        whole = Search(text)
         whole.good_run()
-        killed = Search(SHORT)
+        killed = Search(text)
         process = testing.start(killed.command())
         testing.wait_until(lambda: len(killed.records()) >= 3, process)
         process.send_signal(signal.SIGKILL)

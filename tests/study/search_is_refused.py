@@ -34,7 +34,7 @@ class Refused(unittest.TestCase):
         self.refused(TEXT + "minimize: lift\n", "both maximize and minimize")
 
     def test_two_methods(self):
-        self.refused(TEXT + "method: [cmaes, tpe]\n", "cmaes, tpe, random")
+        self.refused(TEXT + "method: [cmaes, tpe]\n", "cmaes, gaussian_process, tpe, random")
 
     def test_times_and_numbers_of_runs(self):
         self.refused(TEXT + "at_a_time: 0\n", "study.yaml:16:", "at least 1")
@@ -65,8 +65,12 @@ class Refused(unittest.TestCase):
         self.assertIn("another --out", done.err)
 
     def test_package_that_is_missing(self):
-        search = Search(TEXT)
-        Path(search.folder / "optuna.py").write_text("raise ImportError('none', name='optuna')\n")
+        self.missing("optuna", TEXT)
+        self.missing("sklearn", TEXT + "method: gaussian_process\n")
+
+    def missing(self, package, text):
+        search = Search(text)
+        (search.folder / f"{package}.py").write_text(f"raise ImportError(name='{package}')\n")
         before = os.environ["PYTHONPATH"]
         os.environ["PYTHONPATH"] = f"{search.folder}:{before}"
         try:
@@ -74,7 +78,7 @@ class Refused(unittest.TestCase):
         finally:
             os.environ["PYTHONPATH"] = before
         self.assertEqual(done.code, 1)
-        self.assertIn("apt install python3-optuna", done.err)
+        self.assertIn(f"apt install python3-{package}", done.err)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ class Study:
     def command(self, *more):
         return [sys.executable, "-m", self.program, self.file, "--out", self.out, *more]
 
-    def run(self, *more, limit_s=120):
+    def run(self, *more, limit_s=600):
         return testing.finish(testing.start(self.command(*more)), time.monotonic(), self.out,
                              limit_s)
 

@@ -35,7 +35,8 @@ def main():
     (out / "results.md").write_text(text)
     if some:
         result.best_scene(search, some[0].point, out / "best.yaml")
-        result.draw(search, points, out / "search.png")
+        shapes = result.shapes_of(search, some[0].point, out)
+        result.draw(search, points, out / "search.png", shapes)
     print("\n" + text)
     print(f"{out}/results.md, runs.csv" + (", best.yaml, search.png" if some else ""))
 

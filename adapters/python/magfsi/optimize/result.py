@@ -137,20 +137,42 @@ def best_scene(search, point, path):
 
 def _move_files(node, old, new):
     for key, value in node.items() if isinstance(node, dict) else ():
-        if key == "file" and isinstance(value, str):
+        if key in store.FILE_KEYS and isinstance(value, str):
             node[key] = os.path.relpath(old / value, new)
         _move_files(value, old, new)
 
 
-def draw(search, points, path):
+def shapes_of(search, point, out):
+    """The folder of the best, run again with fields; None where that is not to be had."""
+    end_s = point.run.facts["scene"]["time"]["end"]
+    run = run_at(search, point.values, out, {"output": f"{{structure: {{every: {end_s / 24!r} s}}}}"})
+    return run.folder if run.completed() else None
+
+
+def _draw_shapes(axes, folder):
+    from magfsi import plot
+    from magfsi.report import data
+
+    found, faces, body = plot.views(folder)
+    plot.draw_shapes(axes, data.read_json(folder / "scene.json", {}), found, faces, body)
+    axes.set_title("best: " + axes.get_title())
+
+
+def draw(search, points, path, best=None):
+    """best: the run folder of the best, for its shapes."""
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     numbers = [p for p in search.parameters.values() if not p.words]
     columns = 1 + len(numbers)
-    figure, axes = plt.subplots(1, columns, figsize=(3.4 * columns, 3.2), sharey=True,
-                                constrained_layout=True)
-    axes = [axes] if columns == 1 else list(axes)
+    figure, axes = plt.subplots(1, columns + bool(best), figsize=(3.4 * (columns + bool(best)), 3.2),
+                                squeeze=False, constrained_layout=True)
+    *axes, last = axes[0] if best else [*axes[0], None]
+    for other in axes[1:]:
+        other.sharey(axes[0])
+        other.tick_params(labelleft=False)
+    if best:
+        _draw_shapes(last, best)
     good = [p for p in points if p.good]
     best, line = None, []
     for p in good:

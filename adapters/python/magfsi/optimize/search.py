@@ -9,6 +9,7 @@ from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
+from magfsi.optimize import gaussian_process
 from magfsi.optimize.search_file import Search
 from magfsi.study import marked, norms, store
 
@@ -27,6 +28,8 @@ def optuna(method):
         import optuna as library
         if method == "cmaes":
             import cmaes  # noqa: F401
+        if method == "gaussian_process":
+            import sklearn  # noqa: F401
     except ImportError as error:
         raise Missing(f"magfsi optimize: needs the Python package {error.name} (Debian: apt "
                       f"install python3-{error.name})") from error
@@ -130,9 +133,11 @@ def _sampler(library, search, number):
                                            warn_independent_sampling=False)
     start = {n: (p.start - p.low) / (p.high - p.low)
              for n, p in search.parameters.items() if p.start is not None}
-    return library.samplers.CmaEsSampler(
-        x0=start if len(start) == len(search.parameters) else None, seed=seed,
-        warn_independent_sampling=False)
+    start = start if len(start) == len(search.parameters) else None
+    if search.method == "gaussian_process":
+        return gaussian_process.sampler(library, seed, list(search.parameters), start, HOPELESS,
+                                        number)
+    return library.samplers.CmaEsSampler(x0=start, seed=seed, warn_independent_sampling=False)
 
 
 def ranked(points, search):

@@ -10,7 +10,7 @@ from magfsi.study.product import Cell
 from magfsi.study.study_file import Norm, Setting, read_name, read_sets, read_terms, read_time
 from magfsi.units import PATTERN, parse, size_of
 
-METHODS = ("cmaes", "tpe", "random")
+METHODS = ("cmaes", "gaussian_process", "tpe", "random")
 NUMBERS = ("final", "peak", "mean", "amplitude")
 KEYS = ("name", "scene", "set", "parameters", "derived", "measures", "maximize", "minimize",
         "require", "method", "runs", "seed", "at_a_time", "stop_early", "ranks", "limit", "finer",
@@ -191,9 +191,9 @@ def read_search(path):
     measures = {n: _measure(n, v, numbers) for n, v in keys["measures"].entries().items()}
     names = [*measures, *numbers]
     method = keys["method"].choice(METHODS) if keys["method"] else "cmaes"
-    if method == "cmaes" and len(numbers) < len(parameters):
+    if method in ("cmaes", "gaussian_process") and len(numbers) < len(parameters):
         (keys["method"] or keys["parameters"]).refuse(
-            "cmaes with parameters that are words", "tpe or random with them")
+            f"{method} with parameters that are words", "tpe or random with them")
     return Search(
         path, read_name(keys["name"], path.stem), path.parent / keys["scene"].scalar(),
         read_sets(keys["set"]), parameters,

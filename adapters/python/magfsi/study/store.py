@@ -15,6 +15,7 @@ from magfsi import runs as programs
 from magfsi.study import marked
 from magfsi.study.product import Cell
 
+FILE_KEYS = ("file", "script")  # of a scene
 RECORD = "study.json"  # in the run folder; its presence says that the run is done
 PARTICIPANTS = ("magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-")
 
@@ -66,18 +67,19 @@ def _explain(scene, cell):
 
 
 def _files_of(scene, sets):
-    """Meshes and tables that the scene reads: the scene's hash knows their names only."""
+    """Meshes, tables and scripts that the scene reads: its hash knows their names only."""
     def walk(value):
         if value.is_map():
             for key, child in value.entries().items():
-                if key == "file" and not child.is_map():
+                if key in FILE_KEYS and not child.is_map():
                     yield scene.parent / child.text()
                 yield from walk(child)
         elif value.is_list():
             for child in value.items():
                 yield from walk(child)
     files = list(walk(marked.read(scene)))
-    files += [scene.parent / text for key, text in sets.items() if key.endswith(".file")]
+    files += [scene.parent / text for key, text in sets.items()
+              if key.rpartition(".")[2] in FILE_KEYS]
     return [f for f in files if f.is_file()]
 
 
