@@ -118,6 +118,8 @@ class Fluid {
     // Velocity [m/s] (3 a cell) and density [kg/m3] of the owned cells, x fastest; in
     // obstacles 0 and the density at rest.
     void macroscopic(std::span<float> velocity, std::span<float> density) const;
+    // Gauge pressure [Pa] of the owned cells, x fastest: zero at the density at rest.
+    void pressure(std::span<float> out) const;
     // curl u [1/s] of the owned cells, 3 a cell, x fastest. Collective.
     void vorticity(std::span<float> out) const;
 

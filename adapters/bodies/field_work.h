@@ -10,9 +10,28 @@
 
 namespace magfsi::bodies {
 
+// Of the field on the nodes of a body: q_a B of a uniform field, q_a the nodes' charges,
+// and those of a gradient.
+class FieldForces {
+  public:
+    explicit FieldForces(
+        const structure::Body& body,
+        const std::optional<structure::GradientInput>& gradient = std::nullopt);
+
+    std::size_t nodes() const { return charge_a_m_.size(); }
+    std::vector<structure::Vec3> forces_n(std::span<const structure::Vec3> nodes_m,
+                                          const structure::Vec3& field_t) const;
+
+  private:
+    std::vector<double> charge_a_m_;
+    std::optional<structure::FieldGradient> gradient_;
+    std::vector<structure::GradientElement> gradient_elements_;  // none without it
+    std::vector<structure::Hexahedron> elements_;
+};
+
 // sum over the path of (F_before + F_after)/2 . (x_after - x_before), F the field's
-// forces on the nodes: q_a B of a uniform field, q_a the nodes' charges, and those of a
-// gradient. A property of the equilibria, whatever motion leads from one to the next.
+// forces on the nodes. A property of the equilibria, whatever motion leads from one to
+// the next.
 class FieldWork {
   public:
     // Where the body is before any load. `let_go`: moves to the first equilibrium in the
@@ -26,13 +45,7 @@ class FieldWork {
     double work_j() const { return work_j_; }
 
   private:
-    // On all nodes where they are.
-    std::vector<structure::Vec3> forces_n(const structure::Vec3& field_t) const;
-
-    std::vector<double> charge_a_m_;
-    std::optional<structure::FieldGradient> gradient_;
-    std::vector<structure::GradientElement> gradient_elements_;  // none without it
-    std::vector<structure::Hexahedron> elements_;
+    FieldForces forces_;
     std::vector<structure::Vec3> nodes_m_, force_n_;
     bool let_go_;
     double work_j_ = 0;

@@ -2,11 +2,173 @@
 
 #include <fmt/format.h>
 
-#include "coupler/output/vtk.h"
+#include <Eigen/Dense>
+
+#include "adapters/bodies/field_work.h"
+#include "structure/lammps/field_program.h"
+#include "structure/lattice/element_kernel.h"
+#include "structure/lattice/plain_element.h"
+#include "structure/lattice/strain.h"
 
 namespace magfsi::bodies {
 
-StructureFiles::StructureFiles(const std::vector<structure::Body>& bodies,
+namespace {
+
+using scene::BodyField;
+using structure::Positions8;
+
+struct Kind {
+    int components;
+    bool of_nodes;
+    std::string_view unit;
+};
+
+// In the order of BodyField.
+constexpr Kind kinds[] = {{3, true, "m"},   {3, true, "m/s"}, {3, false, "A/m"},
+                          {3, false, "1"},  {3, true, "N"},   {3, true, "N"},
+                          {6, false, "Pa"}, {1, false, "1"},  {1, false, "J/m3"}};
+static_assert(std::size(kinds) == scene::names<BodyField>.size());
+
+// Of one element: where its nodes are, and its share of the mesh at rest.
+struct Element {
+    std::array<int, 8> nodes{};  // of all bodies
+    Positions8 gradient_m2;
+    double volume_m3 = 0;
+};
+
+std::vector<Element> elements_at_rest(const structure::Body& body, int first_node) {
+    std::vector<Element> all;
+    for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        auto nodes = body.mesh.elements[e];
+        const auto at_rest = structure::integrate_hexahedron(
+            structure::gather(body.mesh.nodes, nodes), static_cast<int>(e));
+        for (int& node : nodes) node += first_node;
+        all.push_back({nodes, at_rest.gradient, at_rest.volume});
+    }
+    return all;
+}
+
+int nodes_of(const structure::Body& body) {
+    return static_cast<int>(body.mesh.nodes.size());
+}
+
+// What an element's deformation gives, for each element of each body in turn. add: takes
+// the body, the number of the element in it, F, and puts values to the end of the list.
+template <class Add>
+auto each_element(const std::vector<structure::Body>& bodies, const Add& add) {
+    std::vector<std::vector<Element>> elements;
+    int first_node = 0;
+    for (const structure::Body& body : bodies) {
+        elements.push_back(elements_at_rest(body, first_node));
+        first_node += nodes_of(body);
+    }
+    return [elements, add](double, const NodalState& state, std::vector<double>& out) {
+        for (std::size_t b = 0; b < elements.size(); ++b) {
+            for (std::size_t e = 0; e < elements[b].size(); ++e) {
+                const Element& element = elements[b][e];
+                const Positions8 x = structure::gather(state.position_m, element.nodes);
+                add(b, e,
+                    structure::mean_deformation(x, element.gradient_m2,
+                                                element.volume_m3),
+                    out);
+            }
+        }
+    };
+}
+
+template <class Values>
+void append(std::vector<double>& out, const Values& values) {
+    out.insert(out.end(), std::begin(values), std::end(values));
+}
+
+// Of the springs, the change of volume and what varies within an element, over the volume
+// at rest.
+auto energy_densities(const std::vector<structure::Body>& bodies) {
+    struct Part {
+        std::vector<std::array<int, 8>> nodes;
+        std::vector<structure::ElementReference> references;
+        std::vector<structure::Material> materials;
+    };
+    std::vector<Part> parts;
+    int first_node = 0;
+    for (const structure::Body& body : bodies) {
+        Part part;
+        for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+            auto nodes = body.mesh.elements[e];
+            part.references.push_back(
+                structure::element_reference(structure::gather(body.mesh.nodes, nodes),
+                                             body.element, static_cast<int>(e)));
+            for (int& node : nodes) node += first_node;
+            part.nodes.push_back(nodes);
+            part.materials.push_back(structure::material_of(body, e));
+        }
+        first_node += nodes_of(body);
+        parts.push_back(std::move(part));
+    }
+    return [parts](double, const NodalState& state, std::vector<double>& out) {
+        for (const Part& part : parts) {
+            for (std::size_t e = 0; e < part.nodes.size(); ++e) {
+                const auto& reference = part.references[e];
+                const auto now = structure::element_energy(
+                    reference, part.materials[e],
+                    structure::gather(state.position_m, part.nodes[e]));
+                out.push_back(now.energy_j / reference.volume);
+            }
+        }
+    };
+}
+
+// Of the lattice on each node, what drives it back to rest.
+auto elastic_forces(const std::vector<structure::Body>& bodies) {
+    auto kernels = std::make_shared<std::vector<structure::ElementKernel>>();
+    std::vector<std::size_t> counts;
+    for (const structure::Body& body : bodies) {
+        kernels->emplace_back().assign(structure::build_lattice(body));
+        counts.push_back(body.mesh.nodes.size());
+    }
+    return [kernels, counts](double, const NodalState& state, std::vector<double>& out) {
+        std::size_t first = out.size(), node = 0;
+        out.resize(first + 3 * state.position_m.size());
+        for (std::size_t b = 0; b < counts.size(); ++b) {
+            (*kernels)[b].add_forces(state.position_m[node].data(), out.data() + first);
+            first += 3 * counts[b];
+            node += counts[b];
+        }
+    };
+}
+
+auto magnetic_forces(const scene::Scene& scene,
+                     const std::vector<structure::Body>& bodies) {
+    auto laws = std::make_shared<std::vector<FieldForces>>();
+    const auto& field = scene.magnetic_field;
+    for (const structure::Body& body : bodies)
+        laws->emplace_back(body, field ? field->gradient : std::nullopt);
+    return
+        [laws, field](double time_s, const NodalState& state, std::vector<double>& out) {
+            const Vec3 field_t = field ? structure::field_at(*field, time_s) : Vec3{};
+            std::span<const Vec3> left(state.position_m);
+            for (const FieldForces& law : *laws) {
+                for (const Vec3& force : law.forces_n(left.first(law.nodes()), field_t))
+                    append(out, force);
+                left = left.subspan(law.nodes());
+            }
+        };
+}
+
+auto of_each_node(std::function<Vec3(const NodalState&, std::size_t)> value) {
+    return [value](double, const NodalState& state, std::vector<double>& out) {
+        for (std::size_t n = 0; n < state.position_m.size(); ++n)
+            append(out, value(state, n));
+    };
+}
+
+Vec3 magnetization_of(const structure::Body& body, std::size_t element) {
+    return body.magnetization_a_m.empty() ? Vec3{} : body.magnetization_a_m[element];
+}
+
+}  // namespace
+
+StructureFiles::StructureFiles(const scene::Scene& scene, const Bodies& bodies,
                                const NodalState& start,
                                const std::filesystem::path& run_folder)
     : start_m_(start.position_m),
@@ -15,16 +177,100 @@ StructureFiles::StructureFiles(const std::vector<structure::Body>& bodies,
     int first_node = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const structure::Body& body = bodies[b];
-        for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
-            auto nodes = body.mesh.elements[e];
+        for (auto nodes : body.mesh.elements) {
             for (int& node : nodes) node += first_node;
             elements_.push_back(nodes);
-            const auto m = body.magnetization_a_m.empty() ? structure::Vec3{}
-                                                          : body.magnetization_a_m[e];
-            magnetization_.insert(magnetization_.end(), m.begin(), m.end());
             body_.push_back(static_cast<float>(b));
         }
-        first_node += static_cast<int>(body.mesh.nodes.size());
+        names_.words.push_back(body.name);
+        first_node += nodes_of(body);
+    }
+    for (const BodyField field : scene.output.structure->fields)
+        add(field, scene, bodies);
+}
+
+void StructureFiles::add(BodyField field, const scene::Scene& scene,
+                         const Bodies& bodies) {
+    const Kind& kind = kinds[static_cast<std::size_t>(field)];
+    fields_.push_back({fmt::format("{}[{}]", scene::name_of(field), kind.unit),
+                       kind.components, kind.of_nodes, nullptr});
+    if (kind.of_nodes)
+        add_of_nodes(field, scene, bodies);
+    else if (field == BodyField::magnetization)
+        add_magnetization(bodies);
+    else
+        add_of_elements(field, bodies);
+}
+
+void StructureFiles::add_of_nodes(BodyField field, const scene::Scene& scene,
+                                  const Bodies& bodies) {
+    auto& add = fields_.back().add;
+    if (field == BodyField::displacement) {
+        add = of_each_node([this](const NodalState& state, std::size_t n) {
+            Vec3 u = state.position_m[n];
+            for (std::size_t d = 0; d < 3; ++d) u[d] -= start_m_[n][d];
+            return u;
+        });
+    } else if (field == BodyField::velocity) {
+        add = of_each_node(
+            [](const NodalState& state, std::size_t n) { return state.velocity_m_s[n]; });
+    } else if (field == BodyField::magnetic_force) {
+        add = magnetic_forces(scene, bodies);
+    } else {
+        add = elastic_forces(bodies);
+    }
+}
+
+// At rest, and as the body carries it: F M, whose energy in a field B is -F M . B a
+// volume at rest (magnetic_forces.h).
+void StructureFiles::add_magnetization(const Bodies& bodies) {
+    std::vector<double> at_rest;
+    std::vector<std::vector<Vec3>> of_body;
+    for (const structure::Body& body : bodies) {
+        auto& own = of_body.emplace_back();
+        for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+            own.push_back(magnetization_of(body, e));
+            append(at_rest, own.back());
+        }
+    }
+    fields_.back().add = each_element(
+        bodies, [of_body](std::size_t b, std::size_t e, const Eigen::Matrix3d& f,
+                          std::vector<double>& out) {
+            const Vec3& m = of_body[b][e];
+            const Eigen::Vector3d now = f * Eigen::Vector3d(m[0], m[1], m[2]);
+            append(out, now);
+        });
+    fields_.push_back({"magnetization_at_rest[A/m]", 3, false,
+                       [at_rest](double, const NodalState&, std::vector<double>& out) {
+                           append(out, at_rest);
+                       }});
+}
+
+void StructureFiles::add_of_elements(BodyField field, const Bodies& bodies) {
+    auto& add = fields_.back().add;
+    using Matrix = Eigen::Matrix3d;
+    using Out = std::vector<double>;
+    if (field == BodyField::stretches) {
+        add =
+            each_element(bodies, [](std::size_t, std::size_t, const Matrix& f, Out& out) {
+                append(out, structure::principal_stretches(f));
+            });
+    } else if (field == BodyField::volume_ratio) {
+        add = each_element(bodies, [](std::size_t, std::size_t, const Matrix& f,
+                                      Out& out) { out.push_back(f.determinant()); });
+    } else if (field == BodyField::stress) {
+        std::vector<std::vector<structure::Material>> of_body;
+        for (const structure::Body& body : bodies) {
+            auto& own = of_body.emplace_back();
+            for (std::size_t e = 0; e < body.mesh.elements.size(); ++e)
+                own.push_back(structure::material_of(body, e));
+        }
+        add = each_element(
+            bodies, [of_body](std::size_t b, std::size_t e, const Matrix& f, Out& out) {
+                append(out, structure::cauchy_stress_pa(of_body[b][e], f));
+            });
+    } else {
+        add = energy_densities(bodies);
     }
 }
 
@@ -40,21 +286,20 @@ void StructureFiles::resume(const coupler::Clock& clock, std::int64_t every) {
 }
 
 void StructureFiles::write(std::int64_t index, double time_s, const NodalState& state) {
-    std::vector<double> points, displacement, velocity;
-    for (std::size_t n = 0; n < state.position_m.size(); ++n) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            points.push_back(state.position_m[n][d]);
-            displacement.push_back(state.position_m[n][d] - start_m_[n][d]);
-            velocity.push_back(state.velocity_m_s[n][d]);
-        }
+    std::vector<double> points;
+    for (const Vec3& x : state.position_m) append(points, x);
+    std::vector<std::vector<double>> values(fields_.size());
+    std::vector<output::Field> of_nodes, of_elements;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const Field& field = fields_[i];
+        field.add(time_s, state, values[i]);
+        (field.of_nodes ? of_nodes : of_elements)
+            .push_back(
+                {field.name, field.components, std::span<const double>(values[i])});
     }
-    const auto values = [](const auto& v) { return std::span(v); };
-    const output::Field point_fields[] = {{"displacement", 3, values(displacement)},
-                                          {"velocity", 3, values(velocity)}};
-    const output::Field cell_fields[] = {{"magnetization", 3, values(magnetization_)},
-                                         {"body", 1, values(body_)}};
-    output::write_vtu(file(index), {std::span<const double>(points), elements_},
-                      point_fields, cell_fields);
+    of_elements.push_back({"body", 1, std::span<const float>(body_)});
+    output::write_vtu(file(index), {std::span<const double>(points), elements_}, of_nodes,
+                      of_elements, {&names_, 1});
     series_.add(time_s, file(index));
 }
 

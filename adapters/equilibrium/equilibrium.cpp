@@ -23,6 +23,7 @@
 #include "coupler/participants/session.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"
+#include "coupler/step/trace.h"
 #include "structure/equilibrium/newton.h"
 #include "structure/lammps/placement.h"
 #include "structure/lattice/lattice.h"
@@ -196,7 +197,8 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
                                                       probe_row_->columns());
     }
     if (scene.output.structure)
-        files_ = std::make_unique<bodies::StructureFiles>(solids, start, session.out());
+        files_ =
+            std::make_unique<bodies::StructureFiles>(scene, solids, start, session.out());
     assemble(progress);
 }
 
@@ -272,6 +274,7 @@ void Participant::run() {
     session_.log("each point: " + tasks_.names());
     if (probes_) write_probes();
     if (files_) write_fields();
+    const auto trace = coupler::trace_of(session_, tasks_);
     while (!session_.clock().done()) tasks_.run();
     for (const auto& path : paths_) {
         if (path->unresolved())

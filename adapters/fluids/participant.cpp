@@ -7,6 +7,7 @@
 #include "coupler/checkpoint/checkpoints.h"
 #include "coupler/checkpoint/rank_rows.h"
 #include "coupler/step/report.h"
+#include "coupler/step/trace.h"
 
 namespace magfsi::fluids {
 
@@ -80,6 +81,7 @@ void Participant::run() {
         fmt::format("fluid: {}, {} rank(s)", fluid_.headline(), session_.world().size()));
     if (coupling_) coupling_->begin();
     outputs_.begin();
+    const auto trace = coupler::trace_of(session_, tasks_);
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();
     finish(output::steady_seconds() - start);

@@ -16,6 +16,7 @@
 #include "coupler/participants/errors.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
+#include "coupler/step/trace.h"
 #include "structure/lammps/register_styles.h"
 
 namespace magfsi::lammps {
@@ -295,6 +296,7 @@ void Participant::run() {
     if (run_.coupling) run_.coupling->begin();
     if (rest_ && !session_.restart()) come_to_rest(0);
     outputs_.begin();
+    const auto trace = coupler::trace_of(session_, tasks_);
     const double start = output::steady_seconds();
     while (session_.running()) tasks_.run();
     finish(output::steady_seconds() - start);

@@ -16,8 +16,12 @@ explain|program|what a scene will run, and with what numbers, memory and time
 run|program|run a scene: a file, or a folder with scene.yaml
 schema|program|JSON Schema of the scene file, for editors
 =results
+report|module|a page of a run to play with, or of several laid over each other
+watch|module|that page of a run while it goes on
 plot|module|one picture of any run: shapes and every probe
-report|module|a page of a run to play with
+render|module|an instant of any run, lit, with vortices
+film|module|any run as a film (MP4)
+gallery|module|docs/index.html: every tutorial's page, picture and cost
 =accuracy and search
 cost|module|the error bars of a scene, and what 10, 5, 2 and 1 % cost
 study|module|a scene over a product of settings: error against seconds
@@ -190,6 +194,8 @@ dispatch() {
     esac
     for argument in "$@"; do arguments+=("$(existing_scene "$argument")"); done
     set -- ${arguments[@]+"${arguments[@]}"}
+    # A page when the run has ended; only for a person's run, not for tests and searches.
+    [ "$word" != run ] || export MAGFSI_PAGE=${MAGFSI_PAGE:-yes}
     case "$(kind_of "$word")" in
         program) exec "$MAGFSI_BIN/magfsi" "$word" "$@" ;;
         module) exec $python -P -m "magfsi.$word" "$@" ;;

@@ -101,7 +101,7 @@ Markers markers_of(const scene::Scene& scene) {
 constexpr double file_vector = 12, file_scalar = 4, velocity_field = 24;
 
 double field_bytes(scene::FluidField field) {
-    return field == scene::FluidField::density ? file_scalar : file_vector;
+    return scene::components_of(field) == 1 ? file_scalar : file_vector;
 }
 
 // Beside the field itself: the other half of what a sweep gives, or the velocities that a
@@ -113,9 +113,12 @@ double while_made(scene::FluidField field) {
         case scene::FluidField::density:
             return file_vector;
         case scene::FluidField::vorticity:
+            return velocity_field;
+        case scene::FluidField::pressure:
+        case scene::FluidField::obstacle:
             break;
     }
-    return velocity_field;
+    return 0;
 }
 
 double output_bytes_per_cell(const scene::FluidOutput& output) {

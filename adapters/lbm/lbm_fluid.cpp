@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "adapters/lbm/fluid_state.h"
@@ -13,6 +14,22 @@ namespace magfsi::lbm {
 namespace {
 
 constexpr const char* table = "populations";
+
+// 1 in the owned cells that are inside obstacles, 0 elsewhere. Collective.
+void mark_obstacles(const fluid::Fluid& fluid, std::span<float> out) {
+    std::ranges::fill(out, 0.0F);
+    const fluid::CellBox box = fluid.owned();
+    const int nx = box.hi[0] - box.lo[0], ny = box.hi[1] - box.lo[1];
+    for (const CellRow& row : fluid.solid_rows()) {
+        if (row.y < box.lo[1] || row.y >= box.hi[1] || row.z < box.lo[2] ||
+            row.z >= box.hi[2])
+            continue;
+        const int first = std::max(row.x_begin, box.lo[0]) - box.lo[0];
+        const int end = std::min(row.x_end, box.hi[0]) - box.lo[0];
+        const int start = ((row.z - box.lo[2]) * ny + row.y - box.lo[1]) * nx;
+        for (int x = first; x < end; ++x) out[static_cast<std::size_t>(start + x)] = 1;
+    }
+}
 
 }  // namespace
 
@@ -29,6 +46,12 @@ void sample(const fluid::Fluid& fluid, scene::FluidField field, std::span<float>
             break;
         case scene::FluidField::vorticity:
             fluid.vorticity(out);
+            break;
+        case scene::FluidField::pressure:
+            fluid.pressure(out);
+            break;
+        case scene::FluidField::obstacle:
+            mark_obstacles(fluid, out);
             break;
     }
 }

@@ -121,7 +121,7 @@ void RefinedLbm::field(scene::FluidField field, std::size_t level, std::span<flo
         fluid_.inside_by_rank(l)[static_cast<std::size_t>(rank)];
     const fluid::CellBox own = fluid.owned();
     const auto& first = fluid_.place(l).stored.lo;
-    const std::size_t components = field == scene::FluidField::density ? 1 : 3;
+    const auto components = static_cast<std::size_t>(scene::components_of(field));
     std::array<std::size_t, 3> n{};
     for (std::size_t d = 0; d < 3; ++d)
         n[d] = static_cast<std::size_t>(own.hi[d] - own.lo[d]);

@@ -107,6 +107,11 @@ int main(int argc, char** argv) {
     run.add_flag("--overwrite", options.run.overwrite,
                  "Drop the results of an earlier run in the folder; without it they are "
                  "moved to earlier-1 in it");
+    run.add_flag("--trace", options.run.trace,
+                 "Write trace.json: when each task of each rank began and ended, for "
+                 "ui.perfetto.dev");
+    run.add_flag("!--no-report", options.run.page,
+                 "Write no report.html when the run has ended");
     run.add_flag("--record", options.run.record,
                  "Write exchange.record: all that the two sides send each other");
     run.add_option("--replay", options.replay,

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "adapters/magfsi/after_run.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/job.h"
@@ -50,6 +51,7 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     for (const std::string& note : options.notes)
         arguments.insert(arguments.end(), {"--note", note});
     if (options.overwrite) arguments.emplace_back("--overwrite");
+    if (options.trace) arguments.emplace_back("--trace");
     if (options.halvings > 0)
         arguments.insert(arguments.end(),
                          {"--halvings", std::to_string(options.halvings)});
@@ -360,7 +362,10 @@ int run(const RunOptions& options) {
     for (const std::string& line : warned) fmt::print(stderr, "warning: {}\n", line);
     Retries retries(scene, out, options.restart);
     const JobEnd end = run_with_retries(scene, options, out, retries, lock);
-    return conclude(scene, options, out, end, retries.record().empty());
+    if (options.trace) merge_traces(out);
+    const int code = conclude(scene, options, out, end, retries.record().empty());
+    if (options.page && read_summary(out).is_object()) start_page(scene, out);
+    return code;
 }
 
 }  // namespace magfsi::launch

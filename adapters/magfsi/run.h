@@ -21,6 +21,8 @@ struct RunOptions {
     int halvings = 0;                // of every step, by retries
     bool overwrite = false;          // what an earlier run left in the folder
     std::string command;             // what the user typed
+    bool trace = false;              // write trace.json
+    bool page = true;                // write report.html, where the scene lets it
     bool record = false;             // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
     std::string error;  // tolerance, "3 %": another setting than the scene's may be run

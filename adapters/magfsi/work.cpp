@@ -24,8 +24,7 @@ double rows(double end_s, double every_s) {
 
 double bytes_per_cell(const std::vector<scene::FluidField>& fields) {
     double bytes = 0;
-    for (const scene::FluidField field : fields)
-        bytes += field == scene::FluidField::density ? 4 : 12;
+    for (const scene::FluidField field : fields) bytes += 4 * scene::components_of(field);
     return bytes;
 }
 

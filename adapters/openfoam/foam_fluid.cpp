@@ -189,21 +189,29 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
         std::ranges::fill(out, static_cast<float>(fluid_.density_kg_m3));
         return;
     }
-    std::vector<double> curl;
+    std::vector<double> made;
     const double* values = engine_->velocity();
     if (field == scene::FluidField::vorticity) {
-        curl.resize(3 * cell_count(width_m_));
-        engine_->vorticity(curl.data());
-        values = curl.data();
+        made.resize(3 * cell_count(width_m_));
+        engine_->vorticity(made.data());
+        values = made.data();
+    } else if (field == scene::FluidField::pressure) {
+        FlowState state;
+        engine_->keep(state);
+        made = std::move(state.pressure);
+        for (double& value : made) value *= fluid_.density_kg_m3;
+        values = made.data();
     }
+    const auto components = static_cast<std::size_t>(scene::components_of(field));
     const coupler::CellBox& box =
         grid_.owned_by_rank[static_cast<std::size_t>(mesh_.rank)];
     float* to = out.data();
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         for (int y = box.lo[1]; y < box.hi[1]; ++y) {
             for (int x = box.lo[0]; x < box.hi[0]; ++x) {
-                const double* from = values + 3 * cell_at(x, y, z);
-                for (int d = 0; d < 3; ++d) *to++ = static_cast<float>(from[d]);
+                const double* from = values + components * cell_at(x, y, z);
+                for (std::size_t d = 0; d < components; ++d)
+                    *to++ = static_cast<float>(from[d]);
             }
         }
     }

@@ -194,6 +194,11 @@ void check_output(const Scene& scene, const Marks& marks) {
                      "fluid output", "a fluid");
         check_interval(scene, scene.output.fluid->every_s,
                        marks.value({"output", "fluid", "every"}));
+        const auto& fields = scene.output.fluid->fields;
+        require_with(std::ranges::find(fields, FluidField::obstacle) == fields.end() ||
+                         !scene.fluid->obstacles.empty(),
+                     marks.value({"output", "fluid", "fields"}), "the field obstacle",
+                     "obstacles");
     }
 }
 

@@ -37,6 +37,7 @@ std::uint64_t scene_hash(const Scene& scene) {
 std::uint64_t state_hash(const Scene& scene) {
     Scene endless = scene;
     endless.time.end_s = 0;
+    endless.report = PageAtEnd::on;
     // What a run does when it diverges changes no state before that.
     if (endless.checkpoint) endless.checkpoint = Checkpoint{endless.checkpoint->every_s};
     if (endless.coupling) {

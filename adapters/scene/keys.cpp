@@ -90,12 +90,17 @@ void keys(Io& io, Probes& probes) {
 template <class Io>
 void keys(Io& io, StructureOutput& output) {
     io(quantity("every", "s", "Time between files.").above(0), output.every_s);
+    io(key("fields", "What is written. Of nodes: displacement, velocity, magnetic_force, "
+           "elastic_force; of elements: magnetization (at rest, and as it is turned and "
+           "stretched now), stretches (the three principal ones), stress (Cauchy's), "
+           "volume_ratio, energy_density.").by_default(), output.fields);
 }
 
 template <class Io>
 void keys(Io& io, FluidOutput& output) {
     io(quantity("every", "s", "Time between files.").above(0), output.every_s);
-    io(key("fields", "What is written.").by_default(), output.fields);
+    io(key("fields", "What is written. pressure: gauge; obstacle: 1 inside obstacles.")
+           .by_default(), output.fields);
 }
 
 template <class Io>
@@ -143,6 +148,8 @@ void keys(Io& io, Scene& scene) {
     io(key("coupling", "How bodies and fluid meet; all keys have defaults."), scene.coupling);
     io(key("probes", "Time series in probes.csv."), scene.probes);
     io(key("output", "Fields for ParaView.").optional(), scene.output);
+    io(key("report", "report.html, a page with all of the run, written when ./magfsi run has ended.")
+           .by_default(), scene.report);
     io(key("checkpoint", "Keeps the state, so that the run can go on from there (--restart)."),
        scene.checkpoint);
     io(key("accuracy", "magfsi run takes the cheapest spacing, step, mesh and substeps within this "

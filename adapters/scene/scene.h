@@ -203,13 +203,40 @@ struct Probes {
     bool energy_audit = false;       // of all bodies, and the fluid's share
 };
 
-enum class FluidField { velocity, density, vorticity };
+enum class FluidField { velocity, density, vorticity, pressure, obstacle };
 constexpr auto words_of(FluidField) {
-    return std::to_array<std::string_view>({"velocity", "density", "vorticity"});
+    return std::to_array<std::string_view>(
+        {"velocity", "density", "vorticity", "pressure", "obstacle"});
+}
+constexpr int components_of(FluidField field) {
+    return field == FluidField::velocity || field == FluidField::vorticity ? 3 : 1;
+}
+constexpr std::string_view unit_of(FluidField field) {
+    constexpr std::string_view units[] = {"m/s", "kg/m3", "1/s", "Pa", "1"};
+    return units[static_cast<std::size_t>(field)];
+}
+
+enum class BodyField {
+    displacement,
+    velocity,
+    magnetization,
+    stretches,
+    magnetic_force,
+    elastic_force,
+    stress,
+    volume_ratio,
+    energy_density
+};
+constexpr auto words_of(BodyField) {
+    return std::to_array<std::string_view>(
+        {"displacement", "velocity", "magnetization", "stretches", "magnetic_force",
+         "elastic_force", "stress", "volume_ratio", "energy_density"});
 }
 
 struct StructureOutput {
     double every_s = 0;
+    std::vector<BodyField> fields{BodyField::displacement, BodyField::velocity,
+                                  BodyField::magnetization, BodyField::stretches};
 };
 struct FluidOutput {
     double every_s = 0;
@@ -249,6 +276,12 @@ struct Accuracy {
     double budget_s = 300;  // for finding it out
 };
 
+// Whether magfsi run writes report.html when the run has ended.
+enum class PageAtEnd { on, off };
+constexpr auto words_of(PageAtEnd) {
+    return std::to_array<std::string_view>({"on", "off"});
+}
+
 struct Scene {
     std::string name = "scene";
     std::filesystem::path folder;  // of its file; not of the scene itself
@@ -263,6 +296,7 @@ struct Scene {
     std::optional<Coupling> coupling;  // always there with both bodies and a fluid
     std::optional<Probes> probes;
     Output output;
+    PageAtEnd report = PageAtEnd::on;
     std::optional<Checkpoint> checkpoint;
     std::optional<Accuracy> accuracy;  // gone from the scene that is run
 

@@ -134,12 +134,17 @@ namespace {
 
 constexpr const char* results[] = {"summary.json", "probes.csv", "structure.pvd",
                                    "fluid.pvd"};
-constexpr const char* other_files[] = {
-    "fields",    "run.log",    "run.json",    "scene.yaml",      "scene.json",
-    "lammps.in", "lammps.log", "bodies.data", "exchange.record", "replay.csv"};
+constexpr const char* other_files[] = {"fields",      "run.log",         "run.json",
+                                       "scene.yaml",  "scene.json",      "report.html",
+                                       "trace.json",  "lammps.in",       "lammps.log",
+                                       "bodies.data", "exchange.record", "replay.csv"};
 
 bool is_checkpoint(const std::string& name) {
     return name.starts_with("checkpoint_") && name.ends_with(".h5");
+}
+
+bool is_trace(const std::string& name) {
+    return name.starts_with("trace_") && name.ends_with(".json");
 }
 
 bool is_result(const std::string& name) {
@@ -151,7 +156,7 @@ bool is_ours(const std::string& name, const std::vector<std::string>& solver_fol
     constexpr std::string_view unfinished = ".tmp";
     if (name.ends_with(unfinished))
         return is_ours(name.substr(0, name.size() - unfinished.size()), solver_folders);
-    return is_result(name) || name.ends_with(".lattice") ||
+    return is_result(name) || is_trace(name) || name.ends_with(".lattice") ||
            std::ranges::find(other_files, name) != std::end(other_files) ||
            std::ranges::find(solver_folders, name) != solver_folders.end();
 }

@@ -262,10 +262,30 @@ std::span<const std::byte> bytes_of(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));
 }
 
+// <FieldData>: each word as its bytes and a zero.
+std::string words_element(std::span<const Words> lists) {
+    if (lists.empty()) return "";
+    std::string xml = "<FieldData>\n";
+    for (const Words& list : lists) {
+        xml += fmt::format(
+            "<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" "
+            "format=\"ascii\">\n",
+            xml_escaped(list.name), list.words.size());
+        for (const std::string& word : list.words) {
+            for (const char c : word)
+                xml += fmt::format("{} ", static_cast<unsigned char>(c));
+            xml += "0\n";
+        }
+        xml += "</Array>\n";
+    }
+    return xml + "</FieldData>\n";
+}
+
 }  // namespace
 
 void write_vtu(const std::filesystem::path& path, const HexahedralMesh& mesh,
-               std::span<const Field> point_fields, std::span<const Field> cell_fields) {
+               std::span<const Field> point_fields, std::span<const Field> cell_fields,
+               std::span<const Words> lists) {
     const std::size_t points = count(mesh.points_m) / 3;
     const std::size_t cells = mesh.hexahedra.size();
     const Field position{"position", 3, mesh.points_m};
@@ -276,9 +296,9 @@ void write_vtu(const std::filesystem::path& path, const HexahedralMesh& mesh,
 
     AppendedArrays appended;
     std::string xml = vtk_file_element("UnstructuredGrid");
-    xml += fmt::format(
-        "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-        points, cells);
+    xml += "<UnstructuredGrid>\n" + words_element(lists);
+    xml += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", points,
+                       cells);
     xml += data_element("PointData", point_fields, points, "points", appended);
     xml += data_element("CellData", cell_fields, cells, "cells", appended);
     xml += "<Points>\n" + appended.add(position) + "</Points>\n<Cells>\n";

@@ -76,10 +76,17 @@ struct HexahedralMesh {
     std::span<const std::array<int, 8>> hexahedra;
 };
 
+// A list of words that belongs to no point and no cell, such as names.
+struct Words {
+    std::string name;
+    std::vector<std::string> words;
+};
+
 // Written atomically. Throws std::invalid_argument when the number of values of a field,
 // or a point number of a hexahedron, does not fit the mesh; FileError on a failing disk.
 void write_vtu(const std::filesystem::path& path, const HexahedralMesh& mesh,
-               std::span<const Field> point_fields, std::span<const Field> cell_fields);
+               std::span<const Field> point_fields, std::span<const Field> cell_fields,
+               std::span<const Words> lists = {});
 
 // ParaView's collection: which file holds which instant. Valid after every call.
 class PvdSeries {

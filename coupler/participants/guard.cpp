@@ -39,6 +39,8 @@ ParticipantArguments parse_arguments(int argc, char** argv,
         ->check(CLI::Range(0, 16));
     app.add_flag("--overwrite", a.overwrite,
                  "Drop what an earlier run left in the run folder");
+    app.add_flag("--trace", a.trace,
+                 "Write when each task began and ended: trace_SIDE_RANK.json");
     app.add_flag("--record", a.record, "Write exchange.record");
     app.add_option("--replay", a.replay, "The exchange.record that is played");
     app.add_option("--progress", a.progress, "terminal, plain or off")

@@ -25,6 +25,7 @@ struct ParticipantArguments {
     int halvings = 0;                // of every step, by a retry
     bool overwrite = false;          // results of an earlier run in the folder
     std::string command;             // what the user typed, where a launcher starts this
+    bool trace = false;              // when each task began and ended
     bool record = false;             // what both sides send each other, to play it later
     std::filesystem::path replay;    // the record that a replay participant plays
     output::ProgressMode progress = output::ProgressMode::plain;

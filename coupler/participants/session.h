@@ -38,6 +38,7 @@ class Session {
     Clock& clock() { return *clock_; }
     const Clock& clock() const { return *clock_; }
     double timeout_s() const;
+    bool traced() const { return arguments_.trace; }
 
     // The checkpoint that this run continues; null for a run from time 0.
     const RestartPoint* restart() const { return restart_ ? &*restart_ : nullptr; }

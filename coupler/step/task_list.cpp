@@ -17,6 +17,10 @@ void TaskList::repeat_from(std::size_t first, std::function<bool()> again) {
     loops_.push_back({first, tasks_.size() - 1, std::move(again)});
 }
 
+void TaskList::wrap(const Wrap& around) {
+    for (Task& task : tasks_) task.work = around(task.time.name, task.work);
+}
+
 void TaskList::run(Task& task) {
     const double start_s = output::steady_seconds();
     const double waited_before_s = waited_s();

@@ -42,6 +42,10 @@ class TaskList {
     std::size_t size() const { return tasks_.size(); }
     void repeat_from(std::size_t first, std::function<bool()> again);
 
+    // Puts something around the work of each task.
+    using Wrap = std::function<Work(const std::string& name, const Work& work)>;
+    void wrap(const Wrap& around);
+
     // Every task, each timed under its name.
     void run();
 

@@ -170,4 +170,19 @@ void Fluid::macroscopic(std::span<float> velocity, std::span<float> density) con
     }
 }
 
+void Fluid::pressure(std::span<float> out) const {
+    const State& s = *state_;
+    if (out.size() != s.cells())
+        refuse("pressure() needs 1 value for each of this rank's ", s.cells(), " cells");
+    RowMoments m;
+    std::size_t cell = 0;
+    for (int z = 0; z < s.layout.nz; ++z) {
+        for (int y = 0; y < s.layout.ny; ++y) {
+            row_moments(s.view(), y, z, 0, s.layout.nx, m);
+            for (int x = 0; x < s.layout.nx; ++x, ++cell)
+                out[cell] = static_cast<float>(m.excess[x] * s.unit.pressure_pa());
+        }
+    }
+}
+
 }  // namespace magfsi::fluid

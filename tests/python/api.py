@@ -66,7 +66,7 @@ class Runs(unittest.TestCase):
         for axis, found in zip("xyz", middle):
             # Nodes are no masses: half an element.
             self.assertAlmostEqual(found, com[f"robot.com_{axis}[m]"][at], delta=1e-4)
-        self.assertEqual(len(fields.arrays["velocity"]), len(fields.points))
+        self.assertEqual(len(fields.arrays["velocity[m/s]"]), len(fields.points))
 
     def test_probes_are_a_table(self):
         try:

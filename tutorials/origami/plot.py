@@ -45,10 +45,10 @@ class Plate:
         side = CELLS * self.n + 1
         shape = (self.layers + 1, side, side, 3)
         here = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
-        moved = vtk_to_numpy(grid.GetPointData().GetArray("displacement")).astype(float)
+        moved = vtk_to_numpy(grid.GetPointData().GetArray("displacement[m]")).astype(float)
         self.now, self.rest = here.reshape(shape), (here - moved).reshape(shape)
         self.elements = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 8)
-        self.magnetization = vtk_to_numpy(grid.GetCellData().GetArray("magnetization"))
+        self.magnetization = vtk_to_numpy(grid.GetCellData().GetArray("magnetization_at_rest[A/m]"))
 
     def mid(self):
         """Nodes of the mid-surface: (row, column, 3)."""

@@ -95,7 +95,7 @@ def speed_slice(run, time_ms):
     time_s, file = plotting.nearest_frames(series, [1e-3 * time_ms])[0]
     image = plotting.read_grid(file)
     nx, ny, nz = (n - 1 for n in image.GetDimensions())
-    velocity = vtk_to_numpy(image.GetCellData().GetArray("velocity")).reshape(nz, ny, nx, 3)
+    velocity = vtk_to_numpy(image.GetCellData().GetArray("velocity[m/s]")).reshape(nz, ny, nx, 3)
     return np.linalg.norm(velocity[:, ny // 2], axis=2), 1e3 * time_s
 
 

@@ -14,8 +14,8 @@ namespace magfsi::fluids {
 namespace {
 
 output::FieldType type_of(scene::FluidField field) {
-    const int components = field == scene::FluidField::density ? 1 : 3;
-    return {.name = std::string(scene::name_of(field)), .components = components};
+    return {.name = fmt::format("{}[{}]", scene::name_of(field), scene::unit_of(field)),
+            .components = scene::components_of(field)};
 }
 
 // fluid.pvd and its files: one .vti a rank, one .pvti an instant; in a refined grid for

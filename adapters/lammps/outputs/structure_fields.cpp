@@ -11,8 +11,8 @@ class StructureFields : public coupler::Output {
         : run_(run),
           every_(run.session.clock().every(run.scene.output.structure->every_s)) {
         if (!run.session.world().root()) return;
-        files_ = std::make_unique<bodies::StructureFiles>(run.input.bodies, run.start,
-                                                          run.session.out());
+        files_ = std::make_unique<bodies::StructureFiles>(run.scene, run.input.bodies,
+                                                          run.start, run.session.out());
         if (run.session.restart()) files_->resume(run.session.clock(), every_);
     }
     void begin() override {

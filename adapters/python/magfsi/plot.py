@@ -9,7 +9,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi import plotting, runs
-from magfsi.report import data, shapes
+from magfsi.report import data, fields, packing, shapes
 
 INSTANTS = 7
 COLUMNS = 3
@@ -58,9 +58,9 @@ def views(folder):
         return [], None, None
     if not stored:
         return [], None, None
-    chosen = [stored[i] for i in data.spread(len(stored), INSTANTS)]
+    chosen = [stored[i] for i in packing.spread(len(stored), INSTANTS)]
     grid = plotting.read_grid(chosen[0][1])
-    faces, elements, nodes = data.surface(grid)
+    faces, elements, nodes = fields.surface(grid)
     bodies = grid.GetCellData().GetArray("body")
     body = np.zeros(len(faces), int) if bodies is None else vtk_to_numpy(bodies)[elements]
     read = [(t, vtk_to_numpy(plotting.read_grid(file).GetPoints().GetData())[nodes])

@@ -22,9 +22,9 @@
 #include "structure/lammps/lattice_file.h"
 #include "structure/lammps/register_styles.h"
 #include "structure/lammps/script.h"
+#include "structure/lattice/plain_element.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/mesh/block_mesh.h"
-#include "tests/unit/structure/plain_element.h"
 
 namespace {
 

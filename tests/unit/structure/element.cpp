@@ -10,8 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "structure/lattice/plain_element.h"
 #include "tests/unit/structure/elements.h"
-#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure {
 namespace {

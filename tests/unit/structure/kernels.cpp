@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "structure/lattice/plain_element.h"
 #include "tests/unit/structure/elements.h"
-#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "structure/equilibrium/static_problem.h"
+#include "structure/lattice/plain_element.h"
 #include "tests/unit/structure/elements.h"
-#include "tests/unit/structure/plain_element.h"
 
 namespace magfsi::structure {
 namespace {

@@ -1,35 +1,21 @@
 """What the page shows of a run folder, as numbers and text that JSON holds."""
-import base64
 import csv
 import json
 
 import numpy as np
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi import runs
-from magfsi.plotting import read_grid
-from magfsi.report import shapes
+from magfsi.report import fields, shapes, waits
+from magfsi.report.packing import packed, spread
 
 # A page of more cannot be sent by mail or opened at once.
 LARGEST_PAGE = 20e6
-MOST_ROWS = 2000  # of a curve: more than a screen has pixels
-MOST_SIDE = 160  # pixels of a slice
-MOST_SLICES = 60
+MOST_ROWS = 4000  # of a curve: more than a screen has pixels
 AXES = "xyz"
 
 
 class NotARun(Exception):
     pass
-
-
-def packed(array, kind):
-    return base64.b64encode(np.ascontiguousarray(array, kind).tobytes()).decode()
-
-
-def spread(count, most):
-    """Indices of at most so many of them, first and last among them."""
-    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, most))})
 
 
 def read_json(path, other):
@@ -39,135 +25,64 @@ def read_json(path, other):
         return other
 
 
-def probes(folder):
+def read_probes(folder):
     try:
         columns = runs.read_columns(folder / "probes.csv")
     except (OSError, ValueError, csv.Error):
+        return {}
+    return columns if columns.get("t[s]") else {}
+
+
+def rows_shown(columns):
+    """Of a course that is too long, in each part of it the rows where some column is at its least
+    or largest: a peak of one row is not lost."""
+    count = len(columns["t[s]"])
+    if count <= MOST_ROWS:
+        return list(range(count))
+    values = np.array([values for name, values in columns.items() if name != "t[s]"])
+    rows = {0, count - 1}
+    parts = max(2, MOST_ROWS // (2 * max(1, len(values))))
+    edges = np.linspace(0, count, parts + 1).astype(int)
+    for begin, end in zip(edges[:-1], edges[1:]):
+        part = np.nan_to_num(values[:, begin:end])
+        rows.update(begin + part.argmin(axis=1))
+        rows.update(begin + part.argmax(axis=1))
+    rows.update(spread(count, max(2, MOST_ROWS - len(rows))))
+    return sorted(int(row) for row in rows)
+
+
+def probes(columns):
+    if not columns:
         return None
-    count = len(columns.get("t[s]", []))
-    if count == 0:
-        return None
-    rows = spread(count, MOST_ROWS)
-    return {"rows": len(rows), "columns": [
+    rows = rows_shown(columns)
+    return {"rows": len(rows), "stored": len(columns["t[s]"]), "columns": [
         {"name": name, "values": packed(np.array(values)[rows], "<f4")}
         for name, values in columns.items()]}
 
 
-def surface(grid):
-    """Outer faces of the bodies (faces, 4) by the numbers of their nodes, their elements, and
-    the nodes that they have."""
-    filter_ = vtk.vtkGeometryFilter()
-    filter_.SetInputData(grid)
-    filter_.PassThroughPointIdsOn()
-    filter_.PassThroughCellIdsOn()
-    filter_.Update()
-    skin = filter_.GetOutput()
-    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
-    nodes = vtk_to_numpy(skin.GetPointData().GetArray("vtkOriginalPointIds"))
-    elements = vtk_to_numpy(skin.GetCellData().GetArray("vtkOriginalCellIds"))
-    return faces, elements, nodes
-
-
-def magnetization(grid, elements):
-    """Of each face the component that varies most over the bodies, from -1 to 1."""
-    array = grid.GetCellData().GetArray("magnetization")
-    if array is None:
-        return None
-    values = vtk_to_numpy(array)
-    axis = int(np.ptp(values, axis=0).argmax())
-    largest = np.abs(values[:, axis]).max()
-    if largest == 0:
-        return None
-    return {"label": f"magnetisation along {AXES[axis]} at rest, +-{largest / 1e3:.3g} kA/m",
-            "values": packed(127 * values[elements, axis] / largest, "i1")}
-
-
-def bodies(folder, most_bytes):
-    """Positions of the surface in every frame, or in as many as there is room for."""
-    try:
-        stored = runs.frames(folder)
-    except OSError:
-        return None
-    stored = [(time, file) for time, file in stored if file.exists()]
-    if not stored:
-        return None
-    first = read_grid(stored[0][1])
-    faces, elements, nodes = surface(first)
-    # Base64 takes four characters for three bytes.
-    each = 7 * len(nodes) * 4 / 3
-    chosen = [stored[i] for i in spread(len(stored), max(2, int(most_bytes / each)))]
-    points, speeds = [], []
-    for _, file in chosen:
-        grid = read_grid(file)
-        points.append(vtk_to_numpy(grid.GetPoints().GetData())[nodes])
-        velocity = grid.GetPointData().GetArray("velocity")
-        speeds.append(np.zeros(len(nodes)) if velocity is None else
-                      np.linalg.norm(vtk_to_numpy(velocity)[nodes], axis=1))
-    points, speeds = np.array(points), np.array(speeds)
-    low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
-    step = max(np.ptp(points, axis=(0, 1)).max() / 65535, 1e-12)
-    fastest = speeds.max()
-    return {"times": [time for time, _ in chosen], "stored": len(stored), "nodes": len(nodes),
-            "low": low.tolist(), "high": high.tolist(), "step": step,
-            "points": packed(np.round((points - low) / step), "<u2"),
-            "faces": packed(faces, "<u4"), "magnetization": magnetization(first, elements),
-            "fastest": float(fastest),
-            "speeds": packed(np.round(255 * speeds / fastest) if fastest else speeds, "u1")}
-
-
-def slice_of(file, axis, at):
-    """Speeds on the cells of a plane: (values (rows, columns), origin, size)."""
-    grid = read_grid(file)
-    array = grid.GetCellData().GetArray("velocity")
-    if array is None:
-        return None
-    cells = [n - 1 for n in grid.GetDimensions()]
-    spacing, origin = grid.GetSpacing(), grid.GetOrigin()
-    speed = np.linalg.norm(vtk_to_numpy(array), axis=1).reshape(cells[::-1])  # z, y, x
-    layer = int(np.clip((at - origin[axis]) / spacing[axis], 0, cells[axis] - 1))
-    plane = speed.take(layer, axis=2 - axis)
-    across = [a for a in range(3) if a != axis]
-    coarser = max(1, -(-max(plane.shape) // MOST_SIDE))
-    return (plane[::coarser, ::coarser], [origin[a] for a in across],
-            [cells[a] * spacing[a] for a in across])
-
-
-def flow(folder, scene, box_of_bodies):
-    """Speed in the plane of the field, or across y, through the bodies' first place."""
-    try:
-        # Of a refined grid the coarse cells, which are everywhere and have the finer ones' means.
-        stored = [(t, file) for t, file in runs.frames(folder, "fluid.pvd")
-                  if file.suffix in (".vti", ".pvti") and "_level" not in file.name
-                  and file.exists()]
-    except OSError:
-        return None
-    plane = scene.get("magnetic_field", {}).get("plane", "xz")
-    axis = next(a for a in range(3) if AXES[a] not in plane)
-    at = box_of_bodies[axis] if box_of_bodies else scene["fluid"]["box"][axis] / 2
-    chosen = [stored[i] for i in spread(len(stored), MOST_SLICES)] if stored else []
-    slices = [slice_of(file, axis, at) for _, file in chosen]
-    if not slices or any(s is None for s in slices):
-        return None
-    values = np.array([s[0] for s in slices])
-    fastest = float(values.max())
-    return {"times": [time for time, _ in chosen], "axis": axis, "at": at,
-            "rows": values.shape[1], "columns": values.shape[2], "origin": slices[0][1],
-            "size": slices[0][2], "fastest": fastest,
-            "values": packed(np.round(255 * values / fastest) if fastest else values, "u1")}
-
-
-def field_direction(scene):
-    """Unit vector of a positive field, where it keeps one direction."""
-    field = scene.get("magnetic_field", {})
+def field_vectors(scene, columns):
+    """Three courses of the field [T] over the rows of the probes, if they tell them."""
+    names = [f"field_{axis}[T]" for axis in AXES]
+    if all(name in columns for name in names):
+        return [columns[name] for name in names]
+    field, strength = scene.get("magnetic_field", {}), columns.get("field[T]")
     law = next((field[key] for key in ("table", "constant", "oscillating") if key in field), {})
     angle = law.get("direction")
     angle = angle[0] if isinstance(angle, list) and len(angle) == 1 else angle
     plane = field.get("plane", "")
-    if not isinstance(angle, (int, float)) or len(plane) != 2:
+    if not strength or not isinstance(angle, (int, float)) or len(plane) != 2:
         return None
-    vector = [0.0, 0.0, 0.0]
-    vector[AXES.index(plane[0])], vector[AXES.index(plane[1])] = np.cos(angle), np.sin(angle)
-    return vector
+    share = dict(zip(plane, (np.cos(angle), np.sin(angle))))
+    return [[b * share.get(axis, 0.0) for b in strength] for axis in AXES]
+
+
+def field(scene, columns):
+    vectors = field_vectors(scene, columns) if columns else None
+    if vectors is None or not np.abs(vectors).max():
+        return None
+    rows = rows_shown(columns)
+    return {"largest": float(np.linalg.norm(vectors, axis=0).max()),
+            "vectors": packed(np.array(vectors)[:, rows].T, "<f4")}
 
 
 def largest(columns, name):
@@ -175,23 +90,41 @@ def largest(columns, name):
     return max(values) if values else None
 
 
-def checks(folder, summary):
+def is_closed(scene):
+    sides = scene.get("fluid", {}).get("boundaries", {}).values()
+    return not any(kind in side for side in sides for kind in ("inlet", "outlet"))
+
+
+def mass_drift(scene, columns):
+    mass = columns.get("mass[kg]")
+    if not mass or not is_closed(scene):
+        return None
+    return (max(mass) - min(mass)) / max(abs(mass[0]), 1e-300)
+
+
+def checks(scene, columns, summary):
     """[(what, figure, limit, unit)] of the audits that the run has made; limits are those above
     which the program or its documentation warns (docs/coupling.md, docs/energy_audit.md)."""
     boundary, audit = summary.get("immersed_boundary", {}), summary.get("energy_audit", {})
     found = [("no-slip error", boundary.get("no_slip_error"), 0.05),
              ("leakage", boundary.get("leakage"), 0.05),
              ("energy: residual over work", audit.get("residual"), 0.01),
-             ("energy: gained over work", audit.get("gained"), 0.01)]
-    try:
-        columns = runs.read_columns(folder / "probes.csv")
-    except (OSError, ValueError):
-        columns = {}
+             ("energy: gained over work", audit.get("gained"), 0.01),
+             # Single precision keeps seven digits of a cell.
+             ("mass of the closed box: change", mass_drift(scene, columns), 1e-6)]
     for what in ("momentum", "power"):
         found.append((f"{what} lost between body and fluid",
                       largest(columns, f"interface.{what}_mismatch[1]"), 1e-12))
     return [{"name": name, "value": value, "limit": limit, "good": value <= limit}
-            for name, value, limit in found if value is not None]
+            for name, value, limit in found if value is not None and np.isfinite(value)]
+
+
+def shown_box(scene, found):
+    """Lowest and highest corner of what is shown."""
+    box = scene.get("fluid", {}).get("box")
+    if box:
+        return [0, 0, 0], box
+    return (found["low"], found["high"]) if found else (None, None)
 
 
 def read_run(folder, most_bytes):
@@ -201,23 +134,25 @@ def read_run(folder, most_bytes):
     if scene is None or not starts:
         raise NotARun(f"{folder}: found no scene.json and run.json; allowed are folders that "
                       "./magfsi run has written")
-    summary = read_json(folder / "summary.json", {})
-    found = bodies(folder, most_bytes)
-    middle = [(a + b) / 2 for a, b in zip(found["low"], found["high"])] if found else None
-    box = scene.get("fluid", {}).get("box")
-    low, high = ([0, 0, 0], box) if box else (found["low"], found["high"]) if found else (None,) * 2
+    summary, columns = read_json(folder / "summary.json", {}), read_probes(folder)
+    found = fields.bodies(folder, 0.7 * most_bytes)
+    low, high = shown_box(scene, found)
+    middle = found["middle"] if found else [b / 2 for b in high] if high else None
     last = starts[-1]
     text = folder / "scene.yaml"
     return {"name": scene.get("name", folder.name), "folder": str(folder),
             "outcome": summary.get("outcome", "not ended"), "cause": summary.get("cause", ""),
             "effects": summary.get("effects", []), "absent": summary.get("absent_effects", []),
-            "scene": text.read_text() if text.exists() else "",
+            "scene": text.read_text(errors="replace") if text.exists() else "",
             "overrides": last.get("overrides", []), "command": last.get("command", ""),
             "begun": last.get("begun", ""), "machine": last.get("machine", ""),
             "versions": summary.get("versions", last.get("versions", {})),
             "ranks": last.get("ranks", {}), "wall_s": summary.get("wall_s"),
             "steps": summary.get("steps"), "tasks": summary.get("tasks", {}),
-            "checks": checks(folder, summary), "box": box,
-            "wires": shapes.wires(scene, low, high),
-            "field": field_direction(scene), "probes": probes(folder), "bodies": found,
-            "flow": flow(folder, scene, middle) if "fluid" in scene else None}
+            "waiting": summary.get("waiting", {}), "trace": waits.of_trace(folder),
+            "end": scene.get("time", {}).get("end"),
+            "checks": checks(scene, columns, summary),
+            "box": scene.get("fluid", {}).get("box"), "wires": shapes.wires(scene, low, high),
+            "field": field(scene, columns), "probes": probes(columns), "bodies": found,
+            "flow": fields.flow(folder, scene, middle, 0.3 * most_bytes)
+            if "fluid" in scene and middle else None}

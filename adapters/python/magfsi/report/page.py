@@ -1,10 +1,12 @@
 """The page as text: template, style, scripts and data in one file that fetches nothing."""
+import base64
+import hashlib
 import html
 import json
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("view.js", "curves.js", "page.js")
+SCRIPTS = ("colours.js", "view.js", "curves.js", "page.js")
 
 
 def as_json(value):
@@ -13,12 +15,26 @@ def as_json(value):
     return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
 
 
-def assemble(found):
-    title = ", ".join(run["name"] for run in found)
-    parts = {"TITLE": html.escape(title), "STYLE": (HERE / "page.css").read_text(),
-             "SCRIPTS": "\n".join((HERE / name).read_text() for name in SCRIPTS),
-             "DATA": as_json(found)}
+def _hash(text):
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def _filled(title, data, scripts, more_policy=""):
+    """Only the page's own script and style act: their hashes are in its policy."""
+    style = (HERE / "page.css").read_text()
+    script = "\n" + "\n".join(['"use strict";', *((HERE / name).read_text() for name in scripts)])
+    parts = {"TITLE": html.escape(title), "STYLE": style, "SCRIPTS": script, "DATA": data,
+             "POLICY": f"style-src {_hash(style)}; script-src {_hash(script)}{more_policy}"}
     template = (HERE / "page.html").read_text()
     # In one pass: what is put in may hold such a word itself.
     pieces = template.split("@@")
     return "".join(parts[piece] if i % 2 else piece for i, piece in enumerate(pieces))
+
+
+def assemble(found):
+    return _filled(", ".join(run["name"] for run in found), as_json(found), SCRIPTS)
+
+
+def live(title):
+    """A page that asks the server it comes from for its data."""
+    return _filled(title, as_json({"live": True}), (*SCRIPTS, "live.js"), "; connect-src 'self'")

@@ -1,129 +1,142 @@
 // The robot in its box, seen without perspective: a slice of the flow is then a picture that is
-// only sheared, and faces are painted from back to front.
+// only sheared, and faces are painted from back to front, those before the slice after it.
+// docs/report.md says why this and not WebGL.
 
-function unpack(text, Kind) {
-  const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
-  return new Kind(bytes.buffer);
-}
-
-// Two colour maps that keep their order in grey: dark to light, and blue - white - red.
-function sequential(x) {
-  return [68 + 185 * x, 1 + 230 * x, 84 + 40 * Math.sin(3.14 * x) - 47 * x];
-}
-function diverging(x) { // -1 to 1
-  const a = Math.abs(x), end = x < 0 ? [33, 60, 150] : [178, 24, 43];
-  return end.map(c => 245 + (c - 245) * a);
-}
-const css = rgb => `rgb(${rgb.map(Math.round).join(",")})`;
+const YAW = -0.35, PITCH = 0.2;
+const FIRST_VIEW = [Math.cos(YAW), Math.abs(Math.sin(YAW)), Math.cos(PITCH), Math.sin(PITCH)];
 
 class View {
-  constructor(canvas, run) {
-    this.canvas = canvas; this.run = run;
-    this.yaw = -0.35; this.pitch = 0.2; this.zoom = 1; this.pan = [0, 0];
-    this.colour = ""; this.showsFlow = true; this.time = 0;
-    const b = run.bodies;
-    if (b) {
-      this.points = unpack(b.points, Uint16Array); this.faces = unpack(b.faces, Uint32Array);
-      this.speeds = unpack(b.speeds, Uint8Array);
-      if (b.magnetization) this.moment = unpack(b.magnetization.values, Int8Array);
-    }
-    if (run.flow) this.readSlices();
-    const low = run.box ? [0, 0, 0] : b ? b.low : [0, 0, 0];
-    const high = run.box || (b ? b.high : [1, 1, 1]);
-    this.low = low; this.high = high;
-    this.middle = low.map((v, d) => (v + high[d]) / 2);
-    this.extent = Math.max(Math.hypot(...low.map((v, d) => high[d] - v)), 1e-9);
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.yaw = YAW; this.pitch = PITCH; this.zoom = 1; this.pan = [0, 0];
+    this.colour = ""; this.flow = ""; this.time = 0;
     this.listen();
   }
 
-  readSlices() {
-    const f = this.run.flow, values = unpack(f.values, Uint8Array), each = f.rows * f.columns;
-    this.slices = f.times.map((_, i) => {
-      const picture = document.createElement("canvas");
-      picture.width = f.columns; picture.height = f.rows;
-      const context = picture.getContext("2d"), image = context.createImageData(f.columns, f.rows);
-      for (let k = 0; k < each; ++k) {
-        const v = values[i * each + k];
-        image.data.set([60, 120, 190, Math.min(235, 1.6 * v)], 4 * k);
-      }
-      context.putImageData(image, 0, 0);
-      return picture;
-    });
+  // Several runs: the first has colours and flow, the others are laid over it.
+  show(runs) {
+    this.runs = runs; this.run = runs[0];
+    this.shapes = runs.filter(run => run.bodies).map(run => new Shape(run, runs.indexOf(run)));
+    this.slices = new Map();
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (const run of runs) {
+      const ends = run.box ? [[0, 0, 0], run.box] : run.bodies ? [run.bodies.low, run.bodies.high] : [];
+      for (const p of ends) p.forEach((v, d) => { low[d] = Math.min(low[d], v); high[d] = Math.max(high[d], v); });
+    }
+    this.empty = !(high[0] >= low[0]);
+    this.low = this.empty ? [0, 0, 0] : low; this.high = this.empty ? [1, 1, 1] : high;
+    this.middle = this.low.map((v, d) => (v + this.high[d]) / 2);
+    this.extent = Math.max(Math.hypot(...this.low.map((v, d) => this.high[d] - v)), 1e-9);
   }
 
   listen() {
-    let from = null;
-    const c = this.canvas;
-    c.onpointerdown = e => { from = [e.clientX, e.clientY]; c.setPointerCapture(e.pointerId); };
-    c.onpointerup = () => { from = null; };
+    const c = this.canvas, touching = new Map();
+    c.onpointerdown = e => { touching.set(e.pointerId, [e.clientX, e.clientY]); c.setPointerCapture(e.pointerId); };
+    c.onpointerup = c.onpointercancel = e => touching.delete(e.pointerId);
     c.onpointermove = e => {
+      const from = touching.get(e.pointerId);
       if (!from) return;
-      const [dx, dy] = [e.clientX - from[0], e.clientY - from[1]];
-      if (e.shiftKey) { this.pan[0] += dx; this.pan[1] += dy; }
+      const [dx, dy] = [e.clientX - from[0], e.clientY - from[1]], others = [...touching.keys()].filter(k => k !== e.pointerId);
+      if (others.length) { // two fingers: their distance
+        const o = touching.get(others[0]), far = p => Math.hypot(p[0] - o[0], p[1] - o[1]) || 1;
+        this.zoom *= far([e.clientX, e.clientY]) / far(from);
+      } else if (e.shiftKey) { this.pan[0] += dx; this.pan[1] += dy; }
       else { this.yaw -= 0.008 * dx; this.pitch = Math.max(-1.57, Math.min(1.57, this.pitch + 0.008 * dy)); }
-      from = [e.clientX, e.clientY]; this.draw();
+      touching.set(e.pointerId, [e.clientX, e.clientY]); this.draw();
     };
     c.onwheel = e => { e.preventDefault(); this.zoom *= Math.exp(-0.0012 * e.deltaY); this.draw(); };
-    c.ondblclick = () => { this.zoom = 1; this.pan = [0, 0]; this.draw(); };
-  }
-
-  // [right, down, towards the viewer] in pixels.
-  project(p) {
-    const [x, y, z] = p.map((v, d) => v - this.middle[d]);
-    const cy = Math.cos(this.yaw), sy = Math.sin(this.yaw);
-    const right = cy * x + sy * y, away = -sy * x + cy * y;
-    const cp = Math.cos(this.pitch), sp = Math.sin(this.pitch);
-    return [this.width / 2 + this.pan[0] + this.scale * right,
-            this.height / 2 + this.pan[1] - this.scale * (cp * z + sp * away),
-            this.scale * (sp * z - cp * away)];
+    c.ondblclick = () => { this.zoom = 1; this.pan = [0, 0]; this.yaw = YAW; this.pitch = PITCH; this.draw(); };
   }
 
   // Of the stored instants the last that is not after the time.
   frame(times) {
-    let i = 0;
-    while (i + 1 < times.length && times[i + 1] <= this.time + 1e-12) ++i;
-    return i;
+    let a = 0, b = times.length - 1;
+    while (a < b) { const m = (a + b + 1) >> 1; if (times[m] <= this.time * (1 + 1e-9) + 1e-12) a = m; else b = m - 1; }
+    return a;
   }
 
-  // A point of the surface [m], between the stored instants on a straight line.
-  positions() {
-    const b = this.run.bodies, i = this.frame(b.times), j = Math.min(i + 1, b.times.length - 1);
-    const part = j > i ? Math.min(1, (this.time - b.times[i]) / (b.times[j] - b.times[i])) : 0;
-    const all = new Float64Array(3 * b.nodes);
-    for (let k = 0; k < all.length; ++k) {
-      const a = this.points[i * all.length + k], e = this.points[j * all.length + k];
-      all[k] = b.low[k % 3] + b.step * (a + part * (e - a));
-    }
-    return [all, i];
+  look() {
+    const cy = Math.cos(this.yaw), sy = Math.sin(this.yaw), cp = Math.cos(this.pitch), sp = Math.sin(this.pitch);
+    // The box fills its share of the first view; it does not grow and shrink as it turns.
+    const size = this.low.map((v, d) => Math.max(this.high[d] - v, 1e-9)), [cy0, sy0, cp0, sp0] = FIRST_VIEW;
+    const s = this.scale = 0.9 * this.zoom * Math.min(this.width / (cy0 * size[0] + sy0 * size[1]),
+      this.height / (sp0 * sy0 * size[0] + sp0 * cy0 * size[1] + cp0 * size[2]));
+    const x0 = this.width / 2 + this.pan[0], y0 = this.height / 2 + this.pan[1], [mx, my, mz] = this.middle;
+    // Rows: right, down, towards the viewer [pixels].
+    const m = [s * cy, s * sy, 0, s * sp * sy, -s * sp * cy, -s * cp, s * cp * sy, -s * cp * cy, s * sp];
+    this.matrix = [...m, x0 - m[0] * mx - m[1] * my, y0 - m[3] * mx - m[4] * my - m[5] * mz, -m[6] * mx - m[7] * my - m[8] * mz];
+  }
+  project(p) {
+    const m = this.matrix, [x, y, z] = p;
+    return [m[0] * x + m[1] * y + m[2] * z + m[9], m[3] * x + m[4] * y + m[5] * z + m[10], m[6] * x + m[7] * y + m[8] * z + m[11]];
   }
 
   draw() {
     const ratio = window.devicePixelRatio || 1, c = this.canvas;
     this.width = c.clientWidth; this.height = c.clientHeight;
-    c.width = Math.round(ratio * this.width); c.height = Math.round(ratio * this.height);
-    this.scale = 0.92 * this.zoom * Math.min(this.width, this.height) / this.extent * 1.15;
+    const [w, h] = [Math.round(ratio * this.width), Math.round(ratio * this.height)];
+    if (c.width !== w || c.height !== h) { c.width = w; c.height = h; }
     const context = this.context = c.getContext("2d");
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, this.width, this.height);
     this.ink = getComputedStyle(c).color;
-    if (this.slices && this.showsFlow) this.drawSlice(ratio);
+    if (!this.run || this.empty) return;
+    this.look();
     if (this.run.box) this.drawBox();
     this.drawWires();
-    if (this.points) this.drawBodies();
-    this.drawField(); this.drawScale();
+    // Of two faces the one further away first; the slice between those behind and before it.
+    const flow = this.run.flow, cut = flow && this.flow !== "" ? flow : null, far = [], near = [];
+    for (const shape of this.shapes) shape.faces(this, cut, far, near);
+    this.paint(far);
+    if (cut) this.drawSlice(cut);
+    this.paint(near);
+    this.drawField(); this.drawAxes(); this.drawScale();
   }
 
-  drawSlice(ratio) {
-    const f = this.run.flow, across = [0, 1, 2].filter(d => d !== f.axis);
-    const corner = (u, v) => {
+  paint(list) {
+    list.sort((a, b) => a.depth - b.depth);
+    const context = this.context;
+    context.lineWidth = 0.6;
+    for (const { style, alpha, corners: p } of list) {
+      context.globalAlpha = alpha;
+      context.fillStyle = context.strokeStyle = style;
+      context.beginPath();
+      context.moveTo(p[0], p[1]); context.lineTo(p[2], p[3]); context.lineTo(p[4], p[5]); context.lineTo(p[6], p[7]);
+      context.closePath(); context.fill(); context.stroke();
+    }
+    context.globalAlpha = 1;
+  }
+
+  // A picture of each slice, made when it is first seen.
+  slice(flow, number) {
+    const key = `${this.flow} ${number}`;
+    if (this.slices.has(key)) return this.slices.get(key);
+    const q = flow.quantities[this.flow], each = flow.rows * flow.columns, map = mapOf(q);
+    q.unpacked ||= unpack(q.values, Uint8Array);
+    const picture = document.createElement("canvas");
+    picture.width = flow.columns; picture.height = flow.rows;
+    const context = picture.getContext("2d"), image = context.createImageData(flow.columns, flow.rows);
+    for (let k = 0; k < each; ++k) {
+      const v = q.unpacked[number * each + k], strength = q.signed ? 2 * Math.abs(v - 127.5) : v;
+      image.data[4 * k] = map[3 * v]; image.data[4 * k + 1] = map[3 * v + 1]; image.data[4 * k + 2] = map[3 * v + 2];
+      image.data[4 * k + 3] = Math.min(225, 25 + 3 * strength);
+    }
+    context.putImageData(image, 0, 0);
+    if (this.slices.size > 400) this.slices.clear();
+    this.slices.set(key, picture);
+    return picture;
+  }
+
+  drawSlice(f) {
+    const across = [0, 1, 2].filter(d => d !== f.axis), corner = (u, v) => {
       const p = [0, 0, 0];
       p[f.axis] = f.at; p[across[0]] = f.origin[0] + u * f.size[0]; p[across[1]] = f.origin[1] + v * f.size[1];
       return this.project(p);
     };
     const o = corner(0, 0), a = corner(1, 0), b = corner(0, 1), context = this.context;
     context.save();
-    context.transform((a[0] - o[0]) / f.columns, (a[1] - o[1]) / f.columns,
-                      (b[0] - o[0]) / f.rows, (b[1] - o[1]) / f.rows, o[0], o[1]);
-    context.drawImage(this.slices[this.frame(f.times)], 0, 0);
+    context.transform((a[0] - o[0]) / f.columns, (a[1] - o[1]) / f.columns, (b[0] - o[0]) / f.rows, (b[1] - o[1]) / f.rows, o[0], o[1]);
+    context.drawImage(this.slice(f, this.frame(f.times)), 0, 0);
     context.restore();
   }
 
@@ -151,59 +164,44 @@ class View {
     context.stroke(); context.globalAlpha = 1;
   }
 
-  drawBodies() {
-    const [all, frame] = this.positions(), n = this.run.bodies.nodes, faces = this.faces;
-    const seen = [], shown = [];
-    for (let k = 0; k < n; ++k) seen.push(this.project([all[3 * k], all[3 * k + 1], all[3 * k + 2]]));
-    for (let q = 0; q < faces.length; q += 4) {
-      const corners = [0, 1, 2, 3].map(i => seen[faces[q + i]]);
-      shown.push([corners.reduce((s, p) => s + p[2], 0), q / 4, corners]);
-    }
-    shown.sort((a, b) => a[0] - b[0]);
-    for (const [, q, corners] of shown) {
-      this.context.fillStyle = this.context.strokeStyle = this.faceColour(q, frame, corners);
-      this.context.lineWidth = 0.6;
-      this.context.beginPath();
-      corners.forEach((p, i) => this.context[i ? "lineTo" : "moveTo"](p[0], p[1]));
-      this.context.closePath(); this.context.fill(); this.context.stroke();
-    }
+  arrow(x0, y0, x1, y1, width) {
+    const context = this.context, length = Math.hypot(x1 - x0, y1 - y0), head = Math.min(9, length);
+    context.lineWidth = width;
+    context.beginPath(); context.moveTo(x0, y0); context.lineTo(x1, y1); context.stroke();
+    if (length < 3) return;
+    const [ex, ey] = [(x1 - x0) / length, (y1 - y0) / length];
+    context.beginPath(); context.moveTo(x1 + 0.6 * head * ex, y1 + 0.6 * head * ey);
+    context.lineTo(x1 - 0.4 * head * ex - 0.5 * head * ey, y1 - 0.4 * head * ey + 0.5 * head * ex);
+    context.lineTo(x1 - 0.4 * head * ex + 0.5 * head * ey, y1 - 0.4 * head * ey - 0.5 * head * ex); context.fill();
   }
 
-  faceColour(q, frame, corners) {
-    const [a, b, , d] = corners;
-    const u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]], v = [d[0] - a[0], d[1] - a[1], d[2] - a[2]];
-    const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    const light = 0.62 + 0.38 * Math.abs(normal[2]) / (Math.hypot(...normal) || 1);
-    let rgb = [219, 115, 51];
-    if (this.colour === "magnetization") rgb = diverging(this.moment[q] / 127);
-    if (this.colour === "speed") {
-      let sum = 0;
-      for (let i = 0; i < 4; ++i) sum += this.speeds[frame * this.run.bodies.nodes + this.faces[4 * q + i]];
-      rgb = sequential(sum / 1020);
-    }
-    return css(rgb.map(c => c * light));
+  direction(v) { // of a vector, as seen, for length 1
+    const m = this.matrix, s = this.scale;
+    return [(m[0] * v[0] + m[1] * v[1] + m[2] * v[2]) / s, (m[3] * v[0] + m[4] * v[1] + m[5] * v[2]) / s];
   }
 
-  // The field now, as an arrow in the upper left corner; its length is its share of the largest.
+  // The field now, in the upper left corner; its length is its share of the largest. A ring is a
+  // field towards the viewer.
   drawField() {
-    const { field, fieldNow } = this;
-    if (!field || fieldNow === undefined) return;
-    const context = this.context, at = [60, 60], o = this.project(this.middle);
-    const tip = this.project(this.middle.map((v, d) => v + field[d] * this.extent));
-    const direction = [tip[0] - o[0], tip[1] - o[1]], whole = this.scale * this.extent;
-    const x = 40 * fieldNow * direction[0] / whole, y = 40 * fieldNow * direction[1] / whole;
-    const colour = getComputedStyle(document.documentElement).getPropertyValue("--field");
-    context.strokeStyle = context.fillStyle = colour; context.lineWidth = 3;
-    context.beginPath(); context.moveTo(at[0] - x, at[1] - y); context.lineTo(at[0] + x, at[1] + y);
-    context.stroke();
-    const length = Math.hypot(x, y);
-    if (length > 2) {
-      const e = [x / length, y / length];
-      context.beginPath(); context.moveTo(at[0] + x + 9 * e[0], at[1] + y + 9 * e[1]);
-      context.lineTo(at[0] + x - 6 * e[1], at[1] + y + 6 * e[0]);
-      context.lineTo(at[0] + x + 6 * e[1], at[1] + y - 6 * e[0]); context.fill();
-    }
-    context.font = "13px system-ui, sans-serif"; context.fillText("B", 22, 24);
+    if (!this.field) return;
+    const context = this.context, [x, y] = this.direction(this.field.map(b => b / this.run.field.largest));
+    context.strokeStyle = context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--field");
+    this.arrow(62 - 38 * x, 62 - 38 * y, 62 + 38 * x, 62 + 38 * y, 3);
+    context.globalAlpha = 0.4; context.lineWidth = 1;
+    context.beginPath(); context.arc(62, 62, 46, 0, 7); context.stroke(); context.globalAlpha = 1;
+    context.font = "13px system-ui, sans-serif"; context.textAlign = "left"; context.textBaseline = "alphabetic";
+    context.fillText(`B ${quantity(Math.hypot(...this.field), "T")}`, 116, 26);
+  }
+
+  drawAxes() {
+    const context = this.context, x0 = 40, y0 = this.height - 40;
+    context.strokeStyle = context.fillStyle = this.ink; context.font = "12px system-ui, sans-serif";
+    context.textAlign = "center"; context.textBaseline = "middle";
+    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((v, d) => {
+      const [x, y] = this.direction(v);
+      this.arrow(x0, y0, x0 + 22 * x, y0 + 22 * y, 1.2);
+      if (Math.hypot(x, y) > 0.25) context.fillText("xyz"[d], x0 + 34 * x, y0 + 34 * y);
+    });
   }
 
   drawScale() {
@@ -212,8 +210,91 @@ class View {
     const y = this.height - 16, x = this.width - 20 - length * this.scale;
     context.strokeStyle = context.fillStyle = this.ink; context.lineWidth = 2;
     context.beginPath(); context.moveTo(x, y); context.lineTo(this.width - 20, y); context.stroke();
-    context.font = "13px system-ui, sans-serif"; context.textAlign = "right";
-    context.fillText(`${Number((1e3 * length).toPrecision(3))} mm`, this.width - 20, y - 6);
-    context.textAlign = "left";
+    context.font = "13px system-ui, sans-serif"; context.textAlign = "right"; context.textBaseline = "alphabetic";
+    context.fillText(quantity(length, "m"), this.width - 20, y - 6);
+  }
+}
+
+// The bodies of one run.
+class Shape {
+  constructor(run, number) {
+    const b = this.bodies = run.bodies;
+    this.number = number;
+    this.points = unpack(b.points, Uint16Array); this.quads = unpack(b.faces, Uint32Array);
+    this.body = unpack(b.body, Uint8Array);
+    this.seen = new Float64Array(3 * b.nodes);
+    this.list = Array.from({ length: this.quads.length / 4 },
+      () => ({ depth: 0, style: "", alpha: 1, corners: new Float64Array(8) }));
+  }
+
+  // Where the nodes are seen, between the stored instants on straight lines.
+  move(view) {
+    const b = this.bodies, n = 3 * b.nodes, i = view.frame(b.times), j = Math.min(i + 1, b.times.length - 1);
+    const part = j > i ? Math.max(0, Math.min(1, (view.time - b.times[i]) / (b.times[j] - b.times[i]))) : 0;
+    const p = this.points, [lx, ly, lz] = b.low, at = [0, 0, 0];
+    for (let k = 0; k < n; k += 3) {
+      const s = i * n + k, e = j * n + k;
+      at[0] = lx + b.step * (p[s] + part * (p[e] - p[s]));
+      at[1] = ly + b.step * (p[s + 1] + part * (p[e + 1] - p[s + 1]));
+      at[2] = lz + b.step * (p[s + 2] + part * (p[e + 2] - p[s + 2]));
+      const q = view.project(at);
+      this.seen[k] = q[0]; this.seen[k + 1] = q[1]; this.seen[k + 2] = q[2];
+    }
+    this.frame = i;
+  }
+
+  // Adds its faces to those before or behind the plane of a slice.
+  faces(view, cut, far, near) {
+    this.move(view);
+    const s = this.seen, q = this.quads, colour = this.number === 0 ? this.bodies.colours[view.colour] : null;
+    if (colour) colour.unpacked ||= unpack(colour.values, Uint8Array);
+    // Depth of the slice at a place of the view: its plane, solved for it.
+    const plane = cut && this.planeOf(view, cut);
+    for (let f = 0; f < this.list.length; ++f) {
+      const item = this.list[f], c = item.corners;
+      let depth = 0, x = 0, y = 0;
+      for (let i = 0; i < 4; ++i) {
+        const k = 3 * q[4 * f + i];
+        c[2 * i] = s[k]; c[2 * i + 1] = s[k + 1]; depth += s[k + 2] / 4; x += s[k] / 4; y += s[k + 1] / 4;
+      }
+      item.depth = depth;
+      item.alpha = this.number ? 0.55 : 1;
+      item.style = this.style(f, colour);
+      (plane && depth < plane(x, y) ? far : near).push(item);
+    }
+  }
+
+  planeOf(view, cut) {
+    const across = [0, 1, 2].filter(d => d !== cut.axis), at = (u, v) => {
+      const p = [0, 0, 0];
+      p[cut.axis] = cut.at; p[across[0]] = u; p[across[1]] = v;
+      return view.project(p);
+    };
+    const o = at(0, 0), a = at(view.extent, 0), b = at(0, view.extent);
+    const [ax, ay, az] = a.map((v, d) => v - o[d]), [bx, by, bz] = b.map((v, d) => v - o[d]);
+    const det = ax * by - ay * bx;
+    if (Math.abs(det) < 1e-9) return null; // seen on its edge
+    return (x, y) => {
+      const u = ((x - o[0]) * by - (y - o[1]) * bx) / det, v = (ax * (y - o[1]) - ay * (x - o[0])) / det;
+      return o[2] + u * az + v * bz;
+    };
+  }
+
+  // Lit from the viewer: by how far the face looks towards it.
+  style(f, colour) {
+    const q = this.quads, s = this.seen, a = 3 * q[4 * f], b = 3 * q[4 * f + 1], d = 3 * q[4 * f + 3];
+    const ux = s[b] - s[a], uy = s[b + 1] - s[a + 1], uz = s[b + 2] - s[a + 2];
+    const vx = s[d] - s[a], vy = s[d + 1] - s[a + 1], vz = s[d + 2] - s[a + 2];
+    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const light = 0.62 + 0.38 * Math.abs(nz) / (Math.hypot(nx, ny, nz) || 1);
+    let red, green, blue;
+    if (colour) {
+      const map = mapOf(colour), values = colour.unpacked, faces = q.length / 4;
+      const start = colour.frames > 1 ? this.frame * (colour.of === "faces" ? faces : this.bodies.nodes) : 0;
+      const v = colour.of === "faces" ? values[start + f] :
+        (values[start + q[4 * f]] + values[start + q[4 * f + 1]] + values[start + q[4 * f + 2]] + values[start + q[4 * f + 3]] + 2) >> 2;
+      red = map[3 * v]; green = map[3 * v + 1]; blue = map[3 * v + 2];
+    } else [red, green, blue] = BODIES[(this.number || this.body[f]) % BODIES.length];
+    return `rgb(${Math.round(light * red)},${Math.round(light * green)},${Math.round(light * blue)})`;
   }
 }

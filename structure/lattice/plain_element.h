@@ -1,5 +1,5 @@
 // One element's energy and forces in the plainest form: what the fast kernels are held to
-// and measured against.
+// and measured against, and what fields of energy density are made of.
 #pragma once
 
 #include <cmath>

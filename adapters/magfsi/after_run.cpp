@@ -1,0 +1,69 @@
+#include "adapters/magfsi/after_run.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "coupler/output/file.h"
+
+namespace magfsi::launch {
+
+namespace fs = std::filesystem;
+
+void merge_traces(const fs::path& out) {
+    std::vector<fs::path> parts;
+    for (const auto& entry : fs::directory_iterator(out)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("trace_") && name.ends_with(".json"))
+            parts.push_back(entry.path());
+    }
+    if (parts.empty()) return;
+    std::ranges::sort(parts);
+    // Each is an array of events: one array of all.
+    std::string all = "[";
+    for (const fs::path& part : parts) {
+        std::ostringstream text;
+        text << std::ifstream(part, std::ios::binary).rdbuf();
+        const std::string events = text.str();
+        const auto begin = events.find('['), end = events.rfind(']');
+        if (begin == std::string::npos || end == std::string::npos) continue;
+        if (all.size() > 1) all += ",";
+        all += events.substr(begin + 1, end - begin - 1);
+    }
+    output::write_atomically(out / "trace.json", all + "]\n");
+    for (const fs::path& part : parts) fs::remove(part);
+}
+
+void start_page(const scene::Scene& scene, const fs::path& out) {
+    const char* const asked = std::getenv("MAGFSI_PAGE");
+    if (scene.report == scene::PageAtEnd::off || !asked ||
+        std::string_view(asked) != "yes" || !std::getenv("PYTHONPATH"))
+        return;
+    const std::string folder = out.string();
+    std::fflush(nullptr);
+    if (::fork() != 0) {
+        fmt::print("the page {} is being written\n", (out / "report.html").string());
+        return;
+    }
+    ::setsid();  // outlives the terminal
+    ::setpriority(PRIO_PROCESS, 0, 19);
+    const sched_param none{};
+    ::sched_setscheduler(0, SCHED_IDLE, &none);
+    const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        ::dup2(nothing, stream);
+    ::execl("/usr/bin/python3", "/usr/bin/python3", "-P", "-m", "magfsi.report",
+            "--after-run", "--", folder.c_str(), nullptr);
+    ::_exit(1);
+}
+
+}  // namespace magfsi::launch

@@ -1,0 +1,2 @@
+"""A run drawn by VTK, as a picture (`./magfsi render`) or a film (`./magfsi film`), from the numbers
+that its page holds (magfsi.report)."""

@@ -1,0 +1,251 @@
+"""Bodies and flow of a run folder at each instant, as the page holds them."""
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from magfsi import runs
+from magfsi.plotting import read_grid
+from magfsi.report.packing import packed, spread
+
+MOST_SIDE = 160  # pixels of a slice
+MOST_SLICES = 60
+AXES = "xyz"
+
+
+def stored_frames(folder, collection):
+    """[(time, [file ...])] that are there: an instant of a refined grid has a file a level."""
+    try:
+        listed = runs.frames(folder, collection)
+    except (OSError, SyntaxError):  # of XML: a file that is being written
+        return []
+    instants = {}
+    for time, file in listed:
+        if file.exists():
+            instants.setdefault(time, []).append(file)
+    return list(instants.items())
+
+
+_remembered = None  # {(file, of what): what was read of it}, where frames are kept
+
+
+def remember_frames():
+    """From now on a file is read once: for a page that is made again and again."""
+    global _remembered
+    _remembered = {}
+
+
+def once(file, what, make):
+    if _remembered is None:
+        return make()
+    key = (str(file), *what)
+    if key not in _remembered:
+        _remembered[key] = make()
+    return _remembered[key]
+
+
+def surface(grid):
+    """Outer faces of the bodies (faces, 4) by the numbers of their nodes, their elements, and
+    the nodes that they have."""
+    filter_ = vtk.vtkGeometryFilter()
+    filter_.SetInputData(grid)
+    filter_.PassThroughPointIdsOn()
+    filter_.PassThroughCellIdsOn()
+    filter_.Update()
+    skin = filter_.GetOutput()
+    faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    nodes = vtk_to_numpy(skin.GetPointData().GetArray("vtkOriginalPointIds"))
+    elements = vtk_to_numpy(skin.GetCellData().GetArray("vtkOriginalCellIds"))
+    return faces, elements, nodes
+
+
+def array(data, *names):
+    """The first of these arrays of points or cells that is there; None without."""
+    for name in names:
+        if data.GetArray(name) is not None:
+            return vtk_to_numpy(data.GetArray(name))
+    return None
+
+
+def bodies_of(grid, elements):
+    """Number of the body of each face, and names of the bodies."""
+    number = array(grid.GetCellData(), "body")
+    number = np.zeros(len(elements), int) if number is None else number[elements].astype(int)
+    names = grid.GetFieldData().GetAbstractArray("body_names")
+    count = number.max(initial=0) + 1
+    return number, [names.GetValue(i) if names else f"body {i + 1}" for i in range(count)]
+
+
+def magnetization(grid, elements):
+    """Of each face the component that varies most over the bodies, and which; None without."""
+    values = array(grid.GetCellData(), "magnetization_at_rest[A/m]", "magnetization")
+    if values is None or not np.abs(values).max():
+        return None
+    axis = int(np.ptp(values, axis=0).argmax())
+    return values[elements, axis], AXES[axis]
+
+
+def colour(name, unit, of, values, signed, share=1.0):
+    """One byte a value, from low to high, which hold this share of the values; what is beyond has
+    the colour of the end."""
+    values = np.asarray(values, float)
+    largest = float(np.quantile(np.abs(values), share)) if values.size else 0.0
+    beyond = bool(values.size and largest < np.abs(values).max())
+    high = largest or 1.0
+    low = -high if signed else 0.0
+    scaled = np.clip(np.round(255 * (values - low) / (high - low)), 0, 255)
+    return {"name": name, "unit": unit, "of": of, "low": low, "high": high, "signed": signed,
+            "beyond": beyond,
+            "frames": 1 if values.ndim == 1 else len(values), "values": packed(scaled, "u1")}
+
+
+def one_frame(file, nodes, elements):
+    """Positions and speeds of the nodes, the largest strain of each face; None of what is not in
+    the file."""
+    grid = read_grid(file)
+    points = vtk_to_numpy(grid.GetPoints().GetData())[nodes]
+    velocity = array(grid.GetPointData(), "velocity[m/s]", "velocity")
+    stretches = array(grid.GetCellData(), "stretches[1]")
+    return (points, None if velocity is None else np.linalg.norm(velocity[nodes], axis=1),
+            None if stretches is None else np.abs(stretches[elements] - 1).max(axis=1))
+
+
+def bodies(folder, most_bytes):
+    """Positions of the surface in every frame, or in as many as there is room for."""
+    stored = stored_frames(folder, "structure.pvd")
+    if not stored:
+        return None
+    first = read_grid(stored[0][1][0])
+    faces, elements, nodes = surface(first)
+    # Base64 takes four characters for three bytes.
+    each = (7 * len(nodes) + len(faces)) * 4 / 3
+    chosen = [stored[i] for i in spread(len(stored), max(2, int(most_bytes / each)))]
+    read = [once(files[0], ("body",), lambda: one_frame(files[0], nodes, elements))
+            for _, files in chosen]
+    points = np.array([frame[0] for frame in read])
+    speeds, strains = ([frame[i] for frame in read if frame[i] is not None] for i in (1, 2))
+    low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+    step = max(np.ptp(points, axis=(0, 1)).max() / 65535, 1e-12)
+    number, names = bodies_of(first, elements)
+    middle = (points[0].min(axis=0) + points[0].max(axis=0)) / 2
+    colours = []
+    moment = magnetization(first, elements)
+    if moment:
+        colours.append(colour(f"magnetisation along {moment[1]} at rest", "A/m", "faces",
+                              moment[0], True))
+    if len(strains) == len(chosen):
+        colours.append(colour("largest strain", "1", "faces", strains, False))
+    if len(speeds) == len(chosen) and np.max(speeds) > 0:
+        colours.append(colour("speed", "m/s", "nodes", speeds, False))
+    return {"times": [time for time, _ in chosen], "stored": len(stored), "nodes": len(nodes),
+            "low": low.tolist(), "high": high.tolist(), "step": step,
+            "middle": np.round(middle, 9).tolist(),  # at first
+            "points": packed(np.round((points - low) / step), "<u2"),
+            "faces": packed(faces, "<u4"), "body": packed(number, "u1"), "names": names,
+            "colours": colours}
+
+
+class Level:
+    """The layer of one level's cells that a plane cuts."""
+
+    def __init__(self, file, axis, at):
+        grid = read_grid(file)
+        low = grid.GetExtent()[::2]
+        self.spacing = grid.GetSpacing()
+        self.low = [o + n * h for o, n, h in zip(grid.GetOrigin(), low, self.spacing)]
+        self.cells = [n - 1 for n in grid.GetDimensions()]
+        self.axis, self.data = axis, grid.GetCellData()
+        self.layer = int(np.floor((at - self.low[axis]) / self.spacing[axis]))
+
+    def cut(self):
+        return 0 <= self.layer < self.cells[self.axis]
+
+    def plane(self, *names):
+        """(..., rows, columns) of the layer; None without the array."""
+        values = array(self.data, *names)
+        if values is None:
+            return None
+        values = values.reshape(*self.cells[::-1], -1).take(self.layer, axis=2 - self.axis)
+        return np.moveaxis(values, -1, 0)
+
+    def quantities(self):
+        """{name: (rows, columns)} of what the files have, or what follows from it."""
+        across = [a for a in range(3) if a != self.axis]
+        found = {}
+        velocity = self.plane("velocity[m/s]", "velocity")
+        if velocity is not None:
+            found["speed"] = np.linalg.norm(velocity, axis=0)
+        vorticity = self.plane("vorticity[1/s]", "vorticity")
+        if vorticity is not None:
+            found["vorticity"] = vorticity[self.axis]
+        elif velocity is not None and min(velocity.shape[1:]) > 1:
+            first, second = across  # columns, rows
+            by_row = np.gradient(velocity[first], self.spacing[second], axis=0)
+            by_column = np.gradient(velocity[second], self.spacing[first], axis=1)
+            # x, y, z in turn: the curl along y is that of z and x.
+            found["vorticity"] = (by_column - by_row) * (-1 if self.axis == 1 else 1)
+        pressure = self.plane("pressure[Pa]")
+        if pressure is not None:
+            found["pressure"] = pressure[0]
+        return found
+
+
+def one_slice(files, axis, at):
+    """({name: (rows, columns)}, origin, size), on the whole box, each pixel from the finest level
+    that has it."""
+    levels = sorted((Level(file, axis, at) for file in files), key=lambda l: -l.spacing[axis])
+    coarse = levels[0]
+    coarse.layer = int(np.clip(coarse.layer, 0, coarse.cells[axis] - 1))
+    across = [a for a in range(3) if a != axis]
+    finest = min(level.spacing[axis] for level in levels)
+    size = [coarse.cells[a] * coarse.spacing[a] for a in across]
+    scale = max(1.0, max(size) / finest / MOST_SIDE)
+    places = []
+    for a, length in zip(across, size):
+        count = max(1, round(length / finest / scale))
+        places.append(coarse.low[a] + (np.arange(count) + 0.5) * length / count)
+    made = {}
+    for level in levels:
+        if not level.cut():
+            continue
+        inside, cells = [], []
+        for a, at_ in zip(across, places):
+            index = np.floor((at_ - level.low[a]) / level.spacing[a] + 1e-9).astype(int)
+            inside.append((index >= 0) & (index < level.cells[a]))
+            cells.append(index[inside[-1]])
+        for name, values in level.quantities().items():
+            whole = made.setdefault(name, np.zeros((len(places[1]), len(places[0]))))
+            whole[np.ix_(inside[1], inside[0])] = values[np.ix_(cells[1], cells[0])]
+    return made, [coarse.low[a] for a in across], size
+
+
+SHARE_IN_COLOUR = 0.999  # a vortex at a sharp end would leave the rest without colour
+UNITS = {"speed": "m/s", "vorticity": "1/s", "pressure": "Pa"}
+
+
+def flow(folder, scene, at, most_bytes):
+    """Slices of the flow in the plane of the field, or across y, through `at`."""
+    stored = [(time, [f for f in files if f.suffix in (".vti", ".pvti")])
+              for time, files in stored_frames(folder, "fluid.pvd")]
+    stored = [(time, files) for time, files in stored if files]
+    if not stored:
+        return None
+    plane = scene.get("magnetic_field", {}).get("plane", "xz")
+    axis = next(a for a in range(3) if AXES[a] not in plane)
+    at = at[axis]
+    first, _, _ = one_slice(stored[-1][1], axis, at)
+    if not first:
+        return None
+    each = sum(values.size for values in first.values()) * 4 / 3
+    most = min(MOST_SLICES, max(2, int(most_bytes / each)))
+    chosen = [stored[i] for i in spread(len(stored), most)]
+    made = [once(files[0], ("slice", axis, at), lambda: one_slice(files, axis, at))
+            for _, files in chosen]
+    shape = first["speed"].shape if "speed" in first else next(iter(first.values())).shape
+    quantities = []
+    for name in first:
+        values = np.array([found[name] for found, _, _ in made])
+        quantities.append(colour(name if name != "vorticity" else f"vorticity along {AXES[axis]}",
+                                 UNITS[name], "pixels", values, name != "speed", SHARE_IN_COLOUR))
+    return {"times": [time for time, _ in chosen], "axis": axis, "at": at, "rows": shape[0],
+            "columns": shape[1], "origin": made[0][1], "size": made[0][2],
+            "quantities": quantities}

@@ -1,0 +1,46 @@
+// --trace: when each task of each rank began and ended, for https://ui.perfetto.dev and
+// Chrome's chrome://tracing. A run without it has none of this: the tasks are wrapped.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupler/participants/session.h"
+#include "coupler/step/task_list.h"
+
+namespace magfsi::coupler {
+
+// Of this rank. In memory up to the end of the run, however it ends.
+class TaskTrace {
+  public:
+    // Wraps the tasks of the list, which must outlive this.
+    TaskTrace(const Session& session, TaskList& tasks);
+    ~TaskTrace();  // writes trace_SIDE_RANK.json: Chrome's trace events, a JSON array
+    TaskTrace(const TaskTrace&) = delete;
+    TaskTrace& operator=(const TaskTrace&) = delete;
+
+  private:
+    struct Event {
+        std::int64_t start_ns;
+        std::uint32_t length_ns, waited_ns;  // waited: for the partner, of the length
+        std::uint32_t task;
+    };
+    void add(std::uint32_t task, double start_s, double end_s, double waited_s);
+    std::string text() const;
+
+    std::filesystem::path file_;
+    std::string side_, other_;
+    int side_number_, rank_;
+    double clock_offset_s_;  // of the day's clock, which all machines of a run share
+    std::vector<std::string> names_;
+    std::vector<Event> events_;
+    std::int64_t left_out_ = 0;
+};
+
+// Null without --trace.
+std::unique_ptr<TaskTrace> trace_of(const Session& session, TaskList& tasks);
+
+}  // namespace magfsi::coupler

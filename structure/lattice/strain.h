@@ -1,0 +1,25 @@
+// What the deformation of an element means: stretches, change of volume, stress.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "structure/lattice/hexahedron.h"
+
+namespace magfsi::structure {
+
+// Mean deformation gradient F = sum_a x_a b_a^T / V0 (element.h).
+Eigen::Matrix3d mean_deformation(const Positions8& x_m,
+                                 const Positions8& reference_gradient_m2,
+                                 double reference_volume_m3);
+
+// Square roots of the eigenvalues of F^T F, the largest first.
+Vec3 principal_stretches(const Eigen::Matrix3d& f);
+
+// Cauchy stress of eq. (1) in a homogeneous state, sigma = P F^T / J with P = dW/dF:
+//   sigma = (G (F F^T - 1) + K ln J 1) / J  [Pa],
+// zero where J is not positive. Order: xx, yy, zz, xy, yz, xz, VTK's of six components.
+std::array<double, 6> cauchy_stress_pa(const Material& material,
+                                       const Eigen::Matrix3d& f);
+
+}  // namespace magfsi::structure

@@ -1,0 +1,242 @@
+"""The page in headless Chromium: no errors, plays, goes to a time, shows the robot where VTK draws it,
+at 400 and 1400 pixels, light and dark; pages of every kind of run; hostile names stay text."""
+import io
+import json
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import browser
+import numpy as np
+from magfsi import testing
+from PIL import Image
+
+FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
+          "output.fluid": "{every: 1 ms, fields: [velocity, pressure]}"}
+OPENS_IN_S = 3
+FRAMES_A_S = 20
+# As many frames as a second of play should have, and how long they took.
+PLAY = """new Promise(done => {
+  document.getElementById("play").click();
+  let count = 0; const began = performance.now();
+  (function next() {
+    if (++count < %d) return requestAnimationFrame(next);
+    document.getElementById("play").click();
+    done((performance.now() - began) / 1e3);
+  })();
+})"""
+
+
+def report(*words):
+    done = subprocess.run([sys.executable, "-P", "-m", "magfsi.report", *map(str, words)],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def pixels(picture):
+    return np.array(Image.open(io.BytesIO(picture)).convert("RGB")).astype(int)
+
+
+def orange(image):
+    """Where the plain robot is: red well above blue, in any light."""
+    return (image[..., 0] - image[..., 2] > 60) & (image[..., 0] > image[..., 1] + 30)
+
+
+def slow_machine():
+    """How much longer a fixed piece of work takes than on an idle core of 2020: others may be at
+    work here."""
+    import time
+    began = time.perf_counter()
+    sum(i * i for i in range(3_000_000))
+    return max(1.0, (time.perf_counter() - began) / 0.25)
+
+
+@unittest.skipUnless(browser.CHROMIUM, browser.WITHOUT)
+class Looked(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = browser.Browser()
+        cls.run_ = testing.good_run(testing.SMALL, FIELDS)
+        cls.page = cls.run_.folder / "report.html"
+        report(cls.run_.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+
+    def open(self, file, fragment="", **how):
+        seconds = self.browser.open(f"file://{file}{fragment}", **how)
+        self.assertEqual(self.browser.errors(), [])
+        return seconds
+
+    def test_scrubs_to_a_time(self):
+        self.open(self.page, "#t=0.0015")
+        self.assertEqual(self.browser.run("document.getElementById('now').textContent"), "1.5 ms")
+        self.browser.run("const range = document.getElementById('time'); range.value = 0.5; "
+                         "range.dispatchEvent(new Event('input')); 1")
+        self.assertEqual(self.browser.run("document.getElementById('now').textContent"), "1 ms")
+        # The cursor of a curve stands at half of its width between the axes.
+        place = self.browser.run("drawn[0].cursor.getBoundingClientRect().x - "
+                                 "drawn[0].canvas.getBoundingClientRect().x")
+        width = self.browser.run("drawn[0].canvas.clientWidth")
+        self.assertAlmostEqual(place, 58 + 0.5 * (width - 78), delta=1)
+
+    def test_plays_fast_enough_and_opens_soon(self):
+        slow = slow_machine()
+        self.assertLess(self.open(self.page), slow * OPENS_IN_S)
+        seconds = self.browser.run(PLAY % 40)
+        testing.report(f"{40 / seconds:.0f} frames a second, the machine {slow:.1f} times slow")
+        self.assertLess(seconds, slow * 40 / FRAMES_A_S)
+        self.assertNotEqual(self.browser.run("document.getElementById('now').textContent"), "0")
+
+    def test_robot_is_where_vtk_draws_it(self):
+        for time, width, dark in ((0, 1400, False), (0.002, 1400, True), (0.002, 400, False)):
+            self.open(self.page, f"#t={time}&colour=body&flow=none", width=width, dark=dark)
+            box = self.browser.run("(({x, y, width, height}) => [x, y, width, height])"
+                                   "(document.getElementById('view').getBoundingClientRect())")
+            x, y, w, h = (round(v) for v in box)
+            # Where the field's arrow is no robot is.
+            found = orange(pixels(self.browser.picture())[y:y + h, x:x + w])
+            found[:120, :240] = False
+            reference = Path(testing.new_folder()) / "reference.png"
+            done = subprocess.run(
+                [sys.executable, "-P", "-m", "magfsi.render", str(self.run_.folder), "--look",
+                 "page", "--size", f"{w}x{h}", "--colour", "body", "--flow", "none", "--time",
+                 f"{time} s", "--out", str(reference)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            right = orange(np.array(Image.open(reference)).astype(int))
+            right[:120, :240] = False
+            self.assertGreater(right.sum(), 200)
+            both = (found & right).sum() / (found | right).sum()
+            testing.report(f"t = {time} s, {width} pixels: {100 * both:.1f} % of the pixels agree")
+            # A pixel along the outline: both smooth edges, each in its own way.
+            self.assertGreater(both, 0.85)
+            for axis in (0, 1):
+                self.assertAlmostEqual(np.nonzero(found)[axis].mean(),
+                                       np.nonzero(right)[axis].mean(), delta=1)
+
+    def test_narrow_and_dark(self):
+        for width in (400, 1400):
+            for dark in (False, True):
+                self.open(self.page, width=width, dark=dark)
+                self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), width)
+                paper = self.browser.run("getComputedStyle(document.body).backgroundColor")
+                bright = sum(int(v) for v in paper[4:-1].split(",")) > 380
+                self.assertEqual(bright, not dark)
+
+    def test_labels_do_not_overlap(self):
+        """What is written into a curve's canvas is noted: no two texts of it meet."""
+        self.browser.open(f"file://{self.page}", width=1400)
+        boxes = self.browser.run("""(() => {
+          const all = [], old = CanvasRenderingContext2D.prototype.fillText;
+          CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+            const m = this.measureText(text), w = m.width, right = { left: 0, center: 0.5, right: 1 }[this.textAlign];
+            all.push([this.canvas.parentElement.parentElement.dataset.panel || "view", text,
+                      x - right * w, x + (1 - right) * w, y - m.actualBoundingBoxAscent, y + m.actualBoundingBoxDescent]);
+            return old.call(this, text, x, y);
+          };
+          drawn.forEach(panel => panel.drawCurves()); magfsi.view.draw();
+          CanvasRenderingContext2D.prototype.fillText = old;
+          return all; })()""")
+        self.assertGreater(len(boxes), 50)
+        for i, (panel, text, left, right, top, bottom) in enumerate(boxes):
+            for other, with_, l, r, t, b in boxes[:i]:
+                apart = panel != other or right <= l or r <= left or bottom <= t or b <= top
+                self.assertTrue(apart, f"{panel}: '{text}' over '{with_}'")
+
+    def test_hostile_texts_are_text(self):
+        folder = Path(testing.new_folder()) / "x<img src=x onerror=alert(1)>&"
+        scene = Path(testing.new_folder()) / "scene.yaml"
+        hostile = "</script><script>document.title='stolen'</script><img src=x onerror=alert(1)>"
+        scene.write_text(f"# {hostile}\n" + testing.SMALL.read_text())
+        run = testing.good_run(scene, {"time.end": "0.5 ms", **{k: v for k, v in FIELDS.items()
+                                                                if k != "time.end"}}, folder=folder)
+        for file in ("scene.json", "run.json", "summary.json"):  # as a stranger may have sent them
+            held = json.loads((run.folder / file).read_text())
+            for part in held if isinstance(held, list) else [held]:
+                for key in ("name", "command", "machine", "cause", "outcome"):
+                    if key in part or key == "cause":
+                        part[key] = hostile
+            (run.folder / file).write_text(json.dumps(held))
+        report(run.folder)
+        self.open(run.folder / "report.html")
+        self.assertEqual(self.browser.run("document.querySelectorAll('img').length"), 0)
+        self.assertEqual(self.browser.run("document.scripts.length"), 2)
+        self.assertNotEqual(self.browser.run("document.title"), "stolen")
+        self.assertIn("<img src=x", self.browser.run("document.getElementById('title').textContent"))
+        self.assertIn(hostile, self.browser.run("document.querySelector('pre').textContent"))
+
+    def test_colour_maps_are_read_in_grey_and_by_colour_blind_readers(self):
+        """Lightness (of CIE 1976) rises from end to end, also as protanopes and deuteranopes see it
+        (matrices of Machado et al. 2009, linear sRGB); the two maps of the film are the page's."""
+        from magfsi.drawing import actors
+        self.open(self.page)
+        blind = {"all": np.eye(3), "protan": [[0.152286, 1.052583, -0.204868],
+                 [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+                 "deutan": [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
+                            [-0.011820, 0.042940, 0.968881]]}
+        for name, signed in (("MAGNITUDE", False), ("SIGNED", True)):
+            values = self.browser.run(f"Array.from(magfsi.{name})")
+            rgb = np.array(values).reshape(256, 3)
+            self.assertLessEqual(np.abs(rgb - actors.colour_table(signed)).max(), 1)
+            linear = np.where(rgb <= 10.3, rgb / 3294.6, ((rgb / 255 + 0.055) / 1.055)**2.4)
+            for who, matrix in blind.items():
+                seen = np.clip(linear @ np.array(matrix).T, 0, 1) @ [0.2126, 0.7152, 0.0722]
+                lightness = 116 * np.cbrt(np.maximum(seen, 1e-9)) - 16
+                steps = np.diff(lightness[::8])
+                self.assertGreater(steps.min(), 0, f"{name}, {who}")
+                self.assertGreater(np.ptp(lightness), 70, f"{name}, {who}")
+
+    def test_every_kind_of_run(self):
+        bare = testing.good_run(testing.SMALL, {"time.end": "1 ms", "fluid": ""})
+        alone = testing.good_run(testing.ROOT / "tutorials/beam",
+                                 {"time.end": "200 ms", "output.structure.every": "50 ms"})
+        diverged = testing.run(testing.SMALL,
+                               {**FIELDS, "magnetic_field.constant.magnitude": "9 T"})
+        self.assertEqual(diverged.code, 3)
+        for run, with_view in ((bare, False), (alone, True), (diverged, None)):
+            report(run.folder)
+            seconds = self.open(run.folder / "report.html")
+            self.assertLess(seconds, slow_machine() * OPENS_IN_S)
+            hidden = self.browser.run("document.getElementById('no-fields').hidden")
+            if with_view is not None:
+                self.assertEqual(hidden, with_view)
+        both = Path(testing.new_folder()) / "both.html"
+        coarse = testing.good_run(testing.SMALL, {**FIELDS, "fluid.spacing": "0.4 mm"})
+        report(self.run_.folder, coarse.folder, "--out", both)
+        self.open(both)
+        self.assertEqual(self.browser.run("magfsi.view.shapes.length"), 2)
+        self.browser.run("document.getElementById('differ').click(); 1")
+        first, second = (run.probes()["robot.com_z[m]"][-1] for run in (self.run_, coarse))
+        shown = self.browser.run("""(() => { const p = drawn.find(p => p.name === "robot.com[m]");
+            return p.lines.find(l => l.part === "z").values.at(-1); })()""")
+        self.assertAlmostEqual(shown, second - first, delta=1e-8)
+        self.assertEqual(self.browser.errors(), [])
+
+    def test_many_rows_and_frames(self):
+        """10,000 rows of 30 columns and 1,000 frames of a body: what is there of a long run."""
+        folder = Path(testing.new_folder())
+        t = np.linspace(0, 1, 10000)
+        names = ["t[s]"] + [f"robot.q{i}[m]" for i in range(30)]
+        columns = [t] + [np.sin((i + 1) * 6 * t) for i in range(30)]
+        np.savetxt(folder / "probes.csv", np.array(columns).T, delimiter=",", header=",".join(names),
+                   comments="", fmt="%.9g")
+        for file in ("scene.json", "run.json", "summary.json", "scene.yaml"):
+            (folder / file).write_bytes((self.run_.folder / file).read_bytes())
+        stored = sorted((self.run_.folder / "fields").glob("structure_*.vtu"))
+        entries = "".join(f'<DataSet timestep="{i / 999}" part="0" file="{stored[i % len(stored)]}"/>'
+                          for i in range(1000))
+        (folder / "structure.pvd").write_text(f"<VTKFile><Collection>{entries}</Collection></VTKFile>")
+        report(folder)
+        self.assertLess((folder / "report.html").stat().st_size, 20e6)
+        slow = slow_machine()
+        seconds = self.open(folder / "report.html")
+        testing.report(f"opens in {seconds:.2f} s, the machine {slow:.1f} times slow")
+        self.assertLess(seconds, slow * OPENS_IN_S)
+        self.assertEqual(self.browser.run("magfsi.view.shapes[0].bodies.times.length"), 1000)
+        self.assertLess(self.browser.run(PLAY % 40), slow * 40 / FRAMES_A_S)
+
+
+if __name__ == "__main__":
+    unittest.main()
