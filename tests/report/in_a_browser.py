@@ -189,7 +189,8 @@ class Looked(unittest.TestCase):
                 self.assertGreater(np.ptp(lightness), 70, f"{name}, {who}")
 
     def test_every_kind_of_run(self):
-        bare = testing.good_run(testing.SMALL, {"time.end": "1 ms", "fluid": ""})
+        bare = testing.good_run(testing.SMALL, {"time.end": "1 ms", "fluid": "",
+                                               "probes": "{every: 0.1 ms, bodies: [com]}"})
         alone = testing.good_run(testing.ROOT / "tutorials/beam",
                                  {"time.end": "200 ms", "output.structure.every": "50 ms"})
         diverged = testing.run(testing.SMALL,

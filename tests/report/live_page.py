@@ -32,7 +32,9 @@ def ask(port, path, method="GET", host=None):
     connection.putheader("Host", f"127.0.0.1:{port}" if host is None else host)
     connection.endheaders()
     answer = connection.getresponse()
-    return answer.status, answer.read(), answer
+    body = answer.read()
+    connection.close()
+    return answer.status, body, answer
 
 
 class Watched(unittest.TestCase):
@@ -113,7 +115,7 @@ class Watched(unittest.TestCase):
 class WhileItRuns(unittest.TestCase):
     def test_grows_and_ends(self):
         process, folder = testing.get_going(
-            testing.SMALL, {"time.end": "60 ms", "output.structure.every": "0.2 ms"})
+            testing.SMALL, {"time.end": "2 s", "output.structure.every": "0.2 ms"})
         try:
             watcher, port, token = watched(folder)
             try:
