@@ -164,6 +164,9 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_TRUE(s.probes->interface_balance);
     EXPECT_TRUE(s.probes->energy_audit);
     EXPECT_EQ(s.output.structure->every_s, 1e-3);
+    EXPECT_EQ(s.output.structure->fields,
+              (std::vector{BodyField::stress, BodyField::velocity}));
+    EXPECT_EQ(s.report, PageAtEnd::off);
     EXPECT_EQ(s.output.fluid->every_s, 2e-3);
     EXPECT_EQ(s.checkpoint->every_s, 5e-3);
     EXPECT_FALSE(s.checkpoint->retry());
