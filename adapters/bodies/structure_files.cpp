@@ -62,11 +62,12 @@ auto each_element(const std::vector<structure::Body>& bodies, const Add& add) {
         elements.push_back(elements_at_rest(body, first_node));
         first_node += nodes_of(body);
     }
-    return [elements, add](double, const NodalState& state, std::vector<double>& out) {
+    return [elements, add](const StructureFiles::Instant& now, std::vector<double>& out) {
         for (std::size_t b = 0; b < elements.size(); ++b) {
             for (std::size_t e = 0; e < elements[b].size(); ++e) {
                 const Element& element = elements[b][e];
-                const Positions8 x = structure::gather(state.position_m, element.nodes);
+                const Positions8 x =
+                    structure::gather(now.state.position_m, element.nodes);
                 add(b, e,
                     structure::mean_deformation(x, element.gradient_m2,
                                                 element.volume_m3),
@@ -105,14 +106,14 @@ auto energy_densities(const std::vector<structure::Body>& bodies) {
         first_node += nodes_of(body);
         parts.push_back(std::move(part));
     }
-    return [parts](double, const NodalState& state, std::vector<double>& out) {
+    return [parts](const StructureFiles::Instant& now, std::vector<double>& out) {
         for (const Part& part : parts) {
             for (std::size_t e = 0; e < part.nodes.size(); ++e) {
                 const auto& reference = part.references[e];
-                const auto now = structure::element_energy(
+                const auto element = structure::element_energy(
                     reference, part.materials[e],
-                    structure::gather(state.position_m, part.nodes[e]));
-                out.push_back(now.energy_j / reference.volume);
+                    structure::gather(now.state.position_m, part.nodes[e]));
+                out.push_back(element.energy_j / reference.volume);
             }
         }
     };
@@ -126,15 +127,17 @@ auto elastic_forces(const std::vector<structure::Body>& bodies) {
         kernels->emplace_back().assign(structure::build_lattice(body));
         counts.push_back(body.mesh.nodes.size());
     }
-    return [kernels, counts](double, const NodalState& state, std::vector<double>& out) {
-        std::size_t first = out.size(), node = 0;
-        out.resize(first + 3 * state.position_m.size());
-        for (std::size_t b = 0; b < counts.size(); ++b) {
-            (*kernels)[b].add_forces(state.position_m[node].data(), out.data() + first);
-            first += 3 * counts[b];
-            node += counts[b];
-        }
-    };
+    return
+        [kernels, counts](const StructureFiles::Instant& now, std::vector<double>& out) {
+            std::size_t first = out.size(), node = 0;
+            out.resize(first + 3 * now.state.position_m.size());
+            for (std::size_t b = 0; b < counts.size(); ++b) {
+                (*kernels)[b].add_forces(now.state.position_m[node].data(),
+                                         out.data() + first);
+                first += 3 * counts[b];
+                node += counts[b];
+            }
+        };
 }
 
 auto magnetic_forces(const scene::Scene& scene,
@@ -143,22 +146,23 @@ auto magnetic_forces(const scene::Scene& scene,
     const auto& field = scene.magnetic_field;
     for (const structure::Body& body : bodies)
         laws->emplace_back(body, field ? field->gradient : std::nullopt);
-    return
-        [laws, field](double time_s, const NodalState& state, std::vector<double>& out) {
-            const Vec3 field_t = field ? structure::field_at(*field, time_s) : Vec3{};
-            std::span<const Vec3> left(state.position_m);
-            for (const FieldForces& law : *laws) {
-                for (const Vec3& force : law.forces_n(left.first(law.nodes()), field_t))
-                    append(out, force);
-                left = left.subspan(law.nodes());
-            }
-        };
+    return [laws, field](const StructureFiles::Instant& now, std::vector<double>& out) {
+        const Vec3 field_t = now.field_t ? *now.field_t
+                             : field     ? structure::field_at(*field, now.time_s)
+                                         : Vec3{};
+        std::span<const Vec3> left(now.state.position_m);
+        for (const FieldForces& law : *laws) {
+            for (const Vec3& force : law.forces_n(left.first(law.nodes()), field_t))
+                append(out, force);
+            left = left.subspan(law.nodes());
+        }
+    };
 }
 
 auto of_each_node(std::function<Vec3(const NodalState&, std::size_t)> value) {
-    return [value](double, const NodalState& state, std::vector<double>& out) {
-        for (std::size_t n = 0; n < state.position_m.size(); ++n)
-            append(out, value(state, n));
+    return [value](const StructureFiles::Instant& now, std::vector<double>& out) {
+        for (std::size_t n = 0; n < now.state.position_m.size(); ++n)
+            append(out, value(now.state, n));
     };
 }
 
@@ -240,10 +244,9 @@ void StructureFiles::add_magnetization(const Bodies& bodies) {
             const Eigen::Vector3d now = f * Eigen::Vector3d(m[0], m[1], m[2]);
             append(out, now);
         });
-    fields_.push_back({"magnetization_at_rest[A/m]", 3, false,
-                       [at_rest](double, const NodalState&, std::vector<double>& out) {
-                           append(out, at_rest);
-                       }});
+    fields_.push_back(
+        {"magnetization_at_rest[A/m]", 3, false,
+         [at_rest](const Instant&, std::vector<double>& out) { append(out, at_rest); }});
 }
 
 void StructureFiles::add_of_elements(BodyField field, const Bodies& bodies) {
@@ -285,14 +288,15 @@ void StructureFiles::resume(const coupler::Clock& clock, std::int64_t every) {
     }
 }
 
-void StructureFiles::write(std::int64_t index, double time_s, const NodalState& state) {
+void StructureFiles::write(std::int64_t index, double time_s, const NodalState& state,
+                           const std::optional<Vec3>& field_t) {
     std::vector<double> points;
     for (const Vec3& x : state.position_m) append(points, x);
     std::vector<std::vector<double>> values(fields_.size());
     std::vector<output::Field> of_nodes, of_elements;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const Field& field = fields_[i];
-        field.add(time_s, state, values[i]);
+        field.add({time_s, state, field_t}, values[i]);
         (field.of_nodes ? of_nodes : of_elements)
             .push_back(
                 {field.name, field.components, std::span<const double>(values[i])});

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,15 @@ class StructureFiles {
     // After a restart: the series again up to the clock's step, one file every so many.
     void resume(const coupler::Clock& clock, std::int64_t every);
 
-    void write(std::int64_t index, double time_s, const NodalState& state);
+    // field_t: where the field is not the scene's law.
+    void write(std::int64_t index, double time_s, const NodalState& state,
+               const std::optional<Vec3>& field_t = {});
+
+    struct Instant {
+        double time_s = 0;
+        const NodalState& state;
+        const std::optional<Vec3>& field_t;
+    };
 
   private:
     // A field of the file, made anew for each: adds its values to `out`.
@@ -33,9 +42,7 @@ class StructureFiles {
         std::string name;
         int components = 1;
         bool of_nodes = false;
-        std::function<void(double time_s, const NodalState& state,
-                           std::vector<double>& out)>
-            add;
+        std::function<void(const Instant& now, std::vector<double>& out)> add;
     };
     using Bodies = std::vector<structure::Body>;
     void add(scene::BodyField field, const scene::Scene& scene, const Bodies& bodies);

@@ -27,7 +27,8 @@ class StructureFields : public coupler::Output {
     void write() {
         const NodalState nodes = run_.gather();
         const coupler::Clock& clock = run_.session.clock();
-        if (files_) files_->write(clock.step() / every_, clock.time_s(), nodes);
+        if (files_)
+            files_->write(clock.step() / every_, clock.time_s(), nodes, run_.field_t);
     }
 
     StructureRun& run_;
