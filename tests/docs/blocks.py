@@ -29,7 +29,8 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md",
 NO_CODE = ("text", "{toctree}", "{literalinclude}", "{eval-rst}")
 # Run elsewhere: by the test of this name.
 ELSEWHERE = {("docs/python.md", "python"): "python_api"}
-COSTLY = ("cost", "optimize", "bench", "test", "python", "lammps")
+COSTLY = ("cost", "optimize", "bench", "test", "python", "lammps", "render", "film", "watch",
+          "gallery")
 NEWLY_MADE = ("my_robot", "my_scene.yaml", "my_search.yaml", "search.yaml", "in.beam", "lammps.in")
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
