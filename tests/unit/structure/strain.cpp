@@ -59,7 +59,8 @@ TEST(Strain, StressGivesTheForcesOfAHomogeneousElement) {
         const Positions8 x = rest * f.transpose();
         const Eigen::Matrix3d found =
             mean_deformation(x, reference.gradient, reference.volume);
-        EXPECT_LT((found - f).norm(), 1e-11);  // of differences of a tenth of a millimetre
+        EXPECT_LT((found - f).norm(),
+                  1e-11);  // of differences of a tenth of a millimetre
         const Eigen::Matrix3d stress = symmetric(cauchy_stress_pa(material, found));
         const Eigen::Matrix3d p = f.determinant() * stress * f.inverse().transpose();
         const Positions8 expected = -reference.gradient * p.transpose();
