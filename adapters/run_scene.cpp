@@ -63,7 +63,7 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     plan.end_s = scene.time.end_s;
     const auto& solvers = scene::names<scene::FluidSolver>;
     plan.solver_folders.assign(solvers.begin(), solvers.end());
-    if (!scene.bodies.empty()) plan.roles.push_back(coupler::Role::structure);
+    if (scene.has_structure()) plan.roles.push_back(coupler::Role::structure);
     if (scene.fluid) {
         plan.roles.push_back(coupler::Role::fluid);
         plan.steps_at_a_time = scene.fluid->coupled_steps_in_one();

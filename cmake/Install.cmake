@@ -55,7 +55,8 @@ set(exported
   magfsi_options:options magfsi_isa:isa magfsi_fluid:lbm magfsi_tables:tables
   magfsi_structure:structure
   magfsi_structure_lammps:lammps magfsi_coupler:coupler_core magfsi_scene:scene
-  magfsi_run_scene:coupler)
+  magfsi_run_scene:run_scene magfsi_fluid_participant:fluid_participant
+  magfsi_structure_program:coupler)
 foreach(pair ${exported})
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 target)
@@ -71,7 +72,7 @@ foreach(folder coupler structure fluid_lbm adapters/scene)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/${above}
     COMPONENT dev FILES_MATCHING PATTERN "*.h")
 endforeach()
-install(FILES adapters/run_scene.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
+install(FILES adapters/run_scene.h adapters/structure_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
   COMPONENT dev)
 install(DIRECTORY cmake/isa cmake/grid DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi
   COMPONENT dev FILES_MATCHING PATTERN "*.h")

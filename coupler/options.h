@@ -90,8 +90,15 @@ constexpr auto words_of(OverlapRule) {
     return std::to_array<std::string_view>({"stop", "allow"});
 }
 
+// The scene's, or that of a program of the user's own.
+enum class StructureSide { bodies, own };
+constexpr auto words_of(StructureSide) {
+    return std::to_array<std::string_view>({"bodies", "own"});
+}
+
 struct Coupling {
     Scheme scheme = Scheme::serial;
+    StructureSide structure = StructureSide::bodies;
     std::optional<SampledVelocity> sampled_velocity;  // a read scene always has it
     std::optional<Iteration> iteration;  // always there in the implicit scheme
     std::optional<int> substeps;         // absent: from the structure's stable step

@@ -19,7 +19,8 @@ from magfsi import runs
 TOP = Path(__file__).resolve().parents[1]
 EXAMPLES = ("tutorials", "docs/examples", "docs/howto")
 HEADERS = {
-    "A structure of your own": ["coupler/scheme/structure_solver.h"],
+    "Your own structure beside the fluid": ["adapters/structure_program.h",
+                                            "coupler/scheme/structure_solver.h"],
     "A fluid of your own": ["coupler/immersed_boundary/grid.h"],
     "Scenes": ["adapters/scene/reader.h", "adapters/scene/scene.h", "coupler/options.h"],
     "The coupled run": ["coupler/participants/session.h", "coupler/participants/world.h",
@@ -115,7 +116,7 @@ def scene_examples(schema):
 def cpp_reference():
     lines = ["# C++ reference", "", "<!-- Made by docs/make_site.py. -->",
              "The headers of the installed libraries that programs begin with; all are below "
-             "`include/magfsi`. How they are used:  "
+             "`include/magfsi`. How they are used: [own_structure.md](own_structure.md), "
              "[adding_a_fluid.md](adding_a_fluid.md).", ""]
     for title, headers in HEADERS.items():
         lines += [f"## {title}", ""]

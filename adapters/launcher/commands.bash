@@ -28,6 +28,7 @@ study|module|a scene over a product of settings: error against seconds
 optimize|module|the best settings of a scene for an objective
 =other programs
 lammps|own|LAMMPS with the magttice's styles, for plain input scripts
+lattice|program|bodies of a scene as files for such scripts; of a lattice file, a mesh for a scene
 python|own|Python with the package magfsi
 =this machine
 doctor|program|is this machine fit for runs?

@@ -361,7 +361,7 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
-    if (scene.coupling) text += explain_coupling(scene);
+    if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene);
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/doctor.h"
 #include "adapters/magfsi/explain.h"
+#include "adapters/magfsi/lattice.h"
 #include "adapters/magfsi/run.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/fault.h"
@@ -22,6 +23,7 @@ using namespace magfsi;
 
 struct Options {
     launch::RunOptions run;
+    launch::LatticeOptions lattice;
     std::string ranks, fluid, replay;
     bool json = false;
 };
@@ -85,6 +87,7 @@ int execute(CLI::App& app, Options& options) {
         fmt::print("{}\n", scene::scene_schema().dump(2));
         return coupler::exit_done;
     }
+    if (command == "lattice") return launch::lattice(options.lattice);
     if (command == "doctor") return launch::doctor();
     if (command == "check") return check(options);
     if (command == "explain") return explain(options);
@@ -116,6 +119,8 @@ int main(int argc, char** argv) {
                  "Write exchange.record: all that the two sides send each other");
     run.add_option("--replay", options.replay,
                    "Play one side from a record: fluid=RUN or structure=RUN");
+    run.add_option("--structure", options.run.structure,
+                   "Your own program as the structure (coupling.structure: own)");
     run.add_option(
         "--error", options.run.error,
         "Run the cheapest setting within this tolerance, such as '3 %', found by "
@@ -127,6 +132,16 @@ int main(int argc, char** argv) {
     add_scene_options(explain, options);
     add_ranks(explain, options);
     explain.add_flag("--json", options.json, "Key figures for programs");
+    CLI::App& lattice = *app.add_subcommand(
+        "lattice", "Bodies of a scene as files for LAMMPS scripts, and back");
+    lattice
+        .add_option("input", options.lattice.input,
+                    "A scene, or NAME.lattice, which becomes NAME.msh and NAME.csv")
+        ->required();
+    lattice.add_option("--out", options.lattice.out, "Folder (default: the present one)");
+    lattice
+        .add_option("--set", options.lattice.overrides, "Override a value of the scene")
+        ->allow_extra_args(false);
     app.add_subcommand("doctor",
                        "Check this machine: MPI, memory, disk, locks, OpenFOAM");
     app.add_subcommand("schema", "JSON Schema of the scene file");

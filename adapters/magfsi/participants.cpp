@@ -65,7 +65,7 @@ void check_number(const Ranks& ranks) {
 
 // A rank without an element would have nothing to do.
 void check_structure(const scene::Scene& scene, int ranks) {
-    if (ranks == 1) return;
+    if (ranks == 1 || scene.bodies.empty()) return;
     if (by_newton(scene))
         throw std::invalid_argument(fmt::format(
             "--ranks structure={}: allowed is 1; equilibria are solved by one process",
@@ -93,6 +93,8 @@ bool by_newton(const scene::Scene& scene) {
 
 std::map<std::string, std::string> programs_of(const scene::Scene& scene) {
     std::map<std::string, std::string> programs;
+    if (scene.has_own_structure())
+        programs["structure"] = "";  // run --structure names it
     if (!scene.bodies.empty())
         programs["structure"] =
             by_newton(scene) ? "magfsi-equilibrium" : "magfsi-structure";

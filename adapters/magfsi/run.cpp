@@ -62,6 +62,13 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         if (!names.contains(role)) continue;
         Program p{role, ranks.at(role), {program(names.at(role)).string()}};
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
+        if (p.role == "structure" && scene.has_own_structure()) {
+            p.command.front() = fs::absolute(options.structure).string();
+            // Its partner looks for programs of ours in the job.
+            p.command.insert(p.command.end(),
+                             {"--note", fmt::format("{} in place of magfsi-structure",
+                                                    options.structure.string())});
+        }
         if (const auto played = options.replay.find(role);
             played != options.replay.end()) {
             p.ranks = 1;
@@ -99,6 +106,24 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
                             "another with --out",
                             out.string()));
         }
+    }
+}
+
+void check_structure_program(const scene::Scene& scene, const RunOptions& options) {
+    const fs::path& program = options.structure;
+    if (scene.has_own_structure() == program.empty()) {
+        throw std::invalid_argument(
+            program.empty() ? "--structure: missing; the scene's structure is a program "
+                              "of your own, which only the command line may name"
+                            : "--structure: found beside bodies of the scene; allowed "
+                              "with coupling.structure: own");
+    }
+    std::error_code none;
+    if (!program.empty() &&
+        (!fs::is_regular_file(program, none) || access(program.c_str(), X_OK) != 0)) {
+        throw std::invalid_argument(
+            fmt::format("--structure: found '{}'; allowed is a file that can be executed",
+                        program.string()));
     }
 }
 
@@ -341,6 +366,7 @@ int run(const RunOptions& options) {
                 "fluid.solver: {}: {}", scene::name_of(scene.fluid->solver), fault));
     }
     check_memory(scene);
+    check_structure_program(scene, options);
     // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
     // written or started: what cannot run is bad input.
     const auto warned = warnings(explain(scene, choose_ranks(scene, options.ranks)));

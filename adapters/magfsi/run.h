@@ -25,6 +25,7 @@ struct RunOptions {
     bool page = true;                // write report.html, where the scene lets it
     bool record = false;             // write exchange.record
     std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
+    std::filesystem::path structure;  // program in the place of bodies
     std::string error;  // tolerance, "3 %": another setting than the scene's may be run
 };
 

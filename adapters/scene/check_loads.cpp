@@ -239,6 +239,23 @@ void check_platform(const Scene& scene, const Marks& marks) {
             "move platform.point, add \"gravity\", or remove the key");
 }
 
+// What a structure of one's own knows nothing of.
+void check_own_structure(const Scene& scene, const Marks& marks) {
+    require(scene.bodies.empty(), marks.value({"coupling", "structure"}),
+            "structure: own beside bodies", "one of the two",
+            "remove the key \"bodies\" or this one");
+    require(scene.coupling->immersed_boundary.forcing == coupler::Forcing::penalty,
+            marks.value({"coupling", "immersed_boundary", "forcing"}),
+            "forcing: no_slip of a structure of your own", "penalty there",
+            "remove the key");
+    require(!scene.checkpoint, marks.key({"checkpoint"}),
+            "checkpoints of a structure of your own", "runs without them",
+            "remove the key");
+    require(!scene.probes || !scene.probes->interface_balance,
+            marks.value({"probes", "interface_balance"}),
+            "the balance of a structure of your own", "it with bodies", "remove the key");
+}
+
 }  // namespace
 
 std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
@@ -299,7 +316,9 @@ void check_loads(const Scene& scene, const Marks& marks) {
     if (with_bodies(equilibrium, "time")) check_equilibrium(scene, marks);
     require_with(!scene.coupling || scene.fluid, marks.key({"coupling"}), "coupling",
                  "a fluid", "add the key \"fluid\" or remove this one");
-    if (with_bodies(scene.coupling.has_value(), "coupling")) {
+    const bool own = scene.has_own_structure();
+    if (own) check_own_structure(scene, marks);
+    if (own || with_bodies(scene.coupling.has_value(), "coupling")) {
         check_coupling(*scene.coupling, marks);
         check_no_slip(scene, marks);
     }

@@ -144,7 +144,8 @@ std::vector<Effect> effects_of(const Scene& s) {
         {coupled, "iterated forcing",
          s.coupling && s.coupling->immersed_boundary.iterations > 1},
         {coupled, "overlap check",
-         s.coupling && s.coupling->overlap == coupler::OverlapRule::stop},
+         !s.bodies.empty() && s.coupling &&
+             s.coupling->overlap == coupler::OverlapRule::stop},
         {coupled, "parallel scheme", scheme(Scheme::parallel)},
         {coupled, "implicit scheme", scheme(Scheme::implicit)},
         {fluid, "fluid", s.fluid.has_value()},

@@ -77,6 +77,9 @@ void keys(Io& io, Coupling& coupling) {
            "time, and the fluid feels the bodies one step late; implicit: they repeat each "
            "step until it has converged.").by_default(),
        coupling.scheme);
+    io(key("structure", "bodies: those of the scene; own: a program of yours, which run "
+           "--structure names.").by_default(),
+       coupling.structure);
     io(key("sampled_velocity", "The fluid's velocity that bodies feel in their substeps. "
            "frozen: that at the step's start, or the mean of two samples (parallel, "
            "implicit); linear: a straight line through the velocities at the step's two "

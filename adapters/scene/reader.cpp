@@ -49,8 +49,8 @@ void complete(Coupling& coupling) {
 
 // Who asks for another strength means the penalty's.
 coupler::Forcing usual_forcing(const Scene& scene) {
-    const bool penalty =
-        objection_to_no_slip(scene) || scene.coupling->immersed_boundary.strength != 1;
+    const bool penalty = scene.has_own_structure() || objection_to_no_slip(scene) ||
+                         scene.coupling->immersed_boundary.strength != 1;
     return penalty ? coupler::Forcing::penalty : coupler::Forcing::no_slip;
 }
 

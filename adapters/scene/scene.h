@@ -28,6 +28,7 @@ using coupler::ImmersedBoundary, coupler::InitialGuess, coupler::Iteration;
 using coupler::Kernel, coupler::Markers, coupler::OnNoConvergence,
     coupler::SampledVelocity;
 using coupler::Scheme;
+using coupler::StructureSide;
 using fluid::Block, fluid::Boundary, fluid::BoundaryKind, fluid::Collision;
 using fluid::Cylinder, fluid::Disc, fluid::InletProfile, fluid::Obstacle;
 using fluid::Precision, fluid::Rectangle, fluid::Sphere, fluid::StlSurface;
@@ -303,6 +304,12 @@ struct Scene {
     // Hash of the effective scene (after --set), the same for the same meaning: equal on
     // both sides of a coupled run or the handshake refuses.
     std::uint64_t hash = 0;
+
+    // A program of the user's own in the place of bodies.
+    bool has_own_structure() const {
+        return coupling && coupling->structure == StructureSide::own;
+    }
+    bool has_structure() const { return !bodies.empty() || has_own_structure(); }
 };
 
 }  // namespace magfsi::scene

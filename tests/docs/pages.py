@@ -36,7 +36,7 @@ class Site(unittest.TestCase):
         for page in ("install", "first_robot", "howto/gmsh", "theory", "limits", "scene_examples",
                      "cpp_reference", "python_reference"):
             self.assertIn(f'href="{page}.html"', home)
-        self.assertIn("StructureSolver", (self.out / "html/docs/cpp_reference.html").read_text())
+        self.assertIn("run_structure", (self.out / "html/docs/cpp_reference.html").read_text())
         self.assertIn("PartnerLost", (self.out / "html/docs/python_reference.html").read_text())
 
     def test_links_of_the_html_lead_somewhere(self):

@@ -1,0 +1,9 @@
+// What `plugin load magtticeplugin.so` calls. LAMMPS hands a function that registers one
+// style by a description of it; our styles register themselves in the same maps, as they
+// do in the unmodified library, so that no header of the package PLUGIN is needed.
+#include "lammps.h"
+#include "structure/lammps/register_styles.h"
+
+extern "C" void lammpsplugin_init(void* lammps, void* /*handle*/, void* /*register*/) {
+    magfsi::structure::register_styles(*static_cast<LAMMPS_NS::LAMMPS*>(lammps));
+}

@@ -1,0 +1,111 @@
+"""docs/examples/installed, built against an installation by find_package: a structure of one's own beside
+the fluid, the lattice-Boltzmann library alone, the LAMMPS styles in a program and by a script."""
+import math
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from magfsi import runs, testing
+
+BUILD = Path(sys.argv.pop(1))
+SCRIPT = """units si
+atom_style sphere
+atom_modify map array sort 0 0.0
+newton on
+boundary s s s
+comm_modify mode single cutoff 3e-3 vel yes
+neighbor 1e-4 bin
+neigh_modify once yes
+read_data beam.data
+fix beam all magttice beam.lattice 1 330e3 6.6e6 field 0 0 5e-3
+fix go all nve
+timestep 5e-6
+thermo_style custom step pe
+thermo_modify norm no format float %.6e
+run 200
+"""
+
+
+def good(*words, **named):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **named)
+    if done.returncode != 0:
+        raise AssertionError(f"{words}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
+    return done.stdout
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(testing.new_folder())
+        cls.prefix = cls.folder / "prefix"
+        good("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        cls.examples = cls.prefix / "share/magfsi/examples/installed"
+        good("cmake", "-G", "Ninja", "-S", cls.examples, "-B", cls.folder / "build",
+             f"-DCMAKE_PREFIX_PATH={cls.prefix}", "-DCMAKE_BUILD_TYPE=Release",
+             "-DCMAKE_CXX_FLAGS_RELEASE=-O1")
+        good("ninja", "-C", cls.folder / "build")
+
+    def test_a_sheet_of_ones_own_swings_in_water(self):
+        lines = (self.examples / "spring_sheet.cpp").read_text().splitlines()
+        self.assertLessEqual(len(lines), 60)
+        good(self.prefix / "bin/magfsi", "run", self.examples / "sheet.yaml", "--structure",
+             self.folder / "build/spring_sheet", "--out", self.folder / "sheet")
+        columns = runs.read_columns(self.folder / "sheet/probes.csv")
+        time_s, deflection = columns["t[s]"], columns["deflection[m]"]
+        self.assertAlmostEqual(deflection[0], 2e-4, delta=1e-9)
+        crossings = [t0 + (t1 - t0) * u0 / (u0 - u1) for t0, t1, u0, u1 in
+                     zip(time_s, time_s[1:], deflection, deflection[1:]) if u0 * u1 < 0]
+        self.assertGreaterEqual(len(crossings), 3)
+        period = 2 * (crossings[-1] - crossings[0]) / (len(crossings) - 1)
+        # 289 masses and springs; added mass of a square plate 0.579 pi/4 rho a^3 (DNV-RP-C205).
+        shortest = self.period(0.579 * math.pi / 4 * 1000 * 4e-3 ** 3)
+        # The 3-point kernel makes it wider by a cell at each rim at most, and one row of markers
+        # carries a layer of up to 1.7 cells (docs/coupling.md).
+        cell = 0.25e-3
+        longest = self.period(0.579 * math.pi / 4 * 1000 * (4e-3 + 2 * cell) ** 3
+                              + 1000 * 4e-3 ** 2 * 1.7 * cell)
+        testing.report(f"period {1e3 * period:.2f} ms, of a plate with the book's added mass "
+                       f"{1e3 * shortest:.2f} ms, with what the grid adds at most {1e3 * longest:.2f} ms, "
+                       f"in a vacuum {1e3 * self.period(0):.2f} ms")
+        self.assertGreater(period, shortest)
+        self.assertLess(period, longest)
+
+    @staticmethod
+    def period(added_kg):
+        return 2 * math.pi * math.sqrt((289 * 4e-9 + added_kg) / (289 * 1e-3))
+
+    def test_a_scene_does_not_name_programs(self):
+        done = subprocess.run([self.prefix / "bin/magfsi", "run", self.examples / "sheet.yaml", "--out",
+                               self.folder / "none"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--structure: missing", done.stderr)
+        self.assertFalse((self.folder / "none").exists())
+        done = subprocess.run([self.prefix / "bin/magfsi", "run", self.examples / "sheet.yaml",
+                               "--structure", self.examples / "sheet.yaml"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("can be executed", done.stderr)
+
+    def test_the_fluid_library_alone(self):
+        out = good(self.folder / "build/channel")
+        (ratio,) = re.findall(r"middle over theory: (\S+)", out)
+        # The cells nearest the middle lie half a cell beside it: (1/20)^2 of the profile.
+        self.assertAlmostEqual(float(ratio), 1 - 1 / 400, delta=2e-4)
+
+    def test_the_styles_in_a_program_and_by_the_launcher(self):
+        magfsi = self.prefix / "bin/magfsi"
+        good(magfsi, "lammps", "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1",
+             "1", "--shear-modulus", "330e3", "--lame-lambda", "6.6e6", "--density", "1860",
+             "--magnetization", "66e3", "0", "0", cwd=self.folder)
+        (self.folder / "in.beam").write_text(SCRIPT)
+        by_script = good(magfsi, "lammps", "-in", "in.beam", "-log", "none", cwd=self.folder)
+        by_program = good(self.folder / "build/stretch", "in.beam", cwd=self.folder)
+        (last,) = re.findall(r"^\s*200\s+(\S+)", by_script, re.M)
+        (energy,) = re.findall(r"energy: (\S+) J", by_program)
+        self.assertNotEqual(float(last), 0)
+        self.assertEqual(float(energy), float(last))
+
+
+if __name__ == "__main__":
+    unittest.main()
