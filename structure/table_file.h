@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,7 +25,11 @@ struct ColumnKind {
 namespace units {
 inline constexpr ColumnUnit length[] = {{"m"}, {"mm", 1, 1e3}, {"um", 1, 1e6}};
 inline constexpr ColumnUnit time[] = {{"s"}, {"ms", 1, 1e3}, {"us", 1, 1e6}};
-inline constexpr ColumnUnit magnetization[] = {{"A/m"}, {"kA/m", 1e3}};
+// A remanence over mu0, too.
+inline constexpr ColumnUnit magnetization[] = {{"A/m"},
+                                               {"kA/m", 1e3},
+                                               {"T", 1e7, 4 * std::numbers::pi},
+                                               {"mT", 1e4, 4 * std::numbers::pi}};
 inline constexpr ColumnUnit flux_density[] = {{"T"}, {"mT", 1, 1e3}, {"uT", 1, 1e6}};
 }  // namespace units
 

@@ -38,6 +38,11 @@ const Origin& Marks::value(Path path) const {
     return deepest(path).origin;
 }
 
+bool Marks::has(Path path) const {
+    const Node& node = deepest(path);
+    return &node != root_ && node.key == *(path.end() - 1);
+}
+
 const Origin& Marks::key(Path path) const {
     const Node& node = deepest(path);
     return &node == root_ ? node.origin : node.key_origin;

@@ -25,6 +25,7 @@ class Marks {
     const Origin& value(Path path) const;
     // The key at the path itself.
     const Origin& key(Path path) const;
+    bool has(Path path) const;  // a key there
     // Entry i of the list at the path, or the value itself where it is no such list.
     const Origin& item(Path path, std::size_t i) const;
 
@@ -42,6 +43,9 @@ inline void require(bool fine, const Origin& where, std::string_view found,
 // Refuses a key of the scene without what it needs: "gravity without bodies".
 void require_with(bool there, const Origin& where, std::string_view what,
                   std::string_view need, std::string_view suggestion = {});
+
+// Stiffness and viscosity may be said in two ways each: refuses both at once, or half.
+void check_materials(const Scene& scene, const Marks& marks);
 
 // Field tables that are in files: their rows become the scene's, before it is checked.
 void read_field_files(Scene& scene, const Marks& marks);

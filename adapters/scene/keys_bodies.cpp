@@ -36,9 +36,19 @@ void keys(Io& io, MeshFile& mesh) {
 
 template <class Io>
 void keys(Io& io, Material& material) {
-    io(quantity("shear_modulus", "Pa", "G.").above(0), material.shear_modulus_pa);
-    io(quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.").at_least(0),
-       material.lame_lambda_pa);
+    io(quantity("shear_modulus", "Pa", "G, with lame_lambda; or the next two.").above(0)
+           .optional(), material.shear_modulus_pa);
+    io(quantity("lame_lambda", "Pa", "Lame's first constant, the paper's K.").at_least(0)
+           .optional(), material.lame_lambda_pa);
+    double e = 0, nu = 0;  // become the first two as they are read
+    io(quantity("youngs_modulus", "Pa", "E, with poissons_ratio, at small strains: "
+                "G = E / (2 (1 + nu)), K = 2 G nu / (1 - 2 nu).").above(0).optional(), e);
+    io(key("poissons_ratio", "nu; 0.476 makes K = 20 G.").at_least(0).at_most(0.4999).optional(),
+       nu);
+    if (e > 0) {
+        material.shear_modulus_pa = e / (2 * (1 + nu));
+        material.lame_lambda_pa = e * nu / ((1 + nu) * (1 - 2 * nu));
+    }
     io(quantity("density", "kg/m3", "Mass by volume.").above(0), material.density_kg_m3);
     io(quantity("viscosity", "Pa s", "Kelvin-Voigt damping: viscous stress over rate of "
                 "strain is twice this.").above(0).optional(),

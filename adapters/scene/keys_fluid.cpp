@@ -123,7 +123,12 @@ void keys(Io& io, Fluid& fluid) {
                 "box.").above(0),
        fluid.spacing_m);
     io(quantity("density", "kg/m3", "Mass by volume.").above(0), fluid.density_kg_m3);
-    io(quantity("viscosity", "m2/s", "Kinematic viscosity.").above(0), fluid.viscosity_m2_s);
+    io(quantity("viscosity", "m2/s", "Kinematic viscosity; or the next one.").above(0)
+           .optional(), fluid.viscosity_m2_s);
+    double dynamic_pa_s = 0;  // becomes the kinematic one as it is read
+    io(quantity("dynamic_viscosity", "Pa s", "The same times the density.").above(0).optional(),
+       dynamic_pa_s);
+    if (dynamic_pa_s > 0) fluid.viscosity_m2_s = dynamic_pa_s / fluid.density_kg_m3;
     io(quantity("expected_speed", "m/s", "Largest speed that the run should resolve; needed "
                 "without time.step.").above(0).optional(),
        fluid.expected_speed_m_s);

@@ -212,7 +212,7 @@ constexpr Named named[] = {
     {"W", "a power", "1 mW"},
     {"T", "a magnetic flux density", "17 mT"},
     {"T/m", "a field gradient", "0.5 T/m"},
-    {"A/m", "a magnetization", "62 kA/m"},
+    {"A/m", "a magnetization", "62 kA/m (or a remanence such as 78 mT)"},
 };
 
 const Named* find(const Dimension& dimension) {
@@ -321,6 +321,11 @@ double parse_quantity(std::string_view raw, std::string_view si_unit) {
                         dimension_expectation(si_unit),
                         fmt::format("\"{} {}\" if SI is meant", text, si_unit));
     const Unit unit = parse_unit(number.rest);
+    // Magnets are sold by their remanence, mu0 M.
+    if (si_unit == "A/m" && unit.dimension == parse_unit("T").dimension)
+        return static_cast<double>(
+            rounded<long double>(number, unit.decimal_exponent, text) /
+            (4e-7L * std::numbers::pi_v<long double>));
     if (unit.dimension != expected.dimension)
         throw Complaint(
             fmt::format("{}, {}", in_quotes(text), dimension_name(unit.dimension)),

@@ -119,6 +119,7 @@ Scene read_scene(const std::filesystem::path& path,
     const std::filesystem::path file = scene_file(path);
     const Node root = read_tree(file, overrides);
     Scene scene = unchecked_scene(root, file.parent_path());
+    check_materials(scene, Marks(root));
     read_field_files(scene, Marks(root));
     check_scene(scene, Marks(root));
     scene.hash = scene_hash(scene);

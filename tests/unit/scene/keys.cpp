@@ -238,6 +238,30 @@ TEST(FieldFiles, become_rows_of_the_scene) {
     EXPECT_EQ(rows.hash, s.hash);
 }
 
+// What data sheets give means the same as what the solvers take.
+TEST(DataSheets, GiveTheSameScene) {
+    const auto of = [](const std::vector<std::string>& sets) {
+        return read_scene(test_folder / "minimal.yaml", sets);
+    };
+    const Scene usual =
+        of({"bodies.robot.material={shear_modulus: 40 kPa, "
+            "lame_lambda: 160 kPa, density: 1860 kg/m3}"});
+    // E = G (3 K + 2 G) / (K + G) = 112 kPa, nu = K / (2 (K + G)) = 0.4.
+    const Scene sheet =
+        of({"bodies.robot.material={youngs_modulus: 112 kPa, "
+            "poissons_ratio: 0.4, density: 1860 kg/m3}"});
+    EXPECT_NEAR(sheet.bodies[0].material.shear_modulus_pa / 40e3, 1, 1e-15);
+    EXPECT_NEAR(sheet.bodies[0].material.lame_lambda_pa / 160e3, 1, 1e-15);
+    EXPECT_EQ(of({"fluid.viscosity=", "fluid.dynamic_viscosity=1 mPa s"}).hash,
+              of({"fluid.viscosity=1 mm2/s"}).hash);
+    const auto remanence = [&](const char* value) {
+        const Scene s = of({std::string("bodies.robot.magnetization={uniform: [") +
+                            value + ", 0 A/m, 0 A/m]}"});
+        return std::get<UniformMagnetization>(*s.bodies[0].magnetization).vector_a_m[0];
+    };
+    EXPECT_NEAR(remanence("78 mT") / (78e-3 / (4e-7 * pi)), 1, 1e-15);
+}
+
 TEST(Keys, of_platform_contact_and_equilibrium) {
     const Scene s = complete("platform.yaml");
     EXPECT_EQ(s.time.equilibrium->method, EquilibriumMethod::dynamics);
@@ -363,11 +387,14 @@ TEST(Keys, of_the_table_are_all_stored) {
     std::vector<std::string> missing;
     missing_leaves(scene_fields(), "", scenes, missing);
     // One side of each kind is described, and the first law; the others have no example.
-    // A file of rows becomes the rows (FieldFiles).
+    // A file of rows becomes the rows (FieldFiles), other ways to say the material the
+    // usual ones (DataSheets).
     std::erase_if(missing, [](const std::string& path) {
         return path.starts_with(".fluid.boundaries.") ||
                path.starts_with(".magnetic_field.plus.") ||
-               path == ".magnetic_field.vector_table.file";
+               path == ".magnetic_field.vector_table.file" ||
+               path.ends_with(".youngs_modulus") || path.ends_with(".poissons_ratio") ||
+               path.ends_with(".dynamic_viscosity");
     });
     EXPECT_EQ(missing, std::vector<std::string>{});
 }

@@ -75,7 +75,7 @@ TEST_F(Table, ErrorsNameTheLineAndWhatIsAllowed) {
     const std::pair<std::string, std::string> wrong[] = {
         {"", "no header"},
         {"Mx,My,Mz\n", "line 1: column \"Mx\" found with the unit \"\"; [A/m], [kA/m]"},
-        {"Mx[T],My[A/m],Mz[A/m]\n", "line 1: column \"Mx[T]\""},
+        {"Mx[G],My[A/m],Mz[A/m]\n", "line 1: column \"Mx[G]\""},
         {"Mx[A/m],My[A/m]\n", "the columns Mx, My, Mz are needed"},
         {"x[m],Mx[A/m],My[A/m],Mz[A/m]\n", "all or none of x, y, z"},
         {"Mx[A/m],Mx[A/m],Mz[A/m]\n", "column Mx found twice"},
