@@ -24,6 +24,8 @@ struct FluidConfig : Options {
     // them do not depend on the time step.
     bool holds_no_slip = false;
     double expected_speed_m_s = 0;  // largest; 0: not known
+    // A patch of a refined grid: obstacles may lie beyond it.
+    bool is_patch = false;
 };
 
 Units units(const FluidConfig& config);

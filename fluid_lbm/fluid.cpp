@@ -119,7 +119,7 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
         for (double& component : force) component *= 1 / unit.force_n_m3();
         need_forces(force);
     }
-    if (obstacles) check_resolved(comm, config, obstacles->map());
+    if (obstacles && !config.is_patch) check_resolved(comm, config, obstacles->map());
     set_initial_flow();
     reset_solid_cells();
 }

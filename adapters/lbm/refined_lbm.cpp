@@ -64,6 +64,7 @@ RefinedLbm::RefinedLbm(MPI_Comm comm, fluid::RefinedFluid& fluid,
     grid_.cells = fluid.place(finest).domain;
     grid_.periodic = fluid::periodic_axes(fluid.config().coarse);
     grid_.owned_by_rank = fluid.owned_by_rank();
+    grid_.solid = fluid.solid_rows();
     grid_.follows = true;
     grid_.renewal = renewal;
 }

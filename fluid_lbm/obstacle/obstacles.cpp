@@ -108,7 +108,8 @@ CutLink cut_link(const Populations& populations, const RowLayout& layout,
     }
     for (int a = 0; a < 3; ++a) link.push[a] = static_cast<signed char>(push[a]);
     link.distance = distance;
-    link.obstacle = static_cast<short>(obstacle);
+    link.obstacle = link.hit = static_cast<short>(obstacle);
+    for (int a = 0; a < 3; ++a) link.cell[a] = static_cast<short>(cell[a]);
     return link;
 }
 
@@ -179,8 +180,17 @@ Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
                      const RowLayout& layout)
     : map_(config, solids, owned),
       links_(cut_links(config, map_, solids, populations, layout)),
-      impulses_(solids.size()) {
+      impulses_(solids.size() + 1) {
     find_rows(layout);
+}
+
+void Obstacles::count_only(const std::function<bool(const Cell& local)>& counts) {
+    for (auto* links : {&links_.direct, &links_.reflected}) {
+        for (CutLink& link : *links) {
+            const Cell cell{link.cell[0], link.cell[1], link.cell[2]};
+            link.obstacle = counts(cell) ? link.hit : static_cast<short>(count());
+        }
+    }
 }
 
 void Obstacles::find_rows(const RowLayout& layout) {

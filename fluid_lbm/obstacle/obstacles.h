@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <vector>
 
 #include "fluid_lbm/boundary/sides.h"
@@ -63,7 +64,9 @@ struct CutLink {
     // interpolation lacks its second fluid cell.
     double distance = 0.5;
     signed char push[3] = {};  // direction in which the population strikes
-    short obstacle = 0;
+    short obstacle = 0;        // whose force it counts in
+    short hit = 0;             // that it strikes
+    std::array<short, 3> cell{};
 };
 
 struct CutLinks {
@@ -99,8 +102,12 @@ class Obstacles {
     void reset_solid_cells(const Populations& populations, const RowLayout& layout,
                            Arrangement arrangement) const;
 
-    // Impulse of the last step on this rank's links, by obstacle.
+    // Impulse of the last step on this rank's links, by obstacle; behind them that of
+    // links that do not count.
     const std::vector<Vec3>& impulses() const { return impulses_; }
+    std::size_t count() const { return impulses_.size() - 1; }
+    // Of a grid with others over or under it: only links from those cells count.
+    void count_only(const std::function<bool(const Cell& local)>& counts);
 
     // The solid cells; local indices.
     const std::vector<CellRow>& rows() const { return rows_; }

@@ -123,4 +123,19 @@ struct StlSurface {
 
 using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
 
+// The same shape in coordinates that begin at a place of the old ones.
+inline ObstacleShape seen_from(const Vec3& origin_m, ObstacleShape shape) {
+    const auto move = [&](Vec3& point_m) {
+        for (std::size_t a = 0; a < 3; ++a) point_m[a] -= origin_m[a];
+    };
+    if (auto* sphere = std::get_if<Sphere>(&shape)) move(sphere->centre_m);
+    if (auto* cylinder = std::get_if<Cylinder>(&shape)) move(cylinder->centre_m);
+    if (auto* block = std::get_if<Block>(&shape)) {
+        move(block->low_m);
+        move(block->high_m);
+    }
+    if (auto* surface = std::get_if<StlSurface>(&shape)) move(surface->shift_m);
+    return shape;
+}
+
 }  // namespace magfsi::fluid

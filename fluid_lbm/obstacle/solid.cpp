@@ -72,7 +72,7 @@ Solids make_solids(const FluidConfig& config) {
     for (const Obstacle& obstacle : config.obstacles) {
         try {
             solids.push_back(make_solid(obstacle.shape, config.spacing_m, config.cells));
-            check_place(solids.back()->bounds(), config);
+            if (!config.is_patch) check_place(solids.back()->bounds(), config);
         } catch (const std::invalid_argument& fault) {
             refuse("fluid obstacle \"", obstacle.name, "\" ", fault.what());
         }

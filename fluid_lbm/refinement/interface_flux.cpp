@@ -60,6 +60,12 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
             return cell_slots(rows, s.layout, arrangement, local);
         });
     };
+    // What an obstacle returns has crossed nothing.
+    const auto at_obstacle = [&](const Cell& local, int q) {
+        return s.is_solid(local) ||
+               s.is_solid({local[0] - d3q19::c[q][0], local[1] - d3q19::c[q][1],
+                           local[2] - d3q19::c[q][2]});
+    };
     for_each_image(level.place.period, [&](const std::array<int, 3>& image) {
         const CellBox whole{{row.x_begin, row.y, row.z},
                             {row.x_end, row.y + 1, row.z + 1}};
@@ -69,14 +75,15 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
             level.local({mine.lo[1], mine.lo[2], mine.lo[0], mine.hi[0]});
         for (int x = local.x_begin; x < local.x_end;) {
             // Only the two cells at the ends of a row differ from the others.
-            const bool middle = x >= local.x_begin + 2 && x < local.x_end - 2;
+            const bool middle =
+                level.solids.empty() && x >= local.x_begin + 2 && x < local.x_end - 2;
             const int end = middle ? local.x_end - 2 : x + 1;
             const CellSlots natural = slots({x, local.y, local.z}, Arrangement::natural),
                             swapped = slots({x, local.y, local.z}, Arrangement::swapped);
             const std::array<int, 3> cell{mine.lo[0] + x - local.x_begin - image[0],
                                           row.y, row.z};
             for (int q = 1; q < d3q19::directions; ++q) {
-                if (crosses(cell, q, inside))
+                if (crosses(cell, q, inside) && !at_obstacle({x, local.y, local.z}, q))
                     runs_.push_back(
                         {{natural[q], swapped[q]}, end - x, inside ? 1.0 : -1.0});
             }

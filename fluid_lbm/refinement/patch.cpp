@@ -150,7 +150,7 @@ std::optional<std::vector<LevelPlace>> place_levels(
         const auto l = static_cast<std::size_t>(level - 1);
         const CellBox was = before ? (*before)[l].covered() : CellBox{};
         const CellBox inner =
-            level == levels ? least : grown(halved(boxes[l + 1]), apart_cells);
+            level == levels ? least : grown(halved(boxes[l + 1]), around_cells);
         boxes[l] = level == levels
                        ? roomy(inner, rule.slack_cells, before ? &was : nullptr)
                        : inner;
@@ -169,7 +169,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
     if (level == 0) return config;
     config.spacing_m = std::ldexp(coarse.spacing_m, -level);
     config.time_step_s = std::ldexp(coarse.time_step_s, -level);
-    config.obstacles.clear();
+    config.is_patch = true;
     Vec3 origin_m{};
     for (int d = 0; d < 3; ++d) {
         config.cells[d] = place.stored.hi[d] - place.stored.lo[d];
@@ -195,6 +195,8 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
             return of_point({x[0] + origin_m[0], x[1] + origin_m[1], x[2] + origin_m[2]});
         };
     };
+    for (Obstacle& obstacle : config.obstacles)
+        obstacle.shape = seen_from(origin_m, obstacle.shape);
     if (coarse.initial_velocity) config.initial_velocity = moved(coarse.initial_velocity);
     if (coarse.initial_pressure) config.initial_pressure = moved(coarse.initial_pressure);
     return config;

@@ -17,12 +17,15 @@ constexpr int ring_cells = 2;
 // Cells of a level between the box of the next finer one and its own ring, or it reads
 // what has not been filled: two under the ring, two for a cubic.
 constexpr int apart_cells = 4;
+// Cells of a level around what the next finer one covers. Less saves little, and shows in
+// the flow around the bodies (docs/refinement.md).
+constexpr int around_cells = 8;
 
 // How patches lie around bodies, in cells of the finest level but one.
 struct PatchRule {
     int levels = 1;        // finer ones
     int margin_cells = 0;  // between bodies and the sides of the finest patch, at least
-    int slack_cells = 2;   // besides, before it follows
+    int slack_cells = 1;   // besides, before it follows
     bool follows = true;   // else it stays, and bodies have to
 };
 

@@ -29,17 +29,35 @@ Weights coarse_around(int fine_cell, const LevelPlace& coarse, int axis) {
     return cubic_at((2 * fine_cell - 1) / 4.0, range.lo, range.hi);
 }
 
-CellBox coarse_beneath(const CellBox& fine, const LevelPlace& coarse) {
-    CellBox box;
+// Layers of an obstacle's cells that the cubic is given numbers for.
+constexpr int solid_layers = 2;
+
+bool has_solid(const SolidMap& map, const CellBox& box) {
+    bool some = false;
+    for_each_cell({{0, 0, 0},
+                   {box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]}},
+                  [&](const Cell& cell) { some = some || map.solid(cell); });
+    return some;
+}
+
+// At obstacles with what their cells' numbers are made of, however the box is cut.
+CellBox coarse_beneath(const CellBox& fine, const Level& level) {
+    const LevelPlace& coarse = level.place;
+    CellBox box, wider;
+    if (is_empty(fine)) return {};
     for (int d = 0; d < 3; ++d) {
         box.lo[d] = coarse_around(fine.lo[d], coarse, d).first;
         box.hi[d] = coarse_around(fine.hi[d] - 1, coarse, d).first + points;
+        const Range range = readable(coarse, d);
+        wider.lo[d] = std::max(box.lo[d] - solid_layers, range.lo);
+        wider.hi[d] = std::min(box.hi[d] + solid_layers, range.hi);
     }
-    return box;
+    const auto map = level.solids_in(wider);
+    return map && has_solid(*map, wider) ? wider : box;
 }
 
 std::vector<std::vector<CellBox>> coarse_beneath(
-    const std::vector<std::vector<CellBox>>& of_ranks, const LevelPlace& coarse) {
+    const std::vector<std::vector<CellBox>>& of_ranks, const Level& coarse) {
     std::vector<std::vector<CellBox>> beneath(of_ranks.size());
     for (std::size_t r = 0; r < of_ranks.size(); ++r) {
         for (const CellBox& box : of_ranks[r])
@@ -124,15 +142,89 @@ std::vector<std::vector<CellBox>> ring_of(const Level& fine) {
 Prolongation::Prolongation(const Level& coarse,
                            const std::vector<std::vector<CellBox>>& of_ranks)
     : transfer_(coarse.comm(), one_each(coarse.owned_by_rank()), coarse.place.period,
-                coarse_beneath(of_ranks, coarse.place)) {
+                coarse_beneath(of_ranks, coarse)) {
     for (const CellBox& box :
          of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))]) {
-        const CellBox beneath = coarse_beneath(box, coarse.place);
+        const CellBox beneath = coarse_beneath(box, coarse);
         const bool thin =
             box.hi[0] - box.lo[0] <= ring_cells && box.hi[1] - box.lo[1] > ring_cells;
         pieces_.push_back(
-            {box, beneath, thin ? 1 : 0, thin ? 0 : 1,
-             std::vector<double>(numbers * static_cast<std::size_t>(cells_of(beneath)))});
+            {box,
+             beneath,
+             thin ? 1 : 0,
+             thin ? 0 : 1,
+             std::vector<double>(numbers * static_cast<std::size_t>(cells_of(beneath))),
+             {}});
+        pieces_.back().find_solids(coarse);
+    }
+}
+
+std::size_t Prolongation::Piece::first_number(const std::array<int, 3>& cell) const {
+    const auto at = [&](int axis) {
+        return static_cast<std::size_t>(cell[axis] - coarse.lo[axis]);
+    };
+    return ((at(2) * length(coarse, other) + at(other)) * numbers) *
+               length(coarse, line) +
+           at(line);
+}
+
+// Layer by layer: those beside the fluid, then those beside these, as far as a cubic
+// reaches.
+void Prolongation::Piece::find_solids(const Level& level) {
+    const auto map = level.solids_in(coarse);
+    if (!map) return;
+    enum Known : char { no, fluid, found };
+    std::vector<char> known(static_cast<std::size_t>(cells_of(coarse)));
+    const auto index = [&](const Cell& c) {
+        return (static_cast<std::size_t>(c[2]) * length(coarse, 1) +
+                static_cast<std::size_t>(c[1])) *
+                   length(coarse, 0) +
+               static_cast<std::size_t>(c[0]);
+    };
+    CellBox local;
+    for (int d = 0; d < 3; ++d) local.hi[d] = coarse.hi[d] - coarse.lo[d];
+    for_each_cell(local,
+                  [&](const Cell& c) { known[index(c)] = map->solid(c) ? no : fluid; });
+    const auto number = [&](const Cell& c) {
+        return first_number(
+            {c[0] + coarse.lo[0], c[1] + coarse.lo[1], c[2] + coarse.lo[2]});
+    };
+    for (int layer = 0; layer < solid_layers; ++layer) {
+        std::vector<std::size_t> now;
+        for_each_cell(local, [&](const Cell& c) {
+            if (known[index(c)] != no) return;
+            SolidCell cell{number(c), {}, layer == 0};
+            for (int q = 1; q < d3q19::directions; ++q) {
+                Cell beside = c;
+                bool there = true;
+                for (int d = 0; d < 3; ++d) {
+                    beside[d] += d3q19::c[q][d];
+                    there = there && beside[d] >= 0 && beside[d] < local.hi[d];
+                }
+                if (there && known[index(beside)] != no)
+                    cell.beside.push_back(number(beside));
+            }
+            if (cell.beside.empty()) return;
+            now.push_back(index(c));
+            solids.push_back(std::move(cell));
+        });
+        for (const std::size_t cell : now) known[cell] = found;
+    }
+}
+
+// Density and stress as beside it. The velocity falls through zero at the wall, half-way
+// between cells in the mean.
+void Prolongation::Piece::extend_into_solids() {
+    const std::size_t step = length(coarse, line);
+    for (const SolidCell& cell : solids) {
+        for (std::size_t i = 0; i < numbers; ++i) {
+            double sum = 0;
+            for (const std::size_t beside : cell.beside) sum += flow[beside + i * step];
+            const bool velocity = i > 0 && i < first_stress;
+            const double sign = velocity && cell.at_wall ? -1 : 1;
+            flow[cell.first + i * step] =
+                sign * sum / static_cast<double>(cell.beside.size());
+        }
     }
 }
 
@@ -154,7 +246,7 @@ void Prolongation::Piece::take(const CellRow& row, const double* numbers_of_row)
     }
 }
 
-void Prolongation::run(const Level& coarse, const Level& fine) {
+void Prolongation::run(const Level& coarse, Level& fine) {
     const View view = coarse.state().view();
     const Scales scales = to_fine(coarse, fine);
     transfer_.run(
@@ -166,7 +258,11 @@ void Prolongation::run(const Level& coarse, const Level& fine) {
         [&](std::size_t box, const CellRow& row, const double* flow) {
             pieces_[box].take(row, flow);
         });
-    for (const Piece& piece : pieces_) interpolate(piece, coarse, fine);
+    for (Piece& piece : pieces_) {
+        piece.extend_into_solids();
+        interpolate(piece, coarse, fine);
+    }
+    fine.reset_solid_cells();
 }
 
 void Prolongation::interpolate(const Piece& piece, const Level& coarse,

@@ -12,9 +12,17 @@ class Prolongation {
     // of_ranks: boxes of stored cells of the finer level, of each rank its own.
     Prolongation(const Level& coarse, const std::vector<std::vector<CellBox>>& of_ranks);
     // Collective.
-    void run(const Level& coarse, const Level& fine);
+    void run(const Level& coarse, Level& fine);
 
   private:
+    // A coarse cell in an obstacle: what the cubic finds there follows from the cells
+    // beside it that the fluid has, or that have been found before. Of each the first
+    // number in a piece, as of the cell.
+    struct SolidCell {
+        std::size_t first = 0;
+        std::vector<std::size_t> beside;
+        bool at_wall = true;  // beside cells of the fluid
+    };
     // A box of fine cells and the coarse ones beneath, whose numbers are laid out as
     // [z][other][number][line]: lines are along x, in boxes as thin there as a ring
     // along y.
@@ -22,11 +30,15 @@ class Prolongation {
         CellBox fine, coarse;
         int line = 0, other = 1;
         std::vector<double> flow;
+        std::vector<SolidCell> solids;
 
         std::size_t length(const CellBox& box, int axis) const {
             return static_cast<std::size_t>(box.hi[axis] - box.lo[axis]);
         }
         void take(const CellRow& row, const double* numbers);
+        std::size_t first_number(const std::array<int, 3>& cell) const;
+        void find_solids(const Level& level);
+        void extend_into_solids();
     };
     void interpolate(const Piece& piece, const Level& coarse, const Level& fine);
 

@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "fluid_lbm/refinement/interface_flux.h"
-#include "fluid_lbm/refinement/prolongation.h"
-#include "fluid_lbm/refinement/restriction.h"
+#include "fluid_lbm/refinement/finer_levels.h"
 #include "fluid_lbm/refuse.h"
 
 namespace magfsi::fluid {
@@ -14,46 +12,6 @@ namespace {
 // Covered cells that nothing reads from step to step are overwritten once in so many
 // steps of their level, so that the flow there does not become another.
 constexpr std::int64_t steps_until_all_covered = 16;
-
-// Of an interface between two levels, in cells of the coarser at rest: mass that has gone
-// into the covered box as the coarser level sees it, less what the finer one has
-// received. It goes to the coarse cells beside the patch: what refluxing (Berger, Colella
-// 1989) does face by face, in the mean over them.
-struct InterfaceMass {
-    double lost = 0;   // of this rank, in the coarser level's present step
-    double owed = 0;   // besides, of all ranks
-    double given = 0;  // by the last step of the coarser level
-    double lost_then = 0, owed_then = 0;  // before the last step of the finest level
-    std::int64_t beside = 0;              // cells
-};
-
-// A level and the two ways between it and the one below.
-struct FinerLevel {
-    FinerLevel(MPI_Comm comm, const FluidConfig& coarsest, const Level& below,
-               const LevelPlace& place, int number)
-        : level(comm, coarsest, place, number),
-          ring(below, ring_of(level)),
-          band(below, level, band_of(place)),
-          from_below(below, place.covered(), place),
-          into_level(level, place.inside, place) {}
-
-    Restriction& all_covered(const Level& below) {
-        if (!whole) whole.emplace(below, level, std::vector{level.place.covered()});
-        return *whole;
-    }
-
-    Level level;
-    Prolongation ring;
-    Restriction band;
-    std::optional<Restriction> whole;  // of all covered cells, once it is wanted
-    InterfaceFlux from_below, into_level;
-    InterfaceMass mass;
-};
-
-double summed(MPI_Comm comm, double value) {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, comm);
-    return value;
-}
 
 std::vector<CellRow> local_rows(const Level& level, std::span<const CellRow> rows) {
     std::vector<CellRow> local;
@@ -65,8 +23,14 @@ std::vector<CellRow> local_rows(const Level& level, std::span<const CellRow> row
     return local;
 }
 
-void refuse_obstacles_in(const Level& coarsest, const LevelPlace& place) {
-    if (coarsest.state().config.obstacles.empty()) return;
+// Where a patch crosses a periodic side it sees no obstacles beyond it.
+void refuse_obstacles_beyond(const Level& coarsest, const LevelPlace& place) {
+    const auto reaches_beyond = [&](int d) {
+        return place.period[d] == 0 &&
+               (place.stored.lo[d] < 0 || place.stored.hi[d] > place.domain[d]);
+    };
+    if (coarsest.solids.empty()) return;
+    if (!reaches_beyond(0) && !reaches_beyond(1) && !reaches_beyond(2)) return;
     CellBox reach = place.covered();
     for (int d = 0; d < 3; ++d) {
         reach.lo[d] -= apart_cells;
@@ -77,10 +41,12 @@ void refuse_obstacles_in(const Level& coarsest, const LevelPlace& place) {
         const CellBox cells{{row.x_begin, row.y, row.z},
                             {row.x_end, row.y + 1, row.z + 1}};
         for_each_image(coarsest.place.period, [&](const std::array<int, 3>& image) {
+            if (image == std::array<int, 3>{}) return;
             const CellBox met = shared(shifted(cells, image), reach);
             if (is_empty(met)) return;
-            refuse("the refined patch meets an obstacle at (", (met.lo[0] + 0.5) * h_m,
-                   ", ", (met.lo[1] + 0.5) * h_m, ", ", (met.lo[2] + 0.5) * h_m,
+            refuse("the refined patch crosses a periodic side and meets an obstacle at (",
+                   (met.lo[0] + 0.5) * h_m, ", ", (met.lo[1] + 0.5) * h_m, ", ",
+                   (met.lo[2] + 0.5) * h_m,
                    ") m, which it cannot hold: keep the bodies further from it, or leave "
                    "fluid.refinement out");
         });
@@ -89,26 +55,10 @@ void refuse_obstacles_in(const Level& coarsest, const LevelPlace& place) {
 
 }  // namespace
 
-struct RefinedFluid::Levels {
-    Levels(MPI_Comm comm, const FluidConfig& coarse)
-        : coarsest(comm, coarse, coarsest_place(coarse.cells, periodic_axes(coarse)), 0) {
-    }
-
-    Level coarsest;
-    std::vector<std::unique_ptr<FinerLevel>> finer;
-
-    Level& at(int number) {
-        return number == 0 ? coarsest
-                           : finer[static_cast<std::size_t>(number - 1)]->level;
-    }
-    Level& finest() { return finer.back()->level; }
-    FinerLevel& above(int number) { return *finer[static_cast<std::size_t>(number)]; }
-};
-
 namespace {
 
 // From a patch to one that stands elsewhere.
-void take_over(const Level& below, const Level& old, const Level& level,
+void take_over(const Level& below, const Level& old, Level& level,
                const std::array<bool, 3>& periodic) {
     std::array<int, 3> period{};
     for (int d = 0; d < 3; ++d) period[d] = periodic[d] ? level.place.domain[d] : 0;
@@ -133,6 +83,7 @@ void take_over(const Level& below, const Level& old, const Level& level,
             [&](std::size_t, const CellRow& row, const double* f) {
                 write_populations(to, level.local(row), f);
             });
+    level.reset_solid_cells();
 }
 
 // Excess of this rank's part of a box, in cells at rest.
@@ -224,6 +175,8 @@ void RefinedFluid::begin_step() {
 void RefinedFluid::step_level(int number) {
     Level& level = levels_->at(number);
     level.fluid.step();
+    if (number == 0) std::ranges::fill(pushed_n_, Vec3{});
+    if (!pushed_n_.empty()) add_pushes(number, 1);
     if (number == 0) return;
     FinerLevel& finer = levels_->above(number - 1);
     finer.mass.lost -= finer.into_level.into_box(level) / 8;
@@ -270,6 +223,7 @@ void RefinedFluid::keep() {
 }
 
 void RefinedFluid::go_back() {
+    if (!pushed_n_.empty()) add_pushes(levels() - 1, -1);
     levels_->finest().fluid.go_back();
     for (int l = 0; l + 1 < levels(); ++l) {
         InterfaceMass& mass = levels_->above(l).mass;
@@ -304,7 +258,7 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
     levels_->finer.clear();
     for (std::size_t i = 0; i < places.size(); ++i) {
         const int number = static_cast<int>(i) + 1;
-        refuse_obstacles_in(levels_->coarsest, places[i]);
+        if (i == 0) refuse_obstacles_beyond(levels_->coarsest, places[i]);
         const Level& below = levels_->at(number - 1);
         levels_->finer.push_back(
             std::make_unique<FinerLevel>(comm_, at_rest, below, places[i], number));
@@ -315,6 +269,7 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
         finer.level.fluid.set_steps_done(steps_done_ >> (places.size() - i - 1));
         take_over(below, old[i]->level, finer.level, periodic_axes(config_.coarse));
     }
+    count_links_once();
     ++moves_;
     if (!first) levels_->finer.front()->mass.owed = owed + excess - excess_of_finer();
 }
@@ -357,67 +312,6 @@ void RefinedFluid::restore(std::int64_t steps, const std::vector<LevelPlace>& fi
         levels_->finer[i]->mass.owed = kept_mass[2 * i];
         levels_->finer[i]->mass.lost = kept_mass[2 * i + 1];
     }
-}
-
-std::vector<CellBox> RefinedFluid::counted_of(int number) const {
-    const Level& level = levels_->at(number);
-    std::vector<CellBox> parts{level.place.inside};
-    if (number + 1 < levels())
-        for_each_image(level.place.period, [&](const std::array<int, 3>& image) {
-            parts = without(parts,
-                            shifted(levels_->above(number).level.place.covered(), image));
-        });
-    for (CellBox& part : parts) {
-        for (int d = 0; d < 3; ++d) {
-            part.lo[d] -= level.place.stored.lo[d];
-            part.hi[d] -= level.place.stored.lo[d];
-        }
-    }
-    return parts;
-}
-
-Totals RefinedFluid::totals() const {
-    Totals all;
-    for (int l = 0; l < levels(); ++l) {
-        const Totals of_level = level(l).totals(counted_of(l));
-        all.mass_kg += of_level.mass_kg;
-        for (std::size_t a = 0; a < 3; ++a)
-            all.momentum_kg_m_s[a] += of_level.momentum_kg_m_s[a];
-        all.kinetic_energy_j += of_level.kinetic_energy_j;
-        all.max_speed_m_s = std::max(all.max_speed_m_s, of_level.max_speed_m_s);
-    }
-    return all;
-}
-
-double RefinedFluid::enstrophy_1_s2() const {
-    Enstrophy all;
-    for (int l = 0; l < levels(); ++l) {
-        const Enstrophy of_level = level(l).enstrophy(counted_of(l));
-        all.integral_m3_s2 += of_level.integral_m3_s2;
-        all.volume_m3 += of_level.volume_m3;
-    }
-    return all.integral_m3_s2 / all.volume_m3;
-}
-
-double RefinedFluid::waited_for_neighbours_s() const {
-    double all = 0;
-    for (int l = 0; l < levels(); ++l) all += level(l).waited_for_neighbours_s();
-    return all;
-}
-
-std::optional<Divergence> RefinedFluid::diverged() const {
-    for (int l = levels() - 1; l >= 0; --l) {
-        std::optional<Divergence> found = level(l).diverged();
-        if (!found) continue;
-        const double h_m = level(l).config().spacing_m;
-        for (std::size_t d = 0; d < 3; ++d) {
-            found->cell[d] += place(l).stored.lo[d];
-            found->position_m[d] = (found->cell[d] + 0.5) * h_m;
-        }
-        found->level = l;
-        return found;
-    }
-    return {};
 }
 
 }  // namespace magfsi::fluid

@@ -67,7 +67,10 @@ class RefinedFluid {
         cover_all();
         return level(0).plane_flow(axis, at_m);
     }
-    std::vector<Vec3> obstacle_forces() const { return level(0).obstacle_forces(); }
+    // Mean over the last whole step of level 0.
+    std::vector<Vec3> obstacle_forces() const;
+    // Cells of the finest level in obstacles, all over the box.
+    std::vector<CellRow> solid_rows() const;
 
     // The state between steps: places and steps of the levels, what keeps the mass, and
     // the populations of each level (Fluid::populations). Put back in this order. In the
@@ -84,6 +87,8 @@ class RefinedFluid {
     void step_level(int number);
     void end_step();
     double excess_of_finer() const;
+    void count_links_once();
+    void add_pushes(int number, double sign);
     // Boxes of a level where no finer one is, in its fluid's indices.
     std::vector<CellBox> counted_of(int level) const;
     void regrid(const std::vector<LevelPlace>& places);
@@ -93,6 +98,7 @@ class RefinedFluid {
     RefinedConfig config_;
     std::unique_ptr<Levels> levels_;
     std::int64_t steps_done_ = 0, moves_ = 0;
+    std::vector<Vec3> pushed_n_;  // by obstacle, of this rank, in the step of level 0
     bool begun_ = false;  // the coarser levels have done their part of the coming step
 };
 

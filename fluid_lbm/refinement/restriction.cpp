@@ -1,6 +1,8 @@
 #include "fluid_lbm/refinement/restriction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace magfsi::fluid {
 
@@ -112,6 +114,28 @@ std::size_t length(const CellBox& box, int axis) {
 
 }  // namespace
 
+namespace {
+
+void write_where_known(const View& view, const CellRow& row, const double* flow) {
+    const auto count = static_cast<std::size_t>(row.size());
+    std::vector<double> known;
+    for (std::size_t begin = 0; begin < count;) {
+        std::size_t end = begin;
+        while (end < count && !std::isnan(flow[end])) ++end;
+        known.clear();
+        for (std::size_t i = 0; i < numbers && begin < end; ++i)
+            known.insert(known.end(), flow + i * count + begin, flow + i * count + end);
+        if (begin < end)
+            write_flow(view,
+                       {row.y, row.z, row.x_begin + static_cast<int>(begin),
+                        row.x_begin + static_cast<int>(end)},
+                       known.data());
+        begin = std::max(end, begin + 1);
+    }
+}
+
+}  // namespace
+
 std::vector<CellBox> band_of(const LevelPlace& fine) {
     const CellBox covered = fine.covered();
     CellBox core = covered;
@@ -138,11 +162,64 @@ Restriction::Restriction(const Level& coarse, const Level& fine,
                  one_each(coarse.owned_by_rank())) {
     for (const CellBox& box : boxes) {
         pieces_.emplace_back(share_of(box, fine.owned()), fine);
+        pieces_.back().find_cut(fine);
         for (const CellBox& halo : without(pieces_.back().fine, fine.owned())) {
             halo_.push_back(halo);
             of_piece_.push_back(pieces_.size() - 1);
             halo_flow_.emplace_back(numbers * static_cast<std::size_t>(cells_of(halo)));
         }
+    }
+}
+
+void Restriction::Piece::find_cut(const Level& level) {
+    const auto map = level.solids_in(fine);
+    if (!map) return;
+    const auto solid = [&](int x, int y, int z) {
+        return map->solid({x - fine.lo[0], y - fine.lo[1], z - fine.lo[2]});
+    };
+    for_each_cell(coarse, [&](const Cell& c) {
+        CellBox read;
+        for (int d = 0; d < 3; ++d) {
+            read.lo[d] = std::max(fine_in(c[d], level.place, d).first, fine.lo[d]);
+            read.hi[d] = std::min(read.lo[d] + points, fine.hi[d]);
+        }
+        bool is_cut = false;
+        for_each_cell(read,
+                      [&](const Cell& f) { is_cut = is_cut || solid(f[0], f[1], f[2]); });
+        if (!is_cut) return;
+        CutCell cell{c, {}};
+        for (std::size_t i = 0; i < 8; ++i) {
+            const int k = static_cast<int>(i);
+            cell.counts[i] =
+                !solid(2 * c[0] + k % 2, 2 * c[1] + k / 2 % 2, 2 * c[2] + k / 4);
+        }
+        cut.push_back(cell);
+    });
+}
+
+void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fine) {
+    const std::size_t width = length(piece.coarse, 0), row_width = length(piece.fine, 0);
+    for (const CutCell& cut : piece.cut) {
+        std::array<double, numbers> sum{};
+        int cells = 0;
+        for (std::size_t i = 0; i < 8; ++i) {
+            if (!cut.counts[i]) continue;
+            const int k = static_cast<int>(i);
+            const double* row = fine_row(piece, number, fine, 2 * cut.cell[1] + k / 2 % 2,
+                                         2 * cut.cell[2] + k / 4);
+            const auto x =
+                static_cast<std::size_t>(2 * cut.cell[0] + k % 2 - piece.fine.lo[0]);
+            for (std::size_t n = 0; n < numbers; ++n) sum[n] += row[n * row_width + x];
+            ++cells;
+        }
+        const auto at = [&](int d) {
+            return static_cast<std::size_t>(cut.cell[d] - piece.coarse.lo[d]);
+        };
+        double* to = piece.flow.data() +
+                     (at(2) * length(piece.coarse, 1) + at(1)) * numbers * width + at(0);
+        for (std::size_t n = 0; n < numbers; ++n)
+            to[n * width] =
+                cells > 0 ? sum[n] / cells : std::numeric_limits<double>::quiet_NaN();
     }
 }
 
@@ -247,7 +324,7 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
     }
 }
 
-void Restriction::run(const Level& coarse, const Level& fine) {
+void Restriction::run(Level& coarse, const Level& fine) {
     const View fine_view = fine.state().view();
     to_halo_.run(
         numbers,
@@ -261,7 +338,10 @@ void Restriction::run(const Level& coarse, const Level& fine) {
             const std::size_t count = numbers * static_cast<std::size_t>(row.size());
             std::copy_n(flow, count, halo_flow_[b].data() + at * count);
         });
-    for (std::size_t i = 0; i < pieces_.size(); ++i) average(pieces_[i], i, fine);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        average(pieces_[i], i, fine);
+        average_cut(pieces_[i], i, fine);
+    }
     const Scales scales = to_fine(coarse, fine);
     const View view = coarse.state().view();
     to_coarse_.run(
@@ -281,11 +361,32 @@ void Restriction::run(const Level& coarse, const Level& fine) {
             apply(scales, -1, flow, count);
         },
         [&](std::size_t, const CellRow& row, const double* flow) {
-            write_flow(view, coarse.local(row), flow);
+            if (coarse.solids.empty())
+                write_flow(view, coarse.local(row), flow);
+            else
+                write_where_known(view, coarse.local(row), flow);
         });
+    coarse.reset_solid_cells();
 }
 
 namespace {
+
+// use(row) for the parts of a row of this rank that lie in no obstacle.
+template <class Use>
+void each_fluid_part(const Level& level, CellRow row, Use&& use) {
+    if (level.solids.empty()) return use(row);
+    const int first = level.local(row).x_begin - row.x_begin, end = row.x_end;
+    const CellRow local = level.local(row);
+    const auto solid = [&](int x) {
+        return level.state().is_solid({x + first, local.y, local.z});
+    };
+    for (int x = row.x_begin; x < end;) {
+        row.x_begin = x;
+        while (x < end && !solid(x)) ++x;
+        row.x_end = x++;
+        if (row.size() > 0) use(row);
+    }
+}
 
 // use(row) for each row of this rank's coarse cells beside the covered box.
 template <class Use>
@@ -299,7 +400,8 @@ void each_row_beside(const Level& coarse, const LevelPlace& fine, Use&& use) {
     }
     for (const CellBox& box : without(around, covered)) {
         for_each_image(coarse.place.period, [&](const std::array<int, 3>& image) {
-            for_each_row(shared(shifted(box, image), coarse.owned()), use);
+            for_each_row(shared(shifted(box, image), coarse.owned()),
+                         [&](const CellRow& row) { each_fluid_part(coarse, row, use); });
         });
     }
 }

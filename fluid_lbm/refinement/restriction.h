@@ -19,9 +19,16 @@ class Restriction {
     Restriction(const Level& coarse, const Level& fine,
                 const std::vector<CellBox>& boxes);
     // Collective.
-    void run(const Level& coarse, const Level& fine);
+    void run(Level& coarse, const Level& fine);
 
   private:
+    // A coarse cell with solid ones among the fine cells that its average reads: instead
+    // the mean of those of its eight that are not. Without any it stays as it is: its
+    // density is then not a number on the way.
+    struct CutCell {
+        std::array<int, 3> cell{};
+        std::array<bool, 8> counts{};  // x fastest
+    };
     // This rank's share of a box: coarse cells whose first fine row (of each axis' two)
     // is its own.
     struct Piece {
@@ -31,7 +38,11 @@ class Restriction {
         CellBox fine;                // that they are made of
         std::vector<Weights> along;  // x, of the coarse cells
         std::vector<double> flow;    // [z][y][number][x] of the coarse cells
+        std::vector<CutCell> cut;
+
+        void find_cut(const Level& level);
     };
+    void average_cut(Piece& piece, std::size_t number, const Level& fine);
     void average(Piece& piece, std::size_t number, const Level& fine);
     void average_along_x(const Piece& piece, const double* row, double* to) const;
     const double* fine_row(const Piece& piece, std::size_t number, const Level& fine,

@@ -135,6 +135,7 @@ std::vector<Vec3> Fluid::obstacle_forces() const {
     const State& s = *state_;
     if (!s.obstacles) return {};
     std::vector<Vec3> forces = s.obstacles->impulses();
+    forces.resize(s.obstacles->count());
     const double dx = s.config.spacing_m;
     const double unit = s.unit.force_n_m3() * dx * dx * dx;
     for (Vec3& force : forces) {

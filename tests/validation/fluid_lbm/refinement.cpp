@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "tests/support/carried_vortex.h"
+#include "tests/unit/fluid_lbm/lattice_fluid.h"
 
 namespace magfsi::fluid {
 namespace {
@@ -154,6 +155,51 @@ TEST(Refinement, LetsSoundThrough) {
     refined.level(0).velocity(std::vector{before}, v);
     for (std::size_t i = 0; i < u.size(); ++i)
         EXPECT_NEAR(v[i], u[i], 0.01 * sound * height) << i / 3;
+}
+
+// A ball in a channel: its drag with finer cells around it, or around its front half
+// alone, is that of cells as fine everywhere.
+class Ball : public testing::Test {
+  protected:
+    static FluidConfig config(int fineness) {
+        const int n = fineness;
+        FluidConfig config =
+            channel({36 * n, 18 * n, 18 * n}, 0.6, 0, 0.04, BoundaryKind::free_slip);
+        config.spacing_m = config.time_step_s = 1.0 / n;
+        config.viscosity_m2_s = 0.1 / 3;
+        config.collision = Collision::recursive_regularized;
+        config.obstacles.push_back({"ball", Sphere{{13.2, 9.1, 8.9}, 5}});
+        return config;
+    }
+    static constexpr int steps = 700;  // coarse ones: the drag has settled within 0.1 %
+
+    static double uniform(int fineness) {
+        Fluid fluid(MPI_COMM_WORLD, config(fineness));
+        for (int i = 0; i < fineness * steps; ++i) fluid.step();
+        return fluid.obstacle_forces()[0][0];
+    }
+    static double refined(const std::array<Vec3, 2>& box_m, int levels) {
+        RefinedFluid fluid(
+            MPI_COMM_WORLD,
+            {.coarse = config(1),
+             .rule = {.levels = levels, .slack_cells = 0, .follows = false}},
+            box_m);
+        for (int i = 0; i < steps << levels; ++i) fluid.step();
+        return fluid.obstacle_forces()[0][0];
+    }
+};
+
+TEST_F(Ball, HasTheDragOfTheFineGrid) {
+    const double coarse = uniform(1), fine = uniform(2);
+    const double whole = refined({Vec3{8.5, 5, 5}, Vec3{20.5, 13, 13}}, 1);
+    const double front = refined({Vec3{8.5, 5, 5}, Vec3{13.5, 13, 13}}, 1);
+    std::printf(
+        "drag against twice as fine cells: coarse %+.2f %%, in a patch %+.2f %%, "
+        "half in it %+.2f %%\n",
+        100 * (coarse / fine - 1), 100 * (whole / fine - 1), 100 * (front / fine - 1));
+    EXPECT_NEAR(whole / fine, 1, 0.01);
+    // Where the patch's side cuts the ball its drag is that of coarse cells.
+    EXPECT_LT(std::abs(front / fine - 1), 1.3 * std::abs(coarse / fine - 1));
 }
 
 }  // namespace

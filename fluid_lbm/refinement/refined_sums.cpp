@@ -1,0 +1,130 @@
+// What is read of a refined grid as a whole: sums over the box, forces on obstacles, a
+// cell that has diverged.
+#include <cmath>
+
+#include "fluid_lbm/refinement/finer_levels.h"
+
+namespace magfsi::fluid {
+
+std::vector<CellBox> RefinedFluid::counted_of(int number) const {
+    const Level& level = levels_->at(number);
+    std::vector<CellBox> parts{level.place.inside};
+    if (number + 1 < levels())
+        for_each_image(level.place.period, [&](const std::array<int, 3>& image) {
+            parts = without(parts,
+                            shifted(levels_->above(number).level.place.covered(), image));
+        });
+    for (CellBox& part : parts) {
+        for (int d = 0; d < 3; ++d) {
+            part.lo[d] -= level.place.stored.lo[d];
+            part.hi[d] -= level.place.stored.lo[d];
+        }
+    }
+    return parts;
+}
+
+Totals RefinedFluid::totals() const {
+    Totals all;
+    for (int l = 0; l < levels(); ++l) {
+        const Totals of_level = level(l).totals(counted_of(l));
+        all.mass_kg += of_level.mass_kg;
+        for (std::size_t a = 0; a < 3; ++a)
+            all.momentum_kg_m_s[a] += of_level.momentum_kg_m_s[a];
+        all.kinetic_energy_j += of_level.kinetic_energy_j;
+        all.max_speed_m_s = std::max(all.max_speed_m_s, of_level.max_speed_m_s);
+    }
+    return all;
+}
+
+double RefinedFluid::enstrophy_1_s2() const {
+    Enstrophy all;
+    for (int l = 0; l < levels(); ++l) {
+        const Enstrophy of_level = level(l).enstrophy(counted_of(l));
+        all.integral_m3_s2 += of_level.integral_m3_s2;
+        all.volume_m3 += of_level.volume_m3;
+    }
+    return all.integral_m3_s2 / all.volume_m3;
+}
+
+double RefinedFluid::waited_for_neighbours_s() const {
+    double all = 0;
+    for (int l = 0; l < levels(); ++l) all += level(l).waited_for_neighbours_s();
+    return all;
+}
+
+// Of obstacles only the links in the finest level there count in their forces.
+void RefinedFluid::count_links_once() {
+    pushed_n_.assign(levels_->coarsest.solids.size(), Vec3{});
+    if (pushed_n_.empty()) return;
+    for (int l = 0; l < levels(); ++l) {
+        Level& level = levels_->at(l);
+        std::vector<CellBox> parts = counted_of(l);
+        const auto& low = level.state().owned().lo;
+        level.fluid.state().obstacles->count_only([&, low](const Cell& local) {
+            return std::ranges::any_of(parts, [&](const CellBox& part) {
+                bool inside = true;
+                for (int d = 0; d < 3; ++d) {
+                    const int at = local[d] + low[d];
+                    inside = inside && at >= part.lo[d] && at < part.hi[d];
+                }
+                return inside;
+            });
+        });
+    }
+}
+
+// What a level's last step adds to the mean over a step of level 0.
+void RefinedFluid::add_pushes(int number, double sign) {
+    const Fluid::State& s = level(number).state();
+    const double dx = s.config.spacing_m;
+    const double unit = sign * s.unit.force_n_m3() * dx * dx * dx / (1 << number);
+    for (std::size_t i = 0; i < pushed_n_.size(); ++i) {
+        for (std::size_t a = 0; a < 3; ++a)
+            pushed_n_[i][a] += unit * s.obstacles->impulses()[i][a];
+    }
+}
+
+std::vector<CellRow> RefinedFluid::solid_rows() const {
+    std::vector<CellRow> rows;
+    if (levels_->coarsest.solids.empty()) return rows;
+    FluidConfig whole = config_.coarse;
+    whole.cells = place(levels() - 1).domain;
+    whole.spacing_m = level(levels() - 1).config().spacing_m;
+    const Solids solids = make_solids(whole);
+    const SolidMap map(whole, solids, {{0, 0, 0}, whole.cells});
+    for_each_row({{0, 0, 0}, whole.cells}, [&](CellRow row) {
+        const int end = row.x_end;
+        for (int x = 0; x < end;) {
+            row.x_begin = x;
+            while (x < end && map.solid({x, row.y, row.z})) ++x;
+            row.x_end = x++;
+            if (row.size() > 0) rows.push_back(row);
+        }
+    });
+    return rows;
+}
+
+std::vector<Vec3> RefinedFluid::obstacle_forces() const {
+    std::vector<Vec3> forces = pushed_n_;
+    for (Vec3& force : forces) {
+        for (double& component : force) component = summed(comm_, component);
+    }
+    return forces;
+}
+
+std::optional<Divergence> RefinedFluid::diverged() const {
+    for (int l = levels() - 1; l >= 0; --l) {
+        std::optional<Divergence> found = level(l).diverged();
+        if (!found) continue;
+        const double h_m = level(l).config().spacing_m;
+        for (std::size_t d = 0; d < 3; ++d) {
+            found->cell[d] += place(l).stored.lo[d];
+            found->position_m[d] = (found->cell[d] + 0.5) * h_m;
+        }
+        found->level = l;
+        return found;
+    }
+    return {};
+}
+
+}  // namespace magfsi::fluid
