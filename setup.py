@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Besides pyproject.toml: an installed package knows the checkout whose programs it starts."""
 from pathlib import Path
 

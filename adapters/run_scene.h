@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The main function of a participant that runs a scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A structure of the user's own beside a fluid participant: all of its program but the
 // solver. The scene says coupling.structure: own (docs/own_structure.md).
 #pragma once

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # chain.sh N [options of sbatch] -- SCENE [options of magfsi run]: N jobs of run.slurm, each after the
 # one before has ended in order. Those that find the run complete end at once.
 set -euo pipefail

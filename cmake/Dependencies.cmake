@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Libraries of others, each by what it is for; on Debian each is one line of packages.txt. The build
 # asks for all parts; an installation (magfsi-config.cmake), which has a copy of this file, for those
 # that its user names. What is not found is gathered in magfsi_missing, so that it is said at once.

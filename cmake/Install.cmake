@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # cmake --install: GNU layout, relocatable: every program finds what it needs relative to itself.
 #   bin/magfsi                    the launcher
 #   libexec/magfsi/{bin,lib}      the programs that it starts, the library of OpenFOAM's solver

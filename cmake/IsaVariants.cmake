@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # magfsi_isa_variants(TARGET FILE): compiles FILE three times, for SSE2, AVX2 and AVX-512,
 # and adds the objects to TARGET. Inside FILE the macro MAGFSI_ISA names the variant (sse2,
 # avx2, avx512): put everything into `namespace MAGFSI_ISA` so that no symbol is shared.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The second fluid, fluid.solver: openfoam, is there when Debian's OpenFOAM libraries and the
 # headers of its source package are. MAGFSI_OPENFOAM says so.
 set(MAGFSI_OPENFOAM_FOLDER ${PROJECT_SOURCE_DIR}/build/openfoam CACHE PATH

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 option(MAGFSI_TESTS "Build the tests" ON)
 option(MAGFSI_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 option(MAGFSI_TRAPS "End a participant at an invalid operation, a division by 0, an overflow" OFF)

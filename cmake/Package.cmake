@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # cpack: Debian packages of the three components of Install.cmake.
 #   cd build/release && cpack           magfsi_*.deb, magfsi-openfoam_*.deb, magfsi-dev_*.deb
 # Names are not libraries' only: what the launcher starts and what the Python package imports is

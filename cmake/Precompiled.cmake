@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # magfsi_precompiled(TARGET ...): the headers that most sources include are compiled once. No
 # source may rely on it: the presets debug, asan and fuzz build without. It does not pay for files
 # that include JSON. GCC 12 forgets that the standard library's headers are the system's, of which

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # What Python needs to find of ours: the package, the programs, and a place for its bytecode.
 set(MAGFSI_PYTHON_ENVIRONMENT PYTHONPATH=${PROJECT_SOURCE_DIR}/adapters/python
   PYTHONPYCACHEPREFIX=${CMAKE_BINARY_DIR}/pycache MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # What every test run needs under Open MPI: root in containers, more ranks than cores, and
 # waiting ranks that give their core away.
 set(MAGFSI_MPI_ENVIRONMENT

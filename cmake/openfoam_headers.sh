@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
 # openfoam_headers.sh FOLDER: OpenFOAM's headers into FOLDER/include, one flat folder a library.
 # Debian ships OpenFOAM's libraries without headers; they come from its source package of the
 # same version. deb-src entries are derived from the package sources that are configured, in

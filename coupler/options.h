@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How bodies and fluid meet, as users choose it: the scheme and the immersed boundary.
 // The scene file describes these types themselves (adapters/scene/keys_coupling.cpp). The
 // words of an enumeration stand beside it, in its order.

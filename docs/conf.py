@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Sphinx reads this; docs/make_site.py makes the folder that it works in."""
 import sys
 from pathlib import Path

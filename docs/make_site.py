@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Builds the documentation as a site, with the pages that are made: docs/scene_examples.md (an example
 of every key) and docs/cpp_reference.md (the headers of the installed libraries).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What users of the fluid say, in SI, and what follows from it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fluid as its users see it: SI in, SI out. Lattice units stay inside fluid_lbm/.
 #pragma once
 

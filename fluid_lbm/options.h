@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What users choose of the fluid: collision, precision, the sides of the box, obstacles.
 // SI, coordinates from the box's lowest corner. The scene file describes these types
 // themselves (adapters/scene/keys_fluid.cpp). The words of an enumeration stand beside

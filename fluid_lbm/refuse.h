@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Refusal of a configuration: a sentence from its parts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One rank's fluid in lattice units: for the files that implement Fluid (fluid.cpp,
 // step.cpp, sampling/).
 #pragma once

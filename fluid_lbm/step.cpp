@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The time step.
 #include "fluid_lbm/state.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // SI to lattice units and back: length in cells, time in steps, density 1 at rest.
 #pragma once
 

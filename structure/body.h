@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A body: its mesh, what it is made of, its magnetisation and what holds it. SI
 // throughout.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The course of a prescribed motion, and the nodes that follow it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What users choose of bodies and loads. SI. The scene file describes these types
 // themselves (adapters/scene/keys_bodies.cpp). The words of an enumeration stand beside
 // it, in its order.

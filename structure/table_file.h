@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // CSV files of numbers: a header of columns with their units, such as x[mm],Mx[kA/m],
 // then a row a line. Empty lines and lines that begin with # are left out.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where a time stands between the rows of a table: linear between them, the first and the
 // last held outside, or all repeated with the period of the table. Two rows of one time
 // are a jump: from that time on the later one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Work of the magnetic field along a path of equilibria.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The grid has fluid inside a body, too, which moves with it. Its inertia must be taken
 // away again, and its weight is the buoyancy: as much as the body's own mass bears comes
 // off the mass of its nodes, which is exact at any frequency; the rest is a force on the

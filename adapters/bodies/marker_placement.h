@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where the Lagrangian markers of a body sit. They follow the fluid's grid in their
 // spacing and the body's elements in their motion.
 #pragma once

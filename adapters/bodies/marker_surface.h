@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What both ways to place markers share: the surface that markers stand for, what of it
 // meets fluid, and how far below it they lie.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the mesh of a scene's body does to its displacements, before the run.
 #pragma once
 

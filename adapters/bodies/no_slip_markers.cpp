@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Markers of forcing no_slip: even rows about a grid spacing apart, in as many layers as
 // are as thick as the body.
 #include <algorithm>

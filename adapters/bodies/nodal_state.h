@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The nodes of all bodies at one time.
 #pragma once
 

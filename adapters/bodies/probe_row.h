@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The bodies' part of probes.csv: columns and their values.
 #pragma once
 

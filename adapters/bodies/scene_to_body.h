@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scene's bodies, their meshes and loads in the terms of structure/.
 #pragma once
 

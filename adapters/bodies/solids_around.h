@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What stands around the bodies in their fluid: the sides of its box and its obstacles,
 // and which surfaces come near them or go into them.
 #pragma once

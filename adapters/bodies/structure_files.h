@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // structure.pvd and its .vtu files: what the scene's output.structure.fields names.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What acts on the bodies of a path of equilibria by Newton's method.
 #pragma once
 

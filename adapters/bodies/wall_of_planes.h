@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where planes of markers put their wall, by the linear theory of the lattice: a shear
 // flow is a sum of shear waves exp(i k z), each of which responds alone to the force that
 // moves it; markers spread their forces by the kernel and hold what the kernel gives them

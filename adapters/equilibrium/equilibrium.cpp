@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-equilibrium: the bodies of a scene without motion, equilibria along the path of
 // loads, in one process.
 //   magfsi-equilibrium SCENE --out DIR

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fluid's columns of probes.csv. A column's name and its value come from one entry of
 // fluid_probes.cpp.
 #pragma once

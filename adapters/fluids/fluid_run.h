@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a fluid participant's outputs are made from.
 #pragma once
 

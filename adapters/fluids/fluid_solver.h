@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a fluid participant asks of its solver beyond the coupling's GridFluid.
 #pragma once
 

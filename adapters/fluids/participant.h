@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A fluid as a participant, whatever solves it: its coupled step, assembled from the
 // scene.
 #pragma once

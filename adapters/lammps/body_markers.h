@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The markers of a scene's bodies as a rank of LAMMPS sees them.
 #pragma once
 

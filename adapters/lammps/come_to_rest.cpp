@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/lammps/come_to_rest.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Equilibria by damped motion: the independent path beside Newton's method, and the only
 // one with friction and contact.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The energy of all bodies and what became of it, since the start (docs/energy_audit.md).
 // Exists only with probes.energy_audit.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The LAMMPS library as the structure solver: commands in, steps, nodal arrays out. Hides
 // LAMMPS's headers.
 //   engine.cpp        commands, steps, nodes

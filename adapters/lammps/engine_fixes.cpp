@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Our fixes in LAMMPS's step.
 #include <cstring>
 #include <iomanip>

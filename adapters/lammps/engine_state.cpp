@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The motion's state: taken out of LAMMPS and put back by the atoms' ids, or noted in
 // memory.
 #include <algorithm>

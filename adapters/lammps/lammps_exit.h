@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // LAMMPS ends the process on an error: MPI_Finalize and exit, or MPI_Abort. Inside a
 // coupled job the first would wait for the partner forever. While control is inside
 // LAMMPS, our MPI_Finalize (the MPI profiling interface) turns that into a named end of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-structure: the bodies of a scene in LAMMPS, alone or beside a fluid participant.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
 #include <fmt/format.h>

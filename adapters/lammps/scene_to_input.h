@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scene in the terms of structure/lammps.
 #pragma once
 

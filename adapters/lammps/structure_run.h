@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A run of the structure in LAMMPS: what its participant, outputs and checkpoint share.
 #pragma once
 

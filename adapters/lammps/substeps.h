@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How many LAMMPS steps make one coupled step, at the start and as bodies deform.
 #pragma once
 

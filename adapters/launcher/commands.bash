@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The words of `magfsi`: their list, help, version, suggestions and what each starts. Sourced by the
 # launcher of a checkout (./magfsi) and by that of an installation (cmake/install/magfsi.in), which
 # set before: version, share (tutorials, and this file's folder as `launcher`), MAGFSI_BIN (the

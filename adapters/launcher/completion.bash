@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Completion of magfsi for bash: source <(magfsi completion bash). Commands, their options (those
 # that COMMAND --help names), files.
 _magfsi() {

@@ -1,4 +1,5 @@
 #compdef magfsi
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Completion of magfsi for zsh: source <(magfsi completion zsh), after compinit; or this file as
 # _magfsi in a folder of fpath. Commands with their meaning, options, files.
 _magfsi() {

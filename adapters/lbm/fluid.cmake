@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The fluid by our own lattice Boltzmann solver.
 add_library(magfsi_lbm_scene STATIC
   lbm/explain.cpp

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A lattice-Boltzmann fluid's part of a checkpoint: every population by its cell's global
 // index, so that the file is the same on any number of ranks.
 #pragma once

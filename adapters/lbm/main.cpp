@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside
 // magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR

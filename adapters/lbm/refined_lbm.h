@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fluid_lbm/'s refined grid as a fluid that a participant can drive.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scene's fluid in the terms of fluid_lbm/.
 #pragma once
 

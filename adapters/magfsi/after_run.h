@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What magfsi run does when its job has ended.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a scene will cost on this machine: its work, counted before it runs, times the
 // seconds and bytes that the calibration has measured.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/magfsi/doctor.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi doctor: what a run needs of this machine, tried out, and what to do where it is
 // not there.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi explain: what a scene will do, before it does it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/magfsi/job.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/fault.h"

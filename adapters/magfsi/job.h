@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One MPMD job under mpirun, watched: what it prints as errors is passed on without
 // mpirun's own banners, and a process that was killed is named.
 #pragma once

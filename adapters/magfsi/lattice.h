@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // `magfsi lattice`: the bodies of a scene as files for plain LAMMPS scripts, and back.
 #pragma once
 

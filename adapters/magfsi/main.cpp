@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi: the program behind the launcher.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The programs that a scene starts, one for its bodies and one for its fluid, and on how
 // many MPI ranks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What magfsi run does with checkpoint.on_divergence: retry. All participants of a run
 // that diverged have ended; the next job goes on from the last checkpoint (from the start
 // while there is none) with half of every step, to the end of the run.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi run: checks the scene, starts its participants as one MPI job, names how it
 // ended.
 #pragma once

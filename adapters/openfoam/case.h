@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The case that OpenFOAM reads: what is to be solved and how. The engine makes its mesh
 // in memory. After a run the case is completed for the stock programs: `blockMesh -case
 // FOLDER` and `pimpleFoam -case FOLDER` then run the same flow by themselves, without

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Finds and loads the library with OpenFOAM's solver.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What `magfsi explain` says of this fluid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A flow as numbers: sums over the cells of a box mesh, each cell with its volume, and a
 // checkpoint by cells and faces of the whole box, whoever holds them.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The fluid by OpenFOAM: a program that is always there, and the library of its solver, which
 # sees OpenFOAM's headers and is loaded when the scene wants it.
 add_library(magfsi_openfoam_scene STATIC

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The velocity that the scene gives to a side of the box.
 #pragma once
 

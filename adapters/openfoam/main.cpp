@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-fluid-openfoam: the fluid of a scene by OpenFOAM's pimpleFoam, alone or beside
 // magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scene's box as OpenFOAM's mesh: planes between cells, uniform or growing away from
 // a part that is; and the uniform grid by which the coupling sees it.
 #pragma once

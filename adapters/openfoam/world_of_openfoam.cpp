@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The functions that OpenFOAM's libPstream calls with a communicator: 15 of its 30.
 #include "adapters/openfoam/world_of_openfoam.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // OpenFOAM in parallel takes MPI_COMM_WORLD for itself, where the structure is, too. This
 // program's own MPI functions (the MPI profiling interface) give it another world.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-replay-fluid: plays the fluid of a recorded run to a live structure, which is so
 // looked at alone.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-replay-structure: plays the structure of a recorded run to a live fluid, which
 // is so looked at alone.
 //   mpirun -n 1 magfsi-replay-structure SCENE --out DIR --replay RUN/exchange.record

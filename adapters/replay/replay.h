@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What both players of a recorded run need: the record, and how far the live side is from
 // the one that was recorded.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Bodies: mesh, magnetisation, faces that are held or moved, where they start.
 #include "adapters/scene/checks.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a scene names outside of itself: its run folder and its files. A scene may come
 // from a stranger.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fluid's box, what openfoam cannot do, the coupled step and its halves.
 #include "adapters/scene/checks.h"
 

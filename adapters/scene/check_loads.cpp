@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The magnetic field, gravity, platform and contact, the coupling.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"

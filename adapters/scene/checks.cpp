@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Places in the file; checks of outputs and of the whole.
 #include "adapters/scene/checks.h"
 

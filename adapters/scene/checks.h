@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What no single key can tell: contradictions between keys, geometry, stability limits.
 #pragma once
 

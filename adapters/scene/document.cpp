@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Encoding, syntax, the tree from yaml-cpp's events, and --set.
 #include "adapters/scene/document.h"
 

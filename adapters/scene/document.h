@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A YAML text as a tree whose every node knows where it stands, and --set on it.
 #pragma once
 

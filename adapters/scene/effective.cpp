@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a scene comes to: values, hash, effects, step; effects that can do nothing.
 #include "adapters/scene/effective.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a scene comes to: its values in SI, its hash, its effects and its step.
 #pragma once
 

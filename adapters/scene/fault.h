@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where a fault was found and how it is told: one line, "where: found ...; allowed ...;
 // suggestion".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A key of the scene file as a table entry: what may stand there, its unit, range,
 // default and doc line. keys.h makes the table from the keys_*.cpp; reading, errors,
 // schema and reference page follow from it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Field tables from CSV files: once read they are part of the scene, and of its hash.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The keys of scene.h itself.
 #include "adapters/scene/keys.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The keys of the scene file, each said once. keys_*.cpp have one function a type of
 // options: keys(io, value) names every key with its unit, range and meaning, and the
 // member that it is stored in. Three visitors make the table of all keys from

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The keys of structure/options.h: bodies, the magnetic field, what bodies touch.
 #include "adapters/scene/keys.h"
 

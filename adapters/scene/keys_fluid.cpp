@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The keys of fluid_lbm/options.h and of the fluid's box.
 #include "adapters/scene/keys.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From a YAML file to a Scene. Every fault is a SceneError with one message.
 #pragma once
 

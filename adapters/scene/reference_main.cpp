@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-scene-reference: prints docs/scene.md.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scene: what a user asked for, checked and in SI. Plain data; absent effects are
 // empty optionals. Filled by reader.h, read by the adapters.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // JSON Schema and docs/scene.md from the table of keys.
 #include "adapters/scene/schema.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the field table says, for machines and for readers.
 #pragma once
 

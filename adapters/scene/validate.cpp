@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Keys and values of a tree against the table.
 #include <fmt/format.h>
 

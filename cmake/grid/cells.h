@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Parts of a uniform grid, in global indices of cells: what fluids and the coupling say
 // to each other where values belong. Both sides see this header, and neither the other.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "isa/instruction_set.h"
 
 #include <cstdlib>

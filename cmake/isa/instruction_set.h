@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Which of the compiled instruction sets a run uses (cmake/IsaVariants.cmake).
 #pragma once
 

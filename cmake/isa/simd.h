@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What kernels are written in: GCC vector extensions, one source for every instruction
 // set and both precisions. Everything here is always inlined into the functions of a
 // variant's namespace, so that no symbol compiled for AVX-512 can be picked by another

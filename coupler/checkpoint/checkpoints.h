@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Checkpoints while a run goes on, and the end of a run that was told to stop.
 #pragma once
 

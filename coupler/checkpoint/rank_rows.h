@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the ranks hold of a checkpoint's tables, to the root and back, independent of how
 // many ranks there are.
 #pragma once

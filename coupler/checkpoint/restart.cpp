@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/checkpoint/restart.h"
 
 #include <fmt/format.h>

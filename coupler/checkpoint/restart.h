@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The checkpoints in a run folder, and the one that a run continues (--restart latest, or
 // --restart FILE).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One participant's file of a checkpoint: tables of numbers in HDF5, written and read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The two messages of a coupled step and both ends of their exchange.
 //
 // Everything is doubles; step numbers and counts are exact in them. Each message carries

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // exchange.record of a run folder: what the two sides of a coupled run told each other,
 // step by step, so that one of them can be played to the other later.
 //

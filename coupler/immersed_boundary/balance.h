@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The audits of the interface: momentum and power that the two sides find in a coupled
 // step, and the work at the markers.
 #pragma once

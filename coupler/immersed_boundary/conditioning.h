@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How well the markers of a body say what force each of them gives.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The force between markers and the fluid around them, by direct forcing.
 //
 // Eq. (13): F = -kappa (V - U), with V the marker's present velocity and U the fluid's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the coupling needs to know of a fluid: a uniform grid of cells with values at the
 // cell centres, cut into one box per rank, and what can be done with it. SI.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The inertia of the fluid that one layer of markers carries along a thin sheet.
 //
 // Along its surface a layer of markers moves fluid as if it had a thickness of its own,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The cells that a marker reads its velocity from and gives its force to: the same
 // weights both ways, so that power is conserved (interpolation and spreading are
 // adjoint).

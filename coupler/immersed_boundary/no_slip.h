@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Forcing no_slip: the force after which the fluid that passes the body has its velocity.
 //
 // In Guo's scheme mass moves with q = U + F dt / (2 rho), U the velocity before the

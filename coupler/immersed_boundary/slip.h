@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How well the immersed boundary holds: the no-slip error and the leakage, measured at
 // the markers at the end of coupled steps.
 //

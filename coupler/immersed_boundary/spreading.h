@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fluid's cells beneath a set of markers, and the sums over them: interpolation
 // (eq. 14) and spreading (eq. 15).
 #pragma once

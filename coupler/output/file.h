@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Files of the run folder, and numbers as they stand in them.
 #pragma once
 

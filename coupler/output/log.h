@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the person who waits sees of a run: the log and the progress.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Time series as comma-separated values, complete after every row.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Who owns a run folder, and what becomes of the results that an earlier run left there.
 #pragma once
 

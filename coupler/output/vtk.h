@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Fields for ParaView as VTK XML with raw appended data: .vti and .pvti (a regular grid),
 // .vtu (hexahedra), .pvd (a series of instants).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How a run can end other than well. Each maps to one exit code of the command line.
 #pragma once
 

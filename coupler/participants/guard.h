@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The outermost frame of a participant: command line, MPI, signals, and every way to end.
 #pragma once
 

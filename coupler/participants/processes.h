@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A process of the job as the others on its machine see it: whether it is still there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a participant runs, in the coupler's own terms. adapters/run_scene.cpp fills it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One participant's part in a run: its partner, the plan, the clock, the run folder and
 // the checkpoint to go on from. Both participants start alike: they find each other,
 // check that they agree, and take over the run folder.

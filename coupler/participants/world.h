@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The two sides of a run: how they find each other, agree, exchange and wait.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A step of an implicit scheme is a fixed point x = H(x): H answers to a guess of the
 // fluid's velocities at the step's end with those that follow from it. An acceleration
 // makes the next guess from what was answered so far. Vectors may be spread over the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The implicit step as a fixed point for the fluid's velocities at the markers at its
 // end: guess, residual, convergence check, next guess. On the structure's ranks, each
 // with its own markers.

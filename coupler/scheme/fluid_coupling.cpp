@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/scheme/fluid_coupling.h"
 
 #include "coupler/participants/world.h"

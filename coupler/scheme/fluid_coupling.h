@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fluid's half of a coupled step, whatever solves it: exchange, spreading and
 // sampling, audit. The order of its tasks is in schemes.cpp. A fluid participant makes
 // one when it has a partner, and adds its own checks and outputs behind these tasks.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The least-squares problem of a quasi-Newton step: columns that are spread over ranks by
 // rows, and of which some say almost the same.
 #pragma once

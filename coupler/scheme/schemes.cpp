@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The three schemes: for each the tasks of a coupled step, of the structure and of the
 // fluid. Both sides stand at t(n) before it and at t(n+1) after "count step".
 #include "coupler/scheme/fluid_coupling.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The structure's half of a coupled step, whatever solves it: markers, the force within
 // its substeps, exchange, audits. The order of its tasks is in schemes.cpp.
 #pragma once

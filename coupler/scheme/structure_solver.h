@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a structure offers to the coupling, as GridFluid does for a fluid. It stands alone
 // for the sake of solvers whose own headers do not go with those of our libraries.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Time as an integer number of coupled steps; seconds are computed, never accumulated.
 #pragma once
 

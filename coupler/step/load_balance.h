@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How the work of a coupled run is shared between its two sides and over their ranks,
 // what the coupling costs, and whether another share would pay.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the log, the progress and summary.json say of a run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A coupled step, readable as a list: the tasks that the scene calls for, in order, and
 // what a participant writes beside its solution. An effect that is absent has no task.
 #pragma once

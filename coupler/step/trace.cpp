@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/step/trace.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // --trace: when each task of each rank began and ended, for https://ui.perfetto.dev and
 // Chrome's chrome://tracing. A run without it has none of this: the tasks are wrapped.
 #pragma once

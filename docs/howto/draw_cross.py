@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws docs/howto/cross.png: the cross at rest, in half and in all of its field.
 
     ./magfsi python docs/howto/draw_cross.py runs/cross [cross.png]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Everything at the six sides of this rank's box besides half-way bounce-back, which the
 // sweep does itself: the effects of effects.inc that the configuration asks for.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The six sides of the box: their cells, their openings, and the flow through inlets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Single relaxation time (Bhatnagar, Gross, Krook) towards the second-order equilibrium
 //   f_eq = w [rho + 3 c.j + 4.5 (c.j)(c.u) - 1.5 j.u],
 // written as f + omega (f_eq - f), which keeps conserved moments to rounding.

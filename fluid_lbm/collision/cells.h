@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What every collision is given: the populations of a few cells, one cell per lane, the
 // relaxation rates, and the check of the cells' state.
 #pragma once

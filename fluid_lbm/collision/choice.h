@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Which collision runs and with which magic number, where options leave it open.
 #pragma once
 

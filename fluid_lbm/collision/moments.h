@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Moments of the populations of a cell, the non-equilibrium stress, and the body force.
 #pragma once
 

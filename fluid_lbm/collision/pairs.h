@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What collisions that relax populations pair by pair share: the second-order equilibrium
 // and Guo's source as even and odd parts of each pair of opposite directions.
 #pragma once

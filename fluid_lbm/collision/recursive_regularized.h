@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Collisions on Hermite moments with recursive third-order ones (Malaspinas 2015; Jacob,
 // Malaspinas, Sagaut 2018). From density, momentum and the second-order moment follow
 //   a_xxy = rho ux ux uy + (1 - omega) (2 ux n_xy + uy n_xx),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Smagorinsky's eddy viscosity on top of any collision (Hou, Sterling, Chen, Doolen
 // 1996): the rate of strain follows from the non-equilibrium stress Pi of the cell
 // itself, |S| = 3 |Pi| / (sqrt(2) rho tau), and with nu_t = C^2 |S| the relaxation time

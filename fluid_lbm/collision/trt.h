@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Two relaxation times (Ginzburg, Verhaeghe, d'Humieres 2008): the even part of each pair
 // of opposite populations relaxes with the rate of the viscosity, the odd part with the
 // one that the magic number gives. Lambda = 3/16 puts the wall of half-way bounce-back

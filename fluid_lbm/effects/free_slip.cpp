@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sides without shear: specular reflection half a cell outside the cells at the side. The
 // population that enters a cell is the mirror image of the one that left a neighbour
 // along the side. After the sweep both are bounced back, so that reflection is an

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Walls that move along themselves: half-way bounce-back gains 6 w rho0 c.u_w on each
 // population that leaves the wall (Ladd 1994), rho0 = 1.
 #include "fluid_lbm/boundary/boundaries.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sides that let flow and sound out. In one dimension the flow carries two
 // characteristics; p + cs u_n leaves with what streams to the side, p - cs u_n enters.
 // The entering one is kept constant but for a slow pull of the pressure to its target

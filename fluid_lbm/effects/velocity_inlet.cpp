@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sides with a prescribed velocity: half-way bounce-back gains 6 w rho0 c.u on each
 // population that enters (Ladd 1994), rho0 = 1. The sum over a face is rho0 u.n exactly:
 // the mass flux is the prescribed one.

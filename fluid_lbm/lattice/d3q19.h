@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The D3Q19 lattice: Qian, d'Humieres, Lallemand (1992). Plain arrays, because kernels
 // that include this file must not instantiate the standard library (see
 // cmake/IsaVariants.cmake).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Populations of a given flow, and the flow of given populations. Lattice units.
 #pragma once
 

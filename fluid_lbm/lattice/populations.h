@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Storage of the 19 distribution functions of one rank, as f - w (the deviation from
 // rest): about three digits more than f itself at low speeds.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Obstacles in the flow: what they do after each step, and the force on them. Lattice
 // units.
 //

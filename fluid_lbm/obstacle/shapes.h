@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The shapes of obstacles, as users choose them: SI, coordinates from the box's lowest
 // corner. A new one is a struct here that says where it is, its place in ObstacleShape,
 // and its keys in adapters/scene/keys_fluid.cpp.

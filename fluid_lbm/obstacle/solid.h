@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The shape of an obstacle as the solver asks for it. Lengths in cells, from the box's
 // lowest corner.
 #pragma once

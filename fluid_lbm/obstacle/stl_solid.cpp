@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Bodies bounded by the triangles of an STL file.
 #include <algorithm>
 #include <cmath>

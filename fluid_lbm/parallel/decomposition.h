@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The box cut along y and z into one block per rank; rows along x stay whole.
 #pragma once
 

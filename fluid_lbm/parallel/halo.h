@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Exchange of populations between ranks. In-place streaming needs it in the swapped
 // arrangement only: a rank borrows the 5 populations per face whose slots lie in its
 // neighbours' rows but belong to its own (fill), steps, and returns them (give_back).

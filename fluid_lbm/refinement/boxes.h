@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Boxes of cells, half-open: what two share, what one leaves of another, rows.
 #pragma once
 

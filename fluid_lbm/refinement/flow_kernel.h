@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Between the populations of a row and the ten numbers that levels of different spacing
 // tell each other: density - 1, velocity, and the stress beyond equilibrium (xx, yy, zz,
 // xy, xz, yz), of states before collision. What the lattice carries beyond these are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fluid_lbm/refinement/interface_flux.h"
 
 #include "fluid_lbm/lattice/d3q19.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Mass that crosses the sides of a patch. Both levels beside them know it: what the
 // coarse one's populations carried into the covered box, and what the fine one's carried
 // into its own. The difference is what the composite of both would gain or lose.

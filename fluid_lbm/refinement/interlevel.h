@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What two neighbouring levels tell each other, as density, velocity and stress: cubic
 // interpolation from the coarse to the fine one, and back by four points along each axis
 // for density and velocity, by the mean of eight cells for the stress. Anything of lower

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One level of a refined grid: its place and the fluid that solves its stored cells. Rows
 // and boxes here are in global indices of the level.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where the finer levels lie. Level 0 is the uniform grid over the whole box; level l has
 // a spacing and a time step 2^l times smaller and covers a box of cells of level l - 1.
 // Beyond the box, on sides that are not those of the domain, a level has a ring of two

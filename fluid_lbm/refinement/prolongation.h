@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From a level to the next finer one: cells are filled by cubic interpolation.
 #pragma once
 

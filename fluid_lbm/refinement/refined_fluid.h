@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A fluid with finer patches over its uniform grid (refinement/patch.h). One step is one
 // of the finest level; a level steps in every second step of the next finer one. Forces
 // act in cells of the finest level alone.

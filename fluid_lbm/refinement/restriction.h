@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From a level to the next coarser one: cells that it covers are overwritten.
 #pragma once
 

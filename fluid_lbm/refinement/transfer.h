@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers of cells from the ranks that own them to those that want them: between two
 // levels of a refined grid, or two places of one patch. Who owns and who wants what is
 // known to all ranks, so that nothing has to be asked for.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The cell that went wrong: where it is and why.
 #include <cmath>
 #include <sstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Density and momentum, and the populations themselves, of rows in either arrangement;
 // lattice units.
 #pragma once

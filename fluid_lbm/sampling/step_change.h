@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The state of a fluid, taken over by one with another time step on the same cells.
 //
 // In lattice units a speed is u dt / dx, and the pressure's density (rho - 1) goes with

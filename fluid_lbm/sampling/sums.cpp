@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sums over the fluid of all ranks, without the insides of obstacles.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Curl of the velocity.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Force density of the next step, stored only for the rows that carry one: the rest of
 // the box runs the kernel without force. Lattice units.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The state at the start of a step that is taken again with other forces in the same
 // rows. Where nothing but the sweep changes populations, the forced rows alone differ
 // from one time to the next, and in-place streaming lets a row be swept again by itself

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Which row kernels a run uses: instruction set, precision, collision.
 #pragma once
 

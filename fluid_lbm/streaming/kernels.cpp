@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The row kernels of all collisions and precisions. Compiled once for each instruction
 // set (cmake/IsaVariants.cmake).
 #include "fluid_lbm/collision/bgk.h"

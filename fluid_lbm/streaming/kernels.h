@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The row kernels as the rest of the solver sees them: function pointers, chosen once.
 // Included by code for every instruction set: plain types only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Collision and in-place streaming of one row: reads the 19 populations that arrive at
 // each cell and writes each outgoing one to the slot of the opposite. With natural and
 // swapped pointers in turn (lattice/populations.h) this is a whole AA step without a

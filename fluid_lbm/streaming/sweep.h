@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One time step of rows of a rank, apart from halo exchange, boundaries and obstacles.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Spack's recipe of magfsi: see docs/howto/cluster.md."""
 from spack.package import *
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The two Newton iterations at a constant load: a mixed one that converges in few steps
 // from near an equilibrium, and a descent of the energy that finds one from anywhere.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a mesh does to the displacements of a body, told beforehand by a linear solve on
 // it and one on the mesh refined once.
 #pragma once

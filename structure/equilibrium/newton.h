@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Static equilibrium of one body under fields, its weight and what holds, moves or bears
 // it, followed along a path of loads.
 #pragma once

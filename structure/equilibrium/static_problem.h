@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The static problem of one body: loads that are constant or follow from its place,
 // internal forces, energy and tangent.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The sparse stiffness matrix (tangent) of a body, factorised by CHOLMOD.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How nodes are slowed beside all that acts on them: the option and its law. A new law is
 // a member and its share here, and a key of the scene.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What an effect of effects.inc is: an object of type Effect, called NAME_effect, in
 // effects/NAME.cpp or in a folder effects/NAME/. See docs/adding_an_effect.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The effects of this build: the list and what is asked of all of them.
 #include "structure/lammps/effect.h"
 #include "structure/refuse.h"

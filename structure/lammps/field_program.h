@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The uniform magnetic field over time (eqs. 7 to 9). A new course needs its struct in
 // structure/options.h and its part in field_program.cpp: docs/adding_a_field_law.md.
 #pragma once

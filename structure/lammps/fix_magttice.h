@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group magttice: the lattice forces of one body and those that effects add to
 // them (effect.h). See docs/fix_magttice.md.
 #pragma once

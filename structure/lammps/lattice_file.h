@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The files that a script names: the lattice file of fix magttice, one body's mesh and
 // magnetisation as text,
 //

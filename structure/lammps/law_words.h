@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Laws, the alternatives of a variant, as words of a LAMMPS command and back: a name and
 // numbers.
 #pragma once

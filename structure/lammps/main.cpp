@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-lammps: the LAMMPS command line with our styles, for plain input scripts; and
 // `magfsi-lammps lattice NAME ...`, which makes the files of a block for them.
 #include <mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Names and atom IDs in the commands of a script.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where a body starts: its relaxed shape, turned and moved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Makes our styles known to the unmodified LAMMPS library.
 #pragma once
 

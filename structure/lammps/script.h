@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From bodies and loads to a LAMMPS input: a data file, lattice files and the script's
 // lines, with only the commands that the scene needs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The stable step of a body with springs on its surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One element of the lattice model: spring network, volume term, hourglass energy. Its
 // energy, eq. (1) summed over the element as in eqs. (2) to (6):
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lattice/element_advice.h"
 
 #include <fmt/format.h>

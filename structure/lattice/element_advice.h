@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a choice of elements does to a plate's stiffness, before anything is run.
 #pragma once
 

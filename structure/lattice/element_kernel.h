@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fast kernels: forces, energy and damping of many elements of one lattice, in the
 // instruction set of the machine.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The element of eqs. (2) to (6) in Hadamard mode space, `width` elements at a time. See
 // ElementModes for the coefficients and element.h for the energy.
 #include "structure/lattice/element_lanes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the element kernels share, `width` elements at a time: node access, the logarithm,
 // Hadamard transforms, the mean deformation gradient, hourglass strains and stresses. For
 // the files of magfsi_isa_variants only; everything is internal to them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Trilinear hexahedron: shape functions, edges, and the integrals over its reference
 // state that the lattice model is made of.
 #pragma once

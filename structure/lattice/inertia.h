@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Masses of the nodes. An element spread evenly on its nodes (the integrals of its shape
 // functions) has too large moments of inertia: by 2 / n^2 along an axis of n elements.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the kernels read: elements in batches of eight, lane by lane. Plain pointers only,
 // because this header is compiled for several instruction sets (cmake/IsaVariants.cmake).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The lattice of one body: its elements' reference states, ready for the kernels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One element's energy and forces in the plainest form: what the fast kernels are held to
 // and measured against, and what fields of energy density are made of.
 #pragma once

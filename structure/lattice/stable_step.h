@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Largest stable step of the velocity-Verlet scheme, at rest and in a deformed state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the deformation of an element means: stretches, change of volume, stress.
 #pragma once
 

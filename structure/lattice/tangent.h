@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Tangent stiffness of one element: the second derivative of eq. (1).
 #pragma once
 

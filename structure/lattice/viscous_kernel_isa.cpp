@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Kelvin-Voigt forces in Hadamard mode space, `width` elements at a time; see
 // viscous_element for the same in plain form.
 #include "structure/lattice/element_lanes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/magnetics/magnetic_forces.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Magnetic forces on the nodes of a lattice with fixed magnetisation: in a uniform field
 // and in one that varies linearly in space.
 #pragma once

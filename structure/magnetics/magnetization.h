@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Magnetisation profiles, evaluated at the centres of the undeformed elements.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Meshes whose nodes form a grid of nx x ny x nz elements: blocks of bricks and plates of
 // parallelogram cells.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Points spread over the surface and through the volume of a body, carried by its
 // elements: markers of an immersed boundary, samples of a contact surface.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/mesh/gmsh_mesh.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Meshes of Gmsh, read by Gmsh's own library.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The element that holds a point, on any mesh of hexahedra.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-mesh: turns a mesh of Gmsh into the mesh file that the solvers read. A program
 // of its own, so that no solver loads Gmsh's library and the ninety that it needs.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where surfaces of moving bodies come near each other or pass through each other, those
 // of one body included.
 #pragma once

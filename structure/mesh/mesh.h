@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Hexahedral mesh of one body, in the body's own frame [m].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Meshes that another program made: what can be wrong with them, and the numbering of
 // their elements' corners.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A mesh as text, as the solvers read it: numbers read back exactly. Meshes of other
 // programs are converted to it once, so that no solver loads their libraries.
 //

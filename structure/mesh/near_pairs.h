@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Points sorted into cubic cells, to find those that are near each other.
 #pragma once
 

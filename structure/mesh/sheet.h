@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sheets: bodies made of columns of elements from one large face to the other.
 #pragma once
 

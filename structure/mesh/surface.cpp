@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/mesh/surface.h"
 
 #include <Eigen/Dense>

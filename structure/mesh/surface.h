@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The boundary of a hexahedral mesh: its outer quadrilaterals, their areas and points on
 // them. Works on any positions of the nodes: pass a mesh with moved nodes for the
 // deformed surface.

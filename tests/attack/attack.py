@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What the attacks share: who is at work for a run folder, and what is left of them."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Meshes, surfaces, tables and checkpoints with random damage: refused in one line, or read as
 what they say; none crashes, hangs, or is taken for something else than it was."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """kill -9 of any process of a run, the launcher and mpirun among them, every second one while a
 checkpoint is being written. The same command with --restart latest, at once, goes on to the same
 bytes, and nothing is left running."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Whatever keeps a run from starting: one line of ours and a code of the table."""
 
 import os

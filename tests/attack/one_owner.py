@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A run folder has one owner, and what an earlier run left there is neither mixed nor lost."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A pause is no death: a side that is suspended, or the whole job, goes on to the same bytes."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Whatever the numbers and sizes in a scene or a command: refused in one line with what is
 allowed, or answered. check and explain take seconds."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A folder from a stranger in which one runs: its links, its name and what else lies there. A run
 writes nowhere but in its run folder, and reads nothing that could be code."""
 

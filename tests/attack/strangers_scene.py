@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A scene folder from a stranger executes nothing, and writes nowhere but in its run folder."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Programs that do not belong together: each such job ends at once, with what is wrong."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes whose error does not fall are told so, with the parameter at fault, and nothing is
 promised."""
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The fit of magfsi cost on made-up errors of known orders: how often its bars hold, and how wide
 they are."""
 import unittest

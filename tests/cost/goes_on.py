@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What was interrupted goes on; what is wrong is refused."""
 import signal
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The calibration of this machine predicts the memory of other runs within 10 %. (Time is left to
 tests/bench/cost/tutorials.py: it takes an idle machine.)"""
 

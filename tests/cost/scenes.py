@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes whose cost is asked for, each in a folder of its own, and the command."""
 import csv
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What is predicted is the sum of what is asked, at the prices of the calibration; without one for
 this machine nothing is."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The true error of a scene lies within the bar that magfsi cost states: a beam against finite
 elements, a channel against its series; the tolerance that is asked for is kept."""
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Every block of code in the documents, in the words of the reader.
 
 sh: each command is run from a folder that looks like the checkout. What takes long is cut: a run to

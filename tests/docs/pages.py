@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The site builds without a warning (a link that leads nowhere is one), every key of the schema has an
 example in a scene that `check` calls good, every probe is defined."""
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The fluid takes the memory that `explain` predicts: its populations and what the scene's
 effects add, and hardly anything else. A process has its program and libraries besides, about
 50 MB: they are what the same scene takes in a box of few cells, and are subtracted."""

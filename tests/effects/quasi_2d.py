@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A scene of one cell of depth pays for one cell: an eighth of the instructions and of the
 memory of eight cells."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """An absent effect costs nothing: a scene without it executes the same instructions in its
 steps as in a program that was built without the effect's files and its line in a list.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A participant built without an effect: without its line of an effects.inc and without its
 files. All objects that depend on the list are compiled anew, from a copy of it, and the program
 is linked without the effect's files. Nothing of those files may be left: the linker's map and the

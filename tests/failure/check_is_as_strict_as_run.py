@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a run refuses because of the mesh or the material, check refuses in the same words; and
 what check calls good starts."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Whatever goes wrong in a coupled run ends all of it at once (testing.check_prompt), with a
 named cause and the exit code of the command line's contract."""
 

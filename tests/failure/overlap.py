@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A run in a fluid whose bodies pass through themselves, each other, an obstacle or a side of
 the box ends with the name of both; with `overlap: allow` it goes on; what only comes near is
 warned of."""

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Inputs on which the scene reader once crashed, hung or let another error out.
 #include <gtest/gtest.h>
 

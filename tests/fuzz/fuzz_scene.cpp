@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // libFuzzer's target on the scene reader: tests/fuzz/run.sh.
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One input of the fuzzer, read as a scene.
 #pragma once
 

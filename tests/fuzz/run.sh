@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Fuzzes the scene reader: tests/fuzz/run.sh SECONDS (600). Needs clang with libFuzzer
 # (Debian: clang, libclang-rt-dev). Starts from the scenes of the tutorials and of the tests.
 # Ends with 0 if no input crashed, hung (10 s) or took more than 2 GiB; else the input lies

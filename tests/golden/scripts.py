@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Each tutorial starts only the programs that its scene needs, and the LAMMPS script that is
 generated for it has only the commands that the scene needs: those of a stored file. After a
 change that is meant to be:  ./magfsi python tests/golden/scripts.py --renew"""

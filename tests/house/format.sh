@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
 # format.sh REPOSITORY: every C++ file is as clang-format would write it.
 cd "$1" || exit 1
 if ! command -v clang-format >/dev/null; then

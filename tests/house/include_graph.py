@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Checks who knows whom, on the graph of includes, and that no file grows too long.
 
     include_graph.py REPOSITORY      prints the violations; exit code 1 when there are any

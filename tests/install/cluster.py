@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The scripts for clusters, as far as one machine can: the job in a scheduler's environment, ended by its
 signal, gone on with by the next; the chain against a stand-in for sbatch; recipes that can be read."""
 import ast

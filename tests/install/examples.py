@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """docs/examples/installed, built against an installation by find_package: a structure of one's own beside
 the fluid, the lattice-Boltzmann library alone, the LAMMPS styles in a program and by a script."""
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """An installation that was moved: it works, needs no checkout, and nothing is written into it."""
 import os
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi lattice: what a scene has, as files for LAMMPS, and from those back into a scene: the same solid."""
 import subprocess
 import unittest

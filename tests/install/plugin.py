@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The plugin of the LAMMPS styles, built against the headers that are here and loaded, as `plugin load`
 does it, by a program around the unmodified library: it computes what magfsi-lammps does."""
 import re

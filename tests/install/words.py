@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The launcher: its list of words, near misses, completion, new scenes; help builds nothing."""
 import os
 import re

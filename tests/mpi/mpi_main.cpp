@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // GoogleTest under mpirun: rank 0 prints, a failure on any rank fails all.
 #include <gtest/gtest.h>
 #include <mpi.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The lid-driven cavity at Reynolds number 100 by both fluids on the same two grids, from rest:
 both tend to the same energy as the grid is refined, by two methods that share no code."""
 

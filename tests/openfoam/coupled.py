@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Real pimpleFoam and real LAMMPS in one job: the same on 1 and 2 OpenFOAM ranks, nothing lost at
 the interface, fields for ParaView, and an end in order when a side is killed."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The two-dimensional Taylor-Green vortex decays as exp(-2 nu k^2 t), on one OpenFOAM
 // rank and on several, across periodic sides that are cut between ranks; and beside our
 // lattice on the same grid.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A graded axis: cubic cells where they are wanted, gentle growth elsewhere, all of the
 // box.
 #include "adapters/openfoam/mesh.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What fluid.solver: openfoam cannot do is refused before anything is written, with what to do
 instead; so is a machine without OpenFOAM."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The run folder's openfoam/ is a case that the stock programs run by themselves: blockMesh and
 pimpleFoam give the flow that the run gave."""
 

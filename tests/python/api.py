@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes and runs from Python, as a user's script has them."""
 import json
 import os

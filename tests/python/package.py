@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What the modules of the package promise: units, tables, formulas, the product of a study."""
 
 import unittest

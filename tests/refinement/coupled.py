@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A robot in a patch of finer cells that follows it does as in cells as fine everywhere."""
 
 import re

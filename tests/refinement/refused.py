@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a refined grid cannot do is refused in one line, before anything is written, or ends the
 run with a name."""
 

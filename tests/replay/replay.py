@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """One side of a recorded run, played to the other. A live side that meets the recorded other one
 does what it did: to the last bit on the same ranks; where the live side is changed, the first step
 that differs is named. A record that does not fit is refused with one line; one that was cut short

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A page after each run of a person, who starts it by ./magfsi run (MAGFSI_PAGE=yes): none with
 `report: off`, with --no-report, or for tests and searches; the run does not wait for it."""
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A headless Chromium for tests, driven over two pipes (--remote-debugging-pipe of the DevTools
 protocol: JSON messages that end with a zero byte), so that no library for sockets is needed."""
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi render and film draw any run: a structure alone, several bodies, obstacles, a platform, no
 fluid; what they cannot write is an exit code."""
 import json

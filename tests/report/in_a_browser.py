@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The page in headless Chromium: no errors, plays, goes to a time, shows the robot where VTK draws it,
 at 400 and 1400 pixels, light and dark; pages of every kind of run; hostile names stay text."""
 import io

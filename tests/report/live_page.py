@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi watch: the page of a run that goes on, for nobody but who has its address, and nothing but
 that run folder."""
 import gzip

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi plot draws any run, and says in a line what it cannot draw; so do tutorials' figures."""
 import subprocess
 import unittest

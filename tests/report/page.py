@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A page holds what its runs hold, fetches nothing, and shows a scene's texts as text."""
 import base64
 import html.parser

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Files for ParaView: arrays with units, names of bodies, and values that agree with what else the
 run tells: with its probes, with equilibrium, with the closed form of a rotation."""
 import unittest

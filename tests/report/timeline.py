@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """--trace: every rank's tasks and waits as Chrome's trace events, which agree with the run's own sums;
 a run without it writes none, and its results are the same bytes."""
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Told to end, a run with checkpoints writes one at the end of a coupled step, on both sides the
 same, ends in order, and goes on from there as if nothing had been."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """kill -9 at random moments, every second one inside the writing of a checkpoint: each time the run
 goes on from at most one interval before, and in the end its results are those of a run that nobody
 killed."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """On the same ranks a run that goes on from a checkpoint leaves the bytes of the one that was not
 interrupted: time series, fields and the next checkpoints."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A restart that cannot be right is refused: one line, exit code 2, nothing touched. A torn newest
 checkpoint only costs the way back to the one before."""
 

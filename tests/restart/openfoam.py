@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """pimpleFoam goes on from a checkpoint: the same bytes on one rank, the same within the
 solver's tolerance on others; and it repeats steps in the implicit scheme."""
 

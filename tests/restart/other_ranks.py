@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A checkpoint is that of the cells and nodes, not of the ranks: gone on with on others, the run
 ends where it would have, within rounding."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Small scenes with checkpoints, and how to start and go on with them."""
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A sheet in a field that points against its magnetisation buckles at M B A L^2 / (E I) = pi^2 / 4,
 the Euler load of a column that is clamped below and free above, in the thin limit."""
 

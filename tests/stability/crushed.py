@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Elements that are crushed: right as long as they have a volume, then named."""
 
 import unittest

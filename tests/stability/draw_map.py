@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the stability map from the results of its studies, and counts.
 
     for study in tests/stability/map/*.yaml; do

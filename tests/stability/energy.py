@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What no scene may break, whatever its numbers: nothing gains energy that the field and the
 weight have not given, and no fluid is lost."""
 

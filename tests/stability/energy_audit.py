@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The energy audit closes: what the works give is in the energies and the losses, term by term."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A free strip in vacuum rings at its first bending mode and keeps its energy.
 
 The frequency of a free slender beam is 22.373 / (2 pi L^2) sqrt(E I / (rho A)): 100.6 Hz here.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Undamped strips that fall onto a platform or fold onto themselves: what is given way is small,
 and energy is not gained."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A magnetic sheet in water under loads and with properties far from the usual: each run ends
 right, with no energy that nobody gave and no fluid lost."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A swimmer beats for many periods: no mass of fluid drifts away, no energy grows."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Cells of the stability map: right where the map says so, stopped by name where a flow goes
 wrong, and counted so."""
 

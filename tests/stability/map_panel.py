@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The stability map as pictures: a panel for each study, a mark for each run, legible in grey."""
 import matplotlib
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The stability map in numbers: every cell as a row, and the shares by axis."""
 import collections
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What diverges and ends with on_divergence: stop runs to its end with retry, right as if it had
 had the smaller step from the start; after the retries that it may have it ends as before."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A magnetic sheet that touches a wall of the fluid's box, in a flow along it: no energy from
 nowhere, all momentum and power arrive, no fluid is lost."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Flows whose smallest eddies the grid does not hold: the shear layers of Minion and
 // Brown (J. Comput. Phys. 138 (1997) 734) at Reynolds number 1e5, and the Taylor-Green
 // vortex at 1600 on 32^3 cells. A run stays bounded and loses energy in every interval,

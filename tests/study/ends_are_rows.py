@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A run that diverges, is stopped or refused is a row of the study with its cause, and the
 study goes on."""
 

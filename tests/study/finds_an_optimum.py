@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A search finds a known optimum, goes on after kill -9 as if nothing had been, counts failed runs
 as points, and calls a tie a tie."""
 import signal

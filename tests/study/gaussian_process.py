@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Questions by a Gaussian process: close to a known least value in few runs, the same whenever asked."""
 import math
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A study that was interrupted goes on with the runs that are missing, and repeats none."""
 
 import signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A wrong study ends with exit code 2, one line that names the place, and nothing written."""
 
 import unittest

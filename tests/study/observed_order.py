@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The observed order of plane channel flow is two, against the closed form and against the
 finest grid alike; the front and the cheapest settings are those of the rows."""
 

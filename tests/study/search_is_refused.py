@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a search file may not say: one line with the place, exit code 2, nothing started."""
 import os
 import unittest

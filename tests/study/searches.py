@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A search of which the best is known: a clamped beam in a weak field rises in proportion to the
 field's part across it, k B sin(angle); with a price of c B^2 the best is at 90 degrees and
 B = k / (2 c)."""

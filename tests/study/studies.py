@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Studies for tests: a file in a folder of its own, and its command."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The norm gain: 0 for energies that only lose what is taken off, and what is missing where a
 part of the balance is left out."""
 

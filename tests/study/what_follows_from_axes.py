@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Values that follow from the axes by a formula, weights of a sum that do, refusals as rows,
 and a bound for each error of its own."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The two-dimensional Taylor-Green vortex, carried by a uniform stream or at rest: an
 // exact solution of the Navier-Stokes equations in a box that is periodic along x and y.
 // Spacing and step of the grid are 1; z is as thin as may be.

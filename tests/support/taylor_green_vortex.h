@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The Taylor-Green vortex at its start, of speed, wave number and density 1, in a
 // periodic cube of side 2 pi.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the beam's figure from a folder of runs, and makes these runs when asked.
 
     plot.py FOLDER --run [--out figure.png]     makes the runs (a minute or two), then draws

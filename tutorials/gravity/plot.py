@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the figure of the strip that stands up against its weight, from a folder of runs.
 
     plot.py --run FOLDER               makes the runs in it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the origami's figure from a folder of runs.
 
     plot.py --run FOLDER               makes the runs: one for each mesh of the study

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the strip's figure: its shapes on the platform for eight directions of the field.
 
     plot.py FOLDER --run [--out figure.png]     makes the eight runs (a minute or two), then draws

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The swimmer by both fluids: runs the same scene on the lattice and in OpenFOAM, draws both.
 
     compare.py [--spacing 0.2 0.1333333333] [--end "40 ms"] [--out runs/compare] [--draw-only]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the swimmer's figure from a run folder.
 
     plot.py RUN_FOLDER [--out figure.png] [--period "40 ms"] [--body robot] [--reference CSV]

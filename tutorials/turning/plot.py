@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the figure of the turning strip from a folder of runs.
 
     plot.py --run FOLDER               makes the four runs in it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/fluids/fluid_run.h"
 #include "coupler/checkpoint/checkpoints.h"
 #include "coupler/checkpoint/rank_rows.h"

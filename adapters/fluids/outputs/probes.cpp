@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Rows of probes.csv; beside a structure, the numbers that go to its rows.
 #include "adapters/fluids/fluid_probes.h"
 #include "adapters/fluids/fluid_run.h"

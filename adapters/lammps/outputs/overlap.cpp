@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Ends a run whose bodies pass through themselves, each other, an obstacle or a side of
 // the fluid's box, where markers would push the same fluid twice: what comes out has no
 // meaning. Looks at the surfaces on the root, as often as they could meet.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Rows of probes.csv: of the bodies, of the fluid and the interface between them, of the
 // energy audit.
 #include <fmt/format.h>

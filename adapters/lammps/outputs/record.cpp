@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // exchange.record: each step's messages of all structure ranks, in the order in which the
 // markers were placed, so that a record does not know its ranks.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // OpenFOAM's mesh of a box, made in memory: no file to write, decompose and read. Points,
 // faces and cells of this rank's slab are in the order that OpenFOAM asks for; by it the
 // fluxes on faces become plain numbers, the same on any cut of the box into slabs.

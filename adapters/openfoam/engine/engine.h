@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The wall between the coupler's C++20 and OpenFOAM's C++17: what one side needs to know
 // of the other, in plain types. The engine is a shared library of its own, so that a
 // program starts and says what is missing on a machine without OpenFOAM.

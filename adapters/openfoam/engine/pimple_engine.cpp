@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // pimpleFoam on a fixed mesh. The momentum and pressure equations are the solver's own
 // files, taken in unchanged; what surrounds them here is its loop over time, turned
 // inside out so that each step is a call.

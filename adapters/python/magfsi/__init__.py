@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi from Python: scenes, runs and their results; studies, calibration, figures.
 
     ./magfsi python                                            a prompt where `import magfsi` works

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi bench --calibrate: measures this machine by short runs, half a minute in all, and keeps
 the seconds and bytes in the user's cache folder; explain predicts from them."""
 import datetime

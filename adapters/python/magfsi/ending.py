@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """How commands that make many runs end: errors are one line and an exit code."""
 import signal
 import sys

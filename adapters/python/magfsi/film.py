@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi film RUN [--out film.mp4]: a run as a film, in the view of its page."""
 import shutil
 import subprocess

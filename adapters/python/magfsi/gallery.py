@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi gallery [--runs DIR] [--out docs/index.html]: a page with every tutorial: what happens, a
 picture, what it cost, and the page of its run beside it. Runs those that are not there."""
 import argparse

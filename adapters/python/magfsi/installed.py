@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi test --installed: whether an installation works, in half a minute. Each solver, each kind
 of file and the words of the launcher are tried once; what they compute is the test suite's to say.
 

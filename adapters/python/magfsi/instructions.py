@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Instructions that a participant executes in the steps of a scene, counted by callgrind: what
 happens within TaskList::run, nothing of start and end. What the clock or the partner decides is
 taken out: lines of progress, LAMMPS's table of timings, and, in a coupled scene, MPI and the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi plot RUN [--out FILE]: one picture of any run: shapes of its bodies, and every probe."""
 import argparse
 import sys

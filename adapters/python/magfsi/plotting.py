@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs and their results for the figures of the tutorials, and for yours.
 
     from magfsi import plotting

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi render RUN [--time "160 ms"] [--out render.png]: one instant of any run as a picture."""
 import sys
 from pathlib import Path

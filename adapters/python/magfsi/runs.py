@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The built programs: started, waited for, and what they leave in a run folder."""
 import csv
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs of the built magfsi for tests: start, read what it left, compare."""
 import argparse
 import atexit

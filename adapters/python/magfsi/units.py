@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Numbers with a unit, "0.2 mm", for axes of figures. Checking them is the scene's matter."""
 import re
 

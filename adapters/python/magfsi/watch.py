@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi watch [RUN] [--port N]: the page of a run while it goes on, on this machine's loopback.
 
 Read-only: GET of the page, of its data, and of files of that run folder; all else is refused. The

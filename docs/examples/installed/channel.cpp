@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Flow between two plates, driven by a force: the fluid alone, without scene and
 // coupling. Prints the speed in the middle over that of theory, f h^2 / (8 rho nu).
 #include <cstdio>

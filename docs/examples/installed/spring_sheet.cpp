@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A sheet of point masses on springs swings in the fluid of sheet.yaml, slowed by the water it moves.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The magttice's styles in a program that drives the LAMMPS library itself:
 //   stretch SCRIPT
 // runs the script as magfsi-lammps does and prints the potential energy at its end.

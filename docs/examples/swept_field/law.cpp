@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 template <>
 constexpr const char* law_name<SweptField> = "swept";
 

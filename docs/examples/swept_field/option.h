@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A rotation whose frequency rises, from `frequency` by `rate` each second.
 struct SweptField {
     double magnitude_t = 0, start_rad = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The swept field's law, and that its words read back: fix magttice/field understands it.
 #include <gtest/gtest.h>
 

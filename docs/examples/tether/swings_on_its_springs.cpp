@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The tether's law: under its weight a body that N springs of stiffness k hold swings as
 // u = g / w^2 (1 - cos w t), w^2 = N k / m; and without the setting there is no command.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Each node is tied by a spring to where it starts: LAMMPS's own fix spring/self, on all
 // nodes. An elastic bed, or a gentle hand.
 #include "docs/examples/tether/tether.h"

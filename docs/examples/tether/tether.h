@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What is asked of the tether. In the tree this would be a member of LammpsInput
 // (structure/lammps/script.h), which the scene fills.
 #pragma once

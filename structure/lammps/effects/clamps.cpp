@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Clamped nodes are left out of the integration: they cannot move, and the force on them
 // stays readable as the reaction. Nodes held along all axes are clamped, wherever that
 // comes from.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group magttice/drag RATE: every atom of the group is slowed by drag_law.h.
 // LAMMPS's fix viscous has one coefficient per atom type, but nodes differ in mass.
 #include "atom.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A field that varies linearly in space (structure/magnetics/field_gradient.h), within
 // fix magttice.
 #include "atom.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // LAMMPS's own fix gravity.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The uniform field over time: fix ID group magttice/field PLANE COURSE ... gives it as a
 // global vector [T], fix_modify ID law PLANE COURSE ... puts another in its place, and
 // `field Bx By Bz` of fix magttice makes its forces q_a B on the nodes

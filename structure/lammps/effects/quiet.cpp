@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group magttice/quiet: how far a body is from equilibrium, as the largest nodal
 // force over the largest nodal load, for `fix halt`. See docs/fix_magttice.md.
 #include "atom.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Nodes that keep their place along some axes and not along all.
 #include <fmt/format.h>
 

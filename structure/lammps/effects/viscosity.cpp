@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Kelvin-Voigt damping (structure/lattice/element_kernel.h), within fix magttice.
 #include "atom.h"
 #include "comm.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Does the true error lie within the bar that magfsi cost states? Cases that nothing was fitted to,
 with answers that are known otherwise.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Predicted beside actual time and memory of all tutorials, on 1 and 2 ranks of the side that has
 the most work.
 

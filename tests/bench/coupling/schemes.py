@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Cost and error of the coupling schemes on the small swimmer at a fixed drag coefficient, as a
 table. The reference is the implicit scheme at an eighth of the scene's step: what it shares with
 the others, the lattice's own error of the step, is in all figures.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What each effect costs on a small reference scene, on against off: prints docs/effects.md.
 
     ./magfsi python tests/bench/effects/costs.py > docs/effects.md

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The reference scenes of costs.py and what each effect adds to them."""
 
 from magfsi import testing

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Speed of the fluid's step for every collision, precision and share of forced rows,
 // beside the in-place copy bandwidth of the same moment.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Speed of one kind of step beside the in-place copy of the same moment.
 #pragma once
 

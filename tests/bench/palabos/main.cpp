@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Palabos on the box of magfsi-bench-lbm: D3Q19 in double, periodic, 1 / omega = 0.6.
 //   magfsi-bench-palabos bgk|trt|guo NX NY NZ SECONDS
 // prints million cells stepped per second by all ranks.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-bench-structure [--json]: nanoseconds an element of whole LAMMPS steps, 10,000
 // elements, one rank: the kernels of fix magttice against the plain form of the same
 // element, in turns within one run, so that both meet the same state of the machine.

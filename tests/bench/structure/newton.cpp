@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a Newton step costs beside CHOLMOD's own time for its matrix: a clamped plate
 // bends in a field across its magnetisation.
 //   magfsi-bench-newton [ALONG ACROSS LAYERS]      elements; 60 60 2 unless given

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Aitken's factor on linear maps.
 #include "coupler/scheme/acceleration.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The plainest fluid on a grid: each cell is a free mass that its force accelerates. What
 // it lacks in physics it has in clarity: every velocity that the exchange should deliver
 // can be computed on one rank.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Both sides count the same iterations of each step, on any ranks; the measure is
 // relative, and at rest absolute; a step that does not converge is named or counted.
 #include "coupler/scheme/fixed_point.h"

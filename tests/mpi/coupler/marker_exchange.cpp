@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The exchange between any number of structure and fluid ranks gives what one rank of
 // each would compute: velocities, forces, momentum and power, in every coupled step.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A message of another coupled step ends the run on the side that receives it.
 #include <gtest/gtest.h>
 #include <chrono>

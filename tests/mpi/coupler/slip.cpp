@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // No-slip error and leakage of markers whose slip is known, the same cube on every rank.
 #include "coupler/immersed_boundary/slip.h"
 

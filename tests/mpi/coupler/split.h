@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The ranks of a test in two roles: the first are the structure, the others the fluid.
 #pragma once
 

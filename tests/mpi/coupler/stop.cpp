@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Told to end, a participant does not wait for its partner any longer. The flag stays
 // set: a program of its own.
 #include <gtest/gtest.h>

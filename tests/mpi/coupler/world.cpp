@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Who is who after the first act, and what a lonely participant says.
 #include "coupler/participants/world.h"
 #include <gtest/gtest.h>

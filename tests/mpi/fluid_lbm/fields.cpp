@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Velocity, density, vorticity, sums and forces do not depend on the number of ranks.
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The populations of a fluid are the same, to the last bit, on one rank and on several:
 // step by step, after a restart, and in steps that are taken again.
 #include "fluid_lbm/parallel/decomposition.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A refined grid is the same on any number of ranks, keeps its mass, and goes on from a
 // state that was put back; places of patches.
 #include "tests/support/carried_vortex.h"

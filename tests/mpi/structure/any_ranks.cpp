@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What must not depend on the number of ranks: the motion of bodies, their sums,
 // restarts, and faces that something outside moves.
 #include <gtest/gtest.h>

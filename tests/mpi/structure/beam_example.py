@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs docs/examples/in.beam as its own head says and holds it to the reference."""
 import os
 import re

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // LAMMPS with our styles in a test: runs the script of an input, on any ranks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What bodies and loads do in real LAMMPS, against laws that hold without it: energy,
 // momentum, decay, weight.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The bodies that the structure tests run in LAMMPS: the paper's strip, and a bar of two
 // materials.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Surfaces that meet: of two bodies, of one body that folds, and of a body and a
 // platform.
 #include <gtest/gtest.h>

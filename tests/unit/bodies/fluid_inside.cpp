@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What of the fluid inside a body comes off its nodes' mass, and that nothing is lost.
 #include "adapters/bodies/fluid_inside.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A marker spacing that no element is longer than would be passed over: it is refused,
 // also of meshes that the scene's file alone does not tell.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The error of a block of more than 750 elements is told from coarser ones, against the
 // error that it has.
 #include "adapters/bodies/mesh_estimate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The names of the bodies' columns of probes.csv are a promise to every script that reads
 // them, and each has its value.
 #include "adapters/bodies/probe_row.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What is written to a checkpoint's file is what is read, and damage never goes unseen.
 #include <gtest/gtest.h>
 #include <signal.h>

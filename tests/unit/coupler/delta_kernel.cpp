@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The conditions that define the delta kernels (Peskin 2002, section 6; Roma et al.
 // 1999).
 #include <gtest/gtest.h>

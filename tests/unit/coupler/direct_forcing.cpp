@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The forces between markers and the fluid: what one is given the other loses.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the two sides must agree on: partners, the margin between their renewals, the
 // header of a message, the description of the grid.
 #include <gtest/gtest.h>

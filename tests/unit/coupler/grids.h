@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Grids cut into boxes, points and values at random, for the tests of the coupler.
 #pragma once
 

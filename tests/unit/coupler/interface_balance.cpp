@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The audit of the interface sees what it is there for.
 #include <gtest/gtest.h>
 

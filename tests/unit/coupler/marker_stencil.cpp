@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Near walls the stencil keeps the partition of unity with the cells that are left;
 // across a periodic side nothing is cut; outside a walled box there is no fluid, and the
 // run ends and says where.

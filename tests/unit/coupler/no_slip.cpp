@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The memory of the slip, and what tells whether markers crowd.
 #include "coupler/immersed_boundary/no_slip.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Interpolation (eq. 14) and spreading (eq. 15), on one rank and on several, at
 // obstacles, and with the forces that are still to act.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Seconds are computed from integer steps: no error gathers over a long run.
 #include <gtest/gtest.h>
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Every collision written out from its formula, one population at a time: what the
 // kernels are compared with. f holds populations minus weights.
 #pragma once

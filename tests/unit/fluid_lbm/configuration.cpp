@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What follows from a configuration: the choice of the collision, the cut into ranks, the
 // change to another time step, and refusals that name what was found.
 #include <functional>

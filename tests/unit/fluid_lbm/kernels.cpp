@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Every kernel of every instruction set that this machine has agrees with formulas that
 // are written straight from the literature, one cell at a time; what the formulas must
 // have themselves: moments of the lattice, of the force and of the eddy viscosity.

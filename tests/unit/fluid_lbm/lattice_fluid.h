@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Fluids whose SI units are lattice units: spacing, step and density 1.
 #pragma once
 

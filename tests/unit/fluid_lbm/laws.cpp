@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Laws that the fluid keeps whatever the collision, on one rank and on two.
 #include <omp.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Obstacles: the force on them, the cells in them, and bodies from files.
 #include <unistd.h>
 #include <cstdint>

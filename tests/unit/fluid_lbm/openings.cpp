@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Inlets, outlets and planes of symmetry.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What is read from the fluid: velocity, vorticity, the cell that diverged.
 #include <numbers>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // In-place streaming without collision against streaming from one grid to another: equal
 // to the last bit, with periodic sides and with half-way bounce-back, for row lengths
 // with and without a vector tail.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Runs the converter as a user does: what it reports, what it writes, how it refuses.
 execute_process(COMMAND ${CONVERTER} ${INPUT} ${FOLDER}/two_cubes.mesh --unit 0.001
   OUTPUT_VARIABLE report RESULT_VARIABLE code)

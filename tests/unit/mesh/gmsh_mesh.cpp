@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Meshes that Gmsh itself makes and saves, read back.
 #include "structure/mesh/gmsh_mesh.h"
 

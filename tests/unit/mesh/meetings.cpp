@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Surfaces that come near each other or pass through each other.
 #include "structure/mesh/meetings.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The surface of a mesh, and points spread over it and through the body.
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Reads with VTK's own readers what write_vtk_samples wrote: read_back.py PROGRAM FOLDER."""
 import os
 import subprocess

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Writes into the folder argv[1] the files that read_back.py checks against the same
 // formulas: a sheared block of hexahedra, an image in three pieces, and their collection.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a scene comes to: effects, those that can do nothing, hash.
 #include <gtest/gtest.h>
 #include <algorithm>

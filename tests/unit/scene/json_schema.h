@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The part of JSON Schema that scene_schema() uses, enough to hold scenes against it.
 #pragma once
 

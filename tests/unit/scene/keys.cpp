@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Every key of the table reaches its member; defaults.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Right scenes are read, wrong and mutated ones refused.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The JSON Schema and docs/scene.md say what the table of keys says.
 #include <gtest/gtest.h>
 

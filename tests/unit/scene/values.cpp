@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers with units, near words, and the bytes of a file.
 #include <gtest/gtest.h>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One element: what its shape functions, springs, volume and hourglass energy must
 // fulfil.
 #include "structure/lattice/element.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Elements and states that the tests of the lattice share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Moments of inertia of lumped and corrected masses against the continuum's.
 #include "structure/lattice/inertia.h"
 

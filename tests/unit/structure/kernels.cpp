@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The fast kernels against plain elements, one by one, in every instruction set of the
 // machine; and the damping itself: it dissipates what its model says and never resists
 // rigid motion.

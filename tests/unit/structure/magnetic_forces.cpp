@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of uniform fields (Figs. 1b and 2) and of field gradients.
 #include "structure/magnetics/magnetic_forces.h"
 

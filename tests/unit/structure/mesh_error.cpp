@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The error of a mesh as it is told before a run, against the error that it has.
 #include "structure/equilibrium/mesh_error.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Equilibria of beams and strips: loads, paths, stability, and what is refused.
 #include "structure/equilibrium/newton.h"
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # A generated script with a run command appended works with the plain executable.
 #   cmake -DWRITER=... -DLAMMPS=... -DFOLDER=... -P plain_script.cmake
 file(REMOVE_RECURSE ${FOLDER})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The generated script: what is asked for and nothing else.
 #include <gtest/gtest.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The tangent of an element, and the sparse matrix of a body against dense algebra.
 #include <gtest/gtest.h>
 

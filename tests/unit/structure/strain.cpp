@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What is told of an element's deformation: stretches and stress in homogeneous states.
 #include "structure/lattice/strain.h"
 

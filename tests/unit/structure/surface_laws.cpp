@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The laws of one node on a platform and of two nodes in contact.
 #include <gtest/gtest.h>
 #include <cmath>

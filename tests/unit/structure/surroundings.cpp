@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What else loads a body at rest: a field gradient, a platform, faces that are moved; and
 // what holds it there.
 #include <gtest/gtest.h>

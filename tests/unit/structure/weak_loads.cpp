@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Equilibria under loads that are weak beside the stiffness: right at any tolerance, or
 // said to be unresolved.
 #include "structure/equilibrium/newton.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // write_plain_script FOLDER: a small magnetic cantilever as a LAMMPS script.
 #include <cstdio>
 #include <fstream>

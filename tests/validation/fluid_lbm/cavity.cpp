@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Lid-driven cavity, a slab of two cells along the periodic axis, against a converged
 // finite-element solution: u on the vertical and v on the horizontal line of the centre.
 #include <gtest/gtest.h>

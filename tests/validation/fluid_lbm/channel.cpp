@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Orders of convergence of flows between plates and of a shear wave.
 #include <numbers>
 #include <tuple>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws what fluid_taylor_green_1600 has written: the loss of kinetic energy over time.
 
   plot_taylor_green_1600.py FOLDER_OF_THE_CSV_FILES PICTURE.png

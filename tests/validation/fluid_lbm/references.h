@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the validations share: orders of convergence and tables of references.
 #pragma once
 

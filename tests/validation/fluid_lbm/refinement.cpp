@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Patches of finer cells against exact solutions: vortices at rest and carried through a
 // patch that stays or follows, a shear wave under a body force, sound.
 #include <gtest/gtest.h>

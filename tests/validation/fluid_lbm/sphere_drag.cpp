@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Steady drag of a sphere in a stream: a quarter of the box, with free slip on the two
 // planes of symmetry and on the outer sides.
 #include <cstdlib>

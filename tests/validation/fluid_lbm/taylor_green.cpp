@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Three-dimensional Taylor-Green vortex. At Reynolds number 100 against a pseudo-spectral
 // solution (taylor_green_Re100.txt): kinetic energy and its rate of dissipation up to
 // t = 6, past the peak of dissipation at 4.9. The time step falls with the square of the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """In a fluid each material has its own density, and a heavy half sinks first."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A scene with a material for each region of a Gmsh file, in Newton's method and in damped motion
 in LAMMPS; and the regions that the mesh does not have."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A ball of markers, held in a creeping stream through a periodic cube, against the exact drag of
 a cubic array of balls: Hasimoto, J. Fluid Mech. 5 (1959) 317."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A rigid disk of finite thickness in a periodic cube, broadside and edgewise, flat on the grid
 and turned by 30 degrees: swung at 25 Hz (its Stokes layer is 1/6.6 of its radius), and held in a
 creeping stream, against the exact force."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A disk of hexahedra around the z axis, one layer thick: a square whose sides bulge, and rings."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A wall of markers across a closed duct holds a pressure of 8 Pa; a piston of markers takes the
 fluid along. What passes is measured as flow through a plane far from the body."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What an infinite sheet of markers that swings along its plane moves, by theory of the lattice.
 
 The lattice-Boltzmann scheme with two relaxation rates is linear in a shear flow: each shear wave

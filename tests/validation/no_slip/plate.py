@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A plate of finite thickness, swung broadside and edgewise at 25 Hz, against the exact force."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Stokes' second problem, a sheet that swings along its plane, against the theory of the lattice
 and against the exact force 2 rho sqrt(i w nu) of a sheet whose fluid layers the grid resolves."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs a body that swings by 20 um, and what it feels of the fluid."""
 
 import cmath

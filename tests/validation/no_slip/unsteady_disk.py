@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The force on a rigid disk that moves in a periodic cube: exact, for Stokes flow.
 
 As unsteady_stokes.py, in three dimensions: a layer of force on the surface of a disk of radius a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The force on a rigid plate that swings in a periodic box: exact, for unsteady Stokes flow.
 
 A plate of W x t, infinitely long, swings with velocity V exp(i w t). A layer of force f on its

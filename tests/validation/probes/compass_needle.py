@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A magnetised block in a field swings as a compass needle of its moment of inertia does."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The work of the field on a path of equilibria: the elastic energy that it leaves, whichever
 method finds the equilibria."""
 

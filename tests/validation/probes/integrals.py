@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Integral probes: parts of a body add up to the body, and a plane sees the inlet's flow."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A ball of hexahedra as a Gmsh file: a cube in the middle, six shells around it."""
 
 import itertools

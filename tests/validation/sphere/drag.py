@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The drag of a ball of markers, held still in a stream, tends to that of a solid sphere.
 
 The box is narrow to be cheap, 4 x 4 diameters, and the stream fast, so its drag is not that of the

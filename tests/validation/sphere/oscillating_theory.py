@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a fluid does to a sphere that oscillates with small amplitude, alone or in a shell.
 
 Velocity Re(U exp(-i w t)), force on the sphere Re(-(R - i X) U exp(-i w t)): R resists, X / w is the

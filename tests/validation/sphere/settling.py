@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Spheres settle and rise at the speed of the experiment, whatever their density.
 
 ten Cate, Nieuwstad, Derksen, Van den Akker (2002): a sphere of 15 mm and 1120 kg/m3 in a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A sphere of the fluid's density follows a shear flow without drift: it moves with the flow
 around its centre, turns at half the shear rate and keeps its height.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Explicit direct forcing that is too strong fails, and is stopped with its cause.
 
 A ball full of markers, held still. With strength 1 a pass removes about all of the slip: the forces of

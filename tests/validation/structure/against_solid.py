@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The strip clamped at both ends and the V that swings, against the finite elements of
 quadratic_solid.py; and these against those of strip_harmonic.csv, of another program."""
 

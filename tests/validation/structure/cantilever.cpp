@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The hard-magnetic cantilever of Fig. 1 (L 17.5, W 5, H 1 mm) against converged finite
 // elements (beam_LH17.5.csv), with few elements, and thinner and thinner against the
 // hard-magnetic elastica (elastica.csv, plane stress).

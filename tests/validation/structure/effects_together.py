@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Effects of a solid act together as they do alone: stable at the step that is chosen, in the
 script once each, and gone without a trace when the scene does not name them."""
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Endless plates of one to four layers bent, twisted, domed and saddled, against
 // Kirchhoff's stiffness: every element variant, edges r = 1 to 4 times the layer, K/G
 // from 2 to 100.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Finite elements apart from magfsi: a block of 27-node hexahedra of eq. (1)'s material, nonlinear.
 
     W = G/2 (F:F - 3) + K/2 ln^2 J - G ln J,   27 Gauss points,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What the finite elements of quadratic_solid.py say of the paper's strip: rows of CSV on stdout.
 
     solid_cases.py clamped|free|ground X Y Z     cells along length, half width and thickness

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The bodies of the static references, the tables of these, and the shapes found.
 #pragma once
 

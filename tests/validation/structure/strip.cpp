@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The free magnetised strip in V (field at 45 degrees) and C (225) against finite
 // elements (strip_harmonic.csv, Q2, 40 x 4 x 2 cells on half the width), and which of the
 // two it takes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What clamps, rollers and moved faces do to a body (probes.bodies: reaction_force): they bear its
 load, give it its momentum and do the work on it, by Newton's method and in motion alike; and in
 a field gradient and on a platform both methods find the same equilibria."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """summary.json tells how well the immersed boundary holds: better with a stronger one, the same
 on any ranks, and nothing of it without one."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The magnetic swimmer does what the paper's does: C and V shapes in every period, a rise along
 45/225 degrees in every period and along 75/255 from the second on; it sinks without a field, and
 does not rise with the slow and the fast stroke exchanged. Half the step

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The implicit scheme tends to what the serial one tends to and is nearer to it at every step; it
 gives the fluid all the momentum and power that the body gives, repeats itself byte by byte, and
 depends neither on the ranks nor, within its tolerance, on how it is accelerated. A step that does

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The parallel scheme gives what the serial one gives, with a difference of first order in the
 coupled step; it repeats itself byte by byte, does not depend on the ranks, and gives the fluid
 all the momentum and power that the body gives, as the serial one does."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Structure on 1 and 2 ranks, fluid on 1, 2 and 3: the same probes within rounding; and the same
 bytes on the same ranks. The interface gives and receives the same momentum and power."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """summary.json tells waiting from working, for either scheme and on more ranks."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """FSI2: the flag's end against time, with the reference's band.
 
     plot.py FIGURE SPACING_MM=RUN_FOLDER ...

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """One case of the Turek-Hron benchmark against its reference values.
 
     turek_hron.py CASE [--spacing mm] [--tolerance QUANTITY=fraction ...]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The cantilever bends as 3D finite elements say (tutorials/beam/reference.csv), by Newton's
 method and by damped motion alike; other directions of the field run too."""
 

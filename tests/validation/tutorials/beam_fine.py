@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The paper's mesh of the beam, 70 x 20 x 4 elements: what an equilibrium costs by Newton's
 method, and that it is accurate. Slow, so by name only."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The gait that the search has found rises at least 1.3 times as much a period as the swimmer's, at
 the same period and within the same peak field."""
 import unittest

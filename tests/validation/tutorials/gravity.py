@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """In a field at 135 degrees the strip stands up: at once without weight, between 3.5 and 5 mT
 under g/2, between 5 and 6.5 mT under 1 g; under 2 g only one half of it is lifted."""
 

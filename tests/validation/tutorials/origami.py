@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A plate of oblique domains folds as Miura-ori: oblique lines are mountains and valleys in turn,
 and so are the pieces of each straight line; finer meshes bring the fold nearer to its limit."""
 

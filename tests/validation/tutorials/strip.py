@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The magnetic strip: free, it takes the shapes of 3D finite elements
 (tutorials/strip/reference.csv) by Newton's method and by damped motion; on the ground under its
 weight it is a V in the directions near 45 degrees and a C near 225."""

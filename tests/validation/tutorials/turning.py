@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A field that turns takes the C with it, through three turns of -45 degrees; from flat the last
 field makes a V. Newton's method, the motion in time and the strip on a platform agree."""
 

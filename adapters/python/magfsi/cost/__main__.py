@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi cost: what accuracy costs for any scene. Runs cheap variants of it, and tells each
 probe's error bar, what it is made of, and the cheapest setting within a tolerance."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The cheapest setting within a tolerance, by the fitted errors and the cost model."""
 import itertools
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What ./magfsi cost and ./magfsi run --error have in common: the runs of a scene and what they
 tell."""
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Error against seconds: the runs, the cheapest settings, and the scene as it is."""
 import matplotlib
 import numpy as np

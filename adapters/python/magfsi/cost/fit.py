@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The error of a scene as a sum over its numerical parameters, fitted to a few runs.
 
     y(u) = Q + sum_k (c_k u_k^p_k + d_k u_k^(p_k + 1)) + sum_k<l e_kl u_k^p_k u_l^p_l

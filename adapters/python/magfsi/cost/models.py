@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Kernels, collisions, forcings and elements are ways to the same limit: where limits differ by
 more than their bars, one of them is at fault, and none is a matter of choice."""
 import dataclasses

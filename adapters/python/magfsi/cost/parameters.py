@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The numerical parameters of a scene: which it has, and how its own keys make each coarser or
 finer. A setting is a factor for each, how many times finer than in the scene; the keys follow."""
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Which numbers of a run are looked at: a norm of each probe's course."""
 import re
 

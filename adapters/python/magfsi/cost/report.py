@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The result in words, as tables, and as a figure."""
 import csv
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What the runs of a star tell of each probe: limit, error of the scene as it is, the share of
 each parameter, and where the fit does not hold."""
 import math

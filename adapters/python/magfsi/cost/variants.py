@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Which runs to make of a scene: a star about a coarse setting, whose arms each refine one
 parameter, and runs that refine all, so that all together fit a budget by the cost model."""
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi run --error: finds the cheapest setting within a tolerance, runs it, and adds to its
 summary each probe with its error bar. magfsi run calls this."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a picture is made of: solids, lines, vortices, light."""
 import base64
 

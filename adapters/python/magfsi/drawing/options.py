@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What render and film have in common on the command line."""
 import argparse
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A run on a stage: the same bodies, box, obstacles and flow at any time, in two looks.
 
 page     as the page shows it: without perspective, a slice of the flow, the field as an arrow

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi optimize: searches the settings of a scene for the best of an objective."""
 import argparse
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Questions by a Gaussian process: the next is where it expects the largest improvement on the best
 value so far (Jones, Schonlau and Welch, J. Global Optim. 13 (1998) 455). For Optuna, which keeps what
 was asked and answered."""

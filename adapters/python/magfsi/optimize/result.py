@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a search found: a table, a figure, and the best as a scene."""
 import csv
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The search itself: Optuna asks, magfsi runs, Optuna is told. What has been done is in the output
 folder, and the same command goes on from there."""
 import bisect

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi report RUN... [--out FILE]: one HTML page of one or several run folders."""
 import argparse
 import os

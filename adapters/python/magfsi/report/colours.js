@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Colour maps whose lightness rises from end to end, so that they are read in grey, and that do
 // not hang on telling red from green: viridis for magnitudes, cividis for what has two signs.
 // Nine stops each, in between on straight lines.

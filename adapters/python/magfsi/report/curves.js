@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Curves of the probes over time, a panel for each quantity, with a cursor at the view's time.
 
 const DASHES = [[], [6, 3], [2, 2]];

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What the page shows of a run folder, as numbers and text that JSON holds."""
 import csv
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Bodies and flow of a run folder at each instant, as the page holds them."""
 import numpy as np
 import vtk

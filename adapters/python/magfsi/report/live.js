@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The page of a run that goes on: asks the server that it came from (./magfsi watch) for the run
 // as it is now, the less often the longer an answer takes. Only there; a report has no server.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Puts the parts together. Texts of a scene reach the page through textContent only.
 
 const element = id => document.getElementById(id);

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The page as text: template, style, scripts and data in one file that fetches nothing."""
 import base64
 import hashlib

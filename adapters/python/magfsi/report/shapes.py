@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What stands still around the robot, as lines: obstacles of the fluid and the platform."""
 import itertools
 from pathlib import Path

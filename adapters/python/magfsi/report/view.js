@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The robot in its box, seen without perspective: a slice of the flow is then a picture that is
 // only sheared, and faces are painted from back to front, those before the slice after it.
 // docs/report.md says why this and not WebGL.

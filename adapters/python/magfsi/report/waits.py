@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Who waits for whom, of the timeline that `--trace` writes (trace.json, Chrome's trace events)."""
 import json
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """magfsi study: runs a scene over a product of settings, and what accuracy costs in time."""
 import argparse
 import shlex

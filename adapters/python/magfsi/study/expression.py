@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Formulas of a study file: numbers, names, + - * / **, parts of lists, and the
 functions below, on numbers and numpy arrays."""
 import ast

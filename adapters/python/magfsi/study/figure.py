@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Error against seconds, both logarithmic, with the Pareto front; legible in grey."""
 import math
 import re

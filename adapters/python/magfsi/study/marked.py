@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """YAML whose every value knows its place in the file, so that errors can name it."""
 import difflib
 import re

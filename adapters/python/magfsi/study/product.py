@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The runs that a study asks for: the product of its axes, less pairs and skips."""
 import itertools
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs that are done are kept by what they are, and not done again."""
 import datetime
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a study file says."""
 import re
 from dataclasses import dataclass, field

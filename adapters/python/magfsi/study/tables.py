@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A study as runs.csv, one row a run, and as a short page."""
 import csv
 

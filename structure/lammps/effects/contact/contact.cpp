@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR]: contact between the
 // surfaces of the bodies; compute ID group magttice/contact: what it does at present. See
 // docs/fix_magttice.md.

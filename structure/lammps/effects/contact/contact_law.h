@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Contact between surfaces, of two bodies or of a body with itself: springs between the
 // nodes of the surfaces.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU] [damping C]:
 // a plane that pushes the surface of the bodies back. See docs/fix_magttice.md.
 #include "atom.h"

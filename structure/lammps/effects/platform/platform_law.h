@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A plane that pushes nodes back: penalty pressure and Coulomb friction on one node.
 #pragma once
 

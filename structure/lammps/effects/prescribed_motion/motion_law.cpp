@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lammps/effects/prescribed_motion/motion_law.h"
 
 #include "structure/lammps/law_words.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group magttice/motion COURSE: moves the atoms of its group, which no other fix
 // may integrate, along a course (motion_law.h) from where they are at step 0.
 //
