@@ -136,14 +136,13 @@ bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
     return !is_deep(outside, x, distance_m);
 }
 
-void SolidsAround::note(const Point& point, const std::string& what, const Vec3& x,
-                        double gap_m, SolidMeetings& found) const {
-    const SolidMeeting meeting{point.body, point.at.element, what, x};
+void SolidsAround::note(const SolidMeeting& meeting, double gap_m,
+                        SolidMeetings& found) const {
     found.apart_m = std::min(found.apart_m, std::max(0.0, gap_m));
     if (gap_m < -deep_m_ && !found.inside) found.inside = meeting;
     if (!(gap_m < near_m_)) return;
     const bool known = std::ranges::any_of(found.near, [&](const SolidMeeting& m) {
-        return m.body == meeting.body && m.what == what;
+        return m.body == meeting.body && m.what == meeting.what;
     });
     if (!known) found.near.push_back(meeting);
 }
@@ -158,7 +157,7 @@ SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) 
             const double gap =
                 side.inwards * (x[static_cast<std::size_t>(side.axis)] - side.place_m);
             if (gap < reach_m && side.of_body[point.body])
-                note(point, side.what, x, gap, found);
+                note({point.body, point.at.element, side.what, x, true}, gap, found);
         }
         for (const Obstacle& obstacle : obstacles_) {
             if (!obstacle.free[p] || !comes_within(obstacle, x, reach_m)) continue;
@@ -168,7 +167,7 @@ SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) 
             const double gap = is_deep(holds, x, deep_m_)           ? -INFINITY
                                : comes_within(obstacle, x, near_m_) ? 0.5 * near_m_
                                                                     : near_m_;
-            note(point, obstacle.what, x, gap, found);
+            note({point.body, point.at.element, obstacle.what, x, false}, gap, found);
         }
     }
     return found;

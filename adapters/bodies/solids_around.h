@@ -26,6 +26,7 @@ struct SolidMeeting {
     int element = -1;  // of the surface
     std::string what;  // "the wall z_min", "the obstacle 'post'"
     structure::Vec3 at_m{};
+    bool yields_to_contact = false;  // the key contact keeps bodies out of it
 };
 
 struct SolidMeetings {
@@ -71,8 +72,7 @@ class SolidsAround {
                        std::span<const structure::Vec3> start_m);
     bool comes_within(const Obstacle& obstacle, const structure::Vec3& x,
                       double distance_m) const;
-    void note(const Point& point, const std::string& what, const structure::Vec3& x,
-              double gap_m, SolidMeetings& found) const;
+    void note(const SolidMeeting& meeting, double gap_m, SolidMeetings& found) const;
 
     double spacing_m_, near_m_, deep_m_;
     std::vector<Point> points_;

@@ -82,6 +82,8 @@ EnergyTerms collect_terms(const StructureRun& run) {
         terms.lost_friction = engine.fix_vector("platform", 8);
     }
     if (run.scene.contact) terms.contact = engine.compute_scalar("contact");
+    for (const structure::Wall& wall : run.input.walls)
+        terms.contact += engine.fix_scalar("wall_" + wall.name);
     const auto* markers = run.coupling ? run.coupling->work() : nullptr;
     if (!markers) return terms;
     std::array<double, 3> works{markers->by_fluid_j(), markers->by_enclosed_j(),

@@ -98,15 +98,12 @@ class Engine final : public coupler::StructureSolver {
     std::vector<double> fix_sums() const;
     void put_fix_sums(std::span<const double> sums);
     // The same in memory and by local index, for a coupled step that is done again:
-    // between the two, atoms keep their ranks and indices (no contact).
+    // between the two, atoms keep their ranks and indices.
     void keep() override;
     void go_back() override;
 
     // The number of the step that comes first; before set_up.
     void start_at(std::int64_t lammps_step);
-    // Atoms to the ranks of their present places and new lists of neighbours; forces are
-    // put back after it. For scenes where atoms migrate. Collective.
-    void renew_neighbours();
 
   private:
     void evaluate_again();

@@ -123,12 +123,6 @@ void Engine::start_at(std::int64_t lammps_step) {
     command("reset_timestep " + std::to_string(lammps_step));
 }
 
-void Engine::renew_neighbours() {
-    // Moves nothing, but ends by sending every atom to its rank, however far that is.
-    command("displace_atoms all move 0 0 0 units box");
-    set_up();
-}
-
 void Engine::keep() {
     const LAMMPS_NS::Atom& atom = *lammps_->atom;
     const int all = atom.nlocal + atom.nghost;

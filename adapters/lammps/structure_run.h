@@ -64,8 +64,7 @@ void set_field(StructureRun& run, const structure::Vec3& field_t);
 using StructureOutput = coupler::OutputKind<StructureRun>;
 
 // The structure's half of a checkpoint: nodes, what fixes keep, what markers carry.
-// Collective; file is null but on the root. Contact's neighbour lists are renewed, as
-// they will be in a run that goes on from here, so that both add forces in one order.
+// Collective; file is null but on the root.
 void save_structure(const StructureRun& run, coupler::StateWriter* file);
 
 // The two halves of a restart, each collective: the bodies after engine.set_up and before

@@ -41,11 +41,6 @@ void save_markers(const StructureRun& run, StateWriter* file) {
     if (file) file->table("numbers", numbers, {numbers.size()});
 }
 
-void broadcast(std::vector<double>& values, std::size_t size, MPI_Comm comm) {
-    values.resize(size);
-    MPI_Bcast(values.data(), static_cast<int>(size), MPI_DOUBLE, 0, comm);
-}
-
 // Rows of a table, checked against what this run has.
 std::vector<double> rows_of(const StateReader& file, const std::string& table,
                             std::size_t rows, std::size_t width) {
@@ -70,7 +65,7 @@ void save_structure(const StructureRun& run, StateWriter* file) {
     Engine& engine = *run.engine;
     const auto atoms = static_cast<std::size_t>(run.atoms);
     const std::size_t width = engine.node_values();
-    std::vector<double> nodes = engine.gather_nodes(run.atoms);
+    const std::vector<double> nodes = engine.gather_nodes(run.atoms);
     if (file) file->table("nodes", nodes, {atoms, width});
     save_shares(comm, "sums", engine.fix_sums(), file);
     if (run.coupling) save_markers(run, file);
@@ -83,10 +78,6 @@ void save_structure(const StructureRun& run, StateWriter* file) {
         const auto carried = run.audit->carried();
         file->table("energy_audit", carried, {carried.size()});
     }
-    if (!run.scene.contact) return;
-    broadcast(nodes, atoms * width, comm);
-    engine.renew_neighbours();
-    engine.put_nodes(nodes);
 }
 
 void restore_bodies(const StructureRun& run, const StateReader& file) {
@@ -94,10 +85,6 @@ void restore_bodies(const StructureRun& run, const StateReader& file) {
     const auto nodes =
         rows_of(file, "nodes", static_cast<std::size_t>(run.atoms), engine.node_values());
     engine.put_nodes(nodes);
-    if (run.scene.contact) {
-        engine.renew_neighbours();
-        engine.put_nodes(nodes);
-    }
     if (file.has("sums"))
         engine.put_fix_sums(share(file, "sums", run.session.world().local()));
     if (run.audit) run.audit->set(file.table("energy_audit"));

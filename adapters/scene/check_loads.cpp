@@ -306,10 +306,6 @@ void check_loads(const Scene& scene, const Marks& marks) {
     with_bodies(scene.damping.has_value(), "damping");
     if (with_bodies(scene.platform.has_value(), "platform")) check_platform(scene, marks);
     with_bodies(scene.contact.has_value(), "contact");
-    // Markers name atoms by their place on a rank; contact lets atoms change ranks.
-    require(!scene.contact || !scene.fluid, marks.key({"contact"}),
-            "contact of bodies in a fluid", "contact without a fluid",
-            "remove one of the two keys");
     const bool equilibrium = scene.time.equilibrium.has_value();
     require(!equilibrium || !scene.fluid, marks.key({"time", "equilibrium"}),
             "an equilibrium in a scene with a fluid", "it without a fluid",

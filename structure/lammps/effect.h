@@ -127,9 +127,6 @@ struct Effect {
     // Pressure over displacement [Pa/m] of what it presses on a body's surface with, for
     // the stable step.
     double (*surface_spring_pa_m)(const LammpsInput&, const Body&) = nullptr;
-    // For effects between nodes that come and go near each other: how much further than
-    // the reach of the force neighbours are listed [m]. Null: neighbours stay the same.
-    double (*neighbour_skin_m)(const LammpsInput&) = nullptr;
 
     BodyForceStyle force{};
     FixStyle fix{};

@@ -82,21 +82,10 @@ Assembly assemble(const LammpsInput& input) {
     return all;
 }
 
-// Of the effects between nodes that come and go near each other; 0 without one.
-double neighbour_skin_m(const LammpsInput& input) {
-    double skin_m = 0;
-    for (const Effect* effect : asked_effects(input)) {
-        if (effect->neighbour_skin_m)
-            skin_m = std::max(skin_m, effect->neighbour_skin_m(input));
-    }
-    return skin_m;
-}
-
 // Boundaries are wrapped around the atoms at the start and not used after that: a body
 // may travel anywhere. Ranks share the bodies along their longest extent, evenly by
 // nodes.
-void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
-                const std::string& data_file) {
+void add_system(Lines& lines, const Assembly& all, const std::string& data_file) {
     // Along the bodies' length, also where they start rolled up.
     const Vec3 extent_m = all.bounds.extent_m();
     const auto axis = std::ranges::max_element(extent_m) - extent_m.begin();
@@ -104,17 +93,14 @@ void add_system(Lines& lines, const LammpsInput& input, const Assembly& all,
     ranks[axis] = "*";
     // Ghosts must reach across an element, even one that has been stretched by half.
     const double cutoff = 1.5 * all.longest_diagonal_m;
-    const double skin_m = neighbour_skin_m(input);
-    lines.insert(
-        lines.end(),
-        {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0", "newton on",
-         "boundary s s s",
-         fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
-         fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
-         fmt::format("neighbor {:.6g} bin", skin_m > 0 ? skin_m : 0.1 * cutoff),
-         skin_m > 0 ? "neigh_modify every 1 delay 0 check yes" : "neigh_modify once yes",
-         fmt::format("read_data {}", quoted(data_file)),
-         fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
+    lines.insert(lines.end(),
+                 {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0",
+                  "newton on", "boundary s s s",
+                  fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
+                  fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
+                  fmt::format("neighbor {:.6g} bin", 0.1 * cutoff),
+                  "neigh_modify once yes", fmt::format("read_data {}", quoted(data_file)),
+                  fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
 }
 
 // Writes the lattice files and fills fix_id.
@@ -165,7 +151,7 @@ LammpsScript write_lammps_input(const LammpsInput& input,
     LammpsScript script;
     script.first_node = all.first_node;
     Lines& lines = script.setup;
-    add_system(lines, input, all, data_file);
+    add_system(lines, all, data_file);
     add_effects(lines, input, &Effect::before_bodies);
     add_lattices(script, input, all, folder);
     add_effects(lines, input, &Effect::commands);

@@ -15,6 +15,14 @@
 
 namespace magfsi::structure {
 
+// A plane that pushes some of the bodies back: fix wall_NAME, of the platform's style.
+// Its stiffness follows from the bodies.
+struct Wall {
+    std::string name;
+    Platform plane;
+    std::vector<std::size_t> bodies;  // ascending
+};
+
 struct LammpsInput {
     std::vector<Body> bodies;
     std::vector<Placement> placements;  // one a body; or none: all where their meshes are
@@ -23,6 +31,7 @@ struct LammpsInput {
     std::optional<Vec3> gravity_m_s2;
     std::optional<Drag> drag;
     std::optional<Platform> platform;  // stiffness 0: that of platform_of
+    std::vector<Wall> walls;
     std::vector<PrescribedMotion> motions;
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
     bool quiet = false;                 // fix quiet: how far from equilibrium
@@ -47,10 +56,10 @@ struct LammpsScript {
 // Writes bodies.data and each body's NAME.lattice into folder and returns the script,
 // whose lines name these files as `folder` does. Call it on one rank; every rank runs the
 // lines. Run them, then `run 0`, then `run N pre no post no` as often as needed: with
-// neigh_modify once yes nothing but the forces and the integration is left in a step;
-// with contact atoms change ranks and places within their rank during a run. Besides
-// fix_id there are, where asked for, the fixes platform, quiet, drag, gravity, field,
-// before_rollers and the compute contact. A relaxed shape lies in the plane of `field` (x
+// neigh_modify once yes nothing but the forces and the integration is left in a step, and
+// atoms keep their ranks and places. Besides fix_id there are, where asked for, the fixes
+// platform, wall_NAME, quiet, drag, gravity, field, before_rollers and the compute
+// contact. A relaxed shape lies in the plane of `field` (x
 // and z where there is none), and is found here, before LAMMPS starts, so that the script
 // holds the run alone. Throws std::invalid_argument on bad input, std::runtime_error if a
 // file cannot be written or a shape not be relaxed.

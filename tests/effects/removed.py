@@ -81,6 +81,7 @@ EFFECTS = {
     "drag": of_structure("drag", damping="null"),
     "platform": of_structure("platform", platform="null"),
     "contact": of_structure("contact", contact="null"),
+    "walls": of_structure("walls"),
     "clamps": of_structure("clamps"),
     "rollers": of_structure("rollers"),
     "quiet": of_structure("quiet"),

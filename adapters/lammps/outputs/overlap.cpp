@@ -49,7 +49,7 @@ class Overlap : public coupler::Output {
         return of[0] == of[1] ? "itself" : body(of[1]);
     }
     [[noreturn]] void stop(const std::string& what, const structure::Vec3& at_m,
-                           const char* keep) const;
+                           bool contact_helps) const;
 
     StructureRun& run_;
     double spacing_m_;
@@ -84,13 +84,13 @@ std::int64_t Overlap::look_at(const NodalState& nodes) {
         stop(fmt::format("{} passes through {}: its element {} through element {}",
                          body(m->body[0]), pair(m->body), m->element[0] + 1,
                          m->element[1] + 1),
-             m->at_m, "a weaker field or an earlier change of it");
+             m->at_m, true);
     }
     const auto around = finders_->around.find(nodes.position_m, met.apart_m);
     if (const auto& m = around.inside) {
         stop(fmt::format("{} passes into {} with its element {}", body(m->body), m->what,
                          m->element + 1),
-             m->at_m, "another start, load or box");
+             m->at_m, m->yields_to_contact);
     }
     tell_near(met, around);
     double fastest = 0;
@@ -123,11 +123,17 @@ void Overlap::tell_near(const structure::Meetings& bodies,
 }
 
 void Overlap::stop(const std::string& what, const structure::Vec3& at_m,
-                   const char* keep) const {
-    throw coupler::Diverged(fmt::format(
-        "{}, at ({:.4g}, {:.4g}, {:.4g}) mm; no force keeps them apart: take {}, or go "
-        "on with coupling.overlap: allow",
-        what, at_m[0] * 1e3, at_m[1] * 1e3, at_m[2] * 1e3, keep));
+                   bool contact_helps) const {
+    const char* advice = !contact_helps ? "take another start, load or box"
+                         : run_.scene.contact
+                             ? "take a larger contact.stiffness, finer elements or a "
+                               "smaller load"
+                             : "add the key contact, which keeps them apart, or take a "
+                               "smaller load";
+    throw coupler::Diverged(
+        fmt::format("{}, at ({:.4g}, {:.4g}, {:.4g}) mm; {}, or go on with "
+                    "coupling.overlap: allow",
+                    what, at_m[0] * 1e3, at_m[1] * 1e3, at_m[2] * 1e3, advice));
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ TEST(Friction, HoldsBelowItsAngleAndSlidesAboveByCoulombsLaw) {
     EXPECT_NEAR(slid / expected, 1, 0.05);
 }
 
-// --- atoms that change ranks in the middle of a run, which only contact asks for
+// --- atoms that change ranks in the middle of a run, which plain scripts may ask for
 
 // A sheet that turns about y over a rough platform while it bends: its ends change sides,
 // and so do the ranks that own them.
@@ -209,6 +209,9 @@ TEST(Migration, ChangesNothingInTheMotion) {
     test::LammpsRun& alone = runs.alone;
     test::LammpsRun& together = runs.together;
     const auto before = together.owned();
+    for (const char* line :
+         {"neigh_modify once no every 1 delay 0 check yes", "neighbor 0.1e-3 bin"})
+        runs.command(line);
     for (const char* line :
          // 1000 rad/s about y through the centre
          {"variable vx atom 1000*(z-0.0925e-3)", "variable vz atom -1000*(x-1.85e-3)",

@@ -3,11 +3,11 @@
 // surfaces of the bodies; compute ID group magttice/contact: what it does at present. See
 // docs/fix_magttice.md.
 #include "atom.h"
+#include "comm.h"
 #include "compute.h"
 #include "error.h"
 #include "force.h"
 #include "memory.h"
-#include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
 #include "update.h"
@@ -17,9 +17,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <span>
+#include <utility>
 
 #include "structure/lammps/effect.h"
 #include "structure/lammps/effects/contact/contact_law.h"
+#include "structure/mesh/near_pairs.h"
 
 namespace magfsi::structure {
 namespace {
@@ -41,21 +45,33 @@ class PairMagtticeContact : public LAMMPS_NS::Pair {
     void init_style() override;
     double init_one(int i, int j) override;
     void compute(int eflag, int vflag) override;
-    State state() const;
+    State state();  // collective
 
   private:
+    // Numbers in surface_, the lower one first.
     struct Candidate {
-        int i, j;
+        std::size_t a, b;
         double areas_m4;
+        int atom_a, atom_b;  // local indices of those that this rank owns, else -1
     };
     bool may_touch(const SurfaceNode& a, const SurfaceNode& b) const;
+    bool outdated() const;
+    void renew();
+    void gather(std::span<const std::size_t> numbers);
     void collect_candidates();
-    template <bool Tally>
-    void add_forces();
+    template <class Act>
+    void each_contact(const Act& act) const;
 
     ContactLaw law_;
-    std::vector<SurfaceNode> node_;      // by atom ID
-    std::vector<Candidate> candidates_;  // since the last neighbour list
+    std::vector<SurfaceNode> node_;  // by atom ID
+    std::vector<int> surface_;       // IDs of those on surfaces
+    std::vector<Vec3> x_;            // of surface_: all at a renewal, then watched_ alone
+    std::vector<Vec3> renewed_at_m_;
+    std::vector<Candidate> candidates_;
+    std::vector<std::size_t> watched_;  // those of candidates
+    std::vector<int> owned_;            // local indices of this rank's share of surface_
+    std::vector<std::size_t> own_number_;
+    bool renewed_ = false;
 };
 
 PairMagtticeContact::PairMagtticeContact(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
@@ -112,7 +128,11 @@ void PairMagtticeContact::init_style() {
              "pair_style magttice/contact found no fix magttice, it needs the surface of "
              "at least one");
     }
-    neighbor->request(this, instance_me);
+    surface_.clear();
+    for (std::size_t id = 0; id < node_.size(); ++id)
+        if (node_[id].area_m2 > 0) surface_.push_back(static_cast<int>(id));
+    x_.resize(surface_.size());
+    renewed_ = false;
 }
 
 double PairMagtticeContact::init_one(int, int) {
@@ -120,77 +140,145 @@ double PairMagtticeContact::init_one(int, int) {
 }
 
 bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b) const {
-    if (a.area_m2 == 0 || b.area_m2 == 0) return false;
     if (a.body != b.body) return true;
     return distance_m(a.at_rest_m, b.at_rest_m) >= law_.excluded * law_.distance_m;
 }
 
-// Most neighbours of a node belong to its own part of the sheet; leaving them out here
-// makes a step cost nothing where nothing is near.
-void PairMagtticeContact::collect_candidates() {
-    candidates_.clear();
-    for (int k = 0; k < list->inum; ++k) {
-        const int i = list->ilist[k];
-        const auto tag_i = static_cast<std::size_t>(atom->tag[i]);
-        if (tag_i >= node_.size()) continue;
-        for (int n = 0; n < list->numneigh[i]; ++n) {
-            const int j = list->firstneigh[i][n] & NEIGHMASK;
-            const auto tag_j = static_cast<std::size_t>(atom->tag[j]);
-            if (tag_j >= node_.size() || !may_touch(node_[tag_i], node_[tag_j])) continue;
-            candidates_.push_back({i, j, node_[tag_i].area_m2 * node_[tag_j].area_m2});
-        }
+// Nodes that may touch are listed within the distance and half of it, and again when one
+// has moved a quarter of the distance, or atoms have changed places. The same on all
+// ranks.
+bool PairMagtticeContact::outdated() const {
+    int moved = !renewed_ || neighbor->ago == 0 ? 1 : 0;
+    const double most = 0.25 * law_.distance_m;
+    for (std::size_t i = 0; moved == 0 && i < owned_.size(); ++i) {
+        const double* x = atom->x[owned_[i]];
+        const Vec3& then = renewed_at_m_[own_number_[i]];
+        const double way[3] = {x[0] - then[0], x[1] - then[1], x[2] - then[2]};
+        if (way[0] * way[0] + way[1] * way[1] + way[2] * way[2] > most * most) moved = 1;
     }
+    if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_INT, MPI_MAX, world);
+    return moved != 0;
 }
 
-void PairMagtticeContact::compute(int eflag, int vflag) {
-    ev_init(eflag, vflag);
-    if (neighbor->ago == 0) collect_candidates();
-    if (evflag != 0)
-        add_forces<true>();
-    else
-        add_forces<false>();
+void PairMagtticeContact::renew() {
+    owned_.clear();
+    own_number_.clear();
+    for (std::size_t n = 0; n < surface_.size(); ++n) {
+        const int i = atom->map(surface_[n]);
+        if (i < 0 || i >= atom->nlocal) continue;
+        owned_.push_back(i);
+        own_number_.push_back(n);
+    }
+    std::vector<std::size_t> all(surface_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    gather(all);
+    renewed_at_m_ = x_;
+    collect_candidates();
+    renewed_ = true;
 }
 
-// Tally: LAMMPS asks for energies or pressures of this step.
-template <bool Tally>
-void PairMagtticeContact::add_forces() {
-    const double* const* const x = atom->x;
-    double* const* const f = atom->f;
-    const double reach = law_.distance_m * law_.distance_m;
+// The present places of these on every rank.
+void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
+    std::vector<double> mine;
+    for (const std::size_t n : numbers) {
+        const int i = atom->map(surface_[n]);
+        if (i < 0 || i >= atom->nlocal) continue;
+        std::copy_n(atom->x[i], 3, x_[n].begin());
+        if (comm->nprocs == 1) continue;
+        mine.push_back(static_cast<double>(n));
+        mine.insert(mine.end(), atom->x[i], atom->x[i] + 3);
+    }
+    if (comm->nprocs == 1) return;
+    auto count = static_cast<int>(mine.size());
+    std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), first(counts.size());
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+    std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
+    std::vector<double> all(4 * numbers.size());
+    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(),
+                   first.data(), MPI_DOUBLE, world);
+    for (std::size_t at = 0; at < all.size(); at += 4)
+        std::copy_n(all.data() + at + 1, 3,
+                    x_[static_cast<std::size_t>(all[at])].begin());
+}
+
+// In the order of their numbers, so that forces are summed in the same order on any
+// ranks, and after a restart.
+void PairMagtticeContact::collect_candidates() {
+    const double reach = 1.5 * law_.distance_m;
+    const auto own = [this](std::size_t n) {
+        const int i = atom->map(surface_[n]);
+        return i < atom->nlocal ? i : -1;
+    };
+    candidates_.clear();
+    watched_.clear();
+    NearPairs(x_, reach).visit([&](std::size_t i, std::size_t j) {
+        if (!(distance_m(x_[i], x_[j]) < reach)) return;
+        const auto [a, b] = std::minmax(i, j);
+        const SurfaceNode& node_a = node_[static_cast<std::size_t>(surface_[a])];
+        const SurfaceNode& node_b = node_[static_cast<std::size_t>(surface_[b])];
+        if (!may_touch(node_a, node_b)) return;
+        candidates_.push_back({a, b, node_a.area_m2 * node_b.area_m2, own(a), own(b)});
+        watched_.insert(watched_.end(), {a, b});
+    });
+    std::ranges::sort(candidates_, {},
+                      [](const Candidate& c) { return std::pair(c.a, c.b); });
+    std::ranges::sort(watched_);
+    watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+}
+
+// act(candidate, apart, distance) of each pair that touches.
+template <class Act>
+void PairMagtticeContact::each_contact(const Act& act) const {
     for (const Candidate& pair : candidates_) {
-        const double* a = x[pair.i];
-        const double* b = x[pair.j];
+        const Vec3 &a = x_[pair.a], &b = x_[pair.b];
         const Vec3 apart{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
         const double squared =
             apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2];
-        if (!(squared < reach) || squared == 0) continue;
-        const double distance = std::sqrt(squared);
-        const ContactForce contact = contact_force(law_, pair.areas_m4, distance);
-        const double factor = contact.force_n / distance;
-        for (std::size_t d = 0; d < 3; ++d) {
-            f[pair.i][d] += factor * apart[d];
-            f[pair.j][d] -= factor * apart[d];
-        }
-        if constexpr (Tally) {
-            ev_tally(pair.i, pair.j, atom->nlocal, 1, contact.energy_j, 0.0, factor,
-                     apart[0], apart[1], apart[2]);
-        }
+        if (!(squared < law_.distance_m * law_.distance_m) || squared == 0) continue;
+        act(pair, apart, std::sqrt(squared));
     }
 }
 
-PairMagtticeContact::State PairMagtticeContact::state() const {
+// Each rank puts the force on the nodes that it owns; energy and virial belong to the
+// first node's.
+void PairMagtticeContact::compute(int eflag, int vflag) {
+    ev_init(eflag, vflag);
+    if (outdated())
+        renew();
+    else if (!watched_.empty())
+        gather(watched_);
+    double* const* const f = atom->f;
+    each_contact([&](const Candidate& pair, const Vec3& apart, double distance) {
+        const ContactForce contact = contact_force(law_, pair.areas_m4, distance);
+        const double factor = contact.force_n / distance;
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (pair.atom_a >= 0) f[pair.atom_a][d] += factor * apart[d];
+            if (pair.atom_b >= 0) f[pair.atom_b][d] -= factor * apart[d];
+        }
+        if (pair.atom_a < 0) return;
+        if (eflag_global != 0) eng_vdwl += contact.energy_j;
+        if (vflag_global == 0) return;
+        constexpr int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
+        for (std::size_t q = 0; q < 6; ++q)
+            virial[q] += factor * apart[static_cast<std::size_t>(first[q])] *
+                         apart[static_cast<std::size_t>(second[q])];
+    });
+}
+
+PairMagtticeContact::State PairMagtticeContact::state() {
+    if (outdated())
+        renew();
+    else
+        gather(watched_);
     State out;
     out.smallest_m = INFINITY;
-    const double* const* const x = atom->x;
-    for (const Candidate& pair : candidates_) {
-        const double* a = x[pair.i];
-        const double* b = x[pair.j];
-        const double distance = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-        out.smallest_m = std::min(out.smallest_m, distance);
-        if (!(distance < law_.distance_m)) continue;
+    for (const Candidate& pair : candidates_)
+        out.smallest_m = std::min(out.smallest_m, distance_m(x_[pair.a], x_[pair.b]));
+    each_contact([&](const Candidate& pair, const Vec3&, double distance) {
+        if (pair.atom_a < 0) return;
         out.touching += 1;
         out.energy_j += contact_force(law_, pair.areas_m4, distance).energy_j;
-    }
+    });
     return out;
 }
 
@@ -203,7 +291,7 @@ class ComputeMagtticeContact : public LAMMPS_NS::Compute {
     void compute_vector() override;    // energy, touching pairs, smallest distance
 
   private:
-    const PairMagtticeContact* pair_ = nullptr;
+    PairMagtticeContact* pair_ = nullptr;
 };
 
 ComputeMagtticeContact::ComputeMagtticeContact(LAMMPS_NS::LAMMPS* lammps, int narg,
@@ -227,8 +315,7 @@ ComputeMagtticeContact::~ComputeMagtticeContact() {
 }
 
 void ComputeMagtticeContact::init() {
-    pair_ = dynamic_cast<const PairMagtticeContact*>(
-        force->pair_match("magttice/contact", 1));
+    pair_ = dynamic_cast<PairMagtticeContact*>(force->pair_match("magttice/contact", 1));
     if (pair_ == nullptr) {
         fail(*error, "compute {} magttice/contact needs the pair_style magttice/contact",
              id);
@@ -261,8 +348,6 @@ void add_contact(Lines& lines, const LammpsInput& input) {
 
 }  // namespace
 
-// Nodes that may touch are listed within the distance and half of it, and again when a
-// node has moved a quarter of the distance.
 extern const Effect contact_effect{
     .name = "contact",
     .asked = [](const LammpsInput& input) { return input.contact.has_value(); },
@@ -271,8 +356,6 @@ extern const Effect contact_effect{
         [](const LammpsInput& input, const Body& body) {
             return contact_spring_pa_m(body, contact_law(input));
         },
-    .neighbour_skin_m =
-        [](const LammpsInput& input) { return 0.5 * contact_law(input).distance_m; },
     .register_styles =
         [](LAMMPS_NS::LAMMPS& lammps) {
             (*lammps.force->pair_map)["magttice/contact"] =

@@ -1,0 +1,63 @@
+"""Bodies that touch in a fluid: themselves, each other, the box. Nothing passes through anything
+(the run would end with its name), no energy comes from nowhere, all momentum and power arrive."""
+
+import sys
+import unittest
+from pathlib import Path
+
+from magfsi import testing
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "sphere"))
+import ball_mesh  # noqa: E402
+
+PERIODS = 1
+PERIOD_S = 0.04
+# The swimmer's course at nearly twice its strength: it closes until its ends meet, and opens.
+SWIMMER = {"magnetic_field": "{plane: xz, table: {time: [0 ms, 19.5 ms, 32 ms, 40 ms], magnitude: "
+                             "[-30 mT, 30 mT, -30 mT, -30 mT], direction: 45 deg, repeat: true}}",
+           "contact": "{}", "probes.energy_audit": "true", "gravity": "null",
+           "probes.every": "0.5 ms", "fluid.expected_speed": "1 m/s"}
+
+
+class InAFluid(unittest.TestCase):
+    def check(self, run, label, column="audit.contact[J]"):
+        probes, audit = run.probes(), run.summary()["energy_audit"]
+        testing.report(f"{label}: contact stores up to {max(probes[column]):.2e} J, {audit}")
+        self.assertGreater(max(probes[column]), 0, f"{label}: nothing touched")
+        # As for sheets in a fluid without contact (stability_energy_audit).
+        self.assertLess(audit["gained"], 0.01, label)
+        testing.check_interface_balance(self, run, label)
+        mass = probes["mass[kg]"]
+        self.assertLess(max(abs(m / mass[0] - 1) for m in mass), 1e-12, label)
+        return probes
+
+    def balls(self, settings, ranks=None):
+        folder = Path(testing.new_folder())
+        (folder / "balls.yaml").write_text((HERE / "balls.yaml").read_text())
+        ball_mesh.write(folder / "ball.msh", ball_mesh.ball(4, 2, 2e-3))
+        return testing.good_run(folder / "balls.yaml", settings, ranks)
+
+    def test_balls_on_each_other_and_on_the_floor(self):
+        for scheme in ("serial", "implicit"):
+            probes = self.check(self.balls({"coupling.scheme": scheme}), scheme)
+            low, high = (probes[f"{name}.com_z[m]"][-1] for name in ("lower", "upper"))
+            # On the floor, within a twentieth of a cell; and no nearer than touching.
+            self.assertGreater(low, 1e-3 - 0.05 * 0.25e-3)
+            self.assertLess(low, 1.1e-3)
+            self.assertLess(high, 3.8e-3 - 0.5e-3)
+
+    def test_swimmer_closes_and_opens(self):
+        for ranks in ("structure=1,fluid=1", "structure=2,fluid=1")[:1 if PERIODS == 1 else 2]:
+            run = testing.good_run(testing.SMALL, {
+                **SWIMMER, "time.end": f"{1e3 * PERIOD_S * PERIODS} ms"}, ranks, limit_s=3000)
+            probes = self.check(run, f"swimmer, {ranks}")
+            apart = list(zip(probes["t[s]"], probes["robot.end_to_end[m]"], strict=True))
+            for period in range(PERIODS):
+                in_it = [x for t, x in apart if period <= t / PERIOD_S <= period + 1]
+                self.assertLess(min(in_it), 0.5e-3, f"period {period} does not close")
+                self.assertGreater(max(in_it), 2e-3, f"period {period} does not open")
+
+
+if __name__ == "__main__":
+    testing.main(PERIODS=PERIODS)
