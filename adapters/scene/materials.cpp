@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What material data sheets give, as the solvers take it.
 #include <fmt/format.h>
 

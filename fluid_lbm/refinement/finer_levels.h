@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The levels of a refined grid and what stands between them: for the files that implement
 // RefinedFluid.
 #pragma once

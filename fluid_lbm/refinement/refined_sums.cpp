@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What is read of a refined grid as a whole: sums over the box, forces on obstacles, a
 // cell that has diverged.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sides of the fluid's box that push the surfaces of bodies back: smooth planes, each
 // with the fix of the platform.
 #include <fmt/format.h>

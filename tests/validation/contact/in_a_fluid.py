@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Bodies that touch in a fluid: themselves, each other, the box. Nothing passes through anything
 (the run would end with its name), no energy comes from nowhere, all momentum and power arrive."""
 
