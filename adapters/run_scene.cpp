@@ -65,6 +65,7 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     const auto& solvers = scene::names<scene::FluidSolver>;
     plan.solver_folders.assign(solvers.begin(), solvers.end());
     if (scene.has_structure()) plan.roles.push_back(coupler::Role::structure);
+    plan.controlled = scene.control.has_value();
     if (scene.fluid) {
         plan.roles.push_back(coupler::Role::fluid);
         plan.steps_at_a_time = scene.fluid->coupled_steps_in_one();

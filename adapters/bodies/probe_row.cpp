@@ -2,6 +2,7 @@
 #include "adapters/bodies/probe_row.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 
 #include "adapters/bodies/scene_to_body.h"
+#include "adapters/scene/fault.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lattice/hexahedron.h"
 
@@ -202,19 +204,40 @@ std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh
     return in;
 }
 
+std::vector<std::size_t> columns_named(const std::vector<std::string>& columns,
+                                       const std::vector<std::string>& names) {
+    std::vector<std::string> bare;
+    for (const std::string& column : columns)
+        bare.push_back(column.substr(0, column.find('[')));
+    std::vector<std::size_t> found;
+    for (const std::string& name : names) {
+        auto at = std::ranges::find(columns, name);
+        if (at == columns.end())
+            at = columns.begin() + (std::ranges::find(bare, name) - bare.begin());
+        if (at == columns.end()) {
+            const std::string near = scene::did_you_mean(name, bare);
+            throw std::invalid_argument(
+                fmt::format("control.probes: found {}; allowed are columns of "
+                            "probes.csv, with or without their unit: {}{}",
+                            scene::in_quotes(name), fmt::join(columns, ", "),
+                            near.empty() ? "" : "; " + near));
+        }
+        found.push_back(static_cast<std::size_t>(at - columns.begin()));
+    }
+    return found;
+}
+
 ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
                    const NodalState& start)
     : start_m_(start.position_m) {
     if (!scene.probes) return;
     if (scene.magnetic_field) {
+        field_ = *scene.magnetic_field;
         groups_.push_back(
             {{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]"},
-             [law = *scene.magnetic_field](const ProbeSample& sample, Row& row) {
-                 const Vec3 b =
-                     sample.field_t ? *sample.field_t : field_at(law, sample.time_s);
-                 row.push_back(sample.field_t ? std::hypot(b[0], b[1], b[2])
-                                              : field_magnitude_at(law, sample.time_s));
-                 add(row, b);
+             [this](const ProbeSample& sample, Row& row) {
+                 row.push_back(structure::field_magnitude_at(field_, sample.time_s));
+                 add(row, structure::field_at(field_, sample.time_s));
              }});
     }
     std::vector<std::size_t> first_node;
@@ -338,10 +361,9 @@ std::vector<std::string> ProbeRow::columns() const {
 
 std::vector<double> ProbeRow::values(double time_s, const NodalState& nodes,
                                      const std::vector<BodyLoads>& loads,
-                                     const std::vector<Vec3>& force_on_parts_n,
-                                     const std::optional<Vec3>& field_t) const {
+                                     const std::vector<Vec3>& force_on_parts_n) const {
     std::vector<double> row;
-    const ProbeSample sample{time_s, nodes, loads, force_on_parts_n, field_t};
+    const ProbeSample sample{time_s, nodes, loads, force_on_parts_n};
     for (const Group& group : groups_) group.add(sample, row);
     return row;
 }

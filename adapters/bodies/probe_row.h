@@ -35,8 +35,12 @@ struct ProbeSample {
     const NodalState& nodes;
     const std::vector<BodyLoads>& loads;
     const std::vector<Vec3>& force_on_parts_n;
-    const std::optional<Vec3>& field_t;  // in place of the scene's law
 };
+
+// Which columns are meant by names with or without their unit. Throws
+// std::invalid_argument at the first that is none of them.
+std::vector<std::size_t> columns_named(const std::vector<std::string>& columns,
+                                       const std::vector<std::string>& names);
 
 class ProbeRow {
   public:
@@ -46,11 +50,13 @@ class ProbeRow {
     ProbeRow(const ProbeRow&) = delete;
     ProbeRow& operator=(const ProbeRow&) = delete;
 
+    // Where it is no longer the scene's.
+    void set_field(const structure::FieldProgram& field) { field_ = field; }
+
     std::vector<std::string> columns() const;
     std::vector<double> values(double time_s, const NodalState& nodes,
                                const std::vector<BodyLoads>& loads,
-                               const std::vector<Vec3>& force_on_parts_n = {},
-                               const std::optional<Vec3>& field_t = {}) const;
+                               const std::vector<Vec3>& force_on_parts_n = {}) const;
 
   private:
     // Columns beside each other and the function that adds their values to a row.
@@ -67,6 +73,7 @@ class ProbeRow {
                   const structure::Mesh& mesh, std::size_t first_node, bool in_fluid);
 
     std::vector<Group> groups_;
+    structure::FieldProgram field_{};
     std::vector<Vec3> start_m_;
     std::size_t parts_ = 0;
 };

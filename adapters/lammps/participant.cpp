@@ -274,6 +274,7 @@ void Participant::assemble_output(output::ProgressMode progress) {
         scene_.coupling && scene_.coupling->overlap == coupler::OverlapRule::stop,
         "overlap");
     outputs_.need(scene_.probes.has_value(), "probes");
+    outputs_.need(scene_.control.has_value(), "control");
     outputs_.need(scene_.output.structure.has_value(), "structure_fields");
     outputs_.need(scene_.checkpoint.has_value(), "checkpoint");
     outputs_.need(run_.recorded, "record");

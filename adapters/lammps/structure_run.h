@@ -14,6 +14,7 @@
 #include "adapters/lammps/engine.h"
 #include "adapters/lammps/substeps.h"
 #include "coupler/checkpoint/state_file.h"
+#include "coupler/output/probe_file.h"
 #include "coupler/scheme/structure_coupling.h"
 #include "coupler/step/task_list.h"
 #include "structure/lammps/script.h"
@@ -39,8 +40,13 @@ struct StructureRun {
     // On a path of equilibria in a field, on the root: of each body.
     std::vector<bodies::FieldWork> field_work{};
     bool recorded = false;  // --record
-    // By set_field; the scene's law where it is absent.
-    std::optional<structure::Vec3> field_t{};
+    // The columns of probes.csv and its last row, on the leading rank; null without
+    // probes.
+    const output::ProbeFile* probes = nullptr;
+    // Where a controller sets the field: what it is now. Empty up to the first call.
+    std::optional<structure::FieldProgram> steered{};
+    std::optional<structure::Vec3> field_t(double time_s) const;
+    std::function<void(coupler::StateWriter*)> save_control{};
     // Called with what the fluid has sent for a row of probes, on the root; may be empty.
     std::function<void(std::span<const double>)> on_fluid_values{};
 
@@ -55,10 +61,8 @@ struct StructureRun {
 };
 
 // The applied field from here on, in place of the scene's law: for a controller, between
-// two coupled steps and on all ranks of the structure. The scene needs a magnetic_field;
-// throws std::logic_error without one. A run that goes on from a checkpoint starts with
-// the law of the scene: set it again.
-void set_field(StructureRun& run, const structure::Vec3& field_t);
+// two coupled steps and on all ranks of the structure. The scene needs a magnetic_field.
+void set_field(StructureRun& run, const structure::FieldProgram& law);
 
 // An output of outputs.inc is an object of this type, called NAME_output.
 using StructureOutput = coupler::OutputKind<StructureRun>;
@@ -67,10 +71,15 @@ using StructureOutput = coupler::OutputKind<StructureRun>;
 // Collective; file is null but on the root.
 void save_structure(const StructureRun& run, coupler::StateWriter* file);
 
+// A text in a checkpoint, as numbers; empty where there is none.
+void save_text(coupler::StateWriter& file, const std::string& table,
+               const std::string& text);
+std::string text_in(const coupler::StateReader& file, const std::string& table);
+
 // The two halves of a restart, each collective: the bodies after engine.set_up and before
 // markers are placed on ranks, the rest before the first exchange with the fluid. Throw
 // coupler::StateFault when the file is of other meshes.
-void restore_bodies(const StructureRun& run, const coupler::StateReader& file);
+void restore_bodies(StructureRun& run, const coupler::StateReader& file);
 void restore_coupling(const StructureRun& run, const coupler::StateReader& file);
 
 }  // namespace magfsi::lammps

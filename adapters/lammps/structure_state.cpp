@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
+#include "adapters/scene/reader.h"
 #include "coupler/checkpoint/rank_rows.h"
 #include "coupler/checkpoint/state_file.h"
 #include "structure/lammps/field_program.h"
@@ -60,6 +60,32 @@ std::vector<double> share(const StateReader& file, const char* table, MPI_Comm c
 
 }  // namespace
 
+void save_text(StateWriter& file, const std::string& table, const std::string& text) {
+    if (text.empty()) return;
+    const std::vector<double> numbers(text.begin(), text.end());
+    file.table(table, numbers, {numbers.size()});
+}
+
+std::string text_in(const StateReader& file, const std::string& table) {
+    std::string text;
+    if (!file.has(table)) return text;
+    for (const double number : file.table(table)) text += static_cast<char>(number);
+    return text;
+}
+
+namespace {
+
+// The field that a controller had set; nothing before its first call.
+std::optional<structure::FieldProgram> steered(const StructureRun& run,
+                                               const StateReader& file,
+                                               const char* table) {
+    const std::string text = text_in(file, table);
+    if (text.empty()) return {};
+    return scene::read_field(text, "the controller's field in the checkpoint", run.scene);
+}
+
+}  // namespace
+
 void save_structure(const StructureRun& run, StateWriter* file) {
     const MPI_Comm comm = run.session.world().local();
     Engine& engine = *run.engine;
@@ -78,16 +104,20 @@ void save_structure(const StructureRun& run, StateWriter* file) {
         const auto carried = run.audit->carried();
         file->table("energy_audit", carried, {carried.size()});
     }
+    if (run.save_control) run.save_control(file);
 }
 
-void restore_bodies(const StructureRun& run, const StateReader& file) {
+void restore_bodies(StructureRun& run, const StateReader& file) {
     Engine& engine = *run.engine;
+    // Forces and the field's work go on from what it was in the last step.
+    if (const auto before = steered(run, file, "field_of_step")) set_field(run, *before);
     const auto nodes =
         rows_of(file, "nodes", static_cast<std::size_t>(run.atoms), engine.node_values());
     engine.put_nodes(nodes);
     if (file.has("sums"))
         engine.put_fix_sums(share(file, "sums", run.session.world().local()));
     if (run.audit) run.audit->set(file.table("energy_audit"));
+    if (const auto now = steered(run, file, "field")) set_field(run, *now);
 }
 
 void restore_coupling(const StructureRun& run, const StateReader& file) {
@@ -107,11 +137,14 @@ void restore_coupling(const StructureRun& run, const StateReader& file) {
         run.balance()->set(share(file, "balance", run.session.world().local()));
 }
 
-void set_field(StructureRun& run, const structure::Vec3& field_t) {
-    if (!run.input.field) throw std::logic_error("set_field without a magnetic field");
-    const structure::FieldProgram held{{0, 2}, structure::VectorField{field_t}};
-    run.engine->command("fix_modify field law " + structure::field_arguments(held));
-    run.field_t = field_t;
+std::optional<structure::Vec3> StructureRun::field_t(double time_s) const {
+    if (!steered) return {};
+    return structure::field_at(*steered, time_s);
+}
+
+void set_field(StructureRun& run, const structure::FieldProgram& law) {
+    run.engine->command("fix_modify field law " + structure::field_arguments(law));
+    run.steered = law;
 }
 
 }  // namespace magfsi::lammps

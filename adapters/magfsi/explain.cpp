@@ -2,6 +2,7 @@
 #include "adapters/magfsi/explain.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/bodies/surroundings.h"
+#include "adapters/fluids/fluid_probes.h"
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/scene/checks.h"
@@ -267,6 +269,34 @@ std::string explain_structure(const scene::Scene& scene) {
     return text;
 }
 
+// Of runs with motion: of the energy audit the run knows the columns.
+void check_columns(const scene::Scene& scene) {
+    std::vector<structure::Body> solids = bodies::bodies_in_fluid(scene);
+    bodies::NodalState start;
+    for (const structure::Body& solid : solids) {
+        start.position_m.insert(start.position_m.end(), solid.mesh.nodes.begin(),
+                                solid.mesh.nodes.end());
+    }
+    std::vector<std::string> columns = bodies::ProbeRow(scene, solids, start).columns();
+    for (const auto& more :
+         {fluids::fluid_columns(scene), fluids::interface_columns(scene)})
+        columns.insert(columns.end(), more.begin(), more.end());
+    std::vector<std::string> names = scene.control->probes;
+    if (scene.probes && scene.probes->energy_audit)
+        std::erase_if(names, [](const auto& name) { return name.starts_with("audit."); });
+    (void)bodies::columns_named(columns, names);
+}
+
+std::string explain_control(const scene::Scene& scene) {
+    check_columns(scene);
+    const scene::Control& control = *scene.control;
+    return fmt::format(
+        "\ncontrol\n  {}, a program that runs with your rights, sets the field every "
+        "{:.4g} ms{}{}\n",
+        control.script, control.every_s * 1e3, control.probes.empty() ? "" : "; it sees ",
+        fmt::join(control.probes, ", "));
+}
+
 // The scheme in words, what it costs, and which one is recommended for these densities.
 
 // Measured (docs/coupling.md): the serial scheme runs down to this density ratio; below
@@ -361,6 +391,7 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     for (const std::filesystem::path& file : scene::files_elsewhere(scene))
         text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
     if (!scene.bodies.empty()) text += explain_structure(scene);
+    if (scene.control) text += explain_control(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene);
     return text;

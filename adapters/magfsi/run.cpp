@@ -30,6 +30,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr const char* python = "/usr/bin/python3";
+
 fs::path program(const std::string& name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
@@ -80,7 +82,24 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         }
         programs.push_back(std::move(p));
     }
+    if (scene.control && !options.replay.contains("structure"))
+        programs.push_back({"controller", 1, {python, "-P", "-m", "magfsi.controller"}});
     return programs;
+}
+
+void need_controller() {
+    const auto imports = [](const std::string& package) {
+        const std::string command =
+            fmt::format("{} -P -c 'import {}' 2>/dev/null", python, package);
+        return std::system(command.c_str()) == 0;
+    };
+    if (!imports("mpi4py"))
+        throw std::invalid_argument(
+            "control: needs the Python package mpi4py (Debian: apt install "
+            "python3-mpi4py)");
+    if (!imports("magfsi.controller"))
+        throw std::invalid_argument(
+            "control: needs the launcher ./magfsi, which knows the Python package");
 }
 
 void check_exchange(const scene::Scene& scene, const RunOptions& options,
@@ -310,7 +329,7 @@ void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) 
         throw std::invalid_argument(
             "--error: needs the launcher ./magfsi, which knows the Python package");
     }
-    std::vector<std::string> words{"/usr/bin/python3", "-P", "-m", "magfsi.cost.within",
+    std::vector<std::string> words{python, "-P", "-m", "magfsi.cost.within",
                                    options.scene.string()};
     const auto add = [&](const char* option, const std::string& value) {
         if (!value.empty()) words.insert(words.end(), {option, value});
@@ -377,6 +396,7 @@ int run(const RunOptions& options) {
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, run_plan(scene));
     check_exchange(scene, options, out);
+    if (scene.control) need_controller();
     need_stack();
     setenv("MAGFSI_COMMAND", options.command.c_str(), 1);  // for run.json
     fs::create_directories(out);

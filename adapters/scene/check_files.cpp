@@ -66,6 +66,16 @@ void require_regular_file(const fs::path& file, const Origin& where) {
             fmt::format("files of at most {} bytes", largest_file_bytes));
 }
 
+void check_script(const fs::path& file, const Origin& where) {
+    std::error_code none;
+    require(fs::exists(fs::status(file, none)), where,
+            fmt::format("no file {}", in_quotes(file.string())),
+            "a Python file with a class Controller");
+    require_regular_file(file, where);
+    require(file.extension() == ".py", where,
+            fmt::format("the script {}", in_quotes(file.string())), "the ending .py");
+}
+
 void check_files(const Scene& scene, const Marks& marks) {
     check_name(scene.name, marks.value({"name"}));
     for (const Body& body : scene.bodies) {
@@ -104,6 +114,7 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
         if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
             files.emplace_back(table->file);
     }
+    if (scene.control) files.emplace_back(scene.control->script);
     for (const Obstacle& obstacle : scene.fluid.value_or(Fluid{}).obstacles) {
         if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
             files.emplace_back(surface->file);

@@ -92,17 +92,23 @@ void check_gradient(const GradientInput& gradient, const Marks& marks) {
         "dB_i/dx_j = dB_j/dx_i with a sum of 0 on the diagonal (no current flows here)");
 }
 
-void check_magnetic_field(const MagneticField& field, const Scene& scene,
-                          const Marks& marks) {
-    const auto magnetized = [](const Body& body) {
-        return body.magnetization.has_value();
-    };
-    require(std::ranges::any_of(scene.bodies, magnetized), marks.key({"magnetic_field"}),
-            "magnetic_field without a magnetized body",
-            "it with at least one body that has a magnetization",
-            "add a magnetization or remove this key");
-    check_laws(field, marks);
-    if (field.gradient) check_gradient(*field.gradient, marks);
+void check_control(const Scene& scene, const Marks& marks) {
+    const Control& control = *scene.control;
+    require_with(scene.magnetic_field.has_value(), marks.key({"control"}), "control",
+                 "a magnetic field",
+                 "add magnetic_field: what the field is before the first call");
+    require(!scene.time.equilibrium, marks.key({"control"}),
+            "control of a path of equilibria", "it in runs with motion only");
+    check_script(control.script, marks.value({"control", "script"}));
+    require_with(control.probes.empty() || scene.probes, marks.key({"control", "probes"}),
+                 "control.probes", "probes", "add probes: it names what a run measures");
+    if (!scene.probes) return;
+    const double rows = control.every_s / scene.probes->every_s;
+    require(std::round(rows) >= 1 && std::abs(rows - std::round(rows)) < 1e-6 * rows,
+            marks.value({"control", "every"}),
+            fmt::format("{} between two calls", seconds(control.every_s)),
+            fmt::format("a whole number of times probes.every, {}",
+                        seconds(scene.probes->every_s)));
 }
 
 void check_equilibrium(const Scene& scene, const Marks& marks) {
@@ -293,13 +299,27 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
     return {};
 }
 
+void check_magnetic_field(const Scene& scene, const Marks& marks) {
+    const MagneticField& field = *scene.magnetic_field;
+    const auto magnetized = [](const Body& body) {
+        return body.magnetization.has_value();
+    };
+    require(std::ranges::any_of(scene.bodies, magnetized), marks.key({"magnetic_field"}),
+            "magnetic_field without a magnetized body",
+            "it with at least one body that has a magnetization",
+            "add a magnetization or remove this key");
+    check_laws(field, marks);
+    if (field.gradient) check_gradient(*field.gradient, marks);
+}
+
 void check_loads(const Scene& scene, const Marks& marks) {
     const auto with_bodies = [&](bool present, const char* key) {
         require_with(!present || !scene.bodies.empty(), marks.key({key}), key, "bodies",
                      "add the key \"bodies\" or remove this one");
         return present;
     };
-    if (scene.magnetic_field) check_magnetic_field(*scene.magnetic_field, scene, marks);
+    if (scene.magnetic_field) check_magnetic_field(scene, marks);
+    if (scene.control) check_control(scene, marks);
     if (with_bodies(scene.gravity.has_value(), "gravity"))
         require(scene.gravity->direction != Vec3{}, marks.value({"gravity", "direction"}),
                 "a direction of length 0", "any other vector such as [0, 0, -1]");

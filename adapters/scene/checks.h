@@ -74,6 +74,8 @@ void check_bodies(const Scene& scene, const Marks& marks);
 void check_loads(const Scene& scene, const Marks& marks);
 void check_fluid(const Scene& scene, const Marks& marks);
 void check_retry(const Scene& scene, const Marks& marks);
+void check_magnetic_field(const Scene& scene, const Marks& marks);
+void check_script(const std::filesystem::path& file, const Origin& where);
 
 // What check and explain answer for in seconds, on one core.
 constexpr double max_elements = 250'000;

@@ -9,6 +9,7 @@
 
 #include "adapters/scene/field.h"
 #include "adapters/scene/keys.h"
+#include "coupler/hash.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "fluid_lbm/units.h"
 
@@ -26,13 +27,7 @@ std::string law_key(const FieldLaw& law) {
 
 std::uint64_t scene_hash(const Scene& scene) {
     // nlohmann::json sorts the keys, ordered_json does not.
-    const std::string text = nlohmann::json(effective_scene(scene)).dump();
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const char c : text) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 1099511628211ULL;
-    }
-    return hash;
+    return coupler::hash_of(nlohmann::json(effective_scene(scene)).dump());
 }
 
 std::uint64_t state_hash(const Scene& scene) {
@@ -45,6 +40,7 @@ std::uint64_t state_hash(const Scene& scene) {
         endless.coupling->timeout_s.reset();
         endless.coupling->overlap = {};
     }
+    if (endless.control) endless.control->timeout_s = Control{}.timeout_s;
     return scene_hash(endless);
 }
 
@@ -129,6 +125,7 @@ std::vector<Effect> effects_of(const Scene& s) {
         {structure, "viscosity", some_body(is_viscous)},
         {structure, "magnetic field", s.magnetic_field.has_value()},
         {structure, "field gradient", s.magnetic_field && s.magnetic_field->gradient},
+        {structure, "control", s.control.has_value()},
         {structure, "gravity", s.gravity.has_value()},
         {structure, "damping", s.damping.has_value()},
         {structure, "platform", s.platform.has_value()},

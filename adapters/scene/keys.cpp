@@ -32,6 +32,18 @@ void keys(Io& io, Time& time) {
 }
 
 template <class Io>
+void keys(Io& io, Control& control) {
+    io(key("script", "A Python file with a class Controller (docs/control.md); it runs with the "
+           "rights of who starts the run."), control.script);
+    io(quantity("every", "s", "Time between two calls, a whole number of probes.every; the first is "
+                "at time 0.").above(0), control.every_s);
+    io(key("probes", "Columns of probes.csv that it sees, with or without their unit.").optional(),
+       control.probes);
+    io(quantity("timeout", "s", "Longest wait for an answer.").above(0).by_default(),
+       control.timeout_s);
+}
+
+template <class Io>
 void keys(Io& io, Gravity& gravity) {
     io(quantity("acceleration", "m/s2", "Strength.").at_least(0), gravity.acceleration_m_s2);
     io(key("direction", "Where it pulls; any length.").by_default(), gravity.direction);
@@ -139,6 +151,8 @@ void keys(Io& io, Scene& scene) {
     io(key("time", "Length of the run and its step."), scene.time);
     io(key("bodies", "Soft magnetic bodies by name.").optional(), scene.bodies);
     io(key("magnetic_field", "Uniform applied field over time."), scene.magnetic_field);
+    io(key("control", "A program that sees probes and sets the magnetic field as the run goes on."),
+       scene.control);
     io(key("gravity", "Weight of the bodies; in a fluid, less their buoyancy."), scene.gravity);
     io(key("damping", "Drag on every node of the bodies."), scene.damping);
     io(key("platform", "Plane that bodies cannot pass and may leave freely."), scene.platform);

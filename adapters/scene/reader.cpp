@@ -68,6 +68,7 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
         if (harmonic && box && harmonic->wavelength_m == 0)
             harmonic->wavelength_m = box->size_m[harmonic->along];
     }
+    if (scene.control) scene.control->script = (folder / scene.control->script).string();
     if (scene.fluid) {
         for (Obstacle& obstacle : scene.fluid->obstacles) {
             if (auto* surface = std::get_if<StlSurface>(&obstacle.shape))
@@ -105,6 +106,25 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+MagneticField read_field(const std::string& text, const std::string& source,
+                         const Scene& scene) {
+    constexpr const char* key = "magnetic_field";
+    const Node root = parse_document(text, {source, 0, 0});
+    const Node* const node = root.find(key);
+    if (!node) refuse({source}, describe(root), "a map with the key magnetic_field");
+    const Field& field = *scene_fields().find(key);
+    validate(*node, field);
+    require(!node->find("gradient"), {source}, "a gradient",
+            "a field that is uniform: the gradient is the scene's, and constant");
+    Scene changed = scene;
+    changed.magnetic_field->plus.clear();
+    TreeReader reader(*node, field);
+    keys(reader, *changed.magnetic_field);
+    read_field_files(changed, Marks(root));
+    check_magnetic_field(changed, Marks(root));
+    return *changed.magnetic_field;
+}
 
 std::filesystem::path scene_file(const std::filesystem::path& path) {
     const bool folder = std::filesystem::is_directory(path);

@@ -22,6 +22,12 @@ class SceneError : public std::invalid_argument {
 Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides = {});
 
+// What stands under magnetic_field of the scene, from a text {"magnetic_field": ...} that
+// a controller returns (in YAML); what the text leaves out is the scene's. source: for
+// the error. Throws SceneError.
+MagneticField read_field(const std::string& text, const std::string& source,
+                         const Scene& scene);
+
 // The file that read_scene would open.
 std::filesystem::path scene_file(const std::filesystem::path& path);
 

@@ -94,6 +94,14 @@ struct MagneticField : FieldProgram {
     std::optional<GradientInput> gradient;
 };
 
+// A program of the user's that sees probes and sets the field as the run goes on.
+struct Control {
+    std::string script;               // Python, with a class Controller
+    double every_s = 0;               // between two calls
+    std::vector<std::string> probes;  // columns of probes.csv, with or without their unit
+    double timeout_s = 60;            // longest wait for an answer
+};
+
 struct Gravity {
     double acceleration_m_s2 = 0;
     Vec3 direction{0, 0, -1};  // unit vector
@@ -290,6 +298,7 @@ struct Scene {
     Time time;
     std::vector<Body> bodies;  // by name, whatever their order in the file
     std::optional<MagneticField> magnetic_field;
+    std::optional<Control> control;
     std::optional<Gravity> gravity;
     std::optional<Damping> damping;
     std::optional<Platform> platform;

@@ -26,6 +26,12 @@ class PartnerLost : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// It lives, but did not answer in time.
+class TimedOut : public PartnerLost {
+  public:
+    using PartnerLost::PartnerLost;
+};
+
 // Told to end (SIGTERM or SIGINT).
 class Stopped : public std::runtime_error {
   public:

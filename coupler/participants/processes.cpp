@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "coupler/hash.h"
 #include "coupler/participants/errors.h"
 
 namespace magfsi::coupler {
@@ -29,7 +30,7 @@ std::uint64_t machine() {
     std::array<char, 64> name_space{};
     if (::readlink("/proc/self/ns/pid", name_space.data(), name_space.size() - 1) > 0)
         text += name_space.data();
-    return std::hash<std::string>{}(text);
+    return hash_of(text);
 }
 
 struct Status {
@@ -70,6 +71,11 @@ Life life_of(const ProcessId& process) {
     if (status.started != process.started || status.state == 'Z' || status.state == 'X')
         return Life::gone;
     return status.state == 'T' || status.state == 't' ? Life::stopped : Life::alive;
+}
+
+void wake(const ProcessId& process) {
+    static const std::uint64_t here = machine();
+    if (process.machine == here) ::kill(static_cast<pid_t>(process.pid), SIGUSR2);
 }
 
 void die_with_mpirun() {
@@ -146,7 +152,7 @@ std::string fault_of_job() {
     for (const std::string& words : contexts) {
         const bool ours = std::ranges::any_of(
             std::to_array({"magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-",
-                           "magfsi-replay-"}),
+                           "magfsi-replay-", "magfsi.controller"}),
             [&](const char* name) { return words.find(name) != std::string::npos; });
         if (ours) continue;
         return fmt::format(

@@ -19,6 +19,10 @@ ProcessId this_process();
 enum class Life { far, gone, stopped, alive };
 Life life_of(const ProcessId& process);
 
+// To one that sleeps between messages: there is one for it (SIGUSR2). Does nothing to a
+// far one, which has to look by itself.
+void wake(const ProcessId& process);
+
 // mpirun's death is to end this process too; a stopped one as well. Call it first.
 void die_with_mpirun();
 

@@ -27,6 +27,7 @@ struct RunPlan {
     double end_s = 0;
     int steps_at_a_time = 1;           // whole steps of a refined grid's coarsest level
     std::vector<Role> roles;           // the participants of the run
+    bool controlled = false;           // the structure has a controller
     std::optional<Coupling> coupling;  // present where there are both
     std::optional<CheckpointPlan> checkpoint;
     bool interface_balance = false;  // is audited

@@ -36,7 +36,9 @@ Session::Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
                  RunState& state)
     : state_(fill(state, arguments, std::move(plan))),
       arguments_(arguments),
-      world_(role, state_.plan.roles.size() == 2, state_.plan.scene_hash) {}
+      // A structure that is played has been controlled.
+      world_(role, state_.plan.roles.size() == 2, state_.plan.scene_hash,
+             state_.plan.controlled && arguments.replay.empty()) {}
 
 double Session::timeout_s() const {
     return plan().coupling ? plan().coupling->timeout_s.value_or(no_timeout_s)

@@ -25,7 +25,7 @@ namespace magfsi::coupler {
 
 namespace {
 
-constexpr int intercommunicator_tag = 71;
+constexpr int intercommunicator_tag = 71, controller_tag = 75;
 
 // A process of the job, as all of them learn of it.
 struct Member {
@@ -68,18 +68,25 @@ int first_rank(const std::vector<Member>& all, Role role) {
     return at == all.end() ? -1 : static_cast<int>(at - all.begin());
 }
 
-// The partner's, for the waits, which are free functions.
-std::vector<ProcessId> partner_processes;
+// Whom this process waits for, for the waits, which are free functions.
+struct Awaited {
+    ProcessId process;
+    std::string name;
+};
+std::vector<Awaited> awaited;
 std::string partner_name = "partner";
 std::function<void(const std::string&)> tell;
 
 }  // namespace
 
 std::string to_string(Role role) {
+    if (role == Role::control) return "controller";
     return role == Role::structure ? "structure" : "fluid";
 }
 
-World::World(Role self, bool partner_expected, std::uint64_t scene_hash) : self_(self) {
+World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
+             bool controller_expected)
+    : self_(self) {
     const std::vector<Member> all = members_of_world(self, scene_hash);
     joined();
     int world_rank = 0;
@@ -88,9 +95,23 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash) : self_
     MPI_Comm_split(MPI_COMM_WORLD, static_cast<int>(self), world_rank, &local_);
     MPI_Comm_rank(local_, &rank_);
     MPI_Comm_size(local_, &size_);
+    join_partner(first_rank(all, other()), partner_expected);
+    // A controller is the structure's: the fluid knows nothing of it.
+    const int controller = first_rank(all, Role::control);
+    if (self == Role::structure) join_controller(controller, controller_expected);
+    if (controller_ != MPI_COMM_NULL)
+        controller_process_ = all[static_cast<std::size_t>(controller)].process;
+    partner_name = to_string(other());
+    awaited.clear();
+    for (const Member& member : all) {
+        const auto role = static_cast<Role>(member.role);
+        if (role == other() || (role == Role::control && self == Role::structure))
+            awaited.push_back({member.process, to_string(role)});
+    }
+}
 
-    const int partner = first_rank(all, other());
-    if (partner < 0 && partner_expected) {
+void World::join_partner(int first, bool expected) {
+    if (first < 0 && expected) {
         throw PartnerLost(
             fmt::format("{0} was started without its partner: the scene couples "
                         "structure and fluid, and no {1} process is in this MPI job; "
@@ -98,29 +119,35 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash) : self_
                         "-n 1 magfsi-fluid-lbm SCENE) or use ./magfsi run SCENE",
                         to_string(self_), to_string(other())));
     }
-    if (partner >= 0 && !partner_expected) {
+    if (first >= 0 && !expected) {
         throw PartnerLost(fmt::format(
             "a {1} process was started beside the {0}, but the {0}'s scene has no {1}: "
             "start only magfsi's {0}, or give both sides the same scene",
             to_string(self_), to_string(other())));
     }
-    if (partner >= 0) {
-        MPI_Intercomm_create(local_, 0, MPI_COMM_WORLD, partner, intercommunicator_tag,
-                             &partner_);
-        MPI_Comm_remote_size(partner_, &partner_size_);
+    if (first < 0) return;
+    MPI_Intercomm_create(local_, 0, MPI_COMM_WORLD, first, intercommunicator_tag,
+                         &partner_);
+    MPI_Comm_remote_size(partner_, &partner_size_);
+}
+
+void World::join_controller(int first, bool expected) {
+    if ((first >= 0) != expected) {
+        throw PartnerLost(
+            expected
+                ? "the structure was started without its controller: start python3 -m "
+                  "magfsi.controller in the same mpirun, or use ./magfsi run SCENE"
+                : "a controller was started beside the structure, whose scene has no "
+                  "control: start only the structure and its partner");
     }
-    partner_name = to_string(other());
-    partner_processes.clear();
-    for (const Member& member : all) {
-        if (member.role != static_cast<int>(self))
-            partner_processes.push_back(member.process);
-    }
+    if (first < 0) return;
+    MPI_Intercomm_create(local_, 0, MPI_COMM_WORLD, first, controller_tag, &controller_);
 }
 
 World::~World() {
-    partner_processes.clear();
-    if (partner_ != MPI_COMM_NULL) MPI_Comm_free(&partner_);
-    if (local_ != MPI_COMM_NULL) MPI_Comm_free(&local_);
+    awaited.clear();
+    for (MPI_Comm* comm : {&partner_, &controller_, &local_})
+        if (*comm != MPI_COMM_NULL) MPI_Comm_free(comm);
 }
 
 namespace {
@@ -170,8 +197,8 @@ bool may_wait_on(Clock::duration since) {
 // A wait that lasts: whether the partner is still there, and a word about it each minute.
 class LongWait {
   public:
-    LongWait(double timeout_s, const std::string& what)
-        : timeout_s_(timeout_s), what_(what) {}
+    LongWait(double timeout_s, const std::string& what, const std::string& whom)
+        : timeout_s_(timeout_s), what_(what), whom_(whom) {}
 
     void look(Clock::time_point now) {
         // Time in which this process did not run either is nobody's delay: the whole job
@@ -182,7 +209,7 @@ class LongWait {
                 .count();
         last_ = now;
         if (own_s_ > timeout_s_) {
-            throw PartnerLost(
+            throw TimedOut(
                 fmt::format("no {} within {:g} s: the partner hangs or is much slower "
                             "than expected (coupling.timeout sets the limit)",
                             what_, timeout_s_));
@@ -195,12 +222,12 @@ class LongWait {
   private:
     void look_at_partner() {
         std::string about;
-        for (const ProcessId& process : partner_processes) {
-            const Life life = life_of(process);
+        for (const Awaited& one : awaited) {
+            const Life life = life_of(one.process);
             if (life == Life::stopped)
-                about = fmt::format("; its process {} is stopped", process.pid);
+                about = fmt::format("; its process {} is stopped", one.process.pid);
             if (life == Life::gone) {
-                lost(process);
+                lost(one);
                 return;
             }
         }
@@ -209,22 +236,22 @@ class LongWait {
         next_word_s_ += 60;
         if (!tell) return;
         const std::tm start = fmt::localtime(start_);
-        tell(fmt::format("waiting for the {} since {:%H:%M:%S} ({:.0f} s): {}{}",
-                         partner_name, start, std::difftime(std::time(nullptr), start_),
-                         what_, about));
+        tell(fmt::format("waiting for the {} since {:%H:%M:%S} ({:.0f} s): {}{}", whom_,
+                         start, std::difftime(std::time(nullptr), start_), what_, about));
     }
 
     // mpirun notices too and names the cause; this is for a job that has none.
-    void lost(const ProcessId& process) {
+    void lost(const Awaited& one) {
         constexpr double patience_with_mpirun_s = 4;
         if (!gone_s_) gone_s_ = own_s_;
         if (own_s_ - *gone_s_ < patience_with_mpirun_s) return;
         throw PartnerLost(fmt::format("no {}: process {} of the {} is gone", what_,
-                                      process.pid, partner_name));
+                                      one.process.pid, one.name));
     }
 
     double timeout_s_;
     const std::string& what_;
+    const std::string& whom_;
     std::time_t start_ = std::time(nullptr);
     Clock::time_point last_ = Clock::now();
     double own_s_ = 0, next_look_s_ = 1, next_word_s_ = 60;
@@ -232,7 +259,8 @@ class LongWait {
 };
 
 template <typename Done>
-void wait_until(Done done, double timeout_s, const std::string& what) {
+void wait_until(Done done, double timeout_s, const std::string& what,
+                const std::string& whom = partner_name) {
     const WaitingTime waiting;
     std::optional<Clock::time_point> told;
     std::optional<LongWait> wait;
@@ -248,7 +276,7 @@ void wait_until(Done done, double timeout_s, const std::string& what) {
             sched_yield();
             continue;
         }
-        if (!wait) wait.emplace(timeout_s, what);
+        if (!wait) wait.emplace(timeout_s, what, whom);
         wait->look(now);
         sleep_exactly();
         std::this_thread::sleep_for(std::clamp<std::chrono::nanoseconds>(
@@ -293,7 +321,8 @@ void wait_all(std::span<MPI_Request> requests, double timeout_s,
 }
 
 void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
-                       double timeout_s, const std::string& what) {
+                       double timeout_s, const std::string& what,
+                       const std::string& whom) {
     std::size_t arrived = 0;
     wait_until(
         [&] {
@@ -304,7 +333,7 @@ void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
             }
             return true;
         },
-        timeout_s, what);
+        timeout_s, what, whom.empty() ? partner_name : whom);
 }
 
 void tell_of_long_waits(std::function<void(const std::string&)> teller) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The two sides of a run: how they find each other, agree, exchange and wait.
+// The two sides of a run, and the controller beside the structure: how they find each
+// other, agree, exchange and wait.
 #pragma once
 
 #include <mpi.h>
@@ -10,20 +11,25 @@
 #include <span>
 #include <string>
 
+#include "coupler/participants/processes.h"
+
 namespace magfsi::coupler {
 
-enum class Role { structure = 1, fluid = 2 };
+enum class Role { structure = 1, fluid = 2, control = 3 };
 
 std::string to_string(Role role);
 
 // The first act of every participant: all world ranks join one split by role, then the
-// two sides are joined by an intercommunicator. After that nobody uses MPI_COMM_WORLD.
+// two sides are joined by an intercommunicator, and the structure and a controller by
+// another. After that nobody uses MPI_COMM_WORLD.
 class World {
   public:
-    // partner_expected: whether the scene has another side. Throws PartnerLost when it
-    // was not started, or when it was started although the scene has none, and where the
-    // processes of one side are not of one program and one scene.
-    World(Role self, bool partner_expected, std::uint64_t scene_hash = 0);
+    // partner_expected: whether the scene has another side; controller_expected: whether
+    // this one, the structure, has a controller. Throws PartnerLost when one was not
+    // started, or was started although the scene has none, and where the processes of one
+    // side are not of one program and one scene.
+    World(Role self, bool partner_expected, std::uint64_t scene_hash = 0,
+          bool controller_expected = false);
     ~World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -34,6 +40,8 @@ class World {
     }
     MPI_Comm local() const { return local_; }
     MPI_Comm partner() const { return partner_; }  // MPI_COMM_NULL without a partner
+    MPI_Comm controller() const { return controller_; }  // the structure's; likewise
+    const ProcessId& controller_process() const { return controller_process_; }
     int rank() const { return rank_; }
     int size() const { return size_; }
     int partner_size() const { return partner_size_; }
@@ -43,9 +51,14 @@ class World {
     bool leads() const { return root() && (self_ == Role::structure || !coupled()); }
 
   private:
+    void join_partner(int first, bool expected);
+    void join_controller(int first, bool expected);
+
     Role self_;
     MPI_Comm local_ = MPI_COMM_NULL;
     MPI_Comm partner_ = MPI_COMM_NULL;
+    MPI_Comm controller_ = MPI_COMM_NULL;
+    ProcessId controller_process_;
     int rank_ = 0;
     int size_ = 1;
     int partner_size_ = 0;
@@ -57,15 +70,17 @@ constexpr double no_timeout_s = std::numeric_limits<double>::infinity();
 // Completes all requests without taking the core that the partner may need: polls for a
 // moment, then sleeps in between, the longer the more it has waited. A partner that lives
 // is waited for, also while it is suspended, with a word about it each minute. Throws
-// PartnerLost when it is gone, and after timeout_s of this process's own running time
-// (its text names `what`); Stopped when the process was told to end.
+// PartnerLost when it is gone, TimedOut after timeout_s of this process's own running
+// time (its text names `what`); Stopped when the process was told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
 
 // Waits until a message from each of the ranks can be received. A long message takes some
 // turns of both sides; a receive that is posted after this waits for those without the
 // long naps of a wait for the partner's whole step.
+// whom: for the word about it; without it, the partner.
 void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
-                       double timeout_s, const std::string& what);
+                       double timeout_s, const std::string& what,
+                       const std::string& whom = {});
 
 // Who hears, each minute, what this process waits for.
 void tell_of_long_waits(std::function<void(const std::string&)> tell);

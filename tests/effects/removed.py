@@ -95,6 +95,7 @@ EFFECTS = {
     "record": output("record", "coupler/exchange/exchange_record.*", coupled=[STRUCTURE]),
     "probes": [*output("probes", alone=[FLUID]),
                *output("probes", absent={"probes": "null"}, alone=[STRUCTURE], coupled=BOTH)],
+    "control": output("control", absent={"control": "null"}, alone=[STRUCTURE]),
     "structure_fields": output("structure_fields", "adapters/bodies/structure_files.*",
                                alone=[STRUCTURE], coupled=[STRUCTURE]),
     "fluid_fields": output("fluid_fields", alone=[FLUID], coupled=[FLUID]),

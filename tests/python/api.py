@@ -107,15 +107,17 @@ class Page(unittest.TestCase):
         text = (testing.ROOT / "docs/python.md").read_text().replace(
             '"tutorials/swimmer", time={"end": "40 ms"}',
             f'"{testing.SWIMMER}", time={{"end": "21 ms"}}, fluid={{"spacing": "0.26666666666667 mm"}}')
+        text = text.replace('"tutorials/', f'"{testing.ROOT}/tutorials/')
         text = text.replace('"0.2 mm"', '"0.26666666666667 mm"').replace('"runs/', f'"{folder()}/')
         blocks = [part.split("```")[0] for part in text.split("```python\n")[1:]]
-        self.assertEqual(len(blocks), 2)
+        self.assertEqual(len(blocks), 3)
         done = subprocess.run([sys.executable, "-c", "".join(blocks)], capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        viscosity, _, slip, shape, outcome = done.stdout.splitlines()
+        viscosity, _, slip, shape, outcome, height = done.stdout.splitlines()
         self.assertEqual((viscosity, shape, outcome), ("1e-06", "(378, 3)", "stopped"))
         self.assertLess(float(slip), 0.05)
+        self.assertAlmostEqual(float(height), 6e-3, delta=0.1e-3)
 
 
 class Installed(unittest.TestCase):

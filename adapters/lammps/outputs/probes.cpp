@@ -53,6 +53,7 @@ Probes::Probes(StructureRun& run)
         columns.insert(columns.end(), more.begin(), more.end());
     }
     file_ = coupler::open_probes(run.session, columns);
+    run.probes = file_.get();
 }
 
 std::vector<bodies::BodyLoads> Probes::collect_loads() const {
@@ -141,8 +142,8 @@ void Probes::write() {
     const auto on_parts =
         run_.coupling ? run_.coupling->force_on_parts() : std::vector<bodies::Vec3>{};
     std::vector<double> row;
-    if (of_bodies_)
-        row = of_bodies_->values(time_s, nodes, loads, on_parts, run_.field_t);
+    if (of_bodies_ && run_.steered) of_bodies_->set_field(*run_.steered);
+    if (of_bodies_) row = of_bodies_->values(time_s, nodes, loads, on_parts);
     const double fluid_j = run_.coupling ? add_partner_values(row) : 0;
     if (run_.audit) add_audit(fluid_j, row);
     if (!file_) return;

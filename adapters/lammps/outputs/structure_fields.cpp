@@ -29,7 +29,8 @@ class StructureFields : public coupler::Output {
         const NodalState nodes = run_.gather();
         const coupler::Clock& clock = run_.session.clock();
         if (files_)
-            files_->write(clock.step() / every_, clock.time_s(), nodes, run_.field_t);
+            files_->write(clock.step() / every_, clock.time_s(), nodes,
+                          run_.field_t(clock.time_s()));
     }
 
     StructureRun& run_;

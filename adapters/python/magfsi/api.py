@@ -87,7 +87,9 @@ def _both(settings: Mapping[str, Any] | None, more: Mapping[str, Any]) -> dict[s
 def _environment() -> dict[str, str]:
     root = {name: "1" for name in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
             if os.geteuid() == 0}
-    return {**os.environ, **root}
+    # The process of a controller finds the package where this one has it.
+    path = [str(Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
+    return {**os.environ, **root, "PYTHONPATH": ":".join(filter(None, path))}
 
 
 def _seconds(time: str | float) -> float:

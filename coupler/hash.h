@@ -1,0 +1,19 @@
+// FNV-1a (Fowler, Noll and Vo): a hash that is the same in every build and language, for
+// what travels between processes and runs. controller.py has it, too.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace magfsi::coupler {
+
+constexpr std::uint64_t hash_of(std::string_view bytes) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : bytes) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 1099511628211ULL;
+    }
+    return hash;
+}
+
+}  // namespace magfsi::coupler

@@ -1,0 +1,57 @@
+"""What a scene may not say of its controller: one line, exit code 2, nothing started."""
+import os
+import unittest
+from pathlib import Path
+
+from scripts import ALONE, EVERY, of, testing, with_control
+
+GOOD = of("return 0, 0, 1e-3")
+
+
+class Refused(unittest.TestCase):
+    def refused(self, settings, *words):
+        folder = Path(testing.new_folder()) / "run"
+        run = testing.run(EVERY, settings, folder=folder)
+        testing.check_refused(self, run, words[0])
+        for word in words:
+            self.assertIn(word, run.err)
+        self.assertFalse(folder.exists())
+
+    def test_a_probe_that_is_absent(self):
+        self.refused(with_control(ALONE, GOOD, probes=["strip.com_q"]), "control.probes",
+                     '"strip.com_q"', "columns of probes.csv", 'did you mean "strip.com_')
+
+    def test_probes_without_probes(self):
+        self.refused({**with_control(ALONE, GOOD, probes=["strip.com_x"]), "probes": ""},
+                     "control.probes without probes")
+
+    def test_no_script(self):
+        for script, word in (("/none/steer.py", 'no file "/none/steer.py"'), ("/etc", "a folder"),
+                             ("/etc/passwd", "the ending .py")):
+            self.refused({**ALONE, "control": f"{{script: {script}, every: 1 ms}}"}, word)
+
+    def test_no_field(self):
+        self.refused({**with_control(ALONE, GOOD), "magnetic_field": ""},
+                     "control without a magnetic field")
+
+    def test_equilibria(self):
+        self.refused({**with_control(ALONE, GOOD), "time.equilibrium": "{}", "damping": ""},
+                     "control of a path of equilibria")
+
+    def test_calls_between_rows(self):
+        self.refused(with_control(ALONE, GOOD, every="0.7 ms"), "700 us between two calls",
+                     "a whole number of times probes.every, 500 us")
+
+    def test_a_package_that_is_missing(self):
+        folder = Path(testing.new_folder())
+        (folder / "mpi4py.py").write_text("raise ImportError\n")
+        before = os.environ["PYTHONPATH"]
+        os.environ["PYTHONPATH"] = f"{folder}:{before}"
+        try:
+            self.refused(with_control(ALONE, GOOD), "apt install python3-mpi4py")
+        finally:
+            os.environ["PYTHONPATH"] = before
+
+
+if __name__ == "__main__":
+    unittest.main()
