@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // FNV-1a (Fowler, Noll and Vo): a hash that is the same in every build and language, for
 // what travels between processes and runs. controller.py has it, too.
 #pragma once

@@ -1,48 +1,49 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Work of the magnetic field along a path of equilibria.
+// Forces of the magnetic field on a body, and their work along a path of equilibria.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "adapters/scene/scene.h"
 #include "structure/body.h"
 #include "structure/magnetics/magnetic_forces.h"
 
 namespace magfsi::bodies {
 
-// Of the field on the nodes of a body: q_a B of a uniform field, q_a the nodes' charges,
-// and those of a gradient.
+// On all nodes, of all that the scene's field is made of: q_a B of a uniform field, q_a
+// the nodes' charges, and those of a gradient and of sources.
 class FieldForces {
   public:
-    explicit FieldForces(
-        const structure::Body& body,
-        const std::optional<structure::GradientInput>& gradient = std::nullopt);
+    FieldForces(const structure::Body& body, const scene::MagneticField& field);
 
     std::size_t nodes() const { return charge_a_m_.size(); }
-    std::vector<structure::Vec3> forces_n(std::span<const structure::Vec3> nodes_m,
-                                          const structure::Vec3& field_t) const;
+    // uniform_t: in place of the scene's law.
+    std::vector<structure::Vec3> at(
+        std::span<const structure::Vec3> nodes_m, double time_s,
+        const std::optional<structure::Vec3>& uniform_t = {}) const;
 
   private:
+    scene::MagneticField field_;
     std::vector<double> charge_a_m_;
+    std::vector<structure::Hexahedron> elements_;
     std::optional<structure::FieldGradient> gradient_;
     std::vector<structure::GradientElement> gradient_elements_;  // none without it
-    std::vector<structure::Hexahedron> elements_;
+    mutable std::optional<structure::SourceField> sources_;
+    std::vector<structure::Matrix8> moments_;  // none without sources
 };
 
-// sum over the path of (F_before + F_after)/2 . (x_after - x_before), F the field's
-// forces on the nodes. A property of the equilibria, whatever motion leads from one to
-// the next.
+// sum over the path of (F_before + F_after)/2 . (x_after - x_before): a property of the
+// equilibria, whatever motion leads from one to the next.
 class FieldWork {
   public:
     // Where the body is before any load. `let_go`: moves to the first equilibrium in the
     // field at full strength; else the field is raised from zero on the way.
     FieldWork(const structure::Body& body, std::vector<structure::Vec3> placed_m,
-              bool let_go,
-              const std::optional<structure::GradientInput>& gradient = std::nullopt);
+              bool let_go, const scene::MagneticField& field);
 
-    void move_to(std::span<const structure::Vec3> nodes_m,
-                 const structure::Vec3& field_t);
+    void move_to(std::span<const structure::Vec3> nodes_m, double time_s);
     double work_j() const { return work_j_; }
 
   private:

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
+#include "adapters/bodies/field_work.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/fault.h"
 #include "structure/lammps/field_program.h"
@@ -144,6 +146,7 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity) {
          Load::fluid_force,
          [](Body b) { return row_of(b.loads.fluid_force_n); }},
         {Q::reaction_force, {}, Load::support, nullptr},  // add_reactions
+        {Q::magnetic_load, {}, Load::none, nullptr},      // add_magnetic_load
         {Q::energy,
          {"energy_elastic[J]", "energy_kinetic[J]", "work_magnetic[J]"},
          Load::energies,
@@ -233,12 +236,12 @@ ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>
     if (!scene.probes) return;
     if (scene.magnetic_field) {
         field_ = *scene.magnetic_field;
-        groups_.push_back(
-            {{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]"},
-             [this](const ProbeSample& sample, Row& row) {
-                 row.push_back(structure::field_magnitude_at(field_, sample.time_s));
-                 add(row, structure::field_at(field_, sample.time_s));
-             }});
+        groups_.push_back({{"field[T]", "field_x[T]", "field_y[T]", "field_z[T]"},
+                           [this](const ProbeSample& sample, Row& row) {
+                               row.push_back(
+                                   structure::field_magnitude_at(field_, sample.time_s));
+                               add(row, structure::field_at(field_, sample.time_s));
+                           }});
     }
     std::vector<std::size_t> first_node;
     std::size_t first = 0;
@@ -275,6 +278,10 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
             add_reactions(b, solid);
             continue;
         }
+        if (quantity == scene::BodyQuantity::magnetic_load) {
+            add_magnetic_load(*scene.magnetic_field, b, solid, first_node);
+            continue;
+        }
         Group& group = groups_.emplace_back();
         for (const char* column : probe.columns)
             group.columns.push_back(scene.bodies[b].name + "." + column);
@@ -286,6 +293,43 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
             row.insert(row.end(), mine.begin(), mine.end());
         };
     }
+}
+
+// Of all of the field, the torque about the centre of mass.
+void ProbeRow::add_magnetic_load(const scene::MagneticField& field, std::size_t b,
+                                 const structure::Body& solid, std::size_t first_node) {
+    Group& group = groups_.emplace_back();
+    for (const char* load : {"magnetic_force_{}[N]", "magnetic_torque_{}[N m]"}) {
+        for (const char axis : {'x', 'y', 'z'})
+            group.columns.push_back(solid.name + "." +
+                                    fmt::format(fmt::runtime(load), axis));
+    }
+    group.add = [this, b, first_node,
+                 forces = std::make_shared<const FieldForces>(solid, field),
+                 count = solid.mesh.nodes.size()](const ProbeSample& sample, Row& row) {
+        const auto nodes_m =
+            std::span(sample.nodes.position_m).subspan(first_node, count);
+        const std::vector<Vec3> force_n = forces->at(
+            nodes_m, sample.time_s, structure::field_at(field_, sample.time_s));
+        const Vec3 centre = mass_weighted_mean({sample.nodes,
+                                                sample.loads[b],
+                                                first_node,
+                                                count,
+                                                {},
+                                                start_m_.data() + first_node},
+                                               sample.nodes.position_m);
+        Vec3 force{}, torque{};
+        for (std::size_t n = 0; n < count; ++n) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
+                force[d] += force_n[n][d];
+                torque[d] += (nodes_m[n][e] - centre[e]) * force_n[n][f] -
+                             (nodes_m[n][f] - centre[f]) * force_n[n][e];
+            }
+        }
+        add(row, force);
+        add(row, torque);
+    };
 }
 
 void ProbeRow::add_reactions(std::size_t b, const structure::Body& solid) {

@@ -66,6 +66,8 @@ class ProbeRow {
     };
     void add_body(const scene::Scene& scene, std::size_t body,
                   const structure::Body& solid, std::size_t first_node);
+    void add_magnetic_load(const scene::MagneticField& field, std::size_t body,
+                           const structure::Body& solid, std::size_t first_node);
     void add_reactions(std::size_t body, const structure::Body& solid);
     void add_point(const scene::PointProbe& probe, const scene::Body& body,
                    const structure::Mesh& mesh, std::size_t first_node);

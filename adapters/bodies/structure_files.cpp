@@ -6,7 +6,6 @@
 #include <Eigen/Dense>
 
 #include "adapters/bodies/field_work.h"
-#include "structure/lammps/field_program.h"
 #include "structure/lattice/element_kernel.h"
 #include "structure/lattice/plain_element.h"
 #include "structure/lattice/strain.h"
@@ -144,16 +143,14 @@ auto elastic_forces(const std::vector<structure::Body>& bodies) {
 auto magnetic_forces(const scene::Scene& scene,
                      const std::vector<structure::Body>& bodies) {
     auto laws = std::make_shared<std::vector<FieldForces>>();
-    const auto& field = scene.magnetic_field;
-    for (const structure::Body& body : bodies)
-        laws->emplace_back(body, field ? field->gradient : std::nullopt);
-    return [laws, field](const StructureFiles::Instant& now, std::vector<double>& out) {
-        const Vec3 field_t = now.field_t ? *now.field_t
-                             : field     ? structure::field_at(*field, now.time_s)
-                                         : Vec3{};
+    const scene::MagneticField field =
+        scene.magnetic_field.value_or(scene::MagneticField{});
+    for (const structure::Body& body : bodies) laws->emplace_back(body, field);
+    return [laws](const StructureFiles::Instant& now, std::vector<double>& out) {
         std::span<const Vec3> left(now.state.position_m);
         for (const FieldForces& law : *laws) {
-            for (const Vec3& force : law.forces_n(left.first(law.nodes()), field_t))
+            for (const Vec3& force :
+                 law.at(left.first(law.nodes()), now.time_s, now.field_t))
                 append(out, force);
             left = left.subspan(law.nodes());
         }

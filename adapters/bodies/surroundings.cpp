@@ -22,6 +22,9 @@ std::vector<structure::Surroundings> to_surroundings(
             scene.magnetic_field && !solids[b].magnetization_a_m.empty();
         if (magnetic && scene.magnetic_field->gradient)
             all[b].gradient.emplace(*scene.magnetic_field->gradient);
+        if (magnetic && !scene.magnetic_field->sources.empty())
+            all[b].sources =
+                std::make_shared<structure::SourceField>(scene.magnetic_field->sources);
         if (scene.platform)
             all[b].platform = structure::with_stiffness(*scene.platform, solids);
     }
@@ -38,6 +41,8 @@ structure::StaticLoads loads_at(const scene::Scene& scene, const scene::Body& bo
     if (scene.magnetic_field && body.magnetization) {
         loads.field_t = structure::field_at(*scene.magnetic_field, time_s);
         loads.gradient = scene.magnetic_field->gradient ? 1 : 0;
+        loads.sources = scene.magnetic_field->sources.empty() ? 0 : 1;
+        loads.sources_s = time_s;
     }
     loads.gravity_m_s2 = to_gravity(scene).value_or(structure::Vec3{});
     for (const structure::PrescribedMotion& motion : body.prescribed_motion)

@@ -42,8 +42,9 @@ structure::EquilibriumOptions to_options(const scene::Equilibrium& wanted) {
 bool loaded(const structure::StaticLoads& loads) {
     return loads.field_t != structure::Vec3{} ||
            loads.gravity_m_s2 != structure::Vec3{} || loads.gradient != 0 ||
-           std::ranges::any_of(loads.driven_m,
-                               [](const auto& u) { return u != structure::Vec3{}; });
+           loads.sources != 0 || std::ranges::any_of(loads.driven_m, [](const auto& u) {
+               return u != structure::Vec3{};
+           });
 }
 
 // One body on a path of loads: its equilibrium at each point.
@@ -97,21 +98,21 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& described,
     now_.support_n.resize(placed_m_.size());
     // A held body takes its first load step by step; a free one is let go.
     const bool at_rest = bodies::is_let_go(body_, described.initial);
-    work_.emplace(body_, placed_m_, at_rest, field ? field->gradient : std::nullopt);
+    if (field) work_.emplace(body_, placed_m_, at_rest, *field);
     if (loaded(start) || scene.platform) {
         now_ = at_rest ? solver_.release(placed_m_, start)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();
         if (at_rest) now_.releases = 0;  // meant, not met on the way
     }
     note_point(start);
-    work_->move_to(now_.nodes_m, start.field_t);
+    if (work_) work_->move_to(now_.nodes_m, 0);
 }
 
 void LoadPath::advance(double to_s) {
     const structure::StaticLoads before = loads_at(time_s_), after = loads_at(to_s);
     now_ = solver_.follow(now_.nodes_m, before, {&after, 1}).front();
     note_point(after);
-    work_->move_to(now_.nodes_m, after.field_t);
+    if (work_) work_->move_to(now_.nodes_m, to_s);
     time_s_ = to_s;
 }
 
@@ -124,7 +125,7 @@ void LoadPath::note_point(const structure::StaticLoads& loads) {
 bodies::BodyLoads LoadPath::loads() const {
     bodies::BodyLoads loads;
     loads.energy_elastic_j = now_.energy_elastic_j;
-    loads.work_magnetic_j = work_->work_j();
+    if (work_) loads.work_magnetic_j = work_->work_j();
     loads.support_n = now_.support_n;
     return loads;
 }

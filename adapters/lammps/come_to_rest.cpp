@@ -89,6 +89,9 @@ double RestFinder::unrest() {
 }
 
 void RestFinder::hold_field(double time_s) {
+    if (!scene_.magnetic_field->sources.empty())
+        engine_.command(fmt::format("fix_modify sources held {:.17g}", time_s));
+    if (!scene_.magnetic_field->uniform) return;
     const auto still = structure::held_at(*scene_.magnetic_field, time_s);
     // A fix of the same name and style takes the place of the one before.
     engine_.command(fmt::format("fix field all magttice/field {}",

@@ -229,24 +229,22 @@ void Participant::each_body(const std::vector<structure::Vec3>& all, const Use& 
 }
 
 void Participant::start_field_work() {
-    if (!run_.input.field) return;
-    if (!session_.world().root()) return;
+    if (!scene_.magnetic_field || !session_.world().root()) return;
     each_body(run_.start.position_m, [&](std::size_t b, auto placed) {
         const structure::Body& body = run_.input.bodies[b];
         run_.field_work.emplace_back(body, std::vector(placed.begin(), placed.end()),
                                      bodies::is_let_go(body, scene_.bodies[b].initial),
-                                     run_.input.gradient);
+                                     *scene_.magnetic_field);
     });
 }
 
 void Participant::come_to_rest(double time_s) {
     rest_->find(time_s);
-    if (!run_.input.field) return;
+    if (!scene_.magnetic_field) return;
     const NodalState nodes = run_.engine->gather(run_.atoms);
     if (run_.field_work.empty()) return;
-    const structure::Vec3 field_t = structure::field_at(*scene_.magnetic_field, time_s);
     each_body(nodes.position_m, [&](std::size_t b, auto of_body) {
-        run_.field_work[b].move_to(of_body, field_t);
+        run_.field_work[b].move_to(of_body, time_s);
     });
 }
 

@@ -45,8 +45,11 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
             input.motions.push_back(motion);
         }
     }
-    input.field = scene.magnetic_field;
-    if (scene.magnetic_field) input.gradient = scene.magnetic_field->gradient;
+    if (scene.magnetic_field) {
+        if (scene.magnetic_field->uniform) input.field = scene.magnetic_field;
+        input.gradient = scene.magnetic_field->gradient;
+        input.sources = scene.magnetic_field->sources;
+    }
     input.gravity_m_s2 = bodies::to_gravity(scene);
     input.drag = scene.damping;
     input.platform = scene.platform;

@@ -114,7 +114,7 @@ command_completion() {
     esac
 }
 
-# new NAME [--like TUTORIAL]: its scene and what draws it, under a name of one's own.
+# new NAME [--like TUTORIAL]: its scene with its scripts and shapes, under a name of one's own.
 command_new() {
     local name="" like=swimmer known
     while [ $# -gt 0 ]; do
@@ -143,7 +143,7 @@ command_new() {
 start_scene() {
     local file
     mkdir -p "$1"
-    for file in "$2"/{plot,render}.py "$2"/*.msh "$2"/*.stl; do
+    for file in "$2"/*.py "$2"/*.msh "$2"/*.stl; do
         [ ! -f "$file" ] || cp "$file" "$1/"
     done
     {

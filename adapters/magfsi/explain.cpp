@@ -258,6 +258,8 @@ std::string explain_structure(const scene::Scene& scene) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
         text +=
             explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    if (scene.magnetic_field)  // reads and refuses as the run would
+        (void)structure::SourceField(scene.magnetic_field->sources);
     if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
     if (!scene.time.equilibrium) return text + explain_steps(scene);
     const double points = scene.time.end_s / scene::path_step_s(scene);

@@ -88,6 +88,14 @@ void check_files(const Scene& scene, const Marks& marks) {
                 table->file,
                 marks.value({"bodies", body.name, "magnetization", "table", "file"}));
     }
+    if (scene.magnetic_field) {
+        for (const FieldSource& source : scene.magnetic_field->sources) {
+            if (const auto* grid = std::get_if<GridField>(&source.shape))
+                require_regular_file(
+                    grid->file, marks.value({"magnetic_field", "sources", source.name,
+                                             "grid", "file"}));
+        }
+    }
     if (!scene.fluid) return;
     for (const Obstacle& obstacle : scene.fluid->obstacles) {
         if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
@@ -104,8 +112,12 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
         if (table && !table->source.empty()) files.emplace_back(table->source);
     };
     if (scene.magnetic_field) {
-        add_table(scene.magnetic_field->course);
+        if (scene.magnetic_field->uniform) add_table(scene.magnetic_field->course);
         for (const FieldTerm& term : scene.magnetic_field->plus) add_table(term.law);
+        for (const FieldSource& source : scene.magnetic_field->sources) {
+            if (const auto* grid = std::get_if<GridField>(&source.shape))
+                files.emplace_back(grid->file);
+        }
     }
     for (const Body& body : scene.bodies) {
         if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The magnetic field, gravity, platform and contact, the coupling.
+// Controllers, gravity, platform and contact, the coupling.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 
@@ -7,95 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace magfsi::scene {
 
 namespace {
 
-// Of the keys of one law.
-using At = std::function<const Origin&(const char* key)>;
-
-void check_ascending(const std::vector<double>& time_s, const At& at) {
-    for (std::size_t i = 1; i < time_s.size(); ++i)
-        require(time_s[i] > time_s[i - 1], at("time"),
-                fmt::format("the time {} after {}", seconds(time_s[i]),
-                            seconds(time_s[i - 1])),
-                "times that ascend");
-}
-
-void check_law(const FieldTable& table, const At& at) {
-    const std::size_t rows = table.time_s.size();
-    check_ascending(table.time_s, at);
-    require(table.magnitude_t.size() == rows, at("magnitude"),
-            fmt::format("{} magnitudes for {} times", table.magnitude_t.size(), rows),
-            "one magnitude per time");
-    require(table.direction_rad.size() == 1 || table.direction_rad.size() == rows,
-            at("direction"),
-            fmt::format("{} directions for {} times", table.direction_rad.size(), rows),
-            "one direction, or one per time");
-    require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
-            "it with at least 2 rows");
-}
-
-void check_law(const VectorTable& table, const At& at) {
-    const std::size_t rows = table.time_s.size();
-    require(rows > 0, at("time"), "a table without time", "time and vector, or file");
-    check_ascending(table.time_s, at);
-    require(table.vector_t.size() == rows, at("vector"),
-            fmt::format("{} vectors for {} times", table.vector_t.size(), rows),
-            "one vector per time");
-    require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
-            "it with at least 2 rows");
-}
-
-void check_law(const PrecessingField& field, const At& at) {
-    require(length(field.axis) > 0, at("axis"), "an axis of length 0",
-            "any other vector such as [0, 0, 1]");
-}
-
-void check_any_law(const FieldLaw& law, const At& at) {
-    std::visit(
-        [&]<class Law>(const Law& one) {
-            if constexpr (requires { check_law(one, at); }) check_law(one, at);
-        },
-        law);
-}
-
-void check_laws(const MagneticField& field, const Marks& marks) {
-    const std::string law = law_key(field.course);
-    check_any_law(field.course, [&](const char* key) -> const Origin& {
-        return marks.value({"magnetic_field", law, key});
-    });
-    for (std::size_t i = 0; i < field.plus.size(); ++i) {
-        check_any_law(field.plus[i].law, [&](const char* key) -> const Origin& {
-            return marks.value({"magnetic_field", "plus", std::to_string(i),
-                                law_key(field.plus[i].law), key});
-        });
-    }
-}
-
-// curl B = 0 and div B = 0 where no current flows.
-void check_gradient(const GradientInput& gradient, const Marks& marks) {
-    const auto& g = gradient.matrix_t_m;
-    double largest = 0, fault = std::abs(g[0][0] + g[1][1] + g[2][2]);
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            largest = std::max(largest, std::abs(g[i][j]));
-            fault = std::max(fault, std::abs(g[i][j] - g[j][i]));
-        }
-    }
-    // Rounding of typed numbers is no fault.
-    require(
-        fault <= 1e-9 * largest, marks.value({"magnetic_field", "gradient", "matrix"}),
-        "a gradient that is not symmetric and traceless",
-        "dB_i/dx_j = dB_j/dx_i with a sum of 0 on the diagonal (no current flows here)");
-}
-
 void check_control(const Scene& scene, const Marks& marks) {
     const Control& control = *scene.control;
-    require_with(scene.magnetic_field.has_value(), marks.key({"control"}), "control",
-                 "a magnetic field",
+    require_with(scene.magnetic_field && scene.magnetic_field->uniform,
+                 marks.key({"control"}), "control", "a magnetic field with a law",
                  "add magnetic_field: what the field is before the first call");
     require(!scene.time.equilibrium, marks.key({"control"}),
             "control of a path of equilibria", "it in runs with motion only");
@@ -190,7 +110,8 @@ Vec3 centre_m(const Body& body, const Box& box) {
 bool can_travel_towards(const Scene& scene, const Platform& platform) {
     const bool falls = scene.gravity && scene.gravity->acceleration_m_s2 > 0 &&
                        dot(scene.gravity->direction, platform.normal) < 0;
-    const bool drawn = scene.magnetic_field && scene.magnetic_field->gradient;
+    const bool drawn = scene.magnetic_field && (scene.magnetic_field->gradient ||
+                                                !scene.magnetic_field->sources.empty());
     return falls || drawn || scene.fluid || scene.contact;
 }
 
@@ -297,19 +218,6 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
                              name_of(scene.fluid->solver)),
                  "penalty there", "take fluid.solver: lbm"}};
     return {};
-}
-
-void check_magnetic_field(const Scene& scene, const Marks& marks) {
-    const MagneticField& field = *scene.magnetic_field;
-    const auto magnetized = [](const Body& body) {
-        return body.magnetization.has_value();
-    };
-    require(std::ranges::any_of(scene.bodies, magnetized), marks.key({"magnetic_field"}),
-            "magnetic_field without a magnetized body",
-            "it with at least one body that has a magnetization",
-            "add a magnetization or remove this key");
-    check_laws(field, marks);
-    if (field.gradient) check_gradient(*field.gradient, marks);
 }
 
 void check_loads(const Scene& scene, const Marks& marks) {

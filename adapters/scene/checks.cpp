@@ -167,6 +167,9 @@ void check_probes(const Scene& scene, const Marks& marks) {
     require_with(!asks(probes.bodies, BodyQuantity::reaction_force) || held,
                  marks.value({"probes", "bodies"}), "the probe reaction_force",
                  "a face that is held or moved", "add clamps to a body");
+    require_with(
+        !asks(probes.bodies, BodyQuantity::magnetic_load) || scene.magnetic_field,
+        marks.value({"probes", "bodies"}), "the probe magnetic_load", "a magnetic_field");
     require_with(!probes.interface_balance || scene.coupling,
                  marks.value({"probes", "interface_balance"}), "interface_balance",
                  "bodies in a fluid");

@@ -123,8 +123,10 @@ std::vector<Effect> effects_of(const Scene& s) {
     return {
         {structure, "elasticity", !s.bodies.empty()},
         {structure, "viscosity", some_body(is_viscous)},
-        {structure, "magnetic field", s.magnetic_field.has_value()},
+        {structure, "magnetic field", s.magnetic_field && s.magnetic_field->uniform},
         {structure, "field gradient", s.magnetic_field && s.magnetic_field->gradient},
+        {structure, "field sources",
+         s.magnetic_field && !s.magnetic_field->sources.empty()},
         {structure, "control", s.control.has_value()},
         {structure, "gravity", s.gravity.has_value()},
         {structure, "damping", s.damping.has_value()},
@@ -247,6 +249,7 @@ bool is_zero(const FieldLaw& law) {
 }
 
 bool no_field_at_any_time(const MagneticField& field) {
+    if (!field.sources.empty()) return false;
     return is_zero(field.course) && std::ranges::all_of(field.plus, [](const auto& term) {
                return is_zero(term.law);
            });

@@ -50,8 +50,9 @@ void read_law(FieldLaw& law, const std::filesystem::path& folder, const Origin& 
 void read_field_files(Scene& scene, const Marks& marks) {
     if (!scene.magnetic_field) return;
     MagneticField& field = *scene.magnetic_field;
-    read_law(field.course, scene.folder,
-             marks.value({"magnetic_field", "vector_table", "file"}));
+    if (field.uniform)
+        read_law(field.course, scene.folder,
+                 marks.value({"magnetic_field", "vector_table", "file"}));
     for (std::size_t i = 0; i < field.plus.size(); ++i)
         read_law(field.plus[i].law, scene.folder,
                  marks.value({"magnetic_field", "plus", std::to_string(i), "vector_table",

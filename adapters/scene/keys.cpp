@@ -88,7 +88,8 @@ void keys(Io& io, Probes& probes) {
     io(quantity("every", "s", "Time between rows.").above(0), probes.every_s);
     io(key("bodies", "Columns for each body; reaction_force: for each of its faces that is held or "
            "moved, what does that, by its clamps, rollers or motion. Nodes of two faces count "
-           "in the first one.").optional(), probes.bodies);
+           "in the first one; magnetic_load: force of all of the field, and its torque about the "
+           "centre of mass.").optional(), probes.bodies);
     io(key("points", "Material points by name: position and displacement.").optional(),
        probes.points);
     io(key("integrals", "Integrals by name, over a plane of the fluid or a part of a body.")
@@ -150,7 +151,10 @@ void keys(Io& io, Scene& scene) {
     io(key("name", "Of the scene: it names the run folder, runs/NAME.").by_default(), scene.name);
     io(key("time", "Length of the run and its step."), scene.time);
     io(key("bodies", "Soft magnetic bodies by name.").optional(), scene.bodies);
-    io(key("magnetic_field", "Uniform applied field over time."), scene.magnetic_field);
+    io(key("magnetic_field",
+           "Applied field: a law of time for all of space, sources that vary in space, or "
+           "both."),
+       scene.magnetic_field);
     io(key("control", "A program that sees probes and sets the magnetic field as the run goes on."),
        scene.control);
     io(key("gravity", "Weight of the bodies; in a fluid, less their buoyancy."), scene.gravity);

@@ -383,13 +383,19 @@ void keys(Io& io, Scene& scene);  // keys.cpp
 template <class Io>
 void keys(Io& io, Body& body);  // keys_bodies.cpp
 template <class Io>
-void keys(Io& io, MagneticField& field);
+void keys(Io& io, ConstantField& field);
 template <class Io>
-void keys(Io& io, FieldTerm& term);
+void keys(Io& io, Oscillation& motion);
+template <class Io>
+void keys(Io& io, DisplacementRamp& motion);
 template <class Io>
 void keys(Io& io, Platform& platform);
 template <class Io>
 void keys(Io& io, ContactLaw& contact);
+template <class Io>
+void keys(Io& io, MagneticField& field);  // keys_field.cpp
+template <class Io>
+void keys(Io& io, FieldTerm& term);
 template <class Io>
 void keys(Io& io, Fluid& fluid);  // keys_fluid.cpp
 template <class Io>

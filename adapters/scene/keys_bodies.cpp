@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of structure/options.h: bodies, the magnetic field, what bodies touch.
+// The keys of structure/options.h: bodies and what they touch.
 #include "adapters/scene/keys.h"
 
 // The nesting below is that of the file.
@@ -215,101 +215,6 @@ void keys(Io& io, Body& body) {
 // --- loads --------------------------------------------------------------------------
 
 template <class Io>
-void keys(Io& io, FieldTable& table) {
-    io(quantity("time", "s", "Times of the rows, ascending."), table.time_s);
-    io(quantity("magnitude", "T", "One per row; the sign flips the field."),
-       table.magnitude_t);
-    io(quantity("direction", "rad", "Angle in the plane: one for all, or one per row.")
-           .one_or_list(),
-       table.direction_rad);
-    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
-}
-
-template <class Io>
-void keys(Io& io, RotatingField& field) {
-    io(quantity("magnitude", "T", "Flux density; a negative one points backwards."),
-       field.magnitude_t);
-    io(quantity("start", "rad", "Angle at time 0.").by_default(), field.start_rad);
-    io(quantity("frequency", "1/s", "Turns per second; negative turns backwards."),
-       field.frequency_hz);
-}
-
-template <class Io>
-void keys(Io& io, VectorField& field) {
-    io.whole(field.vector_t);
-}
-
-template <class Io>
-void keys(Io& io, VectorTable& table) {
-    io(key("file", "CSV with the columns t[s], Bx[T], By[T], Bz[T] (also ms, us, mT, uT) in place of "
-           "time and vector; its path counts from the scene's folder.").optional(), table.file);
-    io(quantity("time", "s", "Times of the rows, ascending.").optional(), table.time_s);
-    io(quantity("vector", "T", "Bx, By, Bz: one per row.").rows(1, Field::unbounded).optional(),
-       table.vector_t);
-    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
-}
-
-template <class Io>
-void keys(Io& io, OscillatingField& field) {
-    io(quantity("amplitude", "T", "Bx, By, Bz."), field.amplitude_t);
-    io(quantity("frequency", "1/s", "Periods per second.").above(0), field.frequency_hz);
-    io(quantity("phase", "rad", "At time 0; 90 deg begins at the amplitude.").by_default(),
-       field.phase_rad);
-}
-
-template <class Io>
-void keys(Io& io, PrecessingField& field) {
-    io(quantity("magnitude", "T", "Flux density; a negative one points backwards."),
-       field.magnitude_t);
-    io(key("axis", "About which it turns, right-handed; any length."), field.axis);
-    io(quantity("frequency", "1/s", "Turns per second; negative turns backwards."),
-       field.frequency_hz);
-    io(quantity("cone", "rad", "Between axis and field: 90 deg turns in the plane across the axis, "
-                "less leaves a steady part along it.").at_least(0).at_most(3.141593).by_default(),
-       field.cone_rad);
-    io(quantity("start", "rad", "Angle at time 0, of an axis x from y, of y from z, of z from x "
-                "(of a slanted one from the part across it).").by_default(), field.start_rad);
-    io(quantity("ramp", "s", "Within this time the magnitude rises from zero, by "
-                "(1 - cos(pi t / ramp)) / 2.").above(0).optional(), field.ramp_s);
-}
-
-template <class Io>
-void keys(Io& io, FieldLaw& law) {
-    io.alternatives(law,
-        key("constant", "In the plane, held still."),
-        key("table", "In the plane, linear between rows; before the first and after the last, "
-            "held."),
-        key("rotation", "In the plane, turns at constant speed."),
-        quantity("vector", "T", "Bx, By, Bz, held still."),
-        key("vector_table", "Of three components, linear between rows, held before and after."),
-        key("oscillation", "amplitude sin(2 pi frequency t + phase)."),
-        key("precession", "Turns about an axis on a cone, or in the plane across it."));
-}
-
-template <class Io>
-void keys(Io& io, FieldTerm& term) {
-    keys(io, term.law);
-}
-
-template <class Io>
-void keys(Io& io, GradientInput& gradient) {
-    io(quantity("matrix", "T/m", "Rows of dB_i / dx_j; symmetric and traceless."),
-       gradient.matrix_t_m);
-    io(quantity("origin", "m", "Where it adds nothing.").by_default(), gradient.origin_m);
-}
-
-template <class Io>
-void keys(Io& io, MagneticField& field) {
-    io(key("plane", "Of laws in a plane; angles run from its first axis to its second.")
-           .by_default(),
-       PlaneRef{field.plane});
-    keys(io, field.course);
-    io(key("plus", "Further laws, whose fields add to the first.").optional(), field.plus);
-    io(key("gradient", "Adds a field that is linear in space and constant in time."),
-       field.gradient);
-}
-
-template <class Io>
 void keys(Io& io, Platform& platform) {
     io(quantity("point", "m", "A point of it.").by_default(), platform.point_m);
     io(key("normal", "Towards the bodies; any length.").by_default(), platform.normal);
@@ -332,8 +237,9 @@ void keys(Io& io, ContactLaw& contact) {
 }
 
 MAGFSI_KEYS_OF(Body)
-MAGFSI_KEYS_OF(MagneticField)
-MAGFSI_KEYS_OF(FieldTerm)
+MAGFSI_KEYS_OF(ConstantField)
+MAGFSI_KEYS_OF(Oscillation)
+MAGFSI_KEYS_OF(DisplacementRamp)
 MAGFSI_KEYS_OF(Platform)
 MAGFSI_KEYS_OF(ContactLaw)
 

@@ -75,6 +75,12 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
                 surface->file = (folder / surface->file).string();
         }
     }
+    if (scene.magnetic_field) {
+        for (FieldSource& source : scene.magnetic_field->sources) {
+            if (auto* grid = std::get_if<GridField>(&source.shape))
+                grid->file = (folder / grid->file).string();
+        }
+    }
     if (scene.gravity) normalise(scene.gravity->direction);
     if (scene.platform) normalise(scene.platform->normal);
     if (scene.fluid && !scene.bodies.empty() && !scene.coupling) scene.coupling.emplace();

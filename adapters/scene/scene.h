@@ -17,6 +17,7 @@
 #include "fluid_lbm/options.h"
 #include "structure/lammps/drag_law.h"
 #include "structure/options.h"
+#include "structure/source_options.h"
 
 namespace magfsi::scene {
 
@@ -91,7 +92,9 @@ struct Body {
 // --- loads --------------------------------------------------------------------------
 
 struct MagneticField : FieldProgram {
+    bool uniform = false;  // whether there is a law; else `course` means nothing
     std::optional<GradientInput> gradient;
+    std::vector<FieldSource> sources;  // by name
 };
 
 // A program of the user's that sees probes and sets the field as the run goes on.
@@ -170,11 +173,13 @@ enum class BodyQuantity {
     max_displacement,
     fluid_force,
     reaction_force,
-    energy
+    energy,
+    magnetic_load
 };
 constexpr auto words_of(BodyQuantity) {
     return std::to_array<std::string_view>({"com", "speed", "shape", "max_displacement",
-                                            "fluid_force", "reaction_force", "energy"});
+                                            "fluid_force", "reaction_force", "energy",
+                                            "magnetic_load"});
 }
 enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed, obstacle_force };
 constexpr auto words_of(FluidQuantity) {

@@ -23,12 +23,16 @@ Json schema_of(const Field& field);
 Json object_schema(const Field& field) {
     Json schema = {{"type", "object"}, {"additionalProperties", false}};
     Json required = Json::array(), alternatives = Json::array();
+    bool may_have_none = false;
     for (const Field& child : field.children) {
         schema["properties"][child.name] = schema_of(child);
         if (child.presence == Presence::required) required.push_back(child.name);
-        if (child.presence == Presence::alternative)
+        const bool optional = child.presence == Presence::optional_alternative;
+        if (child.presence == Presence::alternative || optional)
             alternatives.push_back({{"required", Json::array({child.name})}});
+        may_have_none = may_have_none || optional;
     }
+    if (may_have_none) alternatives.push_back({{"not", {{"anyOf", alternatives}}}});
     if (!required.empty()) schema["required"] = required;
     if (!alternatives.empty()) schema["oneOf"] = alternatives;
     return schema;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/participants/controller.h"
 
 #include <fmt/format.h>

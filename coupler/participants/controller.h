@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The structure's link to a controller: a program of the user's in a process of its own
 // (adapters/python/magfsi/controller.py), which is asked at some steps, answers with a
 // text, and has a state that checkpoints keep. All calls are collective over the

@@ -96,16 +96,19 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
             body.name, along.size(), std::ranges::find(part, number) - part.begin());
     }
     refuse_to_fall(body, anywhere, gravity_m_s2, normal_of(surroundings.platform));
-    if (surroundings.gradient) refuse_to_be_carried(body, anywhere);
+    if (surroundings.gradient || surroundings.sources)
+        refuse_to_be_carried(body, anywhere);
 }
 
 bool NodalLoads::none() const {
-    return dead_n.isZero(0) && gradient == 0 && driven_m.isZero(0);
+    return dead_n.isZero(0) && gradient == 0 && sources == 0 && driven_m.isZero(0);
 }
 
 NodalLoads between(const NodalLoads& from, const NodalLoads& to, double share) {
     return {(1 - share) * from.dead_n + share * to.dead_n,
             (1 - share) * from.gradient + share * to.gradient,
+            (1 - share) * from.sources + share * to.sources,
+            (1 - share) * from.sources_s + share * to.sources_s,
             (1 - share) * from.driven_m + share * to.driven_m};
 }
 
@@ -140,6 +143,10 @@ StaticProblem::StaticProblem(const Body& body, const Lattice& lattice,
         gradient_elements_ = gradient_elements(body_.mesh.nodes, body_.mesh.elements,
                                                body_.magnetization_a_m);
     }
+    if (surroundings_.sources && !body_.magnetization_a_m.empty()) {
+        moments_ = moment_elements(body_.mesh.nodes, body_.mesh.elements,
+                                   body_.magnetization_a_m);
+    }
     if (surroundings_.platform)
         surface_m2_ = surface_areas(body_.mesh.nodes, body_.mesh.elements);
     measure_stiffness();
@@ -164,6 +171,7 @@ NodalLoads StaticProblem::load(const StaticLoads& loads) const {
     refuse_to_fall(body_, held_along_, loads.gravity_m_s2, platform_normal_);
     const auto size = 3 * static_cast<Eigen::Index>(charge_.size());
     NodalLoads out{Eigen::VectorXd(size), surroundings_.gradient ? loads.gradient : 0,
+                   moments_.empty() ? 0 : loads.sources, loads.sources_s,
                    Eigen::VectorXd::Zero(surroundings_.driven.empty() ? 0 : size)};
     for (std::size_t n = 0; n < charge_.size(); ++n) {
         const double mass = node_mass_kg_[n];
@@ -196,6 +204,26 @@ double StaticProblem::add_gradient(const Eigen::VectorXd& x, double share,
     return share * energy_j;
 }
 
+std::vector<FieldSample> StaticProblem::samples(const Eigen::VectorXd& x,
+                                                double time_s) const {
+    surroundings_.sources->set_time(time_s);
+    std::vector<FieldSample> out;
+    for (Eigen::Index n = 0; n < x.size(); n += 3)
+        out.push_back(surroundings_.sources->sample({x[n], x[n + 1], x[n + 2]}));
+    return out;
+}
+
+double StaticProblem::add_sources(const Eigen::VectorXd& x, const NodalLoads& loads,
+                                  Eigen::VectorXd& force_n) const {
+    if (loads.sources == 0) return 0;
+    Eigen::VectorXd whole_n = Eigen::VectorXd::Zero(x.size());
+    const double energy_j =
+        add_source_forces(moments_, body_.mesh.elements, samples(x, loads.sources_s),
+                          x.data(), whole_n.data());
+    force_n += loads.sources * whole_n;
+    return loads.sources * energy_j;
+}
+
 double StaticProblem::depth_m(const Eigen::VectorXd& x, Eigen::Index node) const {
     const Eigen::Map<const Eigen::Vector3d> point(surroundings_.platform->point_m.data());
     return platform_normal_.dot(point - x.segment<3>(3 * node));
@@ -219,6 +247,7 @@ Eigen::VectorXd StaticProblem::surrounding_n(const Eigen::VectorXd& x,
                                              const NodalLoads& loads) const {
     Eigen::VectorXd out = loads.dead_n;
     add_gradient(x, loads.gradient, out);
+    add_sources(x, loads, out);
     add_platform(x, out);
     return out;
 }
@@ -229,6 +258,7 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     out.residual_n = loads.dead_n;
     out.total_j = -loads.dead_n.dot(x);
     out.total_j += add_gradient(x, loads.gradient, out.residual_n);
+    out.total_j += add_sources(x, loads, out.residual_n);
     out.load_n = out.residual_n.cwiseAbs().maxCoeff();
     const KernelResult result = add_internal(x, out.residual_n);
     out.total_j += add_platform(x, out.residual_n) + result.energy_j;
@@ -302,6 +332,13 @@ void StaticProblem::add_surroundings(const Eigen::VectorXd& x, const NodalLoads&
                                                     surroundings_.gradient->tesla_per_m();
         }
         matrix_.add_element(e, tangent);
+    }
+    if (loads.sources != 0) {
+        const std::vector<FieldSample> at = samples(x, loads.sources_s);
+        for (std::size_t e = 0; e < references_.size(); ++e)
+            matrix_.add_element(
+                e, loads.sources * source_tangent(moments_[e], body_.mesh.elements[e], at,
+                                                  *surroundings_.sources, x.data()));
     }
     for (std::size_t n = 0; n < surface_m2_.size(); ++n) {
         if (surface_m2_[n] == 0 || depth_m(x, static_cast<Eigen::Index>(n)) <= 0)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace magfsi::structure {
 // What acts on a body beside a uniform field and its weight.
 struct Surroundings {
     std::optional<FieldGradient> gradient{};
+    std::shared_ptr<SourceField> sources{};  // null without one
     // Smooth, with a stiffness: each node of the surface that is behind the plane is
     // pushed back by area times stiffness times depth.
     std::optional<Platform> platform{};
@@ -30,6 +32,8 @@ struct StaticLoads {
     Vec3 field_t{};
     Vec3 gravity_m_s2{};
     double gradient = 0;           // acting share of the surroundings' field gradient
+    double sources = 0;            // and of their sources, which stand
+    double sources_s = 0;          // where they do at this time
     std::vector<Vec3> driven_m{};  // displacement of each driven group; none: zeros
 };
 
@@ -42,8 +46,9 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
 
 // The same for the nodes.
 struct NodalLoads {
-    Eigen::VectorXd dead_n;    // of field and weight
-    double gradient = 0;       // as in StaticLoads
+    Eigen::VectorXd dead_n;  // of field and weight
+    double gradient = 0;     // these three as in StaticLoads
+    double sources = 0, sources_s = 0;
     Eigen::VectorXd driven_m;  // displacement where driven, zero elsewhere; may be empty
 
     bool none() const;
@@ -83,7 +88,8 @@ class StaticProblem {
 
     struct Response {
         Eigen::VectorXd residual_n;  // of all forces, zero where a node is held
-        // Largest component of dead load, gradient's force and what drives driven nodes.
+        // Largest component of dead load, force of gradient and sources and what drives
+        // driven nodes.
         double load_n = 0;
         double elastic_j = 0;
         double total_j = 0;  // less the work of all loads; what equilibria minimise
@@ -93,7 +99,8 @@ class StaticProblem {
     Response response(const Eigen::VectorXd& x, const NodalLoads& loads) const;
     // What clamps and rollers do to each node to hold it there.
     Eigen::VectorXd support_n(const Eigen::VectorXd& x, const NodalLoads& loads) const;
-    // Dead loads and those that follow from the body's place: of gradient and platform.
+    // Dead loads and those that follow from the body's place: of gradient, sources and
+    // platform.
     Eigen::VectorXd surrounding_n(const Eigen::VectorXd& x,
                                   const NodalLoads& loads) const;
 
@@ -107,7 +114,7 @@ class StaticProblem {
     StiffnessMatrix& matrix() { return matrix_; }
     // Puts the second derivative of the energy at x into the matrix.
     void assemble(const Eigen::VectorXd& x, const NodalLoads& loads = {});
-    // Adds that of gradient and platform.
+    // Adds that of gradient, sources and platform.
     void add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads);
 
     // G h^2 / L^4 of the shortest and longest side, G of the softest material: about a
@@ -132,6 +139,10 @@ class StaticProblem {
     // Return energies.
     double add_gradient(const Eigen::VectorXd& x, double share,
                         Eigen::VectorXd& force_n) const;
+    double add_sources(const Eigen::VectorXd& x, const NodalLoads& loads,
+                       Eigen::VectorXd& force_n) const;
+    // The field at each node that belongs to a magnetised element.
+    std::vector<FieldSample> samples(const Eigen::VectorXd& x, double time_s) const;
     double add_platform(const Eigen::VectorXd& x, Eigen::VectorXd& force_n) const;
     double depth_m(const Eigen::VectorXd& x, Eigen::Index node) const;
     // Of the residual: what internal forces that balance each other leave.
@@ -140,6 +151,7 @@ class StaticProblem {
     Body body_;
     Surroundings surroundings_;
     std::vector<GradientElement> gradient_elements_;
+    std::vector<Matrix8> moments_;    // of each element; none without sources
     std::vector<double> surface_m2_;  // of each node; empty without a platform
     Eigen::Vector3d platform_normal_ = Eigen::Vector3d::Zero();
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;

@@ -12,6 +12,7 @@
 #include "structure/lammps/drag_law.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
+#include "structure/source_options.h"
 
 namespace magfsi::structure {
 
@@ -28,6 +29,7 @@ struct LammpsInput {
     std::vector<Placement> placements;  // one a body; or none: all where their meshes are
     std::optional<FieldProgram> field;
     std::optional<GradientInput> gradient;  // with or without a field
+    std::vector<FieldSource> sources;       // likewise
     std::optional<Vec3> gravity_m_s2;
     std::optional<Drag> drag;
     std::optional<Platform> platform;  // stiffness 0: that of platform_of

@@ -44,7 +44,9 @@ void check(const Eigen::Matrix3d& a) {
 }
 
 // Each factor is of degree 3 at most in each direction, so 2x2x2 Gauss points are exact.
-Matrix8 coupling(const Positions8& nodes_m, const Eigen::Vector3d& magnetization_a_m) {
+// C_ab of moment_elements.
+Matrix8 moments_of(const Positions8& nodes_m, const Vec3& vector_a_m) {
+    const Eigen::Vector3d magnetization_a_m(vector_a_m.data());
     Matrix8 half = Matrix8::Zero();
     const double q = 1 / std::sqrt(3.0);
     for (int g = 0; g < 8; ++g) {
@@ -56,7 +58,18 @@ Matrix8 coupling(const Positions8& nodes_m, const Eigen::Vector3d& magnetization
             jacobian.determinant() * local * jacobian.inverse() * magnetization_a_m;
         half += along * Eigen::Map<const Eigen::Matrix<double, 1, 8>>(values.data());
     }
-    return half + half.transpose();
+    return half;
+}
+
+// P_b of an element: the same wherever it is, as the columns of C sum to zero.
+Positions8 node_moments(const Matrix8& moments, const std::array<int, 8>& nodes,
+                        const double* x) {
+    Positions8 now;
+    for (int n = 0; n < 8; ++n) {
+        for (int d = 0; d < 3; ++d)
+            now(n, d) = x[3L * nodes[n] + d] - x[3L * nodes[0] + d];
+    }
+    return moments.transpose() * now;
 }
 
 }  // namespace
@@ -95,8 +108,9 @@ std::vector<GradientElement> gradient_elements(
     check_count(magnetization_a_m.size(), elements.size());
     std::vector<GradientElement> out(elements.size());
     for (std::size_t e = 0; e < elements.size(); ++e) {
-        const Vec3& m = magnetization_a_m[e];
-        out[e].coupling = coupling(gather(nodes_m, elements[e]), {m[0], m[1], m[2]});
+        const Matrix8 half =
+            moments_of(gather(nodes_m, elements[e]), magnetization_a_m[e]);
+        out[e].coupling = half + half.transpose();
     }
     return out;
 }
@@ -123,6 +137,58 @@ double add_gradient_forces(std::span<const GradientElement> elements,
         }
     }
     return energy;
+}
+
+std::vector<Matrix8> moment_elements(const std::vector<Vec3>& nodes_m,
+                                     const std::vector<Hexahedron>& elements,
+                                     const std::vector<Vec3>& magnetization_a_m) {
+    check_count(magnetization_a_m.size(), elements.size());
+    std::vector<Matrix8> out;
+    for (std::size_t e = 0; e < elements.size(); ++e)
+        out.push_back(moments_of(gather(nodes_m, elements[e]), magnetization_a_m[e]));
+    return out;
+}
+
+double add_source_forces(std::span<const Matrix8> moments,
+                         std::span<const std::array<int, 8>> nodes,
+                         std::span<const FieldSample> samples, const double* x,
+                         double* f) {
+    double energy = 0;
+    for (std::size_t e = 0; e < moments.size(); ++e) {
+        const Positions8 moment = node_moments(moments[e], nodes[e], x);
+        Positions8 field, force;
+        for (int n = 0; n < 8; ++n) {
+            const FieldSample& at = samples[static_cast<std::size_t>(nodes[e][n])];
+            field.row(n) = at.field_t.transpose();
+            force.row(n) = moment.row(n) * at.gradient_t_m;
+        }
+        energy -= moment.cwiseProduct(field).sum();
+        force += moments[e] * field;
+        for (int n = 0; n < 8; ++n) {
+            Eigen::Map<Eigen::RowVector3d>(f + 3L * nodes[e][n]) += force.row(n);
+        }
+    }
+    return energy;
+}
+
+Eigen::Matrix<double, 24, 24> source_tangent(const Matrix8& moments,
+                                             const std::array<int, 8>& nodes,
+                                             std::span<const FieldSample> samples,
+                                             const SourceField& field, const double* x) {
+    const Positions8 moment = node_moments(moments, nodes, x);
+    const auto gradient = [&](int n) -> const Eigen::Matrix3d& {
+        return samples[static_cast<std::size_t>(nodes[n])].gradient_t_m;
+    };
+    Eigen::Matrix<double, 24, 24> out;
+    for (int a = 0; a < 8; ++a) {
+        for (int b = 0; b < 8; ++b)
+            out.block<3, 3>(3 * a, 3 * b) =
+                -moments(a, b) * gradient(b) - moments(b, a) * gradient(a).transpose();
+        const double* at = x + 3L * nodes[a];
+        out.block<3, 3>(3 * a, 3 * a) -=
+            field.gradient_along({at[0], at[1], at[2]}, moment.row(a).transpose());
+    }
+    return out;
 }
 
 }  // namespace magfsi::structure

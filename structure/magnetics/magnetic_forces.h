@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Magnetic forces on the nodes of a lattice with fixed magnetisation: in a uniform field
-// and in one that varies linearly in space.
+// Magnetic forces on the nodes of a lattice with fixed magnetisation: in a uniform field,
+// in one that varies linearly in space, and in one that varies in any way.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "structure/lattice/hexahedron.h"
+#include "structure/magnetics/source_field.h"
 
 namespace magfsi::structure {
 
@@ -66,5 +67,30 @@ std::vector<GradientElement> gradient_elements(
 double add_gradient_forces(std::span<const GradientElement> elements,
                            std::span<const std::array<int, 8>> nodes,
                            const FieldGradient& gradient, const double* x, double* f);
+
+// For a field of sources: the integral over the undeformed element
+//   C_ab = integral of (M . grad N_a) N_b [A m2], so that the element's moment
+//   integral of F M = sum_ab C_ab x_a is shared among its nodes: P_b = sum_a C_ab x_a.
+// One a element; magnetization_a_m as for gradient_elements.
+std::vector<Matrix8> moment_elements(const std::vector<Vec3>& nodes_m,
+                                     const std::vector<Hexahedron>& elements,
+                                     const std::vector<Vec3>& magnetization_a_m);
+
+// Adds the forces of a field that is known at the nodes (samples, by the same indices as
+// x) and linear between those of an element: its energy is - sum over b of P_b . B(x_b),
+// which is exact for fields that are linear in space and right to the square of the edges
+// over the distance of the source; the forces are its exact derivatives,
+//   on node a sum_b C_ab B(x_b) + (grad B(x_a))^T P_a.
+// Returns the energy.
+double add_source_forces(std::span<const Matrix8> moments,
+                         std::span<const std::array<int, 8>> nodes,
+                         std::span<const FieldSample> samples, const double* x,
+                         double* f);
+
+// Second derivative of that energy for one element, three rows a node.
+Eigen::Matrix<double, 24, 24> source_tangent(const Matrix8& moments,
+                                             const std::array<int, 8>& nodes,
+                                             std::span<const FieldSample> samples,
+                                             const SourceField& field, const double* x);
 
 }  // namespace magfsi::structure

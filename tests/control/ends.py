@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """However a controller fails, the run ends at once with the reason and exit code 1; told to end, both
 end in order."""
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a scene may not say of its controller: one line, exit code 2, nothing started."""
 import os
 import unittest

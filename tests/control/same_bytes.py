@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """With a controller, too, a run leaves the same bytes: those of the scene's own law where it returns
 that law; those of the run that was not interrupted where it goes on from a checkpoint."""
 import sys

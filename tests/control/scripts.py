@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Scenes with a controller: its script is written where the run is."""
 from pathlib import Path
 

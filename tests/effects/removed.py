@@ -77,6 +77,7 @@ EFFECTS = {
     "magnetic_field": of_structure("magnetic_field", magnetic_field="null"),
     "field_gradient": of_structure("field_gradient", "structure/magnetics/field_gradient.*",
                                    **{"magnetic_field.gradient": "null"}),
+    "field_sources": of_structure("field_sources"),
     "gravity": of_structure("gravity", gravity="null"),
     "drag": of_structure("drag", damping="null"),
     "platform": of_structure("platform", platform="null"),

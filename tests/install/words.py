@@ -56,8 +56,9 @@ class Help(unittest.TestCase):
         package = testing.ROOT / "adapters/python/magfsi"
         modules = {path.parent.name for path in package.glob("*/__main__.py")} | {
             path.stem for path in package.glob("*.py") if "__name__ ==" in path.read_text()}
-        # Under another word: bench --calibrate, test --installed; no command: for the tests.
-        modules -= {"calibrate", "installed", "testing", "instructions"}
+        # Under another word: bench --calibrate, test --installed, a run's controller; no command: for
+        # the tests.
+        modules -= {"calibrate", "installed", "controller", "testing", "instructions"}
         words = subprocess.run([runs.BIN / "magfsi", "--help"], capture_output=True, text=True)
         programs = re.findall(r"^  (\w+) {2,}", words.stdout.split("Subcommands:")[1], re.M)
         self.assertGreaterEqual(len(programs), 5)

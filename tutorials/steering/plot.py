@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws the steered strip: where it is against where it is to be, the field that does it, its shapes.
 
     plot.py RUN [--out figure.png]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The controller of tutorials/steering: holds the strip where it is for 0.2 s, then takes it elsewhere.
 
 The strip has a moment m along the field, and a gradient (g, 0, -g) along x, y, z pulls it with

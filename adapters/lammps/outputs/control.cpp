@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A controller's calls: after the row of probes that it sees, before the checkpoint that
 // keeps what it has set. Over the interval to come the field is what it returns.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The process of a controller in a run: it joins the MPI job, loads the script that the scene's
 `control` names, and asks its class Controller for the field whenever the structure asks.
 

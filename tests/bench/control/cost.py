@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What a controller costs: the swimmer with one that returns the scene's own law every 20 coupled steps,
 beside the swimmer without, in turns. Processor time of all processes (mpirun, waits and the start of
 Python too), of runs of two lengths, so that what is paid once drops out; and the share of its task.

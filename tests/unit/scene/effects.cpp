@@ -21,9 +21,9 @@ TEST(Effects, of_a_swimmer) {
                      "fluid", "body force", "moving walls", "probes", "interface balance",
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
-              (Names{"viscosity", "field gradient", "control", "platform", "friction",
-                     "contact", "rollers", "prescribed motion", "parallel scheme",
-                     "implicit scheme", "eddy viscosity", "free slip",
+              (Names{"viscosity", "field gradient", "field sources", "control",
+                     "platform", "friction", "contact", "rollers", "prescribed motion",
+                     "parallel scheme", "implicit scheme", "eddy viscosity", "free slip",
                      "inlets and outlets", "refinement", "obstacles"}));
 }
 
@@ -41,7 +41,8 @@ TEST(Effects, of_a_solid) {
         effects_by_step(s),
         (Names{
             "structure step: elasticity, magnetic field; absent: viscosity, "
-            "field gradient, control, gravity, damping, platform, friction, contact, "
+            "field gradient, field sources, control, gravity, damping, platform, "
+            "friction, contact, "
             "clamps, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, iterated "
             "forcing, overlap check, parallel scheme, implicit scheme",

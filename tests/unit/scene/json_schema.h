@@ -57,6 +57,7 @@ inline bool rule_holds(const std::string& rule, const Json& bound, const Json& s
         return std::find(bound.begin(), bound.end(), value) != bound.end();
     if (rule == "oneOf") return accepting(bound, value) == 1;
     if (rule == "anyOf") return accepting(bound, value) >= 1;
+    if (rule == "not") return !accepts(bound, value);
     if (rule == "required") {
         return std::all_of(bound.begin(), bound.end(), [&](const Json& key) {
             return value.is_object() && value.contains(key.get<std::string>());

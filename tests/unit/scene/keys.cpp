@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every key of the table reaches its member; defaults.
+// Every key of the table reaches its member.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -203,66 +203,6 @@ TEST(Keys, of_the_other_alternatives) {
     EXPECT_EQ(rotation.frequency_hz, 5);
 }
 
-TEST(Keys, of_fields_of_three_components) {
-    const MagneticField field = *complete("spatial.yaml").magnetic_field;
-    const auto& precession = std::get<PrecessingField>(field.course);
-    EXPECT_EQ(precession.magnitude_t, 5e-3);
-    EXPECT_EQ(precession.axis, (Vec3{0, 1, 1}));
-    EXPECT_EQ(precession.frequency_hz, 8);
-    EXPECT_DOUBLE_EQ(precession.cone_rad, pi / 3);
-    EXPECT_EQ(precession.start_rad, pi / 2);
-    EXPECT_EQ(precession.ramp_s, 0.2);
-    ASSERT_EQ(field.plus.size(), 5u);
-    EXPECT_EQ(std::get<VectorField>(field.plus[0].law).vector_t, (Vec3{1e-3, 0, -2e-3}));
-    const auto& swing = std::get<OscillatingField>(field.plus[1].law);
-    EXPECT_EQ(swing.amplitude_t, (Vec3{0, 3e-3, 0}));
-    EXPECT_EQ(swing.frequency_hz, 2);
-    EXPECT_EQ(swing.phase_rad, pi);
-    EXPECT_EQ(std::get<RotatingField>(field.plus[4].law).frequency_hz, 5);
-}
-
-// Rows of a file and of the scene are the same scene: what is run, and its hash, do not
-// depend on the file any more.
-TEST(FieldFiles, become_rows_of_the_scene) {
-    const Scene s = complete("spatial.yaml");
-    const auto& table = std::get<VectorTable>(s.magnetic_field->plus[2].law);
-    EXPECT_EQ(table.time_s, (std::vector{0.0, 0.05, 0.1}));
-    ASSERT_EQ(table.vector_t.size(), 3u);
-    EXPECT_EQ(table.vector_t[1], (Vec3{1.5e-3, 1e-3, 2e-5}));
-    EXPECT_TRUE(table.repeat);
-    EXPECT_EQ(table.source, (test_folder / "complete/field.csv").string());
-    const Scene rows = read_scene(
-        test_folder / "complete/spatial.yaml",
-        {"magnetic_field.plus.2={vector_table: {time: [0 s, 50 ms, 100 ms], repeat: "
-         "true, "
-         "vector: [[0 T, 0 T, 0 T], [1.5 mT, 1 mT, 20 uT], [0 T, 0 T, 0 T]]}}"});
-    EXPECT_EQ(rows.hash, s.hash);
-}
-
-// What data sheets give means the same as what the solvers take.
-TEST(DataSheets, GiveTheSameScene) {
-    const auto of = [](const std::vector<std::string>& sets) {
-        return read_scene(test_folder / "minimal.yaml", sets);
-    };
-    const Scene usual =
-        of({"bodies.robot.material={shear_modulus: 40 kPa, "
-            "lame_lambda: 160 kPa, density: 1860 kg/m3}"});
-    // E = G (3 K + 2 G) / (K + G) = 112 kPa, nu = K / (2 (K + G)) = 0.4.
-    const Scene sheet =
-        of({"bodies.robot.material={youngs_modulus: 112 kPa, "
-            "poissons_ratio: 0.4, density: 1860 kg/m3}"});
-    EXPECT_NEAR(sheet.bodies[0].material.shear_modulus_pa / 40e3, 1, 1e-15);
-    EXPECT_NEAR(sheet.bodies[0].material.lame_lambda_pa / 160e3, 1, 1e-15);
-    EXPECT_EQ(of({"fluid.viscosity=", "fluid.dynamic_viscosity=1 mPa s"}).hash,
-              of({"fluid.viscosity=1 mm2/s"}).hash);
-    const auto remanence = [&](const char* value) {
-        const Scene s = of({std::string("bodies.robot.magnetization={uniform: [") +
-                            value + ", 0 A/m, 0 A/m]}"});
-        return std::get<UniformMagnetization>(*s.bodies[0].magnetization).vector_a_m[0];
-    };
-    EXPECT_NEAR(remanence("78 mT") / (78e-3 / (4e-7 * pi)), 1, 1e-15);
-}
-
 TEST(Keys, of_platform_contact_and_equilibrium) {
     const Scene s = complete("platform.yaml");
     EXPECT_EQ(s.time.equilibrium->method, EquilibriumMethod::dynamics);
@@ -398,58 +338,6 @@ TEST(Keys, of_the_table_are_all_stored) {
                path.ends_with(".dynamic_viscosity");
     });
     EXPECT_EQ(missing, std::vector<std::string>{});
-}
-
-// Defaults that depend on other keys are filled.
-
-Scene minimal(const std::vector<std::string>& overrides = {}) {
-    return read_scene(test_folder / "minimal.yaml", overrides);
-}
-
-TEST(Defaults, name_the_scene_and_write_velocities) {
-    const Scene s = minimal();
-    EXPECT_EQ(s.name, "scene");
-    EXPECT_EQ(s.output.fluid->fields, std::vector{FluidField::velocity});
-    EXPECT_FALSE(s.output.structure);
-}
-
-TEST(Defaults, of_the_wavelength_is_the_length_along_its_axis) {
-    const auto wavelength = [](const Scene& s) {
-        return std::get<HarmonicMagnetization>(*s.bodies[0].magnetization).wavelength_m;
-    };
-    EXPECT_EQ(wavelength(minimal()), 4e-3);
-    EXPECT_EQ(wavelength(minimal({"bodies.robot.magnetization.harmonic.along=y"})), 2e-3);
-}
-
-TEST(Defaults, fill_the_coupling_of_bodies_in_a_fluid) {
-    const Scene s = minimal();
-    ASSERT_TRUE(s.coupling);
-    EXPECT_FALSE(s.coupling->substeps);
-    // A scene that writes the key with nothing of its own means the same.
-    EXPECT_EQ(minimal({"coupling={}"}).hash, s.hash);
-    EXPECT_EQ(s.coupling->timeout_s, Coupling{}.timeout_s);
-    EXPECT_FALSE(minimal({"bodies=", "magnetic_field=", "gravity="}).coupling);
-}
-
-TEST(Defaults, of_the_coupling_follow_its_scheme) {
-    const Scene serial = minimal();
-    EXPECT_FALSE(serial.coupling->iteration);
-    EXPECT_EQ(serial.coupling->sampled_velocity, SampledVelocity::frozen);
-    const Scene s = minimal({"coupling.scheme=implicit"});
-    EXPECT_EQ(s.coupling->sampled_velocity, SampledVelocity::linear);
-    EXPECT_EQ(minimal({"coupling.scheme=implicit", "coupling.iteration={}"}).hash,
-              s.hash);
-    const Iteration& i = *s.coupling->iteration;
-    EXPECT_EQ(i.acceleration, AccelerationMethod::iqn_ils);
-    EXPECT_EQ(i.max_iterations, Iteration{}.max_iterations);
-    EXPECT_EQ(i.velocity_tolerance, Iteration{}.velocity_tolerance);
-    EXPECT_EQ(i.filter_limit, Iteration{}.filter_limit);
-}
-
-TEST(Defaults, do_not_reach_absent_effects) {
-    const Scene s = minimal({"fluid=", "gravity=", "output=", "probes="});
-    EXPECT_FALSE(s.fluid || s.gravity || s.damping || s.coupling || s.probes);
-    EXPECT_FALSE(s.output.structure || s.output.fluid);
 }
 
 }  // namespace

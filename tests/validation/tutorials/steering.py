@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The steered strip stays where its controller is to hold it, and goes where it is to go; without the
 controller it does neither."""
 import unittest

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The magnetic field: its laws, sources and gradient.
+#include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace magfsi::scene {
+
+namespace {
+
+// Of the keys of one law.
+using At = std::function<const Origin&(const char* key)>;
+
+void check_ascending(const std::vector<double>& time_s, const At& at) {
+    for (std::size_t i = 1; i < time_s.size(); ++i)
+        require(time_s[i] > time_s[i - 1], at("time"),
+                fmt::format("the time {} after {}", seconds(time_s[i]),
+                            seconds(time_s[i - 1])),
+                "times that ascend");
+}
+
+void check_law(const FieldTable& table, const At& at) {
+    const std::size_t rows = table.time_s.size();
+    check_ascending(table.time_s, at);
+    require(table.magnitude_t.size() == rows, at("magnitude"),
+            fmt::format("{} magnitudes for {} times", table.magnitude_t.size(), rows),
+            "one magnitude per time");
+    require(table.direction_rad.size() == 1 || table.direction_rad.size() == rows,
+            at("direction"),
+            fmt::format("{} directions for {} times", table.direction_rad.size(), rows),
+            "one direction, or one per time");
+    require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
+            "it with at least 2 rows");
+}
+
+void check_law(const VectorTable& table, const At& at) {
+    const std::size_t rows = table.time_s.size();
+    require(rows > 0, at("time"), "a table without time", "time and vector, or file");
+    check_ascending(table.time_s, at);
+    require(table.vector_t.size() == rows, at("vector"),
+            fmt::format("{} vectors for {} times", table.vector_t.size(), rows),
+            "one vector per time");
+    require(!table.repeat || rows >= 2, at("repeat"), "repeat with one row",
+            "it with at least 2 rows");
+}
+
+void check_law(const PrecessingField& field, const At& at) {
+    require(length(field.axis) > 0, at("axis"), "an axis of length 0",
+            "any other vector such as [0, 0, 1]");
+}
+
+void check_any_law(const FieldLaw& law, const At& at) {
+    std::visit(
+        [&]<class Law>(const Law& one) {
+            if constexpr (requires { check_law(one, at); }) check_law(one, at);
+        },
+        law);
+}
+
+void check_laws(const MagneticField& field, const Marks& marks) {
+    const std::string law = field.uniform ? law_key(field.course) : "";
+    require(field.uniform || (!field.sources.empty() && field.plus.empty()),
+            marks.key({"magnetic_field"}), "a magnetic_field without a law",
+            "one of constant, table, rotation, vector, vector_table, oscillation, "
+            "precession, or sources");
+    if (field.uniform)
+        check_any_law(field.course, [&](const char* key) -> const Origin& {
+            return marks.value({"magnetic_field", law, key});
+        });
+    for (std::size_t i = 0; i < field.plus.size(); ++i) {
+        check_any_law(field.plus[i].law, [&](const char* key) -> const Origin& {
+            return marks.value({"magnetic_field", "plus", std::to_string(i),
+                                law_key(field.plus[i].law), key});
+        });
+    }
+}
+
+void check_source(const FieldSource& source, const Marks& marks) {
+    const std::string& name = source.name;
+    const auto at = [&](Path path) -> const Origin& { return marks.value(path); };
+    const auto axis = [&](const Vec3& v, const Origin& where) {
+        require(length(v) > 0, where, "an axis of length 0",
+                "any other vector such as [0, 0, 1]");
+    };
+    const auto rows = [&](const std::vector<double>& time_s, std::size_t values,
+                          bool repeat, std::initializer_list<std::string> where) {
+        const Origin& place = marks.value(where);
+        check_ascending(time_s, [&](const char*) -> const Origin& { return place; });
+        require(values == time_s.size(), place,
+                fmt::format("{} rows for {} times", values, time_s.size()),
+                "one per time");
+        require(!repeat || time_s.size() >= 2, place, "repeat with one row",
+                "it with at least 2 rows");
+    };
+    if (source.rotation)
+        axis(source.rotation->axis,
+             at({"magnetic_field", "sources", name, "rotation", "axis"}));
+    if (source.turning)
+        axis(source.turning->axis,
+             at({"magnetic_field", "sources", name, "turning", "axis"}));
+    if (source.strength) {
+        if (const auto* table = std::get_if<StrengthTable>(&*source.strength))
+            rows(table->time_s, table->factor.size(), table->repeat,
+                 {"magnetic_field", "sources", name, "strength", "table", "time"});
+    }
+    if (source.motion) {
+        if (const auto* path = std::get_if<SourcePath>(&*source.motion))
+            rows(path->time_s, path->displacement_m.size(), path->repeat,
+                 {"magnetic_field", "sources", name, "motion", "path", "time"});
+    }
+    if (const auto* s = std::get_if<CylinderMagnet>(&source.shape))
+        axis(s->axis, at({"magnetic_field", "sources", name, "cylinder", "axis"}));
+    if (const auto* s = std::get_if<CircularCoil>(&source.shape))
+        axis(s->axis, at({"magnetic_field", "sources", name, "coil", "axis"}));
+    if (const auto* s = std::get_if<CoilPair>(&source.shape))
+        axis(s->axis, at({"magnetic_field", "sources", name, "coil_pair", "axis"}));
+    if (const auto* s = std::get_if<CoilSystem>(&source.shape)) {
+        for (std::size_t i = 0; i < s->coils.size(); ++i) {
+            const std::string number = std::to_string(i);
+            axis(s->coils[i].axis, at({"magnetic_field", "sources", name, "coil_system",
+                                       "coils", number, "axis"}));
+            const std::size_t currents = s->coils[i].current_a.size();
+            const std::size_t times = std::max<std::size_t>(1, s->time_s.size());
+            require(currents == times,
+                    at({"magnetic_field", "sources", name, "coil_system", "coils", number,
+                        "currents"}),
+                    fmt::format("{} currents for {} times", currents, s->time_s.size()),
+                    "one current per time, or one without times");
+        }
+        if (!s->time_s.empty())
+            rows(s->time_s, s->time_s.size(), s->repeat,
+                 {"magnetic_field", "sources", name, "coil_system", "time"});
+    }
+}
+
+// curl B = 0 and div B = 0 where no current flows.
+void check_gradient(const GradientInput& gradient, const Marks& marks) {
+    const auto& g = gradient.matrix_t_m;
+    double largest = 0, fault = std::abs(g[0][0] + g[1][1] + g[2][2]);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            largest = std::max(largest, std::abs(g[i][j]));
+            fault = std::max(fault, std::abs(g[i][j] - g[j][i]));
+        }
+    }
+    // Rounding of typed numbers is no fault.
+    require(
+        fault <= 1e-9 * largest, marks.value({"magnetic_field", "gradient", "matrix"}),
+        "a gradient that is not symmetric and traceless",
+        "dB_i/dx_j = dB_j/dx_i with a sum of 0 on the diagonal (no current flows here)");
+}
+
+}  // namespace
+
+void check_magnetic_field(const Scene& scene, const Marks& marks) {
+    const MagneticField& field = *scene.magnetic_field;
+    const auto magnetized = [](const Body& body) {
+        return body.magnetization.has_value();
+    };
+    require(std::ranges::any_of(scene.bodies, magnetized), marks.key({"magnetic_field"}),
+            "magnetic_field without a magnetized body",
+            "it with at least one body that has a magnetization",
+            "add a magnetization or remove this key");
+    check_laws(field, marks);
+    for (const FieldSource& source : field.sources) check_source(source, marks);
+    if (field.gradient) check_gradient(*field.gradient, marks);
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sources of the field as one text of words for a LAMMPS command, and back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "structure/source_options.h"
+
+namespace magfsi::structure {
+
+// Sources after each other with a ; between them, each a kind and what follows it:
+//   dipole MX MY MZ
+//   cuboid SX SY SZ JX JY JZ
+//   cylinder DIAMETER HEIGHT AX AY AZ JX JY JZ
+//   coil DIAMETER AX AY AZ CURRENT TURNS
+//   pair DIAMETER AX AY AZ CURRENT TURNS DISTANCE, or opposed_pair likewise
+//   system [times T1 T2 ... | repeat_times T1 T2 ...]
+//       member PX PY PZ DIAMETER AX AY AZ TURNS CURRENT1 CURRENT2 ...  (for each coil)
+//   grid FILE
+// and then, each where it is asked for:
+//   at X Y Z
+//   rotated AX AY AZ ANGLE
+//   oscillating FREQUENCY PHASE, factors TIME F ..., repeat_factors TIME F ..., rising
+//   TIME swinging DX DY DZ FREQUENCY PHASE, shifting DX DY DZ TIME, path TIME DX DY DZ
+//   ..., repeat_path TIME DX DY DZ ... turning AX AY AZ FREQUENCY [X Y Z]     (about the
+//   source, or about a point)
+// Numbers read back exactly; names are not kept. Both throw std::invalid_argument.
+std::string source_words(const std::vector<FieldSource>& sources);
+std::vector<FieldSource> parse_source_words(const std::string& text);
+
+}  // namespace magfsi::structure
