@@ -98,7 +98,8 @@ class Link:
     def receive(self) -> bytes:
         """Sleeps until the structure wakes this process up, for a core that waits in turns is one
         that the others lack; it looks by itself, too, where that cannot reach it."""
-        while not self.comm.Iprobe(0, TAG, self.status):
+        # The first look takes a message in, and a later one sees it.
+        while not any(self.comm.Iprobe(0, TAG, self.status) for _ in range(3)):
             signal.sigtimedwait({signal.SIGUSR2}, 0.02)
         message = bytearray(self.status.Get_count())
         self.comm.Recv(message, 0, TAG)
