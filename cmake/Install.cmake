@@ -25,7 +25,7 @@ endif()
 add_custom_command(OUTPUT ${magfsi_generated}/scene.schema.json
   COMMAND ${CMAKE_COMMAND} -E make_directory ${magfsi_generated}
   COMMAND magfsi schema > ${magfsi_generated}/scene.schema.json DEPENDS magfsi)
-add_custom_target(magfsi_schema DEPENDS ${magfsi_generated}/scene.schema.json)
+add_custom_target(magfsi_schema ALL DEPENDS ${magfsi_generated}/scene.schema.json)
 add_dependencies(programs magfsi_schema)
 install(FILES ${magfsi_generated}/scene.schema.json DESTINATION ${magfsi_share})
 

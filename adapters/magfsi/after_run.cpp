@@ -3,11 +3,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -51,14 +51,23 @@ void start_page(const scene::Scene& scene, const fs::path& out) {
         return;
     const std::string folder = out.string();
     std::fflush(nullptr);
+    // Until it has closed what it inherits, the lock of the run folder among it, the next
+    // run would find the folder taken: waits for that, not for the page.
+    int inherited[2];
+    if (::pipe2(inherited, O_CLOEXEC) != 0) return;
     if (::fork() != 0) {
+        ::close(inherited[1]);
+        char none;
+        while (::read(inherited[0], &none, 1) < 0 && errno == EINTR) {
+        }
+        ::close(inherited[0]);
         fmt::print("the page {} is being written\n", (out / "report.html").string());
         return;
     }
+    ::close_range(STDERR_FILENO + 1, ~0U, 0);
     ::setsid();  // outlives the terminal
-    ::setpriority(PRIO_PROCESS, 0, 19);
-    const sched_param none{};
-    ::sched_setscheduler(0, SCHED_IDLE, &none);
+    // Behind other work, but not so far that a busy machine never comes to it.
+    ::setpriority(PRIO_PROCESS, 0, 10);
     const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         ::dup2(nothing, stream);

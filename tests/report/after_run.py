@@ -20,7 +20,7 @@ def by_a_person(folder, settings=None, more=()):
                           env={**os.environ, "MAGFSI_PAGE": "yes"})
 
 
-def came(file, limit_s=120):
+def came(file, limit_s=600):  # behind all else on the machine
     until = time.monotonic() + limit_s
     while not file.exists() and time.monotonic() < until:
         time.sleep(0.1)

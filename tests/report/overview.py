@@ -25,7 +25,7 @@ class Overview(unittest.TestCase):
 
     def test_a_structure_alone(self):
         run = testing.good_run(TUTORIALS / "beam", {"time.end": "200 ms"})
-        self.assertEqual(self.drawn(run.folder), 5)
+        self.assertEqual(self.drawn(run.folder), 6)  # the field and its components are two
         # Shapes are where the run has them: the beam lies along x and bends along z.
         found, faces, body = plot.views(Path(run.folder))
         figure, axes = plt.subplots()
@@ -42,7 +42,7 @@ class Overview(unittest.TestCase):
     def test_without_fields_and_without_probes(self):
         short = {"time.end": "100 ms", "bodies.beam.mesh.box.elements": "[9, 2, 1]"}
         bare = testing.good_run(TUTORIALS / "beam", {**short, "output": "null"})
-        self.assertEqual(self.drawn(bare.folder), 4)
+        self.assertEqual(self.drawn(bare.folder), 5)
         shapes = testing.good_run(TUTORIALS / "beam", {**short, "probes": "null"})
         self.assertEqual(self.drawn(shapes.folder), 1)
 
