@@ -268,9 +268,10 @@ TEST(BadArguments, AreRefusedInOneSentence) {
                 {"\"field\" with 2 values found, it takes 3"});
     expect_stop({"fix a all magttice x 1 1 1 viscosity"},
                 {"\"viscosity\" with 0 values found, it takes 1"});
-    expect_stop({"fix a all magttice x 1 1 1 fields 0 0 0"},
-                {"\"fields\" found; allowed are element, material, field, gradient, "
-                 "viscosity"});
+    expect_stop(
+        {"fix a all magttice x 1 1 1 fields 0 0 0"},
+        {"\"fields\" found; allowed are element, material, field, gradient, sources, "
+         "viscosity"});
     expect_stop({"fix a all magttice x 1 1 1 field 0 0 1 field 0 0 2"},
                 {"\"field\" found twice"});
     expect_stop({"fix a all magttice/field xz constant 1"}, {"constant has 2"});
