@@ -29,7 +29,7 @@ def draw_course(axes, probes, time_ms):
     for i, axis in enumerate("xz"):
         axes.plot(time_ms, 1e3 * probes[f"strip.com_{axis}[m]"], color=COLOURS[axis], lw=1.4, label=axis)
         axes.plot(time_ms, 1e3 * target[:, i], color=COLOURS[axis], lw=0.8, ls="--")
-    axes.set(xlabel="time [ms]", ylabel="centre of mass [mm] (dashed: where it is to be)")
+    axes.set(xlabel="time [ms]", ylabel="centre of mass [mm], dashed: aim")
     axes.legend(frameon=False)
     plotting.clean(axes)
 
@@ -39,7 +39,7 @@ def draw_field(axes, probes, time_ms):
         axes.step(time_ms, 1e3 * probes[f"field_{axis}[T]"], color=COLOURS[axis], lw=1.2,
                   label=f"B{axis}")
     axes.set(xlabel="time [ms]", ylabel="field [mT]")
-    axes.legend(frameon=False)
+    axes.legend(frameon=False, loc=(0.03, 0.56))
     plotting.clean(axes)
 
 
