@@ -155,7 +155,7 @@ start_scene() {
     } >"$1/scene.yaml"
 }
 
-# Says what a command is and has; builds nothing.
+# Says what a command is and has; builds and writes nothing.
 help_of() {
     local kind
     kind=$(kind_of "$1")
@@ -166,7 +166,8 @@ help_of() {
             echo "magfsi $1: $(meaning_of "$1")"
             say "its options are listed once the programs are built: ./magfsi build"
             ;;
-        module) exec $python -P -m "magfsi.$1" --help ;;
+        # -B: not even bytecode is written.
+        module) exec $python -P -B -m "magfsi.$1" --help ;;
         *) echo "magfsi $1: $(meaning_of "$1")" ;;
     esac
 }

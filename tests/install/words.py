@@ -43,8 +43,9 @@ class Checkout:
             program.chmod(0o755)
 
     def call(self, *words):
+        # As a person's shell has it: without what stops Python from leaving bytecode behind.
         environment = {name: value for name, value in os.environ.items()
-                       if not name.startswith("MAGFSI")}
+                       if not name.startswith(("MAGFSI", "PYTHON"))}
         environment["PATH"] = f"{self.bin}:{environment['PATH']}"
         return call(*words, launcher=self.top / "magfsi", env=environment, cwd=self.folder)
 
