@@ -63,6 +63,9 @@ fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled
     config.coarse = to_config(scene, coupled_step_s);
     config.rule.levels = fluid.refinement->levels;
     config.least_margin_cells = scene::least_margin_cells(scene);
+    config.obstacle_forces =
+        scene.probes &&
+        std::ranges::count(scene.probes->fluid, scene::FluidQuantity::obstacle_force) > 0;
     if (fluid.refinement->box_m) {
         config.rule = {.levels = config.rule.levels, .slack_cells = 0, .follows = false};
         return config;
@@ -101,9 +104,13 @@ std::vector<fluid::FluidConfig> level_configs(const scene::Scene& scene) {
     const fluid::RefinedConfig config = to_refined_config(scene, step_s);
     const auto places =
         fluid::place_levels(config.coarse, config.rule, refined_part_m(scene), nullptr);
-    for (const fluid::LevelPlace& place : *places)
+    for (const fluid::LevelPlace& place : *places) {
         levels.push_back(
             fluid::config_at(config.coarse, place, static_cast<int>(levels.size())));
+        if (config.rule.follows && config.obstacle_forces)
+            fluid::refuse_cut_obstacles(levels.back(), fluid::make_solids(levels.back()),
+                                        place);
+    }
     return levels;
 }
 

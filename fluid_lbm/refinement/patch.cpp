@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fluid_lbm/refinement/patch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fluid_lbm/boundary/sides.h"
@@ -93,6 +94,24 @@ CellBox halved(const CellBox& box) {
         half.hi[d] = floor_half(box.hi[d] + 1);
     }
     return half;
+}
+
+// Where a patch's side cuts an obstacle or the cells beside it [cells]; null where none
+// does. bounds: in the patch's stored cells.
+std::optional<Vec3> cut_at(const LevelPlace& place, const Bounds& bounds) {
+    Vec3 at{};
+    bool cut = false;
+    for (int d = 0; d < 3; ++d) {
+        const int lo = place.inside.lo[d], hi = place.inside.hi[d];
+        const double low = bounds.low[d] + place.stored.lo[d] - 1;
+        const double high = bounds.high[d] + place.stored.lo[d] + 1;
+        if (low >= hi || high <= lo) return {};
+        const bool below = low < lo && place.stored.lo[d] < lo;
+        const bool above = high > hi && place.stored.hi[d] > hi;
+        at[d] = below ? lo : above ? hi : std::clamp<double>((low + high) / 2, lo, hi);
+        cut = cut || below || above;
+    }
+    return cut ? std::optional(at) : std::nullopt;
 }
 
 }  // namespace
@@ -201,6 +220,22 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
     if (coarse.initial_velocity) config.initial_velocity = moved(coarse.initial_velocity);
     if (coarse.initial_pressure) config.initial_pressure = moved(coarse.initial_pressure);
     return config;
+}
+
+void refuse_cut_obstacles(const FluidConfig& config, const Solids& solids,
+                          const LevelPlace& place) {
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        const auto at = cut_at(place, solids[i]->bounds());
+        if (!at) continue;
+        const double h_m = config.spacing_m;
+        refuse(
+            "the refined patch that follows the bodies cuts the obstacle \"",
+            config.obstacles[i].name, "\" at (", h_m * (*at)[0], ", ", h_m * (*at)[1],
+            ", ", h_m * (*at)[2],
+            ") m, and the force on it would jump as the patch moves: leave "
+            "obstacle_force out of probes.fluid, give the patch a fluid.refinement.box "
+            "that stays, or keep the bodies further from it");
+    }
 }
 
 }  // namespace magfsi::fluid

@@ -264,6 +264,9 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
         levels_->finer.push_back(
             std::make_unique<FinerLevel>(comm_, at_rest, below, places[i], number));
         FinerLevel& finer = *levels_->finer.back();
+        if (config_.rule.follows && config_.obstacle_forces)
+            refuse_cut_obstacles(finer.level.fluid.config(), finer.level.solids,
+                                 places[i]);
         finer.mass.beside = static_cast<std::int64_t>(
             summed(comm_, static_cast<double>(cells_beside(below, places[i]))));
         if (first) continue;

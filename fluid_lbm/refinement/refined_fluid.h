@@ -19,7 +19,8 @@ namespace magfsi::fluid {
 struct RefinedConfig {
     FluidConfig coarse;  // its time step: 2^levels steps
     PatchRule rule{};
-    int least_margin_cells = 0;  // that bodies must keep in a patch that stays
+    int least_margin_cells = 0;    // that bodies must keep in a patch that stays
+    bool obstacle_forces = false;  // somebody reads them
 };
 
 class RefinedFluid {

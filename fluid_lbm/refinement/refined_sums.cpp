@@ -55,7 +55,7 @@ double RefinedFluid::waited_for_neighbours_s() const {
 
 // Of obstacles only the links in the finest level there count in their forces.
 void RefinedFluid::count_links_once() {
-    pushed_n_.assign(levels_->coarsest.solids.size(), Vec3{});
+    pushed_n_.resize(levels_->coarsest.solids.size());
     if (pushed_n_.empty()) return;
     for (int l = 0; l < levels(); ++l) {
         Level& level = levels_->at(l);
