@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -44,6 +45,16 @@ void merge_traces(const fs::path& out) {
     for (const fs::path& part : parts) fs::remove(part);
 }
 
+namespace {
+
+// Of a process that cannot be started: the run itself is well.
+void no_page(const std::string& folder) {
+    fmt::print(stderr, "warning: no page is written ({}); ./magfsi report {} writes it\n",
+               std::strerror(errno), folder);
+}
+
+}  // namespace
+
 void start_page(const scene::Scene& scene, const fs::path& out) {
     const char* const asked = std::getenv("MAGFSI_PAGE");
     if (scene.report == scene::PageAtEnd::off || !asked ||
@@ -54,8 +65,14 @@ void start_page(const scene::Scene& scene, const fs::path& out) {
     // Until it has closed what it inherits, the lock of the run folder among it, the next
     // run would find the folder taken: waits for that, not for the page.
     int inherited[2];
-    if (::pipe2(inherited, O_CLOEXEC) != 0) return;
-    if (::fork() != 0) {
+    if (::pipe2(inherited, O_CLOEXEC) != 0) return no_page(folder);
+    if (const ::pid_t child = ::fork(); child != 0) {
+        if (child < 0) {
+            no_page(folder);
+            ::close(inherited[0]);
+            ::close(inherited[1]);
+            return;
+        }
         ::close(inherited[1]);
         char none;
         while (::read(inherited[0], &none, 1) < 0 && errno == EINTR) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "coupler/checkpoint/restart.h"
 #include "coupler/output/file.h"
@@ -19,7 +20,12 @@ output::Named<std::string> versions() {
     int length = 0;
     MPI_Get_library_version(text.data(), &length);
     const std::string mpi(text.data());
-    return {{"magfsi", MAGFSI_VERSION}, {"MPI", mpi.substr(0, mpi.find(','))}};
+    output::Named<std::string> found{{"magfsi", MAGFSI_VERSION},
+                                     {"MPI", mpi.substr(0, mpi.find(','))}};
+    // Of a checkout; its launcher tells it.
+    if (const char* const commit = std::getenv("MAGFSI_COMMIT"); commit && *commit)
+        found.insert(found.begin() + 1, {"commit", commit});
+    return found;
 }
 
 namespace {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A page after each run of a person, who starts it by ./magfsi run (MAGFSI_PAGE=yes): none with
 `report: off`, with --no-report, or for tests and searches; the run does not wait for it."""
+import json
 import os
 import subprocess
 import time
@@ -13,11 +14,26 @@ BEAM = testing.ROOT / "tutorials/beam"
 SHORT = {"time.end": "50 ms", "output.structure.every": "25 ms"}
 
 
-def by_a_person(folder, settings=None, more=()):
+# No more processes once a file is there.
+NO_FORK = """
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <unistd.h>
+int fork(void) {
+    if (access(getenv("NONE_AFTER"), F_OK) != 0) return ((int (*)(void))dlsym(RTLD_NEXT, "fork"))();
+    errno = EAGAIN;
+    return -1;
+}
+"""
+
+
+def by_a_person(folder, settings=None, more=(), **environment):
     words = [str(word) for word in runs.run_command(BEAM, folder, {**SHORT, **(settings or {})},
                                                     more=more)]
     return subprocess.run(words, capture_output=True, text=True,
-                          env={**os.environ, "MAGFSI_PAGE": "yes"})
+                          env={**os.environ, "MAGFSI_PAGE": "yes", **environment})
 
 
 def came(file, limit_s=600):  # behind all else on the machine
@@ -30,8 +46,10 @@ def came(file, limit_s=600):  # behind all else on the machine
 class Page(unittest.TestCase):
     def test_it_is_written_when_the_run_has_ended(self):
         folder = Path(testing.new_folder())
-        done = by_a_person(folder)
+        done = by_a_person(folder, MAGFSI_COMMIT="1a2b3c-dirty")
         self.assertEqual(done.returncode, 0, done.stderr)
+        versions = json.loads((folder / "run.json").read_text())[-1]["versions"]
+        self.assertEqual(versions["commit"], "1a2b3c-dirty")
         self.assertIn("report.html is being written", done.stdout)
         self.assertTrue(came(folder / "report.html"))
         self.assertIn("</html>", (folder / "report.html").read_text())  # whole, as it is renamed
@@ -40,6 +58,16 @@ class Page(unittest.TestCase):
         self.assertEqual(by_a_person(folder, more=("--no-report",)).returncode, 0)
         self.assertTrue((folder / "earlier-1/report.html").exists())
         self.assertFalse((folder / "report.html").exists())
+
+    def test_no_process_for_it_is_said_and_is_no_fault_of_the_run(self):
+        folder, library = Path(testing.new_folder()), Path(testing.new_folder()) / "no_fork.so"
+        subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", library], input=NO_FORK, text=True,
+                       check=True)
+        done = by_a_person(folder, LD_PRELOAD=str(library), NONE_AFTER=str(folder / "summary.json"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("is being written", done.stdout)
+        self.assertEqual(done.stderr.count("warning: no page is written"), 1, done.stderr)
+        self.assertIn(f"./magfsi report {folder}", done.stderr)
 
     def test_of_a_run_that_diverged(self):
         folder = Path(testing.new_folder())

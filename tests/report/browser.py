@@ -5,14 +5,11 @@ import base64
 import json
 import os
 import select
-import shutil
 import subprocess
 import time
 
 from magfsi import testing
 
-CHROMIUM = shutil.which("chromium")
-WITHOUT = "no chromium on this machine (apt install chromium): nothing of the page was looked at"
 
 
 class Browser:
@@ -26,7 +23,7 @@ class Browser:
             os.dup2(second, 4)
 
         self.process = subprocess.Popen(
-            [CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
+            ["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
              "--hide-scrollbars", "--remote-debugging-pipe", *more,
              f"--user-data-dir={testing.new_folder()}", "about:blank"],
             preexec_fn=descriptors, close_fds=False, stdout=subprocess.DEVNULL,
@@ -39,6 +36,7 @@ class Browser:
         self.session = self("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log"):
             self(f"{domain}.enable")
+        self("Page.setLifecycleEventsEnabled", enabled=True)
 
     def __enter__(self):
         return self
@@ -77,25 +75,28 @@ class Browser:
             if "method" in answer:
                 self.events.append(answer)
 
-    def wait_for(self, method, limit_s=60):
+    def load(self, address, limit_s=60):
+        """Waits for this very page: events of the one before may still come."""
+        loader = self("Page.navigate", url=address)["loaderId"]
         until = time.monotonic() + limit_s
-        while not any(event["method"] == method for event in self.events):
+        while not any(event["method"] == "Page.lifecycleEvent" and
+                      event["params"]["loaderId"] == loader and event["params"]["name"] == "load"
+                      for event in self.events):
             message = self._message(until)
             if "method" in message:
                 self.events.append(message)
 
     def open(self, address, width=1400, height=1000, dark=False):
-        """Returns seconds until the page is loaded and its scripts have run."""
+        """Returns seconds until the page is loaded, its scripts have run and it is drawn."""
         self("Emulation.setDeviceMetricsOverride", width=width, height=height,
              deviceScaleFactor=1, mobile=False)
         self("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
-        self("Page.navigate", url="about:blank")
+        self.load("about:blank")  # or another time of the same page would load nothing
         self.events = []
         began = time.monotonic()
-        self("Page.navigate", url=address)
-        self.wait_for("Page.loadEventFired")
-        self.run("new Promise(done => requestAnimationFrame(() => done(1)))")
+        self.load(address)
+        self.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
         return time.monotonic() - began
 
     def run(self, expression):

@@ -1,15 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """./magfsi render and film draw any run: a structure alone, several bodies, obstacles, a platform, no
 fluid; what they cannot write is an exit code."""
+import contextlib
+import importlib
+import io
 import json
-import shutil
+import os
 import subprocess
 import sys
+import types
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
+from kinds import SECOND
 from magfsi import testing
+from magfsi.drawing.stage import ensure_display
 from PIL import Image
 
 FIELDS = {"time.end": "1 ms", "output.structure.every": "0.5 ms",
@@ -17,9 +24,22 @@ FIELDS = {"time.end": "1 ms", "output.structure.every": "0.5 ms",
 STONE, PLAIN = (158, 161, 168), (219, 115, 51)
 
 
+BEAM = testing.ROOT / "tutorials/beam"
+LIFTED = {"time.end": "500 ms", "output.structure.every": "250 ms",
+          "bodies.beam.mesh.box.elements": "[9, 2, 1]"}
+COARSE = {"time.end": "50 ms", "bodies.beam.mesh.box.elements": "[9, 2, 1]"}
+
+
 def draw(what, *words):
-    command = [sys.executable, "-P", "-m", f"magfsi.{what}", *map(str, words)]
-    return subprocess.run(command, capture_output=True, text=True)
+    """The command in this process, which has VTK and a display already."""
+    out, err, code = io.StringIO(), io.StringIO(), 0
+    with mock.patch.object(sys, "argv", [f"magfsi {what}", *map(str, words)]), \
+            contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            code = importlib.import_module(f"magfsi.{what}").main()
+        except SystemExit as ended:
+            code = ended.code
+    return types.SimpleNamespace(returncode=code, stdout=out.getvalue(), stderr=err.getvalue())
 
 
 class Pictures(unittest.TestCase):
@@ -38,8 +58,7 @@ class Pictures(unittest.TestCase):
         return ((image / norm - wanted)**2).sum(axis=2) < 1e-3 * far
 
     def test_a_structure_alone(self):
-        run = testing.good_run(testing.ROOT / "tutorials/beam",
-                               {"time.end": "500 ms", "output.structure.every": "250 ms"})
+        run = testing.shared_run(BEAM, LIFTED)
         first, last = (self.near(self.drawn(run, "--colour", "body", "--time", t), PLAIN, 20)
                        for t in ("0 s", "500 ms"))
         self.assertGreater(first.sum(), 500)
@@ -47,11 +66,8 @@ class Pictures(unittest.TestCase):
         self.assertLess(np.nonzero(last)[0].min(), np.nonzero(first)[0].min() - 20)
 
     def test_bodies_obstacles_and_platform(self):
-        second = ("{mesh: {box: {size: [1 mm, 1 mm, 0.2 mm], elements: [4, 4, 1]}}, element: "
-                  "assumed_strain, material: {shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: "
-                  "1860 kg/m3}, initial: {position: [2 mm, 2 mm, 6 mm]}}")
         run = testing.good_run(testing.SMALL, {
-            **FIELDS, "bodies.second": second, "platform": "{point: [0 mm, 0 mm, 1 mm]}",
+            **FIELDS, "bodies.second": SECOND, "platform": "{point: [0 mm, 0 mm, 1 mm]}",
             "fluid.obstacles": "{ball: {sphere: {centre: [6.5 mm, 2 mm, 6.5 mm], diameter: 1.5 mm}}, "
                                "rod: {cylinder: {centre: [6 mm, 2 mm, 2 mm], diameter: 0.8 mm, "
                                "axis: y}}, block: {box: [[1 mm, 1 mm, 1.5 mm], [2 mm, 2 mm, 2.5 mm]]}}"})
@@ -78,8 +94,7 @@ class Pictures(unittest.TestCase):
 class Refused(unittest.TestCase):
     def test_what_cannot_be_drawn_or_written(self):
         folder = Path(testing.new_folder())
-        bare = testing.good_run(testing.ROOT / "tutorials/beam",
-                                {"time.end": "50 ms", "output": "null"})
+        bare = testing.good_run(BEAM, {**COARSE, "output": "null"})
         for run, words, code, says in (
                 (folder, (), 2, "found no scene.json"), (bare.folder, (), 2, "nothing to draw"),
                 (folder / "none", (), 2, "found no scene.json")):
@@ -87,19 +102,27 @@ class Refused(unittest.TestCase):
             self.assertEqual((done.returncode, len(done.stderr.strip().splitlines())), (code, 1),
                              done.stderr)
             self.assertIn(says, done.stderr)
-        good = testing.good_run(testing.ROOT / "tutorials/beam",
-                                {"time.end": "50 ms", "output.structure.every": "25 ms"})
+        good = testing.shared_run(BEAM, LIFTED)
         done = draw("render", good.folder, "--size", "64x48", "--out", "/proc/none/picture.png")
         self.assertEqual((done.returncode, len(done.stderr.strip().splitlines())), (1, 1), done.stderr)
         self.assertEqual(draw("render", good.folder, "--size", "9x9").returncode, 2)
         self.assertEqual(list(folder.iterdir()), [])
 
+    def test_the_program_itself_where_there_is_no_display(self):
+        run = testing.shared_run(BEAM, LIFTED)
+        out = run.folder / "alone.png"
+        without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        done = subprocess.run([sys.executable, "-P", "-m", "magfsi.render", str(run.folder), "--size",
+                               "64x48", "--out", str(out)], env=without, capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with Image.open(out) as picture:
+            self.assertEqual(picture.size, (64, 48))
 
-@unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg on this machine (apt install ffmpeg)")
+
+@testing.needs("ffmpeg")
 class Films(unittest.TestCase):
     def test_a_film_moves_as_the_run_does(self):
-        run = testing.good_run(testing.ROOT / "tutorials/beam",
-                               {"time.end": "500 ms", "output.structure.every": "250 ms"})
+        run = testing.shared_run(BEAM, LIFTED)
         out = run.folder / "swim.mp4"
         done = draw("film", run.folder, "--out", out, "--size", "321x241", "--seconds", "0.4",
                     "--rate", "10", "--colour", "body")
@@ -117,12 +140,12 @@ class Films(unittest.TestCase):
         self.assertGreater(np.abs(frames[0] - frames[-1]).sum(axis=2).max(), 150)
 
     def test_a_film_that_cannot_be_written(self):
-        run = testing.good_run(testing.ROOT / "tutorials/beam",
-                               {"time.end": "50 ms", "output.structure.every": "25 ms"})
+        run = testing.shared_run(BEAM, LIFTED)
         done = draw("film", run.folder, "--out", "/proc/none/film.mp4", "--size", "64x48",
                     "--seconds", "0.1")
         self.assertEqual((done.returncode, len(done.stderr.strip().splitlines())), (1, 1), done.stderr)
 
 
 if __name__ == "__main__":
+    ensure_display()
     unittest.main()

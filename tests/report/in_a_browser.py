@@ -3,36 +3,20 @@
 at 400 and 1400 pixels, light and dark; pages of every kind of run; hostile names stay text."""
 import io
 import json
-import subprocess
-import sys
+import time
 import unittest
 from pathlib import Path
 
 import browser
+import kinds
 import numpy as np
+from kinds import FIELDS, PLAY
 from magfsi import testing
+from magfsi.drawing.stage import Stage, ensure_display
 from PIL import Image
 
-FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
-          "output.fluid": "{every: 1 ms, fields: [velocity, pressure]}"}
 OPENS_IN_S = 3
 FRAMES_A_S = 20
-# As many frames as a second of play should have, and how long they took.
-PLAY = """new Promise(done => {
-  document.getElementById("play").click();
-  let count = 0; const began = performance.now();
-  (function next() {
-    if (++count < %d) return requestAnimationFrame(next);
-    document.getElementById("play").click();
-    done((performance.now() - began) / 1e3);
-  })();
-})"""
-
-
-def report(*words):
-    done = subprocess.run([sys.executable, "-P", "-m", "magfsi.report", *map(str, words)],
-                          capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
 
 
 def pixels(picture):
@@ -47,20 +31,18 @@ def orange(image):
 def slow_machine():
     """How much longer a fixed piece of work takes than on an idle core of 2020: others may be at
     work here."""
-    import time
     began = time.perf_counter()
     sum(i * i for i in range(3_000_000))
     return max(1.0, (time.perf_counter() - began) / 0.25)
 
 
-@unittest.skipUnless(browser.CHROMIUM, browser.WITHOUT)
+@testing.needs("chromium")
 class Looked(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.browser = browser.Browser()
-        cls.run_ = testing.good_run(testing.SMALL, FIELDS)
-        cls.page = cls.run_.folder / "report.html"
-        report(cls.run_.folder)
+        cls.run_ = kinds.swimmer()
+        cls.page = kinds.page(cls.run_.folder)
 
     @classmethod
     def tearDownClass(cls):
@@ -83,34 +65,33 @@ class Looked(unittest.TestCase):
         width = self.browser.run("drawn[0].canvas.clientWidth")
         self.assertAlmostEqual(place, 58 + 0.5 * (width - 78), delta=1)
 
-    def test_plays_fast_enough_and_opens_soon(self):
+    def opens_and_plays(self, page):
         slow = slow_machine()
-        self.assertLess(self.open(self.page), slow * OPENS_IN_S)
+        opened = self.open(page)
+        self.assertLess(opened, slow * OPENS_IN_S)
         seconds = self.browser.run(PLAY % 40)
-        testing.report(f"{40 / seconds:.0f} frames a second, the machine {slow:.1f} times slow")
+        testing.report(f"opens in {opened:.2f} s, {40 / seconds:.0f} frames a second, the machine "
+                       f"{slow:.1f} times slow")
         self.assertLess(seconds, slow * 40 / FRAMES_A_S)
+
+    def test_plays_fast_enough_and_opens_soon(self):
+        self.opens_and_plays(self.page)
         self.assertNotEqual(self.browser.run("document.getElementById('now').textContent"), "0")
 
     def test_robot_is_where_vtk_draws_it(self):
-        for time, width, dark in ((0, 1400, False), (0.002, 1400, True), (0.002, 400, False)):
-            self.open(self.page, f"#t={time}&colour=body&flow=none", width=width, dark=dark)
+        for time_s, width, dark in ((0, 1400, False), (0.002, 1400, True), (0.002, 400, False)):
+            self.open(self.page, f"#t={time_s}&colour=body&flow=none", width=width, dark=dark)
             box = self.browser.run("(({x, y, width, height}) => [x, y, width, height])"
                                    "(document.getElementById('view').getBoundingClientRect())")
             x, y, w, h = (round(v) for v in box)
             # Where the field's arrow is no robot is.
             found = orange(pixels(self.browser.picture())[y:y + h, x:x + w])
             found[:120, :240] = False
-            reference = Path(testing.new_folder()) / "reference.png"
-            done = subprocess.run(
-                [sys.executable, "-P", "-m", "magfsi.render", str(self.run_.folder), "--look",
-                 "page", "--size", f"{w}x{h}", "--colour", "body", "--flow", "none", "--time",
-                 f"{time} s", "--out", str(reference)], capture_output=True, text=True)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            right = orange(np.array(Image.open(reference)).astype(int))
+            right = orange(Stage(self.run_.folder, "page", (w, h), "", "none").draw(time_s).astype(int))
             right[:120, :240] = False
             self.assertGreater(right.sum(), 200)
             both = (found & right).sum() / (found | right).sum()
-            testing.report(f"t = {time} s, {width} pixels: {100 * both:.1f} % of the pixels agree")
+            testing.report(f"t = {time_s} s, {width} pixels: {100 * both:.1f} % of the pixels agree")
             # A pixel along the outline: both smooth edges, each in its own way.
             self.assertGreater(both, 0.85)
             for axis in (0, 1):
@@ -160,8 +141,7 @@ class Looked(unittest.TestCase):
                     if key in part or key == "cause":
                         part[key] = hostile
             (run.folder / file).write_text(json.dumps(held))
-        report(run.folder)
-        self.open(run.folder / "report.html")
+        self.open(kinds.page(run.folder))
         self.assertEqual(self.browser.run("document.querySelectorAll('img').length"), 0)
         self.assertEqual(self.browser.run("document.scripts.length"), 2)
         self.assertNotEqual(self.browser.run("document.title"), "stolen")
@@ -190,23 +170,17 @@ class Looked(unittest.TestCase):
                 self.assertGreater(np.ptp(lightness), 70, f"{name}, {who}")
 
     def test_every_kind_of_run(self):
-        bare = testing.good_run(testing.SMALL, {"time.end": "1 ms", "fluid": "",
-                                               "probes": "{every: 0.1 ms, bodies: [com]}"})
-        alone = testing.good_run(testing.ROOT / "tutorials/beam",
-                                 {"time.end": "200 ms", "output.structure.every": "50 ms"})
-        diverged = testing.run(testing.SMALL,
-                               {**FIELDS, "magnetic_field.constant.magnitude": "9 T"})
-        self.assertEqual(diverged.code, 3)
-        for run, with_view in ((bare, False), (alone, True), (diverged, None)):
-            report(run.folder)
-            seconds = self.open(run.folder / "report.html")
-            self.assertLess(seconds, slow_machine() * OPENS_IN_S)
+        for run, with_view in ((kinds.without_fields(), False), (kinds.structure_alone(), True),
+                               (kinds.two_robots(), True), (kinds.diverged(), None)):
+            self.opens_and_plays(kinds.page(run.folder))
             hidden = self.browser.run("document.getElementById('no-fields').hidden")
             if with_view is not None:
                 self.assertEqual(hidden, with_view)
+
+    def test_two_runs_laid_over_each_other(self):
         both = Path(testing.new_folder()) / "both.html"
         coarse = testing.good_run(testing.SMALL, {**FIELDS, "fluid.spacing": "0.4 mm"})
-        report(self.run_.folder, coarse.folder, "--out", both)
+        kinds.page(self.run_.folder, coarse.folder, out=both)
         self.open(both)
         self.assertEqual(self.browser.run("magfsi.view.shapes.length"), 2)
         self.browser.run("document.getElementById('differ').click(); 1")
@@ -219,28 +193,12 @@ class Looked(unittest.TestCase):
         self.assertEqual(self.browser.errors(), [])
 
     def test_many_rows_and_frames(self):
-        """10,000 rows of 30 columns and 1,000 frames of a body: what is there of a long run."""
-        folder = Path(testing.new_folder())
-        t = np.linspace(0, 1, 10000)
-        names = ["t[s]"] + [f"robot.q{i}[m]" for i in range(30)]
-        columns = [t] + [np.sin((i + 1) * 6 * t) for i in range(30)]
-        np.savetxt(folder / "probes.csv", np.array(columns).T, delimiter=",", header=",".join(names),
-                   comments="", fmt="%.9g")
-        for file in ("scene.json", "run.json", "summary.json", "scene.yaml"):
-            (folder / file).write_bytes((self.run_.folder / file).read_bytes())
-        stored = sorted((self.run_.folder / "fields").glob("structure_*.vtu"))
-        entries = "".join(f'<DataSet timestep="{i / 999}" part="0" file="{stored[i % len(stored)]}"/>'
-                          for i in range(1000))
-        (folder / "structure.pvd").write_text(f"<VTKFile><Collection>{entries}</Collection></VTKFile>")
-        report(folder)
-        self.assertLess((folder / "report.html").stat().st_size, 20e6)
-        slow = slow_machine()
-        seconds = self.open(folder / "report.html")
-        testing.report(f"opens in {seconds:.2f} s, the machine {slow:.1f} times slow")
-        self.assertLess(seconds, slow * OPENS_IN_S)
+        page = kinds.page(kinds.long_course(self.run_))
+        self.assertLess(page.stat().st_size, 20e6)
+        self.opens_and_plays(page)
         self.assertEqual(self.browser.run("magfsi.view.shapes[0].bodies.times.length"), 1000)
-        self.assertLess(self.browser.run(PLAY % 40), slow * 40 / FRAMES_A_S)
 
 
 if __name__ == "__main__":
+    ensure_display()
     unittest.main()

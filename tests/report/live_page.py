@@ -139,7 +139,7 @@ class WhileItRuns(unittest.TestCase):
         self.assertFalse(run["ended"])
         self.assertTrue(testing.wait_until(lambda: frames()[0] > first + 2, process, step_s=0.2))
         self.assertRegex(frames()[1]["progress"] or "", r"running: \d+ %, .* left")
-        if browser.CHROMIUM:
+        if testing.has("chromium"):
             self.look(process, f"http://127.0.0.1:{port}/{token}/")
         process.send_signal(signal.SIGTERM)
         process.wait(timeout=120)

@@ -55,6 +55,19 @@ def good_run(*args, **named):
     return result
 
 
+def has(program):
+    """Whether a program of packages-tests.txt is there. CI installs it, so that it shall not leave
+    out anything unseen."""
+    found = shutil.which(program) is not None
+    if not found and os.environ.get("CI"):
+        raise AssertionError(f"no {program} on this machine")
+    return found
+
+
+def needs(program):
+    return unittest.skipUnless(has(program), f"no {program} here (apt-get install {program})")
+
+
 _shared_runs = {}
 
 

@@ -132,9 +132,10 @@ function legend(box, text, q) {
   const item = add(box, "span", undefined, "legend");
   add(item, "span", text);
   const [factor, unit] = scaled(Math.max(Math.abs(q.low), Math.abs(q.high)), q.unit);
-  add(item, "span", (q.beyond && q.signed ? "≤ " : "") + number(factor * q.low), "number");
-  add(item, "i", undefined, "map").style.background = gradient(q);
-  add(item, "span", `${q.beyond ? "≥ " : ""}${number(factor * q.high)}${unit === "1" ? "" : " " + unit}`, "number");
+  const bar = add(item, "span", undefined, "bar-ends");
+  add(bar, "span", (q.beyond && q.signed ? "≤ " : "") + number(factor * q.low), "number");
+  add(bar, "i", undefined, "map").style.background = gradient(q);
+  add(bar, "span", `${q.beyond ? "≥ " : ""}${number(factor * q.high)}${unit === "1" ? "" : " " + unit}`, "number");
 }
 
 function showLegend() {

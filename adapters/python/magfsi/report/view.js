@@ -3,7 +3,7 @@
 // only sheared, and faces are painted from back to front, those before the slice after it.
 // docs/report.md says why this and not WebGL.
 
-const YAW = -0.35, PITCH = 0.2;
+const YAW = -0.35, PITCH = 0.2, SEAM = 0.6; // rad, rad, pixels
 const FIRST_VIEW = [Math.cos(YAW), Math.abs(Math.sin(YAW)), Math.cos(PITCH), Math.sin(PITCH)];
 
 class View {
@@ -97,13 +97,14 @@ class View {
   paint(list) {
     list.sort((a, b) => a.depth - b.depth);
     const context = this.context;
-    context.lineWidth = 0.6;
-    for (const { style, alpha, corners: p } of list) {
+    context.lineWidth = SEAM;
+    for (const { style, alpha, thin, corners: p } of list) {
       context.globalAlpha = alpha;
-      context.fillStyle = context.strokeStyle = style;
+      context.fillStyle = style;
       context.beginPath();
       context.moveTo(p[0], p[1]); context.lineTo(p[2], p[3]); context.lineTo(p[4], p[5]); context.lineTo(p[6], p[7]);
-      context.closePath(); context.fill(); context.stroke();
+      context.closePath(); context.fill();
+      if (thin) { context.strokeStyle = style; context.stroke(); }
     }
     context.globalAlpha = 1;
   }
@@ -199,9 +200,9 @@ class View {
     context.strokeStyle = context.fillStyle = this.ink; context.font = "12px system-ui, sans-serif";
     context.textAlign = "center"; context.textBaseline = "middle";
     [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((v, d) => {
-      const [x, y] = this.direction(v);
+      const [x, y] = this.direction(v), long = Math.hypot(x, y), end = 22 + 13 / long; // past the arrow's head
       this.arrow(x0, y0, x0 + 22 * x, y0 + 22 * y, 1.2);
-      if (Math.hypot(x, y) > 0.25) context.fillText("xyz"[d], x0 + 34 * x, y0 + 34 * y);
+      if (long > 0.25) context.fillText("xyz"[d], x0 + end * x, y0 + end * y);
     });
   }
 
@@ -225,7 +226,7 @@ class Shape {
     this.body = unpack(b.body, Uint8Array);
     this.seen = new Float64Array(3 * b.nodes);
     this.list = Array.from({ length: this.quads.length / 4 },
-      () => ({ depth: 0, style: "", alpha: 1, corners: new Float64Array(8) }));
+      () => ({ depth: 0, style: "", alpha: 1, thin: false, corners: new Float64Array(8) }));
   }
 
   // Where the nodes are seen, between the stored instants on straight lines.
@@ -257,6 +258,17 @@ class Shape {
       for (let i = 0; i < 4; ++i) {
         const k = 3 * q[4 * f + i];
         c[2 * i] = s[k]; c[2 * i + 1] = s[k + 1]; depth += s[k + 2] / 4; x += s[k] / 4; y += s[k + 1] / 4;
+      }
+      // Bodies are closed: a face that looks away (its corners go round the other way) is hidden.
+      if ((c[4] - c[0]) * (c[7] - c[3]) - (c[5] - c[1]) * (c[6] - c[2]) > 0) continue;
+      // A little larger than it is: edges of neighbours, each smoothed by itself, would let through
+      // what is behind. Filling alone costs half of filling and drawing the edge, which long thin
+      // faces take.
+      const [ax, ay, bx, by] = [c[4] - c[0], c[5] - c[1], c[6] - c[2], c[7] - c[3]];
+      item.thin = Math.abs(ax * by - ay * bx) < 0.5 * Math.hypot(ax, ay) * Math.hypot(bx, by);
+      for (let i = 0; i < 8 && !item.thin; i += 2) {
+        const dx = c[i] - x, dy = c[i + 1] - y, more = SEAM / (Math.abs(dx) + Math.abs(dy) + SEAM);
+        c[i] += more * dx; c[i + 1] += more * dy;
       }
       item.depth = depth;
       item.alpha = this.number ? 0.55 : 1;
