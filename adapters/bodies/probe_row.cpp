@@ -13,6 +13,7 @@
 #include "adapters/bodies/field_work.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/fault.h"
+#include "adapters/scene/reader.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lattice/hexahedron.h"
 
@@ -207,27 +208,24 @@ std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh
     return in;
 }
 
-std::vector<std::size_t> columns_named(const std::vector<std::string>& columns,
-                                       const std::vector<std::string>& names) {
+std::size_t column_of(const std::vector<std::string>& columns,
+                      const scene::Control& control, std::size_t i) {
+    const std::string& name = control.probes[i];
     std::vector<std::string> bare;
     for (const std::string& column : columns)
         bare.push_back(column.substr(0, column.find('[')));
-    std::vector<std::size_t> found;
-    for (const std::string& name : names) {
-        auto at = std::ranges::find(columns, name);
-        if (at == columns.end())
-            at = columns.begin() + (std::ranges::find(bare, name) - bare.begin());
-        if (at == columns.end()) {
-            const std::string near = scene::did_you_mean(name, bare);
-            throw std::invalid_argument(
-                fmt::format("control.probes: found {}; allowed are columns of "
-                            "probes.csv, with or without their unit: {}{}",
-                            scene::in_quotes(name), fmt::join(columns, ", "),
-                            near.empty() ? "" : "; " + near));
-        }
-        found.push_back(static_cast<std::size_t>(at - columns.begin()));
+    auto at = std::ranges::find(columns, name);
+    if (at == columns.end())
+        at = columns.begin() + (std::ranges::find(bare, name) - bare.begin());
+    if (at == columns.end()) {
+        const std::string near = scene::did_you_mean(name, bare);
+        throw scene::SceneError(
+            fmt::format("{}: found {} in control.probes; allowed are columns of "
+                        "probes.csv, with or without their unit: {}{}",
+                        control.probe_places[i], scene::in_quotes(name),
+                        fmt::join(columns, ", "), near.empty() ? "" : "; " + near));
     }
-    return found;
+    return static_cast<std::size_t>(at - columns.begin());
 }
 
 ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,

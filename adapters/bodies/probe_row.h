@@ -37,10 +37,10 @@ struct ProbeSample {
     const std::vector<Vec3>& force_on_parts_n;
 };
 
-// Which columns are meant by names with or without their unit. Throws
-// std::invalid_argument at the first that is none of them.
-std::vector<std::size_t> columns_named(const std::vector<std::string>& columns,
-                                       const std::vector<std::string>& names);
+// Which column probe i of a controller means, named with or without its unit. Throws
+// SceneError if it is none of them.
+std::size_t column_of(const std::vector<std::string>& columns,
+                      const scene::Control& control, std::size_t i);
 
 class ProbeRow {
   public:

@@ -12,7 +12,7 @@ namespace magfsi::bodies {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr Complex i{0, 1};
+constexpr Complex im{0, 1};
 
 constexpr int places_in_grid = 10;
 
@@ -58,9 +58,10 @@ Complex WallOfPlanes::wave(double k, double relaxation_time, double magic_number
         (third_after - stress_after) / 2;
     const double third_forced = odd / 6 + (1 - odd / 2) / 3;
     const Eigen::Vector3d forced(1 - third_forced, third_forced / 2, third_forced / 2);
-    const Eigen::DiagonalMatrix<Complex, 3> stream(1, std::exp(-i * k), std::exp(i * k));
+    const Eigen::DiagonalMatrix<Complex, 3> stream(1, std::exp(-im * k),
+                                                   std::exp(im * k));
     Eigen::Matrix3cd system = -(stream * after.cast<Complex>());
-    system.diagonal().array() += std::exp(i * frequency_);
+    system.diagonal().array() += std::exp(im * frequency_);
     return system.partialPivLu().solve(stream * forced.cast<Complex>()).sum() + 0.5;
 }
 
@@ -75,7 +76,7 @@ Complex WallOfPlanes::moved(const std::vector<double>& places) const {
             spread(p, n) = 0;
             for (int j = 0; j < s.count; ++j)
                 spread(p, n) += s.weight[static_cast<std::size_t>(j)] *
-                                std::exp(-2 * std::numbers::pi * n / cells * i *
+                                std::exp(-2 * std::numbers::pi * n / cells * im *
                                          static_cast<double>(s.first + j));
         }
     }
@@ -83,11 +84,11 @@ Complex WallOfPlanes::moved(const std::vector<double>& places) const {
     const Eigen::MatrixXcd felt =
         spread.conjugate() * response.asDiagonal() * spread.transpose() / cells;
     const Eigen::VectorXcd ones = Eigen::VectorXcd::Ones(planes);
-    return felt.partialPivLu().solve(ones).sum() / (i * frequency_);
+    return felt.partialPivLu().solve(ones).sum() / (im * frequency_);
 }
 
 double WallOfPlanes::thickness(const EvenPlanes& planes) const {
-    const Complex outside = 2.0 * std::sqrt(viscosity_ / (i * frequency_));
+    const Complex outside = 2.0 * std::sqrt(viscosity_ / (im * frequency_));
     double sum = 0;
     for (int place = 0; place < places_in_grid; ++place) {
         std::vector<double> at;

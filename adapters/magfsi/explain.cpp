@@ -283,10 +283,11 @@ void check_columns(const scene::Scene& scene) {
     for (const auto& more :
          {fluids::fluid_columns(scene), fluids::interface_columns(scene)})
         columns.insert(columns.end(), more.begin(), more.end());
-    std::vector<std::string> names = scene.control->probes;
-    if (scene.probes && scene.probes->energy_audit)
-        std::erase_if(names, [](const auto& name) { return name.starts_with("audit."); });
-    (void)bodies::columns_named(columns, names);
+    const bool audited = scene.probes && scene.probes->energy_audit;
+    for (std::size_t i = 0; i < scene.control->probes.size(); ++i) {
+        if (!audited || !scene.control->probes[i].starts_with("audit."))
+            (void)bodies::column_of(columns, *scene.control, i);
+    }
 }
 
 std::string explain_control(const scene::Scene& scene) {

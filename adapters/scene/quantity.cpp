@@ -182,7 +182,7 @@ Unit parse_unit(std::string_view text) {
 
 namespace {
 
-struct Named {
+struct NamedDimension {
     std::string_view si;
     std::string_view name;
     std::string_view example;
@@ -190,7 +190,7 @@ struct Named {
 
 // The dimensions that scenes use. One line here gives error messages and the reference
 // page their words.
-constexpr Named named[] = {
+constexpr NamedDimension named[] = {
     {"", "a plain number", "0.5"},
     {"m", "a length", "0.2 mm"},
     {"s", "a time", "20 us"},
@@ -216,10 +216,11 @@ constexpr Named named[] = {
     {"A/m", "a magnetization", "62 kA/m (or a remanence such as 78 mT)"},
 };
 
-const Named* find(const Dimension& dimension) {
+const NamedDimension* find(const Dimension& dimension) {
     static const std::vector<Dimension> dimensions = [] {
         std::vector<Dimension> list;
-        for (const Named& entry : named) list.push_back(parse_unit(entry.si).dimension);
+        for (const NamedDimension& entry : named)
+            list.push_back(parse_unit(entry.si).dimension);
         return list;
     }();
     for (std::size_t i = 0; i < dimensions.size(); ++i) {
@@ -230,7 +231,7 @@ const Named* find(const Dimension& dimension) {
 
 // "a length", "a density"; a product of base units for what has no name here.
 std::string dimension_name(const Dimension& dimension) {
-    if (const Named* entry = find(dimension)) return std::string(entry->name);
+    if (const NamedDimension* entry = find(dimension)) return std::string(entry->name);
     constexpr std::string_view base[] = {"kg", "m", "s", "A", "rad"};
     std::string product;
     for (std::size_t i = 0; i < dimension.size(); ++i) {
@@ -306,7 +307,7 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
 std::string dimension_expectation(std::string_view si_unit) {
     if (si_unit == "%") return "a share such as 3 %";
     const Dimension dimension = parse_unit(si_unit).dimension;
-    const Named* entry = find(dimension);
+    const NamedDimension* entry = find(dimension);
     return fmt::format("{} such as {}", dimension_name(dimension),
                        entry ? entry->example : "");
 }

@@ -149,6 +149,11 @@ Scene read_scene(const std::filesystem::path& path,
     check_materials(scene, Marks(root));
     read_field_files(scene, Marks(root));
     check_scene(scene, Marks(root));
+    if (scene.control) {
+        for (std::size_t i = 0; i < scene.control->probes.size(); ++i)
+            scene.control->probe_places.push_back(
+                to_string(Marks(root).item({"control", "probes"}, i)));
+    }
     scene.hash = scene_hash(scene);
     return scene;
 }

@@ -103,6 +103,8 @@ struct Control {
     double every_s = 0;               // between two calls
     std::vector<std::string> probes;  // columns of probes.csv, with or without their unit
     double timeout_s = 60;            // longest wait for an answer
+    // Of each of the probes in the scene, "file:line:column", for errors; no key.
+    std::vector<std::string> probe_places;
 };
 
 struct Gravity {

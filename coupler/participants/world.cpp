@@ -152,7 +152,7 @@ World::~World() {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 // A short spin keeps the latency of small scenes down. A nap of a sixty-fourth of what
 // was waited already adds at most that share to a wait, and a partner that works for long
@@ -165,9 +165,10 @@ constexpr int naps_a_wait = 64;
 double seconds_waited = 0;
 
 struct WaitingTime {
-    Clock::time_point start = Clock::now();
+    SteadyClock::time_point start = SteadyClock::now();
     ~WaitingTime() {
-        seconds_waited += std::chrono::duration<double>(Clock::now() - start).count();
+        seconds_waited +=
+            std::chrono::duration<double>(SteadyClock::now() - start).count();
     }
 };
 
@@ -189,7 +190,7 @@ extern "C" void remember_signal(int number) {
 }
 
 // How long ago this wait saw the signal.
-bool may_wait_on(Clock::duration since) {
+bool may_wait_on(SteadyClock::duration since) {
     if (!postponed) return false;
     return stop_signal == SIGUSR1 || since < patience_after_sigterm;
 }
@@ -200,7 +201,7 @@ class LongWait {
     LongWait(double timeout_s, const std::string& what, const std::string& whom)
         : timeout_s_(timeout_s), what_(what), whom_(whom) {}
 
-    void look(Clock::time_point now) {
+    void look(SteadyClock::time_point now) {
         // Time in which this process did not run either is nobody's delay: the whole job
         // was suspended, or the machine slept.
         constexpr std::chrono::duration<double> longest_between_looks(1);
@@ -253,7 +254,7 @@ class LongWait {
     const std::string& what_;
     const std::string& whom_;
     std::time_t start_ = std::time(nullptr);
-    Clock::time_point last_ = Clock::now();
+    SteadyClock::time_point last_ = SteadyClock::now();
     double own_s_ = 0, next_look_s_ = 1, next_word_s_ = 60;
     std::optional<double> gone_s_;
 };
@@ -262,10 +263,10 @@ template <typename Done>
 void wait_until(Done done, double timeout_s, const std::string& what,
                 const std::string& whom = partner_name) {
     const WaitingTime waiting;
-    std::optional<Clock::time_point> told;
+    std::optional<SteadyClock::time_point> told;
     std::optional<LongWait> wait;
     while (!done()) {
-        const auto now = Clock::now();
+        const auto now = SteadyClock::now();
         const auto waited = now - waiting.start;
         if (stop_requested() != 0 && !told) told = now;
         if (told && !may_wait_on(now - *told)) {

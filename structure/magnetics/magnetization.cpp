@@ -53,12 +53,12 @@ struct Row {
     Vec3 vector_a_m{};
 };
 
-constexpr std::array<ColumnKind, 6> columns{{{"x", units::length},
-                                             {"y", units::length},
-                                             {"z", units::length},
-                                             {"Mx", units::magnetization},
-                                             {"My", units::magnetization},
-                                             {"Mz", units::magnetization}}};
+constexpr std::array<ColumnKind, 6> table_columns{{{"x", units::length},
+                                                   {"y", units::length},
+                                                   {"z", units::length},
+                                                   {"Mx", units::magnetization},
+                                                   {"My", units::magnetization},
+                                                   {"Mz", units::magnetization}}};
 
 struct Table {
     std::vector<Row> rows;
@@ -67,7 +67,7 @@ struct Table {
 
 Table read_rows(const std::filesystem::path& file) {
     const auto values =
-        read_table("magnetisation table", file, columns, {"Mx", "My", "Mz"});
+        read_table("magnetisation table", file, table_columns, {"Mx", "My", "Mz"});
     Table table{std::vector<Row>(values[3].size()), !values[0].empty()};
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         for (std::size_t d = 0; d < 3; ++d) {

@@ -35,11 +35,6 @@ void keep_only(std::map<std::string, std::vector<int>>& groups,
     }
 }
 
-int root_of(std::vector<int>& parent, int node) {
-    while (parent[node] != node) node = parent[node] = parent[parent[node]];
-    return node;
-}
-
 // New local axis d is the old axis `axis[d]`, turned round where bit d of `flips` is set.
 Hexahedron renumbered(const Hexahedron& element, const std::array<int, 3>& axis,
                       int flips) {

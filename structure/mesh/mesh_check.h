@@ -23,6 +23,13 @@ std::optional<std::array<int, 2>> coincident_nodes(const Mesh& mesh, double tole
 // Two elements of the same eight nodes.
 std::optional<std::array<int, 2>> duplicate_elements(const Mesh& mesh);
 
+// Of sets that are joined step by step, each a tree of which `parent` has the edges: the
+// root of the tree with this node. Shortens the way there.
+inline int root_of(std::vector<int>& parent, int node) {
+    while (parent[node] != node) node = parent[node] = parent[parent[node]];
+    return node;
+}
+
 // Number of the connected part of each element, from 0 in the order of the elements;
 // elements are connected by any common node.
 std::vector<int> connected_parts(const Mesh& mesh);

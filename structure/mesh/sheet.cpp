@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "structure/mesh/mesh_check.h"
+
 namespace magfsi::structure {
 namespace {
 
@@ -101,11 +103,6 @@ std::vector<int> columns_across(const Chords& chords) {
         columns.push_back(static_cast<int>(c));
     }
     return columns;
-}
-
-int root_of(std::vector<int>& parent, int n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
 }
 
 // Side (0 or 1) of each quad; quads that share an edge lie on the same side. Empty unless

@@ -9,7 +9,34 @@ from scripts import ALONE, EVERY, of, testing, with_control
 GOOD = of("return 0, 0, 1e-3")
 
 
+SCENE = """\
+name: steered
+time: {end: 1 ms}
+bodies:
+  strip:
+    mesh: {box: {size: [4 mm, 1 mm, 0.2 mm], elements: [4, 1, 1]}}
+    material: {shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}
+    magnetization: {uniform: [62 kA/m, 0 kA/m, 0 kA/m]}
+magnetic_field: {plane: xz, constant: {magnitude: 1 mT, direction: 0 deg}}
+probes: {every: 0.1 ms, bodies: [com]}
+control:
+  script: steer.py
+  every: 0.5 ms
+  probes: [strip.com_x,
+           strip.com_q]
+"""
+
+
 class Refused(unittest.TestCase):
+    def test_a_probe_that_is_absent_where_it_stands(self):
+        scene = Path(testing.new_folder()) / "scene.yaml"
+        scene.write_text(SCENE)
+        (scene.parent / "steer.py").write_text(GOOD)
+        folder = Path(testing.new_folder()) / "run"
+        run = testing.run(scene, folder=folder)
+        testing.check_refused(self, run, f'{scene}:14:12: found "strip.com_q"')
+        self.assertFalse(folder.exists())
+
     def refused(self, settings, *words):
         folder = Path(testing.new_folder()) / "run"
         run = testing.run(EVERY, settings, folder=folder)

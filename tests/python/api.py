@@ -2,6 +2,7 @@
 """Scenes and runs from Python, as a user's script has them."""
 import json
 import os
+import shutil
 import subprocess
 import sys
 import unittest
@@ -156,6 +157,22 @@ class Notebook(unittest.TestCase):
 
 
 class Import(unittest.TestCase):
+    def test_works_for_a_user_who_is_not_root(self):
+        """Where nothing of root's can be read or written: the package lies in a folder of its own,
+        the user has no home."""
+        place = Path(testing.new_folder())
+        shutil.copytree(testing.ROOT / "adapters/python/magfsi", place / "magfsi",
+                        ignore=shutil.ignore_patterns("__pycache__"))
+        for path in (place, *place.rglob("*")):
+            path.chmod(0o755 if path.is_dir() else 0o644)
+        words = ["env", "-i", f"PYTHONPATH={place}", "/usr/bin/python3", "-c",
+                 "import os, magfsi; print(os.getuid() != 0, magfsi.__file__)"]
+        if os.getuid() == 0:
+            words = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", *words]
+        found = subprocess.run(words, capture_output=True, text=True, cwd="/")
+        self.assertEqual(found.stdout.split(), ["True", str(place / "magfsi/__init__.py")],
+                         found.stderr)
+
     def test_needs_the_standard_library_only(self):
         code = ("import sys, json, magfsi; print(json.dumps([m for m in sys.modules if m in "
                 "('numpy', 'pandas', 'vtk', 'matplotlib', 'scipy')]))")

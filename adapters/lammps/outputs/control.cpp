@@ -54,8 +54,8 @@ class Control : public coupler::Output {
 Control::Control(StructureRun& run)
     : run_(run), every_(steps_between_calls(run.scene, run.session.clock())) {
     const scene::Control& control = *run.scene.control;
-    if (run.probes)
-        columns_ = bodies::columns_named(run.probes->columns(), control.probes);
+    for (std::size_t i = 0; run.probes && i < control.probes.size(); ++i)
+        columns_.push_back(bodies::column_of(run.probes->columns(), control, i));
     std::optional<std::vector<double>> state;
     if (run.session.restart()) {
         const auto file = coupler::open_restart(run.session);
