@@ -109,6 +109,17 @@ class Finds(unittest.TestCase):
         self.assertIn("| finer | bar |", done.out)
         self.assertRegex(done.out, r"with `bodies\.beam\.element: mean_f`: 0\.00\d+\.")
 
+    def test_a_short_version_of_it(self):
+        search = Search(SHORT + "finer: {best: 2, set: {bodies.beam.mesh.box.elements: [18, 4, 1]}}\n"
+                        "check: {set: {bodies.beam.element: full}}\n")
+        done = search.good_run("--runs", 3, "--search-only", "--set", "bodies.beam.element=mean_f")
+        self.assertEqual(len(search.records()), 4)  # the best once more, with its shapes
+        self.assertNotIn("finer", done.out)
+        best = yaml.safe_load((search.out / "best.yaml").read_text())
+        self.assertEqual(best["bodies"]["beam"]["element"], "mean_f")
+        self.assertEqual(search.run("--runs", 0).code, 2)
+        self.assertEqual(search.run("--set", "fluid").code, 2)
+
     def test_bars_that_touch_are_a_tie(self):
         def finalist(value, bar):
             return SimpleNamespace(value=value, bar=bar)

@@ -86,10 +86,10 @@ def main():
                          help="where the runs are, or are made")
     options.add_argument("--out", type=Path, default=runs.ROOT / "docs/index.html")
     options.add_argument("--only", nargs="*", metavar="NAME", help="of these tutorials alone")
-    options.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
+    options.add_argument("--set", type=runs.setting, action="append", default=[], metavar="KEY=VALUE",
                          help="for every run, such as time.end='20 ms'")
     chosen = options.parse_args()
-    settings = dict(item.split("=", 1) for item in chosen.set)
+    settings = dict(chosen.set)
     names = sorted(folder.name for folder in TUTORIALS.iterdir() if (folder / "scene.yaml").exists())
     unknown = sorted(set(chosen.only or []) - set(names))
     if unknown:

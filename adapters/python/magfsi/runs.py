@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The built programs: started, waited for, and what they leave in a run folder."""
+import argparse
 import csv
 import json
 import math
@@ -70,6 +71,14 @@ class Run:
 
     def probes(self):
         return read_columns(self.folder / "probes.csv")
+
+
+def setting(text):
+    """Of a command's --set, for argparse: key and value."""
+    key, equals, value = text.partition("=")
+    if not equals or not key:
+        raise argparse.ArgumentTypeError(f"found '{text}'; allowed path.to.key=value")
+    return key, value
 
 
 def overrides(settings):

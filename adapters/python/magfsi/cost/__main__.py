@@ -4,7 +4,7 @@ probe's error bar, what it is made of, and the cheapest setting within a toleran
 import argparse
 from pathlib import Path
 
-from magfsi import units
+from magfsi import runs, units
 from magfsi.cost import command, probes, report
 from magfsi.cost.variants import CannotRun, seconds
 from magfsi.ending import EXIT_INPUT, ended_well
@@ -38,16 +38,9 @@ def share(text):
     return value
 
 
-def _set(text):
-    key, equals, value = text.partition("=")
-    if not equals or not key:
-        raise argparse.ArgumentTypeError(f"found '{text}'; allowed path.to.key=value")
-    return key, value
-
-
 def add_options(parser):
     parser.add_argument("scene", type=Path, help="scene file or tutorial folder")
-    parser.add_argument("--set", type=_set, action="append", default=[], metavar="KEY=VALUE",
+    parser.add_argument("--set", type=runs.setting, action="append", default=[], metavar="KEY=VALUE",
                         help="override a value of the scene")
     parser.add_argument("--ranks", default="", help="MPI ranks: structure=N,fluid=M")
     parser.add_argument("--probe", action="append", default=[], metavar="COLUMN",

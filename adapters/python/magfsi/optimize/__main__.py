@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from magfsi import runs
 from magfsi.ending import EXIT_ERROR, ended_well
 from magfsi.optimize import result
 from magfsi.optimize.search import Missing, Searching
@@ -18,12 +19,30 @@ def arguments():
                "docs/optimize.md says what a search file holds.")
     parser.add_argument("search", type=Path, help="search file")
     parser.add_argument("--out", type=Path, help="runs and results (default: runs/search_NAME)")
-    return parser.parse_args()
+    parser.add_argument("--runs", type=int, metavar="N", help="so many, whatever the file says")
+    parser.add_argument("--set", type=runs.setting, action="append", default=[], metavar="KEY=VALUE",
+                        help="override a value of the scene, in all runs")
+    parser.add_argument("--search-only", action="store_true",
+                        help="leave out what follows the search: finer runs of the best, the check")
+    chosen = parser.parse_args()
+    if chosen.runs is not None and chosen.runs < 1:
+        parser.error(f"--runs: found {chosen.runs}; allowed are whole numbers from 1")
+    return chosen
+
+
+def asked(chosen):
+    """The search of the file, as the command line has it."""
+    search = read_search(chosen.search)
+    search.sets |= dict(chosen.set)
+    search.runs = chosen.runs or search.runs
+    if chosen.search_only:
+        search.finer = search.check = None
+    return search
 
 
 def main():
     chosen = arguments()
-    search = read_search(chosen.search)
+    search = asked(chosen)
     out = chosen.out or Path("runs") / f"search_{search.name}"
     try:
         points = Searching(search, out).go()
