@@ -36,7 +36,7 @@ struct FinerLevel {
     FinerLevel(MPI_Comm comm, const FluidConfig& coarsest, const Level& below,
                const LevelPlace& place, int number)
         : level(comm, coarsest, place, number),
-          ring(below, ring_of(level)),
+          ring(below, place, ring_of(level)),
           band(below, level, band_of(place)),
           from_below(below, place.covered(), place),
           into_level(level, place.inside, place) {}

@@ -19,9 +19,11 @@ constexpr int ring_cells = 2;
 // Cells of a level between the box of the next finer one and its own ring, or it reads
 // what has not been filled: two under the ring, two for a cubic.
 constexpr int apart_cells = 4;
-// Cells of a level around what the next finer one covers. Less saves little, and shows in
-// the flow around the bodies (docs/refinement.md).
-constexpr int around_cells = 8;
+// Covered cells, beside those that are not, that a level reads before they are
+// overwritten anew: in its step, and in the cubic that fills the ring.
+constexpr int band_cells = 1;
+// Cells of a level around what the next finer one covers: what stencils need.
+constexpr int around_cells = apart_cells;
 
 // How patches lie around bodies, in cells of the finest level but one.
 struct PatchRule {

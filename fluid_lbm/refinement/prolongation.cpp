@@ -24,9 +24,15 @@ Range readable(const LevelPlace& place, int axis) {
     return {place.inside.lo[axis], place.inside.hi[axis]};
 }
 
-// Of a fine cell, among the coarse ones: centres of cells lie at whole numbers.
-Weights coarse_around(int fine_cell, const LevelPlace& coarse, int axis) {
-    const Range range = readable(coarse, axis);
+// Of a fine cell, among the coarse ones: centres of cells lie at whole numbers. In the
+// ring of a patch the cubic reads one covered cell, the one that is overwritten in every
+// step.
+Weights coarse_around(int fine_cell, const LevelPlace& coarse, const LevelPlace& fine,
+                      int axis) {
+    Range range = readable(coarse, axis);
+    const int lo = fine.inside.lo[axis], hi = fine.inside.hi[axis];
+    if (fine_cell < lo) range.hi = std::min(range.hi, lo / 2 + band_cells);
+    if (fine_cell >= hi) range.lo = std::max(range.lo, hi / 2 - band_cells);
     return cubic_at((2 * fine_cell - 1) / 4.0, range.lo, range.hi);
 }
 
@@ -42,13 +48,13 @@ bool has_solid(const SolidMap& map, const CellBox& box) {
 }
 
 // At obstacles with what their cells' numbers are made of, however the box is cut.
-CellBox coarse_beneath(const CellBox& fine, const Level& level) {
+CellBox coarse_beneath(const CellBox& fine, const Level& level, const LevelPlace& place) {
     const LevelPlace& coarse = level.place;
     CellBox box, wider;
     if (is_empty(fine)) return {};
     for (int d = 0; d < 3; ++d) {
-        box.lo[d] = coarse_around(fine.lo[d], coarse, d).first;
-        box.hi[d] = coarse_around(fine.hi[d] - 1, coarse, d).first + points;
+        box.lo[d] = coarse_around(fine.lo[d], coarse, place, d).first;
+        box.hi[d] = coarse_around(fine.hi[d] - 1, coarse, place, d).first + points;
         const Range range = readable(coarse, d);
         wider.lo[d] = std::max(box.lo[d] - solid_layers, range.lo);
         wider.hi[d] = std::min(box.hi[d] + solid_layers, range.hi);
@@ -58,11 +64,12 @@ CellBox coarse_beneath(const CellBox& fine, const Level& level) {
 }
 
 std::vector<std::vector<CellBox>> coarse_beneath(
-    const std::vector<std::vector<CellBox>>& of_ranks, const Level& coarse) {
+    const std::vector<std::vector<CellBox>>& of_ranks, const Level& coarse,
+    const LevelPlace& place) {
     std::vector<std::vector<CellBox>> beneath(of_ranks.size());
     for (std::size_t r = 0; r < of_ranks.size(); ++r) {
         for (const CellBox& box : of_ranks[r])
-            beneath[r].push_back(coarse_beneath(box, coarse));
+            beneath[r].push_back(coarse_beneath(box, coarse, place));
     }
     return beneath;
 }
@@ -88,17 +95,20 @@ MAGFSI_ROW_LOOP void combine(const std::array<double, points>& w, const double* 
 struct Expansion {
     std::vector<Weights> of;
     int lo = 0;
-    bool regular = true;  // as away from sides: pairs of cells alike
+    std::size_t begin = 0, end = 0;  // between them pairs of cells are alike
 
     Expansion(const CellBox& fine, const CellBox& beneath, const LevelPlace& coarse,
-              int axis)
+              const LevelPlace& place, int axis)
         : lo(beneath.lo[axis]) {
-        for (int x = fine.lo[axis]; x < fine.hi[axis]; ++x) {
-            of.push_back(coarse_around(x, coarse, axis));
-            const auto n = of.size();
-            regular = regular && (n < 3 || (of[n - 1].of == of[n - 3].of &&
-                                            of[n - 1].first == of[n - 3].first + 1));
-        }
+        for (int x = fine.lo[axis]; x < fine.hi[axis]; ++x)
+            of.push_back(coarse_around(x, coarse, place, axis));
+        const auto alike = [&](std::size_t i) {
+            return of[i].of == of[i + 2].of && of[i].first + 1 == of[i + 2].first;
+        };
+        end = of.size();
+        while (begin + 2 < end && !(alike(begin) && begin + 3 < end && alike(begin + 1)))
+            ++begin;
+        while (begin + 2 < end && !alike(end - 3)) --end;
     }
 };
 
@@ -116,19 +126,21 @@ MAGFSI_ROW_LOOP void expand_pairs(const std::array<double, points>& wa, const do
 }
 
 void expand(const double* coarse, const Expansion& along, double* fine) {
-    const std::size_t count = along.of.size();
-    std::size_t x = 0;
-    if (along.regular && count > 8) {
-        const Weights &a = along.of[0], &b = along.of[1];
+    const auto one_by_one = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t x = begin; x < end; ++x) {
+            const double* c = coarse + (along.of[x].first - along.lo);
+            const auto& w = along.of[x].of;
+            fine[x] = (w[0] * c[0] + w[1] * c[1]) + (w[2] * c[2] + w[3] * c[3]);
+        }
+    };
+    const std::size_t pairs = (along.end - along.begin) / 2;
+    one_by_one(0, along.begin);
+    if (pairs > 0) {
+        const Weights &a = along.of[along.begin], &b = along.of[along.begin + 1];
         expand_pairs(a.of, coarse + (a.first - along.lo), b.of,
-                     coarse + (b.first - along.lo), count / 2, fine);
-        x = count / 2 * 2;
+                     coarse + (b.first - along.lo), pairs, fine + along.begin);
     }
-    for (; x < count; ++x) {
-        const double* c = coarse + (along.of[x].first - along.lo);
-        const auto& w = along.of[x].of;
-        fine[x] = (w[0] * c[0] + w[1] * c[1]) + (w[2] * c[2] + w[3] * c[3]);
-    }
+    one_by_one(along.begin + 2 * pairs, along.of.size());
 }
 
 }  // namespace
@@ -140,13 +152,13 @@ std::vector<std::vector<CellBox>> ring_of(const Level& fine) {
     return rings;
 }
 
-Prolongation::Prolongation(const Level& coarse,
+Prolongation::Prolongation(const Level& coarse, const LevelPlace& place,
                            const std::vector<std::vector<CellBox>>& of_ranks)
     : transfer_(coarse.comm(), one_each(coarse.owned_by_rank()), coarse.place.period,
-                coarse_beneath(of_ranks, coarse)) {
+                coarse_beneath(of_ranks, coarse, place)) {
     for (const CellBox& box :
          of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))]) {
-        const CellBox beneath = coarse_beneath(box, coarse);
+        const CellBox beneath = coarse_beneath(box, coarse, place);
         const bool thin =
             box.hi[0] - box.lo[0] <= ring_cells && box.hi[1] - box.lo[1] > ring_cells;
         pieces_.push_back(
@@ -272,13 +284,13 @@ void Prolongation::interpolate(const Piece& piece, const Level& coarse,
     const auto [box, c, along, across, flow] =
         std::tie(piece.fine, piece.coarse, piece.line, piece.other, piece.flow);
     const std::size_t length = piece.length(box, along), n = piece.length(c, along);
-    const Expansion expansion(box, c, coarse.place, along);
-    const Expansion others(box, c, coarse.place, across);
+    const Expansion expansion(box, c, coarse.place, fine.place, along);
+    const Expansion others(box, c, coarse.place, fine.place, across);
     plane_.resize(piece.length(c, across) * numbers * n);
     line_.resize(numbers * n);
     row_.resize(numbers * length);
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
-        const Weights wz = coarse_around(z, coarse.place, 2);
+        const Weights wz = coarse_around(z, coarse.place, fine.place, 2);
         const auto k = static_cast<std::size_t>(wz.first - c.lo[2]);
         combine(wz.of, flow.data() + k * plane_.size(), plane_.size(), plane_.size(),
                 plane_.data());

@@ -10,8 +10,10 @@ namespace magfsi::fluid {
 // Fills cells of the finer level from the coarser one.
 class Prolongation {
   public:
-    // of_ranks: boxes of stored cells of the finer level, of each rank its own.
-    Prolongation(const Level& coarse, const std::vector<std::vector<CellBox>>& of_ranks);
+    // of_ranks: boxes of stored cells of the finer level at that place, of each rank its
+    // own.
+    Prolongation(const Level& coarse, const LevelPlace& place,
+                 const std::vector<std::vector<CellBox>>& of_ranks);
     // Collective.
     void run(const Level& coarse, Level& fine);
 

@@ -71,7 +71,7 @@ void take_over(const Level& below, const Level& old, Level& level,
             fresh.back() = without(fresh.back(), shifted(old.place.inside, image));
         });
     }
-    Prolongation(below, fresh).run(below, level);
+    Prolongation(below, level.place, fresh).run(below, level);
     const View from = old.state().view(), to = level.state().view();
     std::vector<CellBox> owned = old.owned_by_rank();
     for (CellBox& box : owned) box = shared(box, old.place.inside);

@@ -7,9 +7,6 @@
 
 namespace magfsi::fluid {
 
-// Covered cells that the coarser level reads before it is overwritten anew: one beside
-// what is not covered in its step, two in the cubic that fills the ring.
-constexpr int band_cells = 2;
 // The covered cells of the level below that are so close to those that are not.
 std::vector<CellBox> band_of(const LevelPlace& fine);
 
