@@ -107,6 +107,19 @@ class Browser:
             raise AssertionError(f"{expression}: {done['exceptionDetails']}")
         return done["result"].get("value")
 
+    def processor_s(self):
+        """Seconds of a processor that all of its processes have had."""
+        ticks, to_see = 0, [self.process.pid]
+        for pid in to_see:
+            try:
+                words = open(f"/proc/{pid}/stat").read().rpartition(")")[2].split()
+                for task in os.listdir(f"/proc/{pid}/task"):
+                    to_see += map(int, open(f"/proc/{pid}/task/{task}/children").read().split())
+            except FileNotFoundError:
+                continue  # ended meanwhile
+            ticks += int(words[11]) + int(words[12])
+        return ticks / os.sysconf("SC_CLK_TCK")
+
     def errors(self):
         """What the console has had of errors and warnings since the page was opened."""
         found = []

@@ -70,3 +70,10 @@ def long_course(run):
                       for i in range(1000))
     (folder / "structure.pvd").write_text(f"<VTKFile><Collection>{entries}</Collection></VTKFile>")
     return folder
+
+
+# Run folders of each.
+KINDS = {"small swimmer": lambda: swimmer().folder, "structure alone": lambda: structure_alone().folder,
+         "without fields": lambda: without_fields().folder, "two robots": lambda: two_robots().folder,
+         "diverged": lambda: diverged().folder,
+         "10,000 rows, 1,000 frames": lambda: long_course(swimmer())}

@@ -26,6 +26,10 @@ article div { padding: 4px 14px 14px; } h2 { font-size: 1.15em; margin: 8px 0; }
 .grey { color: var(--grey); font-size: .9em; } a { color: inherit; }"""
 
 
+def tutorials():
+    return sorted(folder.name for folder in TUTORIALS.iterdir() if (folder / "scene.yaml").exists())
+
+
 def about(tutorial):
     """(title, first paragraph) of its README, as plain text."""
     blocks = (tutorial / "README.md").read_text().split("\n\n")
@@ -90,7 +94,7 @@ def main():
                          help="for every run, such as time.end='20 ms'")
     chosen = options.parse_args()
     settings = dict(chosen.set)
-    names = sorted(folder.name for folder in TUTORIALS.iterdir() if (folder / "scene.yaml").exists())
+    names = tutorials()
     unknown = sorted(set(chosen.only or []) - set(names))
     if unknown:
         options.error(f"--only: found {', '.join(unknown)}; allowed are {', '.join(names)}")

@@ -33,10 +33,11 @@ function unpack(text, Kind) {
 function scaled(largest, unit) {
   const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
   if (!(largest > 0) || !["m", "s", "m/s", "N", "J", "T", "Pa", "W", "A/m"].includes(unit)) return [1, unit];
-  const [size, prefix] = prefixes.find(([s]) => s <= largest * (1 + 1e-9)) || prefixes.at(-1);
+  const known = unit === "s" ? prefixes.slice(3) : prefixes; // nobody says kiloseconds
+  const [size, prefix] = known.find(([s]) => s <= largest * (1 + 1e-9)) || known.at(-1);
   return [1 / size, prefix + unit];
 }
-const round3 = v => String(Number(v.toPrecision(3)));
+const round3 = v => String(Math.abs(v) >= 1000 ? Math.round(v) : Number(v.toPrecision(3)));
 function number(v) {
   const a = Math.abs(v);
   return a === 0 ? "0" : a < 1e-3 || a >= 1e5 ? v.toExponential(1).replace(".0e", "e") : round3(v);

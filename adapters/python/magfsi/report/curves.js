@@ -107,11 +107,12 @@ class Panel {
     });
     context.globalAlpha = 0.25; context.strokeRect(left, top, right - left, bottom - top);
     context.globalAlpha = 1; context.lineWidth = 1.4; context.textAlign = "left"; context.textBaseline = "middle";
-    const marks = [];
+    const marks = [], components = this.lines.some(l => l.part);
     for (const { r, part, values, t } of this.lines) {
-      const axis = "xyz".indexOf(part);
-      context.strokeStyle = line(this.several ? r : Math.max(axis, 0));
-      context.setLineDash(DASHES[Math.max(axis, 0)]);
+      // A magnitude beside its components is none of them.
+      const whole = !part && components, axis = part ? "xyz".indexOf(part) : 0;
+      context.strokeStyle = whole ? getComputedStyle(c).color : line(this.several ? r : axis);
+      context.setLineDash(DASHES[axis]);
       context.beginPath();
       let broken = true;
       values.forEach((v, i) => {
@@ -121,7 +122,7 @@ class Panel {
       context.stroke();
       if (values.length === 1) context.fillRect(this.x(t[0]) - 2, y(values[0]) - 2, 4, 4);
       const last = values.findLast(isFinite);
-      if (part && last !== undefined) marks.push({ part, at: y(last), style: context.strokeStyle });
+      if ((part || whole) && last !== undefined) marks.push({ part: part || "|·|", at: y(last), style: context.strokeStyle });
     }
     context.setLineDash([]);
     // Of several runs one letter for each axis; each in a place of its own.

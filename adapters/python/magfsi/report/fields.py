@@ -77,11 +77,13 @@ def bodies_of(grid, elements):
 
 
 def magnetization(grid, elements):
-    """Of each face the component that varies most over the bodies, and which; None without."""
+    """Of each face the component that varies most over the bodies (the largest, where none varies),
+    and which; None without."""
     values = array(grid.GetCellData(), "magnetization_at_rest[A/m]", "magnetization")
     if values is None or not np.abs(values).max():
         return None
-    axis = int(np.ptp(values, axis=0).argmax())
+    varies, largest = np.ptp(values, axis=0), np.abs(values).max(axis=0)
+    axis = int((varies if varies.max() > 1e-9 * largest.max() else largest).argmax())
     return values[elements, axis], AXES[axis]
 
 

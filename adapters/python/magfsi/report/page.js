@@ -34,7 +34,7 @@ function showChecks(box) {
       add(row, "td", check.good ? "✓ good" : "✗ look", check.good ? "good" : "bad");
       add(row, "td", check.name);
       add(row, "td", share(check.value), "number");
-      add(row, "td", `limit ${share(check.limit)}`, "grey");
+      add(row, "td", `limit ${share(check.limit)}`, "grey limit");
     }
   });
 }

@@ -14,7 +14,8 @@ class View {
     this.listen();
   }
 
-  // Several runs: the first has colours and flow, the others are laid over it.
+  // Several runs: the first has colours and flow, the others are laid over it as grids of lines,
+  // in the colours of their curves.
   show(runs) {
     this.runs = runs; this.run = runs[0];
     this.shapes = runs.filter(run => run.bodies).map(run => new Shape(run, runs.indexOf(run)));
@@ -97,16 +98,13 @@ class View {
   paint(list) {
     list.sort((a, b) => a.depth - b.depth);
     const context = this.context;
-    context.lineWidth = SEAM;
-    for (const { style, alpha, thin, corners: p } of list) {
-      context.globalAlpha = alpha;
-      context.fillStyle = style;
+    for (const { style, wire, thin, corners: p } of list) {
       context.beginPath();
       context.moveTo(p[0], p[1]); context.lineTo(p[2], p[3]); context.lineTo(p[4], p[5]); context.lineTo(p[6], p[7]);
-      context.closePath(); context.fill();
-      if (thin) { context.strokeStyle = style; context.stroke(); }
+      context.closePath();
+      if (!wire) { context.fillStyle = style; context.fill(); }
+      if (wire || thin) { context.lineWidth = wire ? 1 : SEAM; context.strokeStyle = style; context.stroke(); }
     }
-    context.globalAlpha = 1;
   }
 
   // A picture of each slice, made when it is first seen.
@@ -226,7 +224,7 @@ class Shape {
     this.body = unpack(b.body, Uint8Array);
     this.seen = new Float64Array(3 * b.nodes);
     this.list = Array.from({ length: this.quads.length / 4 },
-      () => ({ depth: 0, style: "", alpha: 1, thin: false, corners: new Float64Array(8) }));
+      () => ({ depth: 0, style: "", wire: number > 0, thin: false, corners: new Float64Array(8) }));
   }
 
   // Where the nodes are seen, between the stored instants on straight lines.
@@ -266,13 +264,12 @@ class Shape {
       // faces take.
       const [ax, ay, bx, by] = [c[4] - c[0], c[5] - c[1], c[6] - c[2], c[7] - c[3]];
       item.thin = Math.abs(ax * by - ay * bx) < 0.5 * Math.hypot(ax, ay) * Math.hypot(bx, by);
-      for (let i = 0; i < 8 && !item.thin; i += 2) {
+      for (let i = 0; i < 8 && !item.thin && !item.wire; i += 2) {
         const dx = c[i] - x, dy = c[i + 1] - y, more = SEAM / (Math.abs(dx) + Math.abs(dy) + SEAM);
         c[i] += more * dx; c[i + 1] += more * dy;
       }
       item.depth = depth;
-      item.alpha = this.number ? 0.55 : 1;
-      item.style = this.style(f, colour);
+      item.style = this.number ? line(this.number) : this.style(f, colour);
       (plane && depth < plane(x, y) ? far : near).push(item);
     }
   }
@@ -307,7 +304,7 @@ class Shape {
       const v = colour.of === "faces" ? values[start + f] :
         (values[start + q[4 * f]] + values[start + q[4 * f + 1]] + values[start + q[4 * f + 2]] + values[start + q[4 * f + 3]] + 2) >> 2;
       red = map[3 * v]; green = map[3 * v + 1]; blue = map[3 * v + 2];
-    } else [red, green, blue] = BODIES[(this.number || this.body[f]) % BODIES.length];
+    } else [red, green, blue] = BODIES[this.body[f] % BODIES.length];
     return `rgb(${Math.round(light * red)},${Math.round(light * green)},${Math.round(light * blue)})`;
   }
 }
