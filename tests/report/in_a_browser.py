@@ -181,8 +181,11 @@ class Looked(unittest.TestCase):
         both = Path(testing.new_folder()) / "both.html"
         coarse = testing.good_run(testing.SMALL, {**FIELDS, "fluid.spacing": "0.4 mm"})
         kinds.page(self.run_.folder, coarse.folder, out=both)
-        self.open(both)
+        self.open(both, "#t=0.002&colour=speed&flow=none")
         self.assertEqual(self.browser.run("magfsi.view.shapes.length"), 2)
+        # The second has the colour of its curves, which the first's colours do not have.
+        seen = np.abs(pixels(self.browser.picture())[200:640] - (0xc8, 0x50, 0)).max(axis=2) < 40
+        self.assertGreater(seen.sum(), 100)
         self.browser.run("document.getElementById('differ').click(); 1")
         # Steps differ, and so do the instants of rows: the first run's course in between.
         first, second = self.run_.probes(), coarse.probes()
@@ -191,6 +194,17 @@ class Looked(unittest.TestCase):
             return p.lines.find(l => l.part === "z").values.at(-1); })()""")
         self.assertAlmostEqual(shown, second["robot.com_z[m]"][-1] - at_end, delta=1e-8)
         self.assertEqual(self.browser.errors(), [])
+
+    def test_magnitude_and_components_differ(self):
+        """A field's panel has four lines: no two of the same colour and dashes."""
+        self.open(self.page)
+        drawn = self.browser.run("""(() => {
+          const old = CanvasRenderingContext2D.prototype.stroke, all = [];
+          CanvasRenderingContext2D.prototype.stroke = function () { all.push(`${this.strokeStyle} ${this.getLineDash()}`); };
+          drawn.find(p => p.name === "field[T]").drawCurves();
+          CanvasRenderingContext2D.prototype.stroke = old;
+          return all; })()""")
+        self.assertEqual((len(drawn), len(set(drawn))), (4, 4))
 
     def test_many_rows_and_frames(self):
         page = kinds.page(kinds.long_course(self.run_))

@@ -102,18 +102,19 @@ def main():
     os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
     beside = chosen.out.parent / "gallery"
     beside.mkdir(parents=True, exist_ok=True)
-    cards = []
+    cards, missing = [], []
     for name in [n for n in names if not chosen.only or n in chosen.only]:
         folder = chosen.runs / name
         if not made(name, folder, settings):
+            missing.append(name)
             continue
         write([folder], beside / f"{name}.html")
         draw(folder, beside / f"{name}.png")
         cards.append(card(*about(TUTORIALS / name), name, cost(folder), beside.name))
         print(f"{name}: {cost(folder)}", flush=True)
     chosen.out.write_text(assemble(cards))
-    print(f"{chosen.out}: {len(cards)} tutorials")
-    return 0 if cards else 1
+    print(f"{chosen.out}: {len(cards)} tutorials" + (f", without {', '.join(missing)}" if missing else ""))
+    return 1 if missing else 0
 
 
 if __name__ == "__main__":
