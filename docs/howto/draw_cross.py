@@ -14,7 +14,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from magfsi import plotting
 
 run, file = sys.argv[1], (sys.argv + ["cross.png"])[2]
-figure = plt.figure(figsize=(7.2, 2.2))
+figure = plt.figure(figsize=(7.2, 2.4))
 for column, (time_s, path) in enumerate(plotting.frames(run)):
     axes = figure.add_subplot(1, 3, column + 1, projection="3d", computed_zorder=False)
     surface = plotting.vtk.vtkGeometryFilter()
@@ -28,7 +28,8 @@ for column, (time_s, path) in enumerate(plotting.frames(run)):
     axes.add_collection3d(Poly3DCollection(faces, facecolor="#9ec5e8", edgecolor="#274b6d",
                                            linewidth=0.3))
     axes.set(xlim=(-3, 3), ylim=(-3, 3), zlim=(0, 2.6))
-    axes.set_box_aspect((6, 6, 2.6), zoom=1.9)
+    # At rest it is widest: the whole of it is within the frame.
+    axes.set_box_aspect((6, 6, 2.6), zoom=1.35)
     axes.set_axis_off()
     axes.view_init(28, -60)
     axes.set_title(f"{8 * time_s:g} mT", y=0.9, fontsize=9)
