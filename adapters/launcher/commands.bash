@@ -2,7 +2,7 @@
 # The words of `magfsi`: their list, help, version, suggestions and what each starts. Sourced by the
 # launcher of a checkout (./magfsi) and by that of an installation (cmake/install/magfsi.in), which
 # set before: version, share (tutorials, and this file's folder as `launcher`), MAGFSI_BIN (the
-# programs), PYTHONPATH; and define say() and prepare COMMAND ARGUMENT, which builds where there is
+# programs), PYTHONPATH; and define say() and prepare COMMAND ARGUMENT ..., which builds where there is
 # something to build.
 
 python=/usr/bin/python3 # -P: no modules from the folder where it is called
@@ -193,7 +193,7 @@ dispatch() {
     esac
     case "$word" in
         new | completion | python) ;;
-        *) prepare "$word" "${1:-}" ;;
+        *) prepare "$word" "$@" ;;
     esac
     for argument in "$@"; do arguments+=("$(existing_scene "$argument")"); done
     set -- ${arguments[@]+"${arguments[@]}"}

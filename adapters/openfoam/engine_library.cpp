@@ -18,8 +18,8 @@ namespace {
 // OpenFOAM's libraries read etc/controlDict there while they are loaded.
 constexpr const char* debian_project_folder = "/usr/share/openfoam";
 constexpr const char* advice =
-    "install it with apt-get install openfoam, build with ./magfsi, or use fluid.solver: "
-    "lbm";
+    "install it with apt-get install openfoam, build with ./magfsi build, or use "
+    "fluid.solver: lbm";
 
 fs::path library() {
     return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" /

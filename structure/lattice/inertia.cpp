@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lattice/inertia.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The plugin of the LAMMPS styles, built against the headers that are here and loaded, as `plugin load`
-does it, by a program around the unmodified library: it computes what magfsi-lammps does."""
+"""The plugin of the LAMMPS styles computes what magfsi-lammps does: loaded by a program around Debian's
+library, as `plugin load` does it, and by `plugin load` itself, in an lmp with the package PLUGIN. Debian's
+has none: it is built from Debian's source package of LAMMPS, into build/lammps (MAGFSI_LAMMPS_HOME), where
+it is kept; that takes some ten minutes of a core."""
+import os
 import re
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
@@ -52,34 +56,91 @@ def good(*words, **named):
     return done.stdout
 
 
+SCRIPT = """units si
+atom_style sphere
+atom_modify map array sort 0 0.0
+newton on
+boundary s s s
+comm_modify mode single cutoff 3e-3 vel yes
+neighbor 1e-4 bin
+neigh_modify once yes
+read_data beam.data
+fix beam all magttice beam.lattice 1 330e3 6.6e6 field 0 0 5e-3
+fix go all nve
+timestep 5e-6
+thermo_style custom step pe
+thermo_modify norm no format float %.9e
+run 200
+"""
+
+
 class Plugin(unittest.TestCase):
-    def test_it_computes_what_the_launcher_does(self):
-        folder = Path(testing.new_folder())
-        (folder / "host.cpp").write_text(HOST)
-        (folder / "CMakeLists.txt").write_text(PROJECT % testing.ROOT)
-        good("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "host")
-        good("ninja", "-C", folder / "host")
-        good("cmake", "-G", "Ninja", "-S", testing.ROOT / "structure/lammps/plugin", "-B",
-             folder / "plugin", "-DCMAKE_CXX_FLAGS_RELEASE=-O1")
-        good("ninja", "-C", folder / "plugin")
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(testing.new_folder())
         lammps = runs.BIN / "magfsi-lammps"
         good(lammps, "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1", "1",
              "--shear-modulus", "330e3", "--lame-lambda", "6.6e6", "--density", "1860",
-             "--magnetization", "66e3", "0", "0", cwd=folder)
-        script = folder / "in.beam"
-        script.write_text("units si\natom_style sphere\natom_modify map array sort 0 0.0\nnewton on\n"
-                          "boundary s s s\ncomm_modify mode single cutoff 3e-3 vel yes\n"
-                          "neighbor 1e-4 bin\nneigh_modify once yes\nread_data beam.data\n"
-                          "fix beam all magttice beam.lattice 1 330e3 6.6e6 field 0 0 5e-3\n"
-                          "fix go all nve\ntimestep 5e-6\nthermo_style custom step pe\n"
-                          "thermo_modify norm no format float %.9e\nrun 200\n")
-        by_plugin = good(folder / "host/host", folder / "plugin/magtticeplugin.so", script, cwd=folder)
-        by_launcher = good(lammps, "-in", script, "-log", "none", cwd=folder)
-        (energy,) = re.findall(r"energy (\S+)", by_plugin)
-        (last,) = re.findall(r"^\s*200 (\S+)", by_launcher, re.M)
-        self.assertGreater(abs(float(energy)), 1e-12)
+             "--magnetization", "66e3", "0", "0", cwd=cls.folder)
+        (cls.folder / "in.beam").write_text(SCRIPT)
+        cls.right = cls.last_energy(good(lammps, "-in", "in.beam", "-log", "none", cwd=cls.folder))
+
+    @staticmethod
+    def last_energy(text):
+        (last,) = re.findall(r"^\s*200 +(\S+)", text, re.M)
+        return float(last)
+
+    def holds(self, energy):
+        self.assertGreater(abs(energy), 1e-12)
         # Another optimisation of the same sums.
-        self.assertAlmostEqual(float(energy) / float(last), 1, delta=1e-6)
+        self.assertAlmostEqual(energy / self.right, 1, delta=1e-6)
+
+    def build(self, source, folder, *options):
+        good("cmake", "-G", "Ninja", "-S", source, "-B", folder, *options)
+        good("ninja", "-C", folder)
+
+    def test_in_a_program_around_the_library(self):
+        folder = self.folder
+        (folder / "host.cpp").write_text(HOST)
+        (folder / "CMakeLists.txt").write_text(PROJECT % testing.ROOT)
+        self.build(folder, folder / "host")
+        self.build(testing.ROOT / "structure/lammps/plugin", folder / "plugin",
+                   "-DCMAKE_CXX_FLAGS_RELEASE=-O1")
+        text = good(folder / "host/host", folder / "plugin/magtticeplugin.so", "in.beam", cwd=folder)
+        (energy,) = re.findall(r"energy (\S+)", text)
+        self.holds(float(energy))
+
+    @unittest.skipUnless(shutil.which("apt-get"), "LAMMPS comes from Debian's source package")
+    def test_by_the_command_of_an_lmp_with_the_package_plugin(self):
+        home = Path(os.environ.get("MAGFSI_LAMMPS_HOME", testing.ROOT / "build/lammps"))
+        if not list(home.glob("lammps/lammps-*/src/lammps.h")):
+            good(testing.ROOT / "cmake/debian_source.sh", home / "lammps", "lammps", "liblammps-dev")
+            (archive,) = home.glob("lammps/*.orig.tar.*")
+            good("tar", "-xf", archive, "-C", home / "lammps")
+        (source,) = home.glob("lammps/lammps-*/src")
+        without = [f"-DWITH_{name}=off" for name in ("JPEG", "PNG", "GZIP", "FFMPEG")]
+        good("cmake", "-G", "Ninja", "-S", source.parent / "cmake", "-B", home / "lmp",
+             "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O0", "-DPKG_PLUGIN=on",
+             "-DBUILD_SHARED_LIBS=on", "-DBUILD_MPI=on", "-DBUILD_OMP=off", *without)
+        good("ninja", "-C", home / "lmp", "lmp")
+        lmp = home / "lmp/lmp"
+        self.assertIn("PLUGIN", good(lmp, "-h").split("Installed packages")[1].split("\n\n")[1])
+        # As docs/fix_magttice.md says.
+        self.build(testing.ROOT / "structure/lammps/plugin", self.folder / "for_lmp",
+                   "-DCMAKE_CXX_FLAGS_RELEASE=-O1", f"-DLAMMPS_SOURCE={source}")
+        script = f"plugin load {self.folder}/for_lmp/magtticeplugin.so\n" + SCRIPT
+        (self.folder / "in.plugin").write_text(script)
+        words = ("-in", "in.plugin", "-log", "none")
+        self.holds(self.last_energy(good(lmp, *words, cwd=self.folder)))
+        # On two ranks, each of which loads it.
+        as_root = ["--allow-run-as-root"] if os.getuid() == 0 else []
+        self.holds(self.last_energy(good("mpirun", "-n", "2", "--oversubscribe", *as_root, lmp, *words,
+                                         cwd=self.folder)))
+        # The styles come with the plugin alone.
+        done = subprocess.run([lmp, "-in", "in.beam", "-log", "none"], capture_output=True, text=True,
+                              cwd=self.folder)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("magttice", done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

@@ -38,9 +38,11 @@ class Checkout:
         self.bin.mkdir()
         self.told = self.folder / "told"
         for name in FORBIDDEN:
-            program = self.bin / name
-            program.write_text(f"#!/bin/sh\necho {name} >>{self.told}\nexit 1\n")
-            program.chmod(0o755)
+            self.tool(name, f"echo {name} >>{self.told}\nexit 1")
+
+    def tool(self, name, script):
+        (self.bin / name).write_text(f"#!/bin/sh\n{script}\n")
+        (self.bin / name).chmod(0o755)
 
     def call(self, *words):
         # As a person's shell has it: without what stops Python from leaving bytecode behind.
@@ -81,6 +83,30 @@ class Help(unittest.TestCase):
         # The tools that say so are found: a build does call them.
         self.assertNotEqual(checkout.call("build").returncode, 0)
         self.assertTrue(checkout.told.exists())
+
+    def test_what_is_optional_is_installed_when_it_is_asked_for(self):
+        checkout = Checkout()
+        for part in ("packages.txt", "packages-optional.txt", "packages-tests.txt"):
+            shutil.copy(testing.ROOT / part, checkout.top / part)
+        # All is installed but OpenFOAM; what builds does nothing.
+        checkout.tool("dpkg-query", 'case "$*" in *openfoam*) ;; *) echo -n installed ;; esac')
+        for name in ("cmake", "ninja", "c++", "mpirun", "sudo", "apt-get"):
+            checkout.tool(name, f'echo {name} "$@" >>{checkout.told}')
+        scene = checkout.top / "tutorials/strip"
+        checkout.call("run", scene)
+        self.assertIn("ninja", checkout.told.read_text())
+        self.assertNotIn("openfoam", checkout.told.read_text())
+        for words in (["run", scene, "--fluid", "openfoam"], ["build"], ["optimize", "search.yaml"]):
+            shutil.rmtree(checkout.top / "build")
+            checkout.told.unlink()
+            checkout.call(*words)
+            self.assertRegex(checkout.told.read_text(), "apt-get install .*openfoam", words)
+            self.assertIn("ninja", checkout.told.read_text())
+        shutil.rmtree(checkout.top / "build")
+        checkout.told.unlink()
+        (scene / "scene.yaml").write_text("fluid: {solver: openfoam}\n")
+        checkout.call("run", scene)
+        self.assertRegex(checkout.told.read_text(), "apt-get install .*openfoam")
 
     def test_the_version_is_the_projects(self):
         (version,) = re.findall(r"project\(magfsi VERSION ([0-9.]+)",

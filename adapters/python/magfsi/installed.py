@@ -86,7 +86,8 @@ class Installed(unittest.TestCase):
         self.assertIn("1 hexahedra, 8 nodes", out)
 
     def test_openfoam_where_it_is(self):
-        if "not there" in self.good(runs.BIN / "magfsi", "doctor", cwd=self.folder):
+        # Whatever else the doctor finds: a container's own name is not always known to it.
+        if "not there" in call(runs.BIN / "magfsi", "doctor", cwd=self.folder).stdout:
             self.skipTest("OpenFOAM is optional, and not here")
         run = magfsi.run(SWIMMER, {"time.end": "1 ms", "fluid.solver": "openfoam",
                                    "fluid.spacing": "0.4 mm"}, out=self.folder / "openfoam")
