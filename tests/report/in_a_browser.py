@@ -109,7 +109,11 @@ class Looked(unittest.TestCase):
 
     def test_labels_do_not_overlap(self):
         """What is written into a curve's canvas is noted: no two texts of it meet."""
-        self.browser.open(f"file://{self.page}", width=1400)
+        for width in (400, 1400):
+            self.open(self.page, width=width)
+            self.check_labels()
+
+    def check_labels(self):
         boxes = self.browser.run("""(() => {
           const all = [], old = CanvasRenderingContext2D.prototype.fillText;
           CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
@@ -173,6 +177,8 @@ class Looked(unittest.TestCase):
         for run, with_view in ((kinds.without_fields(), False), (kinds.structure_alone(), True),
                                (kinds.two_robots(), True), (kinds.diverged(), None)):
             self.opens_and_plays(kinds.page(run.folder))
+            if run.code == 3:  # before a second instant was written
+                self.assertEqual(self.browser.run("magfsi.go(1); document.getElementById('now').textContent"), "0 s")
             hidden = self.browser.run("document.getElementById('no-fields').hidden")
             if with_view is not None:
                 self.assertEqual(hidden, with_view)

@@ -72,7 +72,7 @@ class Panel {
     }
     const [low, high] = this.y, largest = Math.max(Math.abs(low), Math.abs(high));
     if (!(high - low > 1e-6 * largest)) { // rounding is no curve
-      const v = isFinite(low) ? (low + high) / 2 : 0, width = Math.abs(v) || 1;
+      const v = isFinite(low) ? (low + high) / 2 : 0, width = Math.abs(v) || 2;
       this.y = [v - 0.5 * width, v + 0.5 * width];
     }
     if (!(this.t[1] > this.t[0])) this.t[1] = this.t[0] + 1;

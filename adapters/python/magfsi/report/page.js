@@ -12,6 +12,7 @@ function add(parent, tag, text, kind) {
 const share = v => v === 0 ? "0" : Math.abs(v) < 1e-4 ? v.toExponential(1) : `${round3(100 * v)} %`;
 const seconds = v => quantity(v, "s");
 
+const SHORTEST = 1e-9; // s, of a run that shows one instant only
 let allRuns = [], shownRun, several = false, drawn = [], end = 1, now = 0, playing = false, last = 0;
 const view = new View(element("view"));
 const runName = (run, i) => several ? `${i + 1}: ${run.folder}` : run.name;
@@ -182,7 +183,7 @@ function show(runs) {
   element("flow-label").hidden = flows.length < 2;
   element("no-fields").hidden = shownRun.bodies !== null || shownRun.flow !== null;
   const ends = runs.flatMap(run => [run.bodies?.times.at(-1), run.t?.at(-1), run.flow?.times.at(-1)]).filter(isFinite);
-  end = Math.max(...ends, 1e-9);
+  end = Math.max(...ends, SHORTEST);
   if (shownRun.field && shownRun.t) shownRun.field.unpacked = unpack(shownRun.field.vectors, Float32Array);
   showLegend();
   drawn.forEach(panel => panel.differ(element("differ").checked && several));
@@ -205,7 +206,7 @@ function fieldNow() {
 }
 
 function go(time) {
-  now = Math.min(end, Math.max(0, time));
+  now = end > SHORTEST ? Math.min(end, Math.max(0, time)) : 0;
   view.time = now; view.field = fieldNow();
   element("time").value = now / end;
   element("now").textContent = quantity(now, "s");
