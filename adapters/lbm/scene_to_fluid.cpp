@@ -14,10 +14,6 @@ namespace magfsi::lbm {
 
 namespace {
 
-// Between the least that is safe and the patch's side: what the flow around a body needs
-// to be as on a uniform grid (docs/refinement.md).
-constexpr int usual_margin_cells = 1;
-
 // The pressure is that of the incompressible flow: rho U^2 / 16 (cos 2kx + cos 2ky)
 // (cos 2kz + 2).
 void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid) {
@@ -74,7 +70,7 @@ fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled
     config.rule.margin_cells =
         fluid.refinement->margin_m
             ? static_cast<int>(std::ceil(*fluid.refinement->margin_m / cell_m - 1e-9))
-            : config.least_margin_cells + usual_margin_cells;
+            : config.least_margin_cells;
     return config;
 }
 

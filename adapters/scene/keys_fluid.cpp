@@ -105,7 +105,7 @@ void keys(Io& io, Refinement& refinement) {
     io(key("levels", "How often the spacing halves towards the bodies.").at_least(1).at_most(3)
            .by_default(), refinement.levels);
     io(quantity("margin", "m", "Between the bodies and the sides of the patch that follows them; "
-                "without it, what the kernel and the speeds need, and a cell more.").above(0),
+                "without it, what the kernel and the speeds need.").above(0),
        refinement.margin_m);
     io(quantity("box", "m", "Lower and upper corner of a patch that stays where it is."),
        refinement.box_m);

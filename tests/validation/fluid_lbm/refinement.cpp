@@ -123,6 +123,51 @@ TEST(Refinement, TellsVelocitiesWithTheirBodyForce) {
     }
 }
 
+// Between walls at y = 0 and y = cells, driven by a body force, with a patch at the lower
+// wall: the largest error of the patch's velocity over the flow's largest.
+double poiseuille_error(int cells) {
+    constexpr double viscosity = 0.1, largest = 0.04;
+    const double height = cells, force = 8 * viscosity * largest / (height * height);
+    FluidConfig config;
+    config.cells = {cells, cells, cells};
+    config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
+    config.viscosity_m2_s = viscosity;
+    config.collision = Collision::recursive_regularized;
+    config.body_force_n_m3 = {force, 0, 0};
+    set_walls(config, 1);
+    const auto exact = [=](double y) {
+        return 4 * largest * y * (height - y) / (height * height);
+    };
+    config.initial_velocity = [=](const Vec3& x) { return Vec3{exact(x[1]), 0, 0}; };
+    const double quarter = height / 4;
+    RefinedFluid fluid(
+        MPI_COMM_WORLD, {.coarse = config, .rule = {.slack_cells = 0, .follows = false}},
+        {Vec3{quarter, 0, quarter}, Vec3{3 * quarter, 2 * quarter, 3 * quarter}});
+    // Half of the slowest wave's time: what was wrong at the start has gone.
+    const int steps = static_cast<int>(height * height / (20 * viscosity));
+    for (int i = 0; i < 2 * steps; ++i) fluid.step();
+    double worst = 0;
+    const CellBox inside = fluid.place(1).inside;
+    for (int y = inside.lo[1]; y < inside.hi[1]; ++y) {
+        const std::vector row{CellRow{y, cells, inside.lo[0], inside.hi[0]}};
+        std::vector<double> u(3 * static_cast<std::size_t>(row[0].size()));
+        fluid.velocity(row, u);
+        for (std::size_t i = 0; i < u.size(); i += 3)
+            // A velocity lacks half of the force's step.
+            worst = std::max(worst,
+                             std::abs(u[i] + force / 4 - exact((y + 0.5) / 2)) / largest);
+    }
+    return worst;
+}
+
+TEST(Refinement, PoiseuilleFlowIsOfSecondOrder) {
+    const double coarse = poiseuille_error(16), fine = poiseuille_error(32);
+    std::printf("Poiseuille through a patch: %.3g %% with 16 cells, %.3g %% with 32\n",
+                100 * coarse, 100 * fine);
+    EXPECT_LT(coarse, 0.01);
+    EXPECT_GT(coarse / fine, 3.2);
+}
+
 // A plane pulse of pressure runs from coarse cells through a patch that spans the box:
 // what comes back from its sides is below a hundredth.
 TEST(Refinement, LetsSoundThrough) {
