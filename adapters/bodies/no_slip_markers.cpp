@@ -150,10 +150,6 @@ std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
     return markers;
 }
 
-double distance(const Vec3& a, const Vec3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 // To each marker the volume of the points that are nearest to it.
 void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
                   std::span<const PlacedMarker> points, double apart_m) {
@@ -181,7 +177,7 @@ std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
                 {bin[0] + n % 3 - 1, bin[1] + n / 3 % 3 - 1, bin[2] + n / 9 - 1});
             if (found == taken.end()) continue;
             free = std::ranges::none_of(found->second, [&](const Vec3& other) {
-                return distance(other, x) < apart_m;
+                return structure::distance_m(other, x) < apart_m;
             });
         }
         if (!free) continue;
@@ -206,7 +202,7 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
     for (std::size_t i = 1; i < row.size(); ++i) {
         const Vec3 last = structure::position(mesh, row[i - 1].point);
         const auto from_last = [&](const PlacedMarker& p) {
-            return distance(structure::position(mesh, p.point), last);
+            return structure::distance_m(structure::position(mesh, p.point), last);
         };
         const auto next = row.begin() + static_cast<std::ptrdiff_t>(i);
         std::iter_swap(next, std::ranges::min_element(next, row.end(), {}, from_last));

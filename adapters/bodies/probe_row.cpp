@@ -57,10 +57,6 @@ Vec3 mass_weighted_mean(const BodySample& body, const std::vector<Vec3>& field) 
     return sum;
 }
 
-double distance(const Vec3& a, const Vec3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 double kinetic_energy_j(const BodySample& body) {
     double energy = 0;
     for (std::size_t i = body.first; i < body.first + body.count; ++i) {
@@ -73,8 +69,9 @@ double kinetic_energy_j(const BodySample& body) {
 double max_displacement_m(const BodySample& body) {
     double largest = 0;
     for (std::size_t i = 0; i < body.count; ++i) {
-        largest = std::max(
-            largest, distance(body.nodes.position_m[body.first + i], body.start_m[i]));
+        largest =
+            std::max(largest, structure::distance_m(body.nodes.position_m[body.first + i],
+                                                    body.start_m[i]));
     }
     return largest;
 }
@@ -107,7 +104,7 @@ Vec3 shape(const BodySample& body) {
         bend_rad += std::remainder(now - before, 2 * std::numbers::pi);
         before = now;
     }
-    return {distance(left, right), mid_rise_m, bend_rad};
+    return {structure::distance_m(left, right), mid_rise_m, bend_rad};
 }
 
 // A probe of a body: a line here and its word beside scene::BodyQuantity.

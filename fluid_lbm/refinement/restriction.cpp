@@ -9,14 +9,13 @@ namespace magfsi::fluid {
 
 namespace {
 
-constexpr int points = cubic_points;
-constexpr std::size_t numbers = numbers_between_levels;
+constexpr std::size_t cell_numbers = numbers_between_levels;
 
 // Of a coarse cell, among the fine ones that the level solves.
 Weights fine_in(int coarse_cell, const LevelPlace& fine, int axis) {
     const bool wraps = fine.period[axis] > 0;
-    const int lo = wraps ? -points : fine.inside.lo[axis];
-    const int hi = wraps ? fine.domain[axis] + points : fine.inside.hi[axis];
+    const int lo = wraps ? -cubic_points : fine.inside.lo[axis];
+    const int hi = wraps ? fine.domain[axis] + cubic_points : fine.inside.hi[axis];
     return cubic_at(2 * coarse_cell + 0.5, lo, hi);
 }
 
@@ -37,7 +36,7 @@ CellBox fine_beneath(const CellBox& share, const LevelPlace& place) {
     if (is_empty(share)) return {};
     for (int d = 0; d < 3; ++d) {
         box.lo[d] = fine_in(share.lo[d], place, d).first;
-        box.hi[d] = fine_in(share.hi[d] - 1, place, d).first + points;
+        box.hi[d] = fine_in(share.hi[d] - 1, place, d).first + cubic_points;
     }
     box.lo[0] = std::max(box.lo[0], place.stored.lo[0]);
     box.hi[0] = std::min(box.hi[0], place.stored.hi[0]);
@@ -72,8 +71,8 @@ std::vector<std::vector<CellBox>> halos_of(const Level& fine,
 // The loops below are compiled for AVX2, too, and chosen when the program starts.
 #define MAGFSI_ROW_LOOP __attribute__((target_clones("avx2", "default")))
 
-MAGFSI_ROW_LOOP void combine_four(const std::array<double, points>& w,
-                                  const std::array<const double*, points>& rows,
+MAGFSI_ROW_LOOP void combine_four(const std::array<double, cubic_points>& w,
+                                  const std::array<const double*, cubic_points>& rows,
                                   std::size_t count, double* sum) {
     const double *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3];
     for (std::size_t i = 0; i < count; ++i)
@@ -86,7 +85,7 @@ MAGFSI_ROW_LOOP void mean_of_two(const double* a, const double* b, std::size_t c
 }
 
 // The same along a row, of fine cells that begin at the first coarse cell's first.
-MAGFSI_ROW_LOOP void combine_along(const std::array<double, points>& w,
+MAGFSI_ROW_LOOP void combine_along(const std::array<double, cubic_points>& w,
                                    const double* fine, std::size_t count, double* sum) {
     for (std::size_t i = 0; i < count; ++i)
         sum[i] = (w[0] * fine[2 * i] + w[1] * fine[2 * i + 1]) +
@@ -101,12 +100,12 @@ MAGFSI_ROW_LOOP void mean_along(const double* fine, std::size_t count, double* m
 // Rows or planes of ten numbers each of so many cells: density and velocity by the four
 // around a coarse cell, the stress by the two in it.
 void combine(const Weights& w, int coarse, std::size_t cells,
-             const std::array<const double*, points>& from, double* to) {
+             const std::array<const double*, cubic_points>& from, double* to) {
     const auto first = static_cast<std::size_t>(2 * coarse - w.first);
     combine_four(w.of, from, first_stress * cells, to);
     const std::size_t stress = first_stress * cells;
     mean_of_two(from[first] + stress, from[first + 1] + stress,
-                (numbers - first_stress) * cells, to + stress);
+                (cell_numbers - first_stress) * cells, to + stress);
 }
 
 std::size_t length(const CellBox& box, int axis) {
@@ -124,7 +123,7 @@ void write_where_known(const View& view, const CellRow& row, const double* flow)
         std::size_t end = begin;
         while (end < count && !std::isnan(flow[end])) ++end;
         known.clear();
-        for (std::size_t i = 0; i < numbers && begin < end; ++i)
+        for (std::size_t i = 0; i < cell_numbers && begin < end; ++i)
             known.insert(known.end(), flow + i * count + begin, flow + i * count + end);
         if (begin < end)
             write_flow(view,
@@ -150,7 +149,7 @@ std::vector<CellBox> band_of(const LevelPlace& fine) {
 Restriction::Piece::Piece(const CellBox& share, const Level& level)
     : coarse(share),
       fine(fine_beneath(share, level.place)),
-      flow(numbers * static_cast<std::size_t>(cells_of(share))) {
+      flow(cell_numbers * static_cast<std::size_t>(cells_of(share))) {
     for (int x = coarse.lo[0]; x < coarse.hi[0]; ++x)
         along.push_back(fine_in(x, level.place, 0));
 }
@@ -167,7 +166,8 @@ Restriction::Restriction(const Level& coarse, const Level& fine,
         for (const CellBox& halo : without(pieces_.back().fine, fine.owned())) {
             halo_.push_back(halo);
             of_piece_.push_back(pieces_.size() - 1);
-            halo_flow_.emplace_back(numbers * static_cast<std::size_t>(cells_of(halo)));
+            halo_flow_.emplace_back(cell_numbers *
+                                    static_cast<std::size_t>(cells_of(halo)));
         }
     }
 }
@@ -182,7 +182,7 @@ void Restriction::Piece::find_cut(const Level& level) {
         CellBox read;
         for (int d = 0; d < 3; ++d) {
             read.lo[d] = std::max(fine_in(c[d], level.place, d).first, fine.lo[d]);
-            read.hi[d] = std::min(read.lo[d] + points, fine.hi[d]);
+            read.hi[d] = std::min(read.lo[d] + cubic_points, fine.hi[d]);
         }
         bool is_cut = false;
         for_each_cell(read,
@@ -201,7 +201,7 @@ void Restriction::Piece::find_cut(const Level& level) {
 void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fine) {
     const std::size_t width = length(piece.coarse, 0), row_width = length(piece.fine, 0);
     for (const CutCell& cut : piece.cut) {
-        std::array<double, numbers> sum{};
+        std::array<double, cell_numbers> sum{};
         int cells = 0;
         for (std::size_t i = 0; i < 8; ++i) {
             if (!cut.counts[i]) continue;
@@ -210,15 +210,17 @@ void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fin
                                          2 * cut.cell[2] + k / 4);
             const auto x =
                 static_cast<std::size_t>(2 * cut.cell[0] + k % 2 - piece.fine.lo[0]);
-            for (std::size_t n = 0; n < numbers; ++n) sum[n] += row[n * row_width + x];
+            for (std::size_t n = 0; n < cell_numbers; ++n)
+                sum[n] += row[n * row_width + x];
             ++cells;
         }
         const auto at = [&](int d) {
             return static_cast<std::size_t>(cut.cell[d] - piece.coarse.lo[d]);
         };
         double* to = piece.flow.data() +
-                     (at(2) * length(piece.coarse, 1) + at(1)) * numbers * width + at(0);
-        for (std::size_t n = 0; n < numbers; ++n)
+                     (at(2) * length(piece.coarse, 1) + at(1)) * cell_numbers * width +
+                     at(0);
+        for (std::size_t n = 0; n < cell_numbers; ++n)
             to[n * width] =
                 cells > 0 ? sum[n] / cells : std::numeric_limits<double>::quiet_NaN();
     }
@@ -233,9 +235,9 @@ const double* Restriction::fine_row(const Piece& piece, std::size_t number,
         if (y < box.lo[1] || y >= box.hi[1] || z < box.lo[2] || z >= box.hi[2]) continue;
         const auto row = static_cast<std::size_t>(
             (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1]);
-        return halo_flow_[b].data() + row * numbers * count;
+        return halo_flow_[b].data() + row * cell_numbers * count;
     }
-    row_.resize(numbers * count);
+    row_.resize(cell_numbers * count);
     read_flow(fine.state().view(), fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}),
               row_.data());
     return row_.data();
@@ -253,12 +255,12 @@ void Restriction::average_along_x(const Piece& piece, const double* row,
     std::size_t begin = 0, end = count;
     const auto is_regular = [&](std::size_t i) {
         const int first = piece.along[i].first;
-        return first >= lo && first + points <= hi &&
+        return first >= lo && first + cubic_points <= hi &&
                first == 2 * (piece.coarse.lo[0] + static_cast<int>(i)) - 1;
     };
     while (begin < count && !is_regular(begin)) ++begin;
     while (end > begin && !is_regular(end - 1)) --end;
-    for (std::size_t i = 0; i < numbers; ++i, row += width, to += count) {
+    for (std::size_t i = 0; i < cell_numbers; ++i, row += width, to += count) {
         const auto one = [&](std::size_t x) {
             const Weights& w = piece.along[x];
             const int two = 2 * (piece.coarse.lo[0] + static_cast<int>(x));
@@ -286,7 +288,7 @@ void Restriction::average_along_x(const Piece& piece, const double* row,
 void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
     if (is_empty(piece.coarse)) return;
     const CellBox &c = piece.coarse, &f = piece.fine;
-    const std::size_t row_size = numbers * length(c, 0);
+    const std::size_t row_size = cell_numbers * length(c, 0);
     const std::size_t plane_size = row_size * length(c, 1);
     rows_.resize(row_size * length(f, 1));
     for (auto& plane : planes_) plane.resize(plane_size);
@@ -298,7 +300,7 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
             average_along_x(
                 piece, fine_row(piece, number, fine, y, z),
                 rows_.data() + static_cast<std::size_t>(y - f.lo[1]) * row_size);
-        auto& plane = planes_[static_cast<std::size_t>(z - f.lo[2]) % points];
+        auto& plane = planes_[static_cast<std::size_t>(z - f.lo[2]) % cubic_points];
         for (int y = c.lo[1]; y < c.hi[1]; ++y) {
             const auto j = static_cast<std::size_t>(y - c.lo[1]);
             const double* first =
@@ -309,16 +311,16 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
                     plane.data() + j * row_size);
         }
         const Weights w = fine_in(next, fine.place, 2);
-        if (next >= c.hi[2] || z + 1 < w.first + points) continue;
-        std::array<const double*, points> from;
+        if (next >= c.hi[2] || z + 1 < w.first + cubic_points) continue;
+        std::array<const double*, cubic_points> from;
         double* to =
             piece.flow.data() + static_cast<std::size_t>(next - c.lo[2]) * plane_size;
         for (std::size_t j = 0; j < length(c, 1); ++j) {
-            for (int k = 0; k < points; ++k)
-                from[k] =
-                    planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) % points]
-                        .data() +
-                    j * row_size;
+            for (int k = 0; k < cubic_points; ++k)
+                from[k] = planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) %
+                                  cubic_points]
+                              .data() +
+                          j * row_size;
             combine(w, next, length(c, 0), from, to + j * row_size);
         }
         ++next;
@@ -328,7 +330,7 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
 void Restriction::run(Level& coarse, const Level& fine) {
     const View fine_view = fine.state().view();
     to_halo_.run(
-        numbers,
+        cell_numbers,
         [&](std::size_t, const CellRow& row, double* flow) {
             read_flow(fine_view, fine.local(row), flow);
         },
@@ -336,7 +338,7 @@ void Restriction::run(Level& coarse, const Level& fine) {
             const CellBox& box = halo_[b];
             const auto at = static_cast<std::size_t>(
                 (row.z - box.lo[2]) * (box.hi[1] - box.lo[1]) + row.y - box.lo[1]);
-            const std::size_t count = numbers * static_cast<std::size_t>(row.size());
+            const std::size_t count = cell_numbers * static_cast<std::size_t>(row.size());
             std::copy_n(flow, count, halo_flow_[b].data() + at * count);
         });
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -346,7 +348,7 @@ void Restriction::run(Level& coarse, const Level& fine) {
     const Scales scales = to_fine(coarse, fine);
     const View view = coarse.state().view();
     to_coarse_.run(
-        numbers,
+        cell_numbers,
         [&](std::size_t box, const CellRow& row, double* flow) {
             const Piece& piece = pieces_[box];
             const std::size_t width = length(piece.coarse, 0);
@@ -355,9 +357,9 @@ void Restriction::run(Level& coarse, const Level& fine) {
                            static_cast<std::size_t>(row.y - piece.coarse.lo[1]);
             const auto count = static_cast<std::size_t>(row.size());
             const double* from =
-                piece.flow.data() + r * numbers * width +
+                piece.flow.data() + r * cell_numbers * width +
                 static_cast<std::size_t>(row.x_begin - piece.coarse.lo[0]);
-            for (std::size_t i = 0; i < numbers; ++i)
+            for (std::size_t i = 0; i < cell_numbers; ++i)
                 std::copy_n(from + i * width, count, flow + i * count);
             apply(scales, -1, flow, count);
         },
