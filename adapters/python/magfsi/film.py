@@ -29,10 +29,9 @@ def write(stage, out, rate, seconds):
     try:
         for time in np.linspace(first, last, count):
             process.stdin.write(np.ascontiguousarray(stage.draw(time)).tobytes())
-        _, said = process.communicate()
     except BrokenPipeError:
-        said = process.stderr.read()
-        process.wait()
+        pass  # it has ended, and says why
+    _, said = process.communicate()
     if process.returncode != 0:
         beside.unlink(missing_ok=True)
         raise RuntimeError(f"{out}: ffmpeg: {said.decode(errors='replace').strip()}")
