@@ -21,8 +21,6 @@ target_precompile_headers(magfsi_precompiled_tests PRIVATE
 function(magfsi_test_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  # Helpers of the same names in many of their files.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} fmt::fmt)
   target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
   if(NOT "OpenMP::OpenMP_CXX" IN_LIST arg_LIBRARIES)  # which sets macros of its own

@@ -85,7 +85,7 @@ class Kills(unittest.TestCase):
         testing.report(f"{kills} kills in {runs} runs, {inside} of them inside a checkpoint")
 
     def test_nothing_outlives_the_launcher(self):
-        endless = {**SETTINGS, "time.end": "1000 s"}
+        endless = {**SETTINGS, "time.end": "1000 s", "coupling.overlap": "allow"}
         without = {key: value for key, value in endless.items() if "checkpoint" not in key}
         for settings in (endless, without):
             folder = testing.new_folder()
@@ -99,7 +99,7 @@ class Kills(unittest.TestCase):
         """Beyond 31 processes there is no death signal: Open MPI's own watch ends them."""
         hosts = Path(testing.new_folder()) / "hosts"
         hosts.write_text("localhost slots=64\n")
-        settings = {**SETTINGS, "time.end": "1000 s"}
+        settings = {**SETTINGS, "time.end": "1000 s", "coupling.overlap": "allow"}
         for victim in ("magfsi", "mpirun", "magfsi-fluid-lbm"):
             with self.subTest(victim):
                 folder = testing.new_folder()
@@ -117,7 +117,7 @@ class Kills(unittest.TestCase):
     def test_not_even_what_is_stopped(self):
         """mpirun and the launcher are gone while the fluid is suspended."""
         folder = testing.new_folder()
-        process = attack.start(folder, {**SETTINGS, "time.end": "1000 s"})
+        process = attack.start(folder, {**SETTINGS, "time.end": "1000 s", "coupling.overlap": "allow"})
         testing.wait_for_rows(folder, process, 3)
         pids = attack.all_at_work(folder)
         attack.send(pids["magfsi-fluid-lbm"], signal.SIGSTOP)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from magfsi import testing
 
-LONG = {"time.end": "10 s"}  # until something ends it
+LONG = {"time.end": "10 s", "coupling.overlap": "allow"}  # until something ends it
 LIMIT_S = 120  # only that the test itself ends; testing.check_prompt bounds the time
 
 

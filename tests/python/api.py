@@ -88,7 +88,8 @@ class Runs(unittest.TestCase):
         self.assertEqual(raised.exception.code, 3)
 
     def test_a_job_is_polled_and_stopped(self):
-        with magfsi.start(testing.SMALL, {"time.end": "10 s", "checkpoint.every": "5 s"},
+        with magfsi.start(testing.SMALL, {"time.end": "10 s", "checkpoint.every": "5 s",
+                                          "coupling.overlap": "allow"},
                           out=folder()) as job:
             testing.wait_until(lambda: job.done_until > 0, job._process)
             self.assertFalse(job.poll())

@@ -57,7 +57,7 @@ class WithoutTheLauncher(unittest.TestCase):
     """mpirun hands SIGTERM on and kills a second later: time enough for a small run."""
 
     def test_swimmer(self):
-        settings = {**COUPLED, **NEVER, "time.end": "1 s"}
+        settings = {**COUPLED, **NEVER, "time.end": "1 s", "coupling.overlap": "allow"}
         folder = testing.new_folder()
         words = ["mpirun", "-n", "1", testing.BIN / "magfsi-structure", testing.SMALL, "--out",
                  folder, *testing.overrides(settings), ":", "-n", "1",
@@ -80,7 +80,7 @@ class Lost(unittest.TestCase):
 
     def test_fluid_killed(self):
         process, folder = testing.get_going(testing.SMALL, {
-            **COUPLED, **NEVER, "time.end": "10 s"}, rows=ROWS)
+            **COUPLED, **NEVER, "time.end": "10 s", "coupling.overlap": "allow"}, rows=ROWS)
         os.kill(testing.process_of(folder, "magfsi-fluid-lbm"), signal.SIGKILL)
         began = time.monotonic()
         result = testing.finish(process, began, folder, 120)
