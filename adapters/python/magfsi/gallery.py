@@ -62,8 +62,9 @@ def cost(folder):
     summary = runs.read_summary(folder)
     starts = data.read_json(folder / "run.json", [{}])
     ranks = ", ".join(f"{side} {n}" for side, n in starts[-1].get("ranks", {}).items())
-    parts = [f"{summary['wall_s']:.3g} s", f"{summary['steps']} steps", f"ranks: {ranks}",
-             starts[-1].get("machine", "")]
+    seconds = summary["wall_s"]
+    parts = [f"{seconds:.0f} s" if seconds >= 100 else f"{seconds:.1f} s", f"{summary['steps']} steps",
+             f"ranks: {ranks}", starts[-1].get("machine", "")]
     return " · ".join(part for part in parts if part)
 
 
