@@ -8,32 +8,10 @@ import sys
 import unittest
 from pathlib import Path
 
+from beam_script import good, script
 from magfsi import runs, testing
 
 BUILD = Path(sys.argv.pop(1))
-SCRIPT = """units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton on
-boundary s s s
-comm_modify mode single cutoff 3e-3 vel yes
-neighbor 1e-4 bin
-neigh_modify once yes
-read_data beam.data
-fix beam all magttice beam.lattice 1 330e3 6.6e6 field 0 0 5e-3
-fix go all nve
-timestep 5e-6
-thermo_style custom step pe
-thermo_modify norm no format float %.6e
-run 200
-"""
-
-
-def good(*words, **named):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **named)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
-    return done.stdout
 
 
 class Examples(unittest.TestCase):
@@ -99,7 +77,7 @@ class Examples(unittest.TestCase):
         good(magfsi, "lammps", "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1",
              "1", "--shear-modulus", "330e3", "--lame-lambda", "6.6e6", "--density", "1860",
              "--magnetization", "66e3", "0", "0", cwd=self.folder)
-        (self.folder / "in.beam").write_text(SCRIPT)
+        (self.folder / "in.beam").write_text(script(6))
         by_script = good(magfsi, "lammps", "-in", "in.beam", "-log", "none", cwd=self.folder)
         by_program = good(self.folder / "build/stretch", "in.beam", cwd=self.folder)
         (last,) = re.findall(r"^\s*200\s+(\S+)", by_script, re.M)

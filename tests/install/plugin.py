@@ -10,6 +10,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
+from beam_script import good, script
 from magfsi import runs, testing
 
 HOST = r"""
@@ -49,31 +50,6 @@ target_link_libraries(host PRIVATE ${LIBRARY} MPI::MPI_CXX dl)
 """
 
 
-def good(*words, **named):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **named)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
-    return done.stdout
-
-
-SCRIPT = """units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton on
-boundary s s s
-comm_modify mode single cutoff 3e-3 vel yes
-neighbor 1e-4 bin
-neigh_modify once yes
-read_data beam.data
-fix beam all magttice beam.lattice 1 330e3 6.6e6 field 0 0 5e-3
-fix go all nve
-timestep 5e-6
-thermo_style custom step pe
-thermo_modify norm no format float %.9e
-run 200
-"""
-
-
 class Plugin(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -82,7 +58,7 @@ class Plugin(unittest.TestCase):
         good(lammps, "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1", "1",
              "--shear-modulus", "330e3", "--lame-lambda", "6.6e6", "--density", "1860",
              "--magnetization", "66e3", "0", "0", cwd=cls.folder)
-        (cls.folder / "in.beam").write_text(SCRIPT)
+        (cls.folder / "in.beam").write_text(script(9))
         cls.right = cls.last_energy(good(lammps, "-in", "in.beam", "-log", "none", cwd=cls.folder))
 
     @staticmethod
@@ -128,8 +104,8 @@ class Plugin(unittest.TestCase):
         # As docs/fix_magttice.md says.
         self.build(testing.ROOT / "structure/lammps/plugin", self.folder / "for_lmp",
                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1", f"-DLAMMPS_SOURCE={source}")
-        script = f"plugin load {self.folder}/for_lmp/magtticeplugin.so\n" + SCRIPT
-        (self.folder / "in.plugin").write_text(script)
+        load = f"plugin load {self.folder}/for_lmp/magtticeplugin.so\n"
+        (self.folder / "in.plugin").write_text(load + script(9))
         words = ("-in", "in.plugin", "-log", "none")
         self.holds(self.last_energy(good(lmp, *words, cwd=self.folder)))
         # On two ranks, each of which loads it.
