@@ -3,10 +3,11 @@
 
 sh: each command is run from a folder that looks like the checkout. What takes long is cut: a run to
 four coupled steps, or to its first equilibrium, on a grid of 60,000 cells if it is uniform; scenes
-of more than a million cells (OpenFOAM: 60,000) are checked in place of run. Searches, costs,
-benches, the tests themselves and figures of whole runs are not repeated here: of them the options
-must be known and the files be there. Anything else must say in the line above the block why it is
-not run: <!-- not run: REASON -->
+of more than a million cells (OpenFOAM: 60,000) are checked in place of run. A search makes one run,
+studies and costs list theirs, pictures and films are of short runs, tests are listed. What needs whole
+runs (scripts of figures, a calibration, `cost` itself) is done by figures.py, which is long; here its
+options must be known and its files be there. Anything else must say in the line above the block why
+it is not run: <!-- not run: REASON -->
 yaml: a part of a scene is put into a small one, which `check` must call good; searches are read.
 python: run. cpp: must be lines of a file that the build compiles. text: no code.
 """
@@ -30,8 +31,9 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md",
 NO_CODE = ("text", "{toctree}", "{literalinclude}", "{eval-rst}")
 # Run elsewhere: by the test of this name.
 ELSEWHERE = {("docs/python.md", "python"): "python_api"}
-COSTLY = ("cost", "optimize", "bench", "test", "python", "lammps", "render", "film", "watch",
-          "gallery")
+# What other tests run, by their names; here the options are looked at.
+WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
+         "watch": "report_watch", "gallery": "report_gallery"}
 NEWLY_MADE = ("my_robot", "my_scene.yaml", "my_search.yaml", "search.yaml", "in.beam", "lammps.in")
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
@@ -53,17 +55,21 @@ class Folder:
 
     def __init__(self):
         self.path = Path(testing.new_folder())
+        self.limit_s = 600
         for name in ("magfsi", "tutorials", "docs", "tests", "build", "packaging", "cluster", ".ci"):
             (self.path / name).symlink_to(ROOT / name)
         scene = yaml.safe_load(testing.SMALL.read_text())
         scene["probes"].pop("interface_balance", None)  # which a replay cannot have
         (self.path / "my_scene.yaml").write_text(yaml.safe_dump(scene))
+        search = (ROOT / "docs/optimize.md").read_text().split("```yaml\n")[1].split("```")[0]
+        for name in ("my_search.yaml", "search.yaml"):
+            (self.path / name).write_text(search.replace("../tutorials", "tutorials"))
         self.environment = {**os.environ, "MAGFSI_INSTALL": "no",
                             "MAGFSI_PRESET": runs.BIN.parent.name}
 
     def call(self, words, **named):
         return subprocess.run(words, cwd=self.path, capture_output=True, text=True,
-                              env=self.environment, timeout=600, **named)
+                              env=self.environment, timeout=self.limit_s, **named)
 
     def good(self, words):
         done = self.call(words)
@@ -162,7 +168,7 @@ class Shell(unittest.TestCase):
             text = (ROOT / words[2]).read_text() if len(words) > 2 else "prompt"
         for word in words[2:]:
             if word.startswith("--"):
-                self.assertTrue(word.partition("=")[0] in text or words[1] in ("test", "bench"),
+                self.assertTrue(word.partition("=")[0] in text or words[1] == "bench",
                                 f"{words}: {word} is no option")
             elif re.match(r"(tutorials|docs|tests)/", word):
                 self.assertTrue((ROOT / word).exists() or word.startswith("docs/"), f"{word} is not there")
@@ -190,11 +196,15 @@ class Shell(unittest.TestCase):
         command = words[1] if len(words) > 1 else ""
         if command == "run":
             self.run_scene(words)
-        elif command == "study":
-            self.folder.good([*words[:3], "--list"])
-        elif command in COSTLY:
+        elif command in ("study", "cost"):
+            self.folder.good([*words, "--list"])
+        elif command == "test":
+            self.assertRegex(self.folder.good([*words, "-N"]), r"Total Tests: \d\d+")
+        elif command == "optimize":
+            self.folder.good([*words, "--runs", "1", "--search-only", "--set", "fluid.spacing=0.4 mm"])
+        elif command in WHOLE:
             self.words_are_known(words)
-        elif command in ("plot", "report"):
+        elif command in ("plot", "report", "render", "film"):
             for word in words[2:]:
                 if word.startswith("runs/") and not (self.folder.path / word / "summary.json").exists():
                     self.folder.good(["./magfsi", "run", "my_scene.yaml", "--set", "time.end=1 ms",
@@ -303,6 +313,9 @@ class Python(unittest.TestCase):
         for (page, _), test in ELSEWHERE.items():
             name = test.split("_")[1]
             self.assertIn(page, (ROOT / f"tests/python/{name}.py").read_text())
+        lists = "".join(path.read_text() for path in (ROOT / "tests").rglob("CMakeLists.txt"))
+        for test in WHOLE.values():
+            self.assertIn(f"magfsi_python_test({test} ", lists)
 
 
 class Cpp(unittest.TestCase):

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Blocks of the documents that need whole runs, done in full: scripts that draw a tutorial's figure,
+with the runs they draw; the calibration; what a scene costs. An hour of two cores, so it is run by
+name (label long):
+
+    ./magfsi test -R documentation_figures
+"""
+import shlex
+import shutil
+import time
+import unittest
+from pathlib import Path
+
+import blocks
+from magfsi import runs, testing
+
+# Of another machine's night: each as little as there can be of it.
+LESS = {"tutorials/swimmer/compare.py": ["--spacing", "0.4", "--end", "4 ms"],
+        "tests/bench/effects/costs.py": ["fluid"]}
+MAP_CELL = ["tests/stability/map/lattice.yaml", "--only", "relaxation_time=0.51", "--only",
+            "lattice_speed=0.05", "--only", "collision=trt"]
+
+
+class Whole(blocks.Folder):
+    """With copies in place of links: what is drawn anew is not to replace what is shipped."""
+
+    def __init__(self):
+        super().__init__()
+        (self.path / "docs").unlink()
+        shutil.copytree(blocks.ROOT / "docs", self.path / "docs")
+        self.environment["XDG_CACHE_HOME"] = str(self.path / "cache")  # where the calibration is kept
+        self.limit_s = 3600
+
+    def run_for(self, words):
+        """The run that a script draws, unless it makes its own."""
+        run = next((word for word in words[3:] if word.startswith("runs/")), None)
+        if run is None or "--run" in words or (self.path / run / "summary.json").exists():
+            return
+        if words[2].endswith("draw_map.py"):
+            self.good(["./magfsi", "study", *MAP_CELL, "--out", f"{run}/lattice"])
+            return
+        name = Path(run).name
+        scene = next(scene for scene in (f"tutorials/{name}", f"docs/howto/{name}.yaml")
+                     if (self.path / scene).exists())
+        self.good(["./magfsi", "run", scene, "--out", run])
+
+    def pictures(self):
+        return {file: file.stat().st_mtime_ns for part in (".", "runs", "docs")
+                for file in (self.path / part).rglob("*.png") if "build" not in file.parts}
+
+
+def lines():
+    """(page, words) of each line that blocks.py only looks at, without where its output goes."""
+    found = {}
+    for page, kind, text, why in blocks.blocks():
+        for line in blocks.commands(text) if kind == "sh" and not why else ():
+            words = shlex.split(line.partition(" > ")[0], comments=True)
+            if words[0] == "./magfsi" and words[1:2] in (["python"], ["bench"], ["cost"]):
+                found.setdefault(tuple(words), page)
+    return [(page, list(words)) for words, page in found.items()]
+
+
+class Figures(unittest.TestCase):
+    def test_every_line_is_done(self):
+        folder = Whole()
+        self.assertGreater(len(lines()), 15)
+        for page, words in lines():
+            if words[2].endswith("compare.py") and not (runs.BIN / "magfsi-fluid-openfoam").exists():
+                continue
+            with self.subTest(f"{page}: {shlex.join(words)}"):
+                began, before = time.monotonic(), folder.pictures()
+                folder.run_for(words)
+                said = folder.good([*words, *LESS.get(words[2], [])])
+                testing.report(f"{time.monotonic() - began:6.0f} s  {shlex.join(words)}")
+                if words[1] == "python" and "costs.py" not in words[2]:
+                    self.assertNotEqual(folder.pictures(), before, said)
+                else:
+                    self.assertTrue(said)
+
+
+if __name__ == "__main__":
+    unittest.main()
