@@ -300,13 +300,18 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
                        bool more) {
     // Impulses act where the velocities were sampled last, as a rule; in a step that is
     // repeated, where they acted before.
+    bool known = false;
     if (!spread_rows_.placed_at(points_m)) {
-        if (sample_rows_.placed_at(points_m))
+        if (sample_rows_.placed_at(points_m)) {
             std::swap(spread_rows_, sample_rows_);
-        else
+            known = read_now_;
+        } else {
             spread_rows_.place(points_m);
+        }
     }
-    if (forcing_ == Forcing::no_slip) {
+    if (forcing_ == Forcing::no_slip && known) {
+        felt_ = velocity_;
+    } else if (forcing_ == Forcing::no_slip) {
         felt_.resize(3 * spread_rows_.cells());
         fluid_.velocity(spread_rows_.rows(), felt_);
     }
@@ -323,6 +328,7 @@ std::span<const Vec3> FluidSide::sample(std::span<const Vec3> points_m) {
 std::span<const Vec3> FluidSide::sample_forced(std::span<const Vec3> points_m,
                                                double density_kg_m3) {
     read_cells(points_m);
+    read_now_ = false;
     sample_rows_.add_shared(spread_rows_, density_, coupled_step_s_ / (2 * density_kg_m3),
                             velocity_);
     return interpolate(points_m.size());
@@ -332,6 +338,7 @@ void FluidSide::read_cells(std::span<const Vec3> points_m) {
     sample_rows_.place(points_m);
     velocity_.resize(3 * sample_rows_.cells());
     fluid_.velocity(sample_rows_.rows(), velocity_);
+    read_now_ = true;
 }
 
 std::span<const Vec3> FluidSide::interpolate(std::size_t markers) {

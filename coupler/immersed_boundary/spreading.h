@@ -120,6 +120,10 @@ class FluidSide {
     void add_passed(double density_kg_m3, const Vec3& body_force, NoSlipAnswer& answer);
     void add_row_sums(std::span<const double> volume_m3, NoSlipAnswer& answer);
 
+    // After the fluid's velocities have changed: the next spread reads anew what the last
+    // sample has read.
+    void fluid_has_changed() { read_now_ = false; }
+
     // The velocities of the cells that the last sample read, row after row.
     const std::vector<double>& sampled_cells() const { return velocity_; }
 
@@ -144,6 +148,7 @@ class FluidSide {
     TouchedRows sample_rows_;
     std::vector<double> density_;
     std::vector<double> velocity_;
+    bool read_now_ = false;  // velocity_ is that of the fluid as it is
     std::vector<Vec3> sampled_;
     // Of no_slip: the cells' velocities that the markers of the last spread felt.
     std::vector<double> felt_;

@@ -75,6 +75,7 @@ void FluidCoupling::iterate_forcing() {
 
 void FluidCoupling::advance() {
     fluid_.advance();
+    boundary_.fluid_has_changed();
     ++advances_;
 }
 
@@ -103,6 +104,7 @@ void FluidCoupling::check_convergence() {
     again_ = step_is_repeated(session_.world(), when_, session_.timeout_s());
     if (!again_) return;
     fluid_.go_back();
+    boundary_.fluid_has_changed();
     ++iteration_;
 }
 

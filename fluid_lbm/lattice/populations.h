@@ -155,9 +155,12 @@ struct RowPointers {
 template <class Real>
 RowPointers<Real> natural_pointers(const PopulationRows<Real>& rows,
                                    const RowLayout& layout, int y, int z) {
-    RowPointers<Real> p{};
+    RowPointers<Real> p;
     const int row = layout.row(y, z);
-    for (int q = 0; q < d3q19::directions; ++q) p.at[q] = p.own[q] = rows.row(q, row);
+    for (int q = 0; q < d3q19::directions; ++q) {
+        p.at[q] = p.own[q] = rows.row(q, row);
+        p.bounced[q] = false;
+    }
     return p;
 }
 
@@ -165,8 +168,18 @@ template <class Real>
 RowPointers<Real> swapped_pointers(const PopulationRows<Real>& rows,
                                    const RowLayout& layout, int y, int z) {
     using namespace d3q19;
-    RowPointers<Real> p{};
+    RowPointers<Real> p;
     const int row = layout.row(y, z);
+    if (y > 0 && y < layout.ny - 1 && z > 0 && z < layout.nz - 1) {
+        const int plane = layout.row(y, z + 1) - row;
+#pragma GCC unroll 19
+        for (int q = 0; q < directions; ++q) {
+            p.own[q] = rows.row(q, row);
+            p.bounced[q] = false;
+            p.at[q] = rows.row(opposite(q), row - c[q][1] - c[q][2] * plane) - c[q][0];
+        }
+        return p;
+    }
     const UpstreamRows upstream = layout.upstream(y, z);
     for (int q = 0; q < directions; ++q) {
         const int from = upstream.at[c[q][1] + 1][c[q][2] + 1];

@@ -53,11 +53,14 @@ MAGFSI_INLINE void in_narrower_vectors(std::ptrdiff_t x, std::ptrdiff_t length,
     if constexpr (Width > 1) in_narrower_vectors<Width / 2>(x, length, use);
 }
 
+// What is read next is fetched meanwhile: pieces of rows are too short for 19 streams to
+// be foreseen.
 template <int Width, class Real>
 MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
-                            double* const* flow) {
+                            double* const* flow, std::ptrdiff_t ahead) {
     const auto block = [=](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {
-        if (x % cells_per_line<Real> == 0) prefetch_for_read(at, x);
+        for (int q = 0; x % cells_per_line<Real> == 0 && q < d3q19::directions; ++q)
+            __builtin_prefetch(at[q] + x + ahead, 0, 3);
         flow_block<decltype(v)>(at, x, flow);
     };
     in_narrower_vectors<Width>(0, length, block);

@@ -2,9 +2,6 @@
 #include "fluid_lbm/refinement/prolongation.h"
 
 #include <algorithm>
-#include <tuple>
-
-#include "fluid_lbm/refinement/interlevel.h"
 
 namespace magfsi::fluid {
 
@@ -91,26 +88,26 @@ MAGFSI_ROW_LOOP void combine(const std::array<double, points>& w, const double* 
         sum[i] = (w[0] * a[i] + w[1] * b[i]) + (w[2] * c[i] + w[3] * d[i]);
 }
 
-// Weights of the fine cells of a line; lo: the first coarse cell that is there.
-struct Expansion {
-    std::vector<Weights> of;
-    int lo = 0;
-    std::size_t begin = 0, end = 0;  // between them pairs of cells are alike
+std::vector<Weights> weights_along(const CellBox& fine, const LevelPlace& coarse,
+                                   const LevelPlace& place, int axis) {
+    std::vector<Weights> weights;
+    for (int x = fine.lo[axis]; x < fine.hi[axis]; ++x)
+        weights.push_back(coarse_around(x, coarse, place, axis));
+    return weights;
+}
 
-    Expansion(const CellBox& fine, const CellBox& beneath, const LevelPlace& coarse,
-              const LevelPlace& place, int axis)
-        : lo(beneath.lo[axis]) {
-        for (int x = fine.lo[axis]; x < fine.hi[axis]; ++x)
-            of.push_back(coarse_around(x, coarse, place, axis));
-        const auto alike = [&](std::size_t i) {
-            return of[i].of == of[i + 2].of && of[i].first + 1 == of[i + 2].first;
-        };
-        end = of.size();
-        while (begin + 2 < end && !(alike(begin) && begin + 3 < end && alike(begin + 1)))
-            ++begin;
-        while (begin + 2 < end && !alike(end - 3)) --end;
-    }
-};
+Expansion expansion_of(std::vector<Weights> weights, int first_coarse) {
+    Expansion e{std::move(weights), first_coarse, 0, 0};
+    const auto alike = [&](std::size_t i) {
+        return e.of[i].of == e.of[i + 2].of && e.of[i].first + 1 == e.of[i + 2].first;
+    };
+    e.end = e.of.size();
+    while (e.begin + 2 < e.end &&
+           !(alike(e.begin) && e.begin + 3 < e.end && alike(e.begin + 1)))
+        ++e.begin;
+    while (e.begin + 2 < e.end && !alike(e.end - 3)) --e.end;
+    return e;
+}
 
 // Of a regular line, from its first cell on. a, b: weights of the first two cells, whose
 // coarse ones begin at those addresses.
@@ -156,20 +153,22 @@ Prolongation::Prolongation(const Level& coarse, const LevelPlace& place,
                            const std::vector<std::vector<CellBox>>& of_ranks)
     : transfer_(coarse.comm(), one_each(coarse.owned_by_rank()), coarse.place.period,
                 coarse_beneath(of_ranks, coarse, place)) {
-    for (const CellBox& box :
-         of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))]) {
-        const CellBox beneath = coarse_beneath(box, coarse, place);
-        const bool thin =
-            box.hi[0] - box.lo[0] <= ring_cells && box.hi[1] - box.lo[1] > ring_cells;
-        pieces_.push_back(
-            {box,
-             beneath,
-             thin ? 1 : 0,
-             thin ? 0 : 1,
-             std::vector<double>(numbers * static_cast<std::size_t>(cells_of(beneath))),
-             {}});
-        pieces_.back().find_solids(coarse);
-    }
+    for (const CellBox& box : of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))])
+        pieces_.emplace_back(box, coarse, place);
+}
+
+Prolongation::Piece::Piece(const CellBox& fine_cells, const Level& level,
+                           const LevelPlace& place)
+    : fine(fine_cells), coarse(coarse_beneath(fine, level, place)) {
+    if (is_empty(fine)) return;
+    if (length(fine, 0) <= ring_cells && length(fine, 1) > ring_cells)
+        std::swap(line, other);
+    expansion =
+        expansion_of(weights_along(fine, level.place, place, line), coarse.lo[line]);
+    across = weights_along(fine, level.place, place, other);
+    up = weights_along(fine, level.place, place, 2);
+    flow.resize(numbers * static_cast<std::size_t>(cells_of(coarse)));
+    find_solids(level);
 }
 
 std::size_t Prolongation::Piece::first_number(const std::array<int, 3>& cell) const {
@@ -241,76 +240,108 @@ void Prolongation::Piece::extend_into_solids() {
     }
 }
 
-// A row of the coarse cells.
+std::array<double*, numbers> Prolongation::Piece::of_row(const CellRow& row) {
+    std::array<double*, numbers> at{};
+    const std::size_t first = first_number({row.x_begin, row.y, row.z});
+    for (std::size_t i = 0; i < numbers; ++i)
+        at[i] = flow.data() + first + i * length(coarse, line);
+    return at;
+}
+
+// A row of the coarse cells along x.
 void Prolongation::Piece::take(const CellRow& row, const double* numbers_of_row) {
-    const std::size_t nx = length(coarse, 0), ny = length(coarse, 1);
     const auto count = static_cast<std::size_t>(row.size());
-    const auto x = static_cast<std::size_t>(row.x_begin - coarse.lo[0]);
-    const auto y = static_cast<std::size_t>(row.y - coarse.lo[1]);
-    double* to =
-        flow.data() + static_cast<std::size_t>(row.z - coarse.lo[2]) * ny * numbers * nx;
+    const auto at = of_row(row);
+    const std::size_t step = line == 0 ? 1 : numbers * length(coarse, line);
     for (std::size_t i = 0; i < numbers; ++i, numbers_of_row += count) {
-        if (line == 0) {
-            std::copy_n(numbers_of_row, count, to + (y * numbers + i) * nx + x);
-            continue;
-        }
-        for (std::size_t k = 0; k < count; ++k)
-            to[((x + k) * numbers + i) * ny + y] = numbers_of_row[k];
+        for (std::size_t k = 0; k < count; ++k) at[i][k * step] = numbers_of_row[k];
     }
 }
 
 void Prolongation::run(const Level& coarse, Level& fine) {
     const View view = coarse.state().view();
     const Scales scales = to_fine(coarse, fine);
+    const auto add_velocity = [&](const auto& flow, int count) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            for (int i = 0; scales.velocity[a] != 0 && i < count; ++i)
+                flow[1 + a][i] += scales.velocity[a];
+        }
+    };
+    const auto read = [&](std::size_t, const CellRow& row, double* flow) {
+        std::array<double*, numbers> at{};
+        for (std::size_t i = 0; i < numbers; ++i)
+            at[i] = flow + i * static_cast<std::size_t>(row.size());
+        read_flow(view, coarse.local(row), at);
+        add_velocity(at, row.size());
+    };
     transfer_.run(
-        numbers,
-        [&](std::size_t, const CellRow& row, double* flow) {
-            read_flow(view, coarse.local(row), flow);
-            apply(scales, 1, flow, static_cast<std::size_t>(row.size()));
-        },
+        numbers, read,
         [&](std::size_t box, const CellRow& row, const double* flow) {
             pieces_[box].take(row, flow);
+        },
+        [&](std::size_t from, const CellRow& owned, std::size_t box, const CellRow& row) {
+            Piece& piece = pieces_[box];
+            if (piece.line == 0) {
+                const auto at = piece.of_row(row);
+                read_flow(view, coarse.local(owned), at);
+                add_velocity(at, row.size());
+                return;
+            }
+            row_.resize(numbers * static_cast<std::size_t>(row.size()));
+            read(from, owned, row_.data());
+            piece.take(row, row_.data());
         });
     for (Piece& piece : pieces_) {
         piece.extend_into_solids();
-        interpolate(piece, coarse, fine);
+        interpolate(piece, scales.stress, fine);
     }
     fine.reset_solid_cells();
 }
 
-void Prolongation::interpolate(const Piece& piece, const Level& coarse,
+// Along z by planes, across the lines, then along them.
+void Prolongation::interpolate(const Piece& piece, double stress_scale,
                                const Level& fine) {
     const View view = fine.state().view();
-    const auto [box, c, along, across, flow] =
-        std::tie(piece.fine, piece.coarse, piece.line, piece.other, piece.flow);
-    const std::size_t length = piece.length(box, along), n = piece.length(c, along);
-    const Expansion expansion(box, c, coarse.place, fine.place, along);
-    const Expansion others(box, c, coarse.place, fine.place, across);
-    plane_.resize(piece.length(c, across) * numbers * n);
+    const CellBox& box = piece.fine;
+    if (is_empty(box)) return;
+    const CellBox& c = piece.coarse;
+    const std::size_t length = piece.length(box, piece.line),
+                      n = piece.length(c, piece.line);
+    const std::size_t lines = piece.across.size();
+    plane_.resize(piece.length(c, piece.other) * numbers * n);
     line_.resize(numbers * n);
-    row_.resize(numbers * length);
+    // All lines where they are short columns, which are written together.
+    row_.resize(numbers * length * (piece.line == 0 ? 1 : lines));
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
-        const Weights wz = coarse_around(z, coarse.place, fine.place, 2);
+        const Weights& wz = piece.up[static_cast<std::size_t>(z - box.lo[2])];
         const auto k = static_cast<std::size_t>(wz.first - c.lo[2]);
-        combine(wz.of, flow.data() + k * plane_.size(), plane_.size(), plane_.size(),
-                plane_.data());
-        for (int other = box.lo[across]; other < box.hi[across]; ++other) {
-            const Weights& w =
-                others.of[static_cast<std::size_t>(other - box.lo[across])];
-            const auto j = static_cast<std::size_t>(w.first - c.lo[across]);
-            combine(w.of, plane_.data() + j * line_.size(), line_.size(), line_.size(),
-                    line_.data());
+        combine(wz.of, piece.flow.data() + k * plane_.size(), plane_.size(),
+                plane_.size(), plane_.data());
+        for (std::size_t other = 0; other < lines; ++other) {
+            const Weights& w = piece.across[other];
+            const double* first =
+                plane_.data() +
+                static_cast<std::size_t>(w.first - c.lo[piece.other]) * line_.size();
+            std::array<double, points> of_stress = w.of;
+            for (double& weight : of_stress) weight *= stress_scale;
+            const std::size_t flow_size = first_stress * n;
+            combine(w.of, first, line_.size(), flow_size, line_.data());
+            combine(of_stress, first + flow_size, line_.size(), line_.size() - flow_size,
+                    line_.data() + flow_size);
+            double* row = row_.data() + (piece.line == 0 ? 0 : other * numbers * length);
             for (std::size_t i = 0; i < numbers; ++i)
-                expand(line_.data() + i * n, expansion, row_.data() + i * length);
-            if (along == 0) {
-                write_flow(view, fine.local({other, z, box.lo[0], box.hi[0]}),
-                           row_.data());
-                continue;
-            }
-            const CellRow at = fine.local({box.lo[1], z, other, other + 1});
-            write_flow_along_y(view, {at.x_begin, at.y, at.z}, static_cast<int>(length),
-                               row_.data());
+                expand(line_.data() + i * n, piece.expansion, row + i * length);
+            const int y = box.lo[1] + static_cast<int>(other);
+            if (piece.line == 0)
+                write_flow(view, fine.local({y, z, box.lo[0], box.hi[0]}), row);
         }
+        if (piece.line == 0) continue;
+        const CellRow first = fine.local({box.lo[1], z, box.lo[0], box.hi[0]});
+        write_flow_along_y(
+            view,
+            {{first.x_begin, first.y, first.z},
+             {first.x_end, first.y + static_cast<int>(length), first.z + 1}},
+            row_.data());
     }
 }
 

@@ -53,19 +53,17 @@ std::size_t CellTransfer::cells_with(const std::vector<Part>& parts, int rank) {
     return cells;
 }
 
-void CellTransfer::pass_to_itself(std::size_t numbers, const Read& read,
-                                  const Take& take) {
+void CellTransfer::pass_to_itself(const Pass& pass) const {
     for (const Part& part : in_) {
         if (part.rank != rank_) continue;
         for_each_row(part.cells, [&](const CellRow& row) {
-            row_.resize(numbers * static_cast<std::size_t>(row.size()));
-            read(part.from, less(row, part.image), row_.data());
-            take(part.box, row, row_.data());
+            pass(part.from, less(row, part.image), part.box, row);
         });
     }
 }
 
-void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take) {
+void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take,
+                       const Pass& pass) {
     std::vector<MPI_Request> requests;
     for (std::size_t i = 0; i < from_.size(); ++i) {
         received_[i].resize(numbers * cells_with(in_, from_[i]));
@@ -85,7 +83,16 @@ void CellTransfer::run(std::size_t numbers, const Read& read, const Take& take) 
         MPI_Isend(sent_[i].data(), static_cast<int>(sent_[i].size()), MPI_DOUBLE, to_[i],
                   transfer_tag, comm_, &requests.emplace_back());
     }
-    pass_to_itself(numbers, read, take);
+    if (pass) {
+        pass_to_itself(pass);
+    } else {
+        pass_to_itself([&](std::size_t from, const CellRow& owned, std::size_t box,
+                           const CellRow& row) {
+            row_.resize(numbers * static_cast<std::size_t>(row.size()));
+            read(from, owned, row_.data());
+            take(box, row, row_.data());
+        });
+    }
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
     for (std::size_t i = 0; i < from_.size(); ++i) {
         const double* at = received_[i].data();

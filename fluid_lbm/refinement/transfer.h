@@ -28,7 +28,11 @@ class CellTransfer {
         std::function<void(std::size_t box, const CellRow& row, double* numbers)>;
     using Take =
         std::function<void(std::size_t box, const CellRow& row, const double* numbers)>;
-    void run(std::size_t numbers_per_cell, const Read& read, const Take& take);
+    // pass: of a row that does both on this rank, without a copy on the way.
+    using Pass = std::function<void(std::size_t owned_box, const CellRow& owned_row,
+                                    std::size_t box, const CellRow& row)>;
+    void run(std::size_t numbers_per_cell, const Read& read, const Take& take,
+             const Pass& pass = {});
 
   private:
     // What goes from one rank's box to another's.
@@ -39,7 +43,7 @@ class CellTransfer {
         std::array<int, 3> image;  // less these they are the owner's
     };
     static std::size_t cells_with(const std::vector<Part>& parts, int rank);
-    void pass_to_itself(std::size_t numbers, const Read& read, const Take& take);
+    void pass_to_itself(const Pass& pass) const;
 
     MPI_Comm comm_;
     int rank_ = 0;

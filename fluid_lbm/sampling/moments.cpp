@@ -38,12 +38,23 @@ void read_row(const View& view, const CellRow& row, Use&& use) {
     use(at, row.size());
 }
 
+// Rows along y are read one after the other. A short one is done before the next has
+// come.
+int rows_ahead(const CellRow& row) {
+    constexpr int few_cells = 8;
+    return row.size() <= few_cells ? 3 : 1;
+}
+
 // The same for a use that changes what stands there.
 template <class Real, class Use>
 void change_row(const View& view, const CellRow& row, Use&& use) {
     const RowPointers<Real> p = readable_row<Real>(view, row);
     Real* at[d3q19::directions];
-    for (int q = 0; q < d3q19::directions; ++q) at[q] = p.at[q] + row.x_begin;
+    const std::ptrdiff_t ahead = rows_ahead(row) * view.populations.row_stride();
+    for (int q = 0; q < d3q19::directions; ++q) {
+        at[q] = p.at[q] + row.x_begin;
+        __builtin_prefetch(at[q] + ahead, 1, 3);
+    }
     use(at, row.size());
     if (has_ends(view, row)) close_x_ends(p, view.layout);
 }
@@ -76,14 +87,20 @@ void row_moments(const View& view, int y, int z, int x_begin, int x_end,
         view.kernels);
 }
 
-void read_flow(const View& view, const CellRow& row, double* flow) {
+void read_flow(const View& view, const CellRow& row,
+               const std::array<double*, flow_numbers>& flow) {
+    const std::ptrdiff_t ahead = rows_ahead(row) * view.populations.row_stride();
     std::visit(
         [&]<class Real>(const RowKernels<Real>& kernels) {
             read_row<Real>(view, row, [&](const Real* const* at, int count) {
-                kernels.flow(at, count, arrays<flow_numbers>(flow, count).data());
+                kernels.flow(at, count, flow.data(), ahead);
             });
         },
         view.kernels);
+}
+
+void read_flow(const View& view, const CellRow& row, double* flow) {
+    read_flow(view, row, arrays<flow_numbers>(flow, row.size()));
 }
 
 void write_flow(const View& view, const CellRow& row, const double* flow) {
@@ -96,20 +113,33 @@ void write_flow(const View& view, const CellRow& row, const double* flow) {
         view.kernels);
 }
 
-void write_flow_along_y(const View& view, const std::array<int, 3>& first, int count,
-                        const double* flow) {
+void write_flow_along_y(const View& view, const CellBox& plane, const double* flow) {
     std::visit(
         [&]<class Real>(const RowKernels<Real>& kernels) {
+            const int count = plane.hi[1] - plane.lo[1],
+                      width = plane.hi[0] - plane.lo[0];
             const auto n = static_cast<std::size_t>(count);
-            std::vector<Real> column(d3q19::directions * n);
-            const auto at = arrays<d3q19::directions>(column.data(), count);
-            kernels.rebuild(arrays<flow_numbers>(flow, count).data(), count, at.data());
+            thread_local std::vector<Real> columns;
+            columns.resize(d3q19::directions * n * static_cast<std::size_t>(width));
+            for (int x = 0; x < width; ++x) {
+                const auto first = static_cast<std::size_t>(x) * n;
+                const auto at = arrays<d3q19::directions>(
+                    columns.data() + d3q19::directions * first, count);
+                kernels.rebuild(
+                    arrays<flow_numbers>(flow + flow_numbers * first, count).data(),
+                    count, at.data());
+            }
             const auto rows = view.populations.rows<Real>();
-            const int row = view.layout.row(first[1], first[2]);
+            const int row = view.layout.row(plane.lo[1], plane.lo[2]);
             const std::ptrdiff_t stride = view.populations.row_stride();
+            const std::size_t apart = d3q19::directions * n;
             for (int q = 0; q < d3q19::directions; ++q) {
-                Real* to = rows.row(q, row) + first[0];
-                for (int y = 0; y < count; ++y) to[y * stride] = at[q][y];
+                Real* to = rows.row(q, row) + plane.lo[0];
+                const Real* from = columns.data() + static_cast<std::size_t>(q) * n;
+                for (int y = 0; y < count; ++y, to += stride, ++from) {
+                    for (int x = 0; x < width; ++x)
+                        to[x] = from[static_cast<std::size_t>(x) * apart];
+                }
             }
         },
         view.kernels);

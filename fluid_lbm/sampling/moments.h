@@ -36,11 +36,13 @@ void row_moments(const View& view, int y, int z, int x_begin, int x_end,
 // The flow_numbers of those cells (refinement/flow_kernel.h), one number after the other,
 // and populations made of such: ghost modes are gone.
 void read_flow(const View& view, const CellRow& row, double* flow);
+// Each number into an array of its own.
+void read_flow(const View& view, const CellRow& row,
+               const std::array<double*, flow_numbers>& flow);
 void write_flow(const View& view, const CellRow& row, const double* flow);
-// The same for so many cells one after the other along y, from `first` on, and in the
-// natural arrangement only: rows as short as a ring is wide fill no vector.
-void write_flow_along_y(const View& view, const std::array<int, 3>& first, int count,
-                        const double* flow);
+// The same for a piece of a plane z, column by column along y, and in the natural
+// arrangement only: rows as short as a ring is wide fill no vector.
+void write_flow_along_y(const View& view, const CellBox& plane, const double* flow);
 // Changes the density by so much, at the velocity zero.
 void add_density(const View& view, const CellRow& row, double excess);
 // Their populations, one direction after the other.

@@ -16,8 +16,7 @@ template <class Real, class T, class C, bool Forced>
 bool collide(Real* const* at, const Real* const* force, std::ptrdiff_t length,
              const CollisionParameters& parameters) {
     using V = typename Simd<T, vector_bytes / sizeof(T)>::Vector;
-    return collide_row<C, Forced, V>(at, force, length, parameters,
-                                     collide<Real, T, C, Forced>);
+    return collide_row<C, Forced, V>(at, force, length, parameters);
 }
 
 template <class Real>
@@ -26,8 +25,9 @@ void sample(const Real* const* at, std::ptrdiff_t length, double* const* moments
 }
 
 template <class Real>
-void flow(const Real* const* at, std::ptrdiff_t length, double* const* flow) {
-    flow_row<vector_bytes / sizeof(double)>(at, length, flow);
+void flow(const Real* const* at, std::ptrdiff_t length, double* const* flow,
+          std::ptrdiff_t ahead) {
+    flow_row<vector_bytes / sizeof(double)>(at, length, flow, ahead);
 }
 
 template <class Real>

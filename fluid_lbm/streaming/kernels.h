@@ -23,11 +23,11 @@ using MomentsKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
                                double* const* moments);
 
 // Between populations and what levels of a refined grid tell each other, ten arrays of
-// that length: see refinement/flow_kernel.h.
+// that length: see refinement/flow_kernel.h. ahead: elements to what is read next.
 constexpr int flow_numbers = 10;
 template <class Real>
 using FlowKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
-                            double* const* flow);
+                            double* const* flow, std::ptrdiff_t ahead);
 template <class Real>
 using RebuildKernel = void (*)(const double* const* flow, std::ptrdiff_t length,
                                Real* const* at);

@@ -45,60 +45,65 @@ MAGFSI_INLINE void prefetch_force(const Real* const* force, std::ptrdiff_t x) {
     }
 }
 
-// The last cells of a row whose length is no multiple of the vector width: through a
-// buffer, because the elements behind the row belong to other rows. The buffer's surplus
-// cells are at rest.
-template <bool Forced, int Width, class Real>
-MAGFSI_INLINE bool collide_tail(Real* const* at, const Real* const* force,
-                                std::ptrdiff_t x, std::ptrdiff_t length,
-                                const CollisionParameters& parameters,
-                                RowKernel<Real> whole_block) {
-    using namespace d3q19;
-    const std::ptrdiff_t count = length - x;
-    alignas(64) Real f[directions][Width] = {};
-    alignas(64) Real local_force[3][Width] = {};
-    Real* f_at[directions];
-    const Real* force_at[3];
-    for (int q = 0; q < directions; ++q) {
-        f_at[q] = f[q];
-        for (std::ptrdiff_t i = 0; i < count; ++i) f[q][i] = at[q][x + i];
-    }
-    for (int a = 0; a < 3; ++a) {
-        force_at[a] = local_force[a];
+// The last cells of a row whose length is no multiple of the vector width: in a buffer,
+// because the elements behind the row belong to other rows. The buffer's surplus cells
+// are at rest.
+template <bool Forced, class Real, int Width>
+class RowEnd {
+  public:
+    MAGFSI_INLINE void take(Real* const* at, const Real* const* force, std::ptrdiff_t x,
+                            int count) {
+        for (int q = 0; q < d3q19::directions; ++q) {
+            at_[q] = f_[q];
+            store(f_[q], load_some<Stored>(at[q] + x, count));
+        }
         if constexpr (Forced) {
-            for (std::ptrdiff_t i = 0; i < count; ++i)
-                local_force[a][i] = force[a][x + i];
+            for (int a = 0; a < 3; ++a) {
+                force_at_[a] = force_[a];
+                store(force_[a], load_some<Stored>(force[a] + x, count));
+            }
         }
     }
-    const bool valid = whole_block(f_at, force_at, Width, parameters);
-    for (int q = 0; q < directions; ++q) {
-        for (std::ptrdiff_t i = 0; i < count; ++i) at[q][x + i] = f[q][i];
+    MAGFSI_INLINE void put_back(Real* const* at, std::ptrdiff_t x, int count) const {
+        for (int q = 0; q < d3q19::directions; ++q)
+            store_some(at[q] + x, load<Stored>(f_[q]), count);
     }
-    return valid;
-}
+    Real* const* at() const { return at_; }
+    const Real* const* force() const { return force_at_; }
+
+  private:
+    using Stored = typename Simd<Real, Width>::Vector;
+    alignas(64) Real f_[d3q19::directions][Width];
+    alignas(64) Real force_[3][Width];
+    Real* at_[d3q19::directions];
+    const Real* force_at_[3];
+};
 
 // at: 19 pointers; force: three pointers, force density in lattice units, unused if not
-// Forced. V: the vector computed with. itself: the function that this is inlined into.
+// Forced. V: the vector computed with.
 template <class C, bool Forced, class V, class Real>
 MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
                                std::ptrdiff_t length,
-                               const CollisionParameters& parameters,
-                               RowKernel<Real> itself) {
+                               const CollisionParameters& parameters) {
     const Rates<V> r = rates<V>(parameters);
     CellCheck<V> check;
-    std::ptrdiff_t x = 0;
-    for (; x + lanes<V> <= length; x += lanes<V>) {
+    const std::ptrdiff_t end = length / lanes<V> * lanes<V>;
+    const int left = static_cast<int>(length - end);
+    RowEnd<Forced, Real, lanes<V>> row_end;
+    // The end by the same instructions: apart it took as long as three vectors.
+    for (std::ptrdiff_t x = 0; x < length; x += lanes<V>) {
         if (x % cells_per_line<Real> == 0) {
             prefetch_for_write(at, x);
             if constexpr (Forced) prefetch_force(force, x);
         }
-        collide_block<C, Forced, V>(at, force, x, r, check);
+        const bool whole = x < end;
+        if (!whole) row_end.take(at, force, x, left);
+        collide_block<C, Forced, V>(whole ? at : row_end.at(),
+                                    whole ? force : row_end.force(), whole ? x : 0, r,
+                                    check);
     }
-    bool valid = check.all_valid();
-    if (x < length) {
-        valid &= collide_tail<Forced, lanes<V>>(at, force, x, length, parameters, itself);
-    }
-    return valid;
+    if (left > 0) row_end.put_back(at, end, left);
+    return check.all_valid();
 }
 
 template <class Real>

@@ -33,8 +33,7 @@ template <class Real>
 bool stream_row(Real* const* at, const Real* const* force, std::ptrdiff_t length,
                 const CollisionParameters& parameters) {
     using V = typename Simd<Real, 2>::Vector;
-    return collide_row<NoCollision, false, V>(at, force, length, parameters,
-                                              stream_row<Real>);
+    return collide_row<NoCollision, false, V>(at, force, length, parameters);
 }
 
 struct Box {
