@@ -281,7 +281,15 @@ void RefinedFluid::regrid(const std::vector<LevelPlace>& places) {
     }
     count_links_once();
     ++moves_;
-    if (!first) levels_->finer.front()->mass.owed = owed + excess - excess_of_finer();
+    if (first) return;
+    owed += excess - excess_of_finer();
+    // Through the outermost interface there is: a patch may cover the whole periodic box.
+    for (std::size_t i = 0; i < levels_->finer.size(); ++i) {
+        InterfaceMass& mass = levels_->finer[i]->mass;
+        if (mass.beside == 0) continue;
+        mass.owed = std::ldexp(owed, 3 * static_cast<int>(i));
+        break;
+    }
 }
 
 bool RefinedFluid::follow(const std::array<Vec3, 2>& bodies_m) {

@@ -115,6 +115,27 @@ TEST_P(Levels, KeepTheMassOfAClosedBox) {
     }
 }
 
+// A patch that covers the whole of a periodic box has no sides: what its moves add goes
+// through those of the next.
+TEST(Refinement, KeepsTheMassOfAPeriodicBoxThatAPatchCovers) {
+    RefinedConfig config = stirred_box(2);
+    config.coarse.cells = {14, 14, 14};
+    for (auto& side : config.coarse.boundaries) side.kind = BoundaryKind::periodic;
+    const auto around = [](int i) {
+        const double x = 7 + 2 * std::sin(i / 7.0);
+        return std::array{Vec3{x - 2, 5, 5}, Vec3{x + 2, 9, 9}};
+    };
+    RefinedFluid fluid(MPI_COMM_WORLD, config, around(0));
+    const double mass = fluid.totals().mass_kg;
+    for (int i = 0; i < 60; ++i) {
+        fluid.follow(around(i));
+        for (int part = 0; part < 4; ++part) fluid.step();
+        EXPECT_NEAR(fluid.totals().mass_kg / mass, 1, 1e-13) << i;
+    }
+    EXPECT_GT(fluid.moves(), 3);
+    for (int d = 0; d < 3; ++d) EXPECT_GT(fluid.place(1).period[d], 0);
+}
+
 // A ball that patches meet, leave and cut.
 TEST_P(Levels, AreTheSameOnAnyRanksAtAnObstacle) {
     RefinedConfig config = stirred_box(GetParam());
