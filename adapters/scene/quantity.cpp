@@ -213,6 +213,7 @@ constexpr NamedDimension named[] = {
     {"W", "a power", "1 mW"},
     {"T", "a magnetic flux density", "17 mT"},
     {"T/m", "a field gradient", "0.5 T/m"},
+    {"A m2", "a magnetic moment", "0.1 A m2"},
     {"A/m", "a magnetization", "62 kA/m (or a remanence such as 78 mT)"},
 };
 
