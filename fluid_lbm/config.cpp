@@ -79,7 +79,7 @@ std::string collision_reason(const FluidConfig& config) {
     text << ": ";
     if (config.collision != Collision::automatic) {
         text << "asked for";
-    } else if (tau >= trt_from) {
+    } else if (reaches_trt(tau)) {
         text
             << "relaxation time " << tau << " is at least " << trt_from
             << ", where two-relaxation-time collision is stable and has the lowest error";

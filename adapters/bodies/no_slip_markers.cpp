@@ -25,6 +25,9 @@ constexpr double thinned_to = 1.0;
 // How far the area of a thinned-out outer row ends outside of it: with which disks of 12
 // and 16 spacings swung broadside have the exact added mass (tests/validation/no_slip).
 constexpr double beyond_row = 0.4;
+// How much less deep than straight rows several thinned-out layers begin, from disks 3
+// and 4 spacings thick, 16 and 32 wide.
+constexpr double thinned_two = 0.27, thinned_more = 0.08;
 // How much further an even shell reaches than a plane: with which balls of 6 to 12
 // spacings have the exact drag in a creeping stream (tests/validation/no_slip/ball.py).
 constexpr double beyond_shell = 0.08;
@@ -36,9 +39,10 @@ constexpr double thinned_apart = 1.1;
 // and displaces as much as a tenth of t more would move.
 constexpr double square_edge = 0.44;
 
-// From the rim of a single layer to where the area of its markers ends.
+// From the rim of a single layer to where the area of its markers ends; outside of thick
+// ones.
 double rim_depth_m(const KernelReach& reach, double thickness_m) {
-    return std::max(0.0, reach.edge_m - square_edge * thickness_m);
+    return reach.edge_m - square_edge * thickness_m;
 }
 
 // Even rows over one axis of a box: their places and their distance.
@@ -79,7 +83,9 @@ struct Length {
 Rows rows_along(const Length& length, const KernelReach& reach, double thickness_m) {
     const double widest_m = widest_apart * reach.grid_m;
     const int layers = reach.layers(thickness_m).count;
-    if (layers == 1) return length.drawn_back(rim_depth_m(reach, thickness_m), widest_m);
+    if (layers == 1)
+        return length.drawn_back(std::max(0.0, rim_depth_m(reach, thickness_m)),
+                                 widest_m);
     const double beyond_m = layers == 2 ? reach.rim_of_two_m : reach.rim_of_more_m;
     // The depth depends a little on the distance that follows from it.
     Rows rows{{}, widest_m};
@@ -220,8 +226,9 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
     const EvenPlanes layers = reach.layers(thickness_m);
     double depth_m = rim_depth_m(reach, thickness_m) + beyond_row * apart_m;
     if (layers.count > 1)
-        depth_m = (layers.count == 2 ? reach.rim_of_two_m : reach.rim_of_more_m) +
-                  reach.depth_m(thinned_apart * reach.grid_m);
+        depth_m = reach.depth_m(thinned_apart * reach.grid_m) +
+                  (layers.count == 2 ? reach.rim_of_two_m - thinned_two * reach.grid_m
+                                     : reach.rim_of_more_m - thinned_more * reach.grid_m);
     std::vector<PlacedMarker> markers;
     for (int i = 0; i < layers.count; ++i) {
         const double above_m =
@@ -286,15 +293,29 @@ std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
     return markers;
 }
 
-// In grid spacings: with which a plate swung broadside has the exact added mass, at a
-// magic number of 0.01, or with 3/16 a disk in a creeping stream errs as much broadside
-// as edgewise (tests/validation/no_slip); not known for the 4-point kernel.
+// In grid spacings: with which plates and disks swung broadside have the exact added mass
+// (tests/validation/no_slip), where their Stokes layer is half a spacing, 1.2 and 2.4
+// spacings: grids on which the magic number is this (collision/choice.h). With the last
+// a disk in a creeping stream errs as much broadside as edgewise. Not known for the
+// 4-point kernel.
+struct EdgeAt {
+    double magic_number, two_point, three_point;
+};
+constexpr std::array<EdgeAt, 3> known_edges{
+    {{0.01, 0.64, 0.93}, {0.016, 0.61, 0.90}, {0.03, 0.48, 0.75}}};
+
 double edge(coupler::Kernel kernel, double magic_number) {
-    const double of_small = 0.01, of_large = 3.0 / 16;
-    const double part = std::clamp(
-        std::log(magic_number / of_small) / std::log(of_large / of_small), 0.0, 1.0);
-    return kernel == coupler::Kernel::two_point ? std::lerp(0.64, 0.48, part)
-                                                : std::lerp(0.93, 0.75, part);
+    const auto of = [&](const EdgeAt& at) {
+        return kernel == coupler::Kernel::two_point ? at.two_point : at.three_point;
+    };
+    for (std::size_t i = 1; i < known_edges.size(); ++i) {
+        const EdgeAt &low = known_edges[i - 1], &high = known_edges[i];
+        if (magic_number > high.magic_number) continue;
+        const double part = std::log(magic_number / low.magic_number) /
+                            std::log(high.magic_number / low.magic_number);
+        return std::lerp(of(low), of(high), std::max(part, 0.0));
+    }
+    return of(known_edges.back());
 }
 
 // In grid spacings: with which plates 2 to 4 spacings thick that swing broadside have the

@@ -53,11 +53,6 @@ double lost(const EnergyTerms& terms) {
     return terms.lost_viscosity + terms.lost_drag + terms.lost_friction;
 }
 
-// Without the layers that sheets carry but should not.
-double moved_fluid(const EnergyTerms& terms) {
-    return terms.fluid_kinetic - terms.carried;
-}
-
 }  // namespace
 
 void attach_audit(const StructureRun& run) {
@@ -87,12 +82,12 @@ EnergyTerms collect_terms(const StructureRun& run) {
     const auto* markers = run.coupling ? run.coupling->work() : nullptr;
     if (!markers) return terms;
     std::array<double, 3> works{markers->by_fluid_j(), markers->by_enclosed_j(),
-                                run.coupling->carried_energy_j()};
+                                markers->for_nothing_j()};
     MPI_Allreduce(MPI_IN_PLACE, works.data(), works.size(), MPI_DOUBLE, MPI_SUM,
                   run.session.world().local());
     terms.by_fluid = works[0];
     terms.by_enclosed = works[1];
-    terms.carried = works[2];
+    terms.for_nothing = works[2];
     return terms;
 }
 
@@ -165,9 +160,10 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
     add(effect("friction"), "lost_friction", terms.lost_friction);
     add(in_fluid, "given_to_fluid", -terms.by_fluid);
     add(in_fluid, "enclosed_lag", lag);
-    add(no_slip, "carried_layer", terms.carried);
+    add(no_slip, "work_layer", terms.for_nothing);
     add(in_fluid, "lost_in_fluid",
-        -terms.by_fluid - (moved_fluid(terms) - record_.fluid_at_start));
+        -terms.by_fluid + terms.for_nothing -
+            (terms.fluid_kinetic - record_.fluid_at_start));
     add(true, "residual", residual);
     return all;
 }
@@ -184,7 +180,7 @@ std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms&
         record_.stored_at_start = stored(terms);
         record_.moved_at_start = terms.of_moved;
         record_.nodes_at_start = motion.kinetic_nodes;
-        record_.fluid_at_start = moved_fluid(terms);
+        record_.fluid_at_start = terms.fluid_kinetic;
     }
     std::vector<double> values;
     for (const Column& column : balance(motion, terms)) values.push_back(column.value);
@@ -198,17 +194,21 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
                               record_.stored_at_start + record_.nodes_at_start})
         record_.work = std::max(record_.work, std::abs(part));
     record_.residual = std::max(record_.residual, std::abs(residual));
-    const double unpaid = stored(terms) + m.kinetic + moved_fluid(terms) + lost(terms) -
-                          terms.work_field - m.work_weight - moved;
+    const double unpaid = stored(terms) + m.kinetic + terms.fluid_kinetic + lost(terms) -
+                          terms.work_field - m.work_weight - moved - terms.for_nothing;
     if (record_.rows == 0) record_.unpaid_at_start = unpaid;
     record_.unpaid = unpaid;
+    record_.for_nothing = terms.for_nothing;
+    record_.most_for_nothing =
+        std::max(record_.most_for_nothing, std::abs(terms.for_nothing));
     record_.lowest = record_.rows == 0 ? unpaid : std::min(record_.lowest, unpaid);
     record_.gained = std::max(record_.gained, unpaid - record_.lowest);
     ++record_.rows;
 }
 
 std::string EnergyAudit::fault() const {
-    const double gained = record_.unpaid - record_.unpaid_at_start;
+    // What the layers are given is no source: it must not feed a run.
+    const double gained = record_.unpaid - record_.unpaid_at_start + record_.for_nothing;
     const double allowed = max_share_of_work * record_.work +
                            max_share_of_fluid * record_.fluid_at_start + min_j_;
     if (driven_ || record_.rows < 2 || gained <= allowed) return {};
@@ -226,6 +226,7 @@ output::EnergySummary EnergyAudit::summary() const {
     summary.work_j = record_.work;
     summary.residual_j = record_.residual;
     if (!driven_) summary.gained_j = record_.gained;
+    if (record_.most_for_nothing > 0) summary.layer_j = record_.most_for_nothing;
     return summary;
 }
 

@@ -25,7 +25,7 @@ struct EnergyTerms {
     double lost_viscosity = 0, lost_drag = 0, lost_friction = 0;
     double by_fluid = 0, by_enclosed = 0;  // work on the body at the markers
     double fluid_kinetic = 0;
-    double carried = 0;  // of it, of layers that sheets carry beyond their own thickness
+    double for_nothing = 0;  // work on it at the markers that no body paid for
 };
 
 struct StructureRun;
@@ -82,7 +82,7 @@ class EnergyAudit {
         double stored_at_start = 0, moved_at_start = 0, nodes_at_start = 0;
         double fluid_at_start = 0;
         double work = 0, residual = 0, lowest = 0, gained = 0;
-        double unpaid_at_start = 0, unpaid = 0;
+        double unpaid_at_start = 0, unpaid = 0, for_nothing = 0, most_for_nothing = 0;
     } record_;
 };
 

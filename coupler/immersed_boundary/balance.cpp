@@ -102,6 +102,13 @@ void MarkerWork::add_substep(const PenaltyForce& force, const double* nodal_velo
     }
 }
 
+void MarkerWork::add_given(std::span<const Vec3> given, std::span<const Vec3> paid,
+                           std::span<const Vec3> mean_velocity) {
+    for (std::size_t m = 0; m < works_.size(); ++m)
+        for (std::size_t d = 0; d < 3; ++d)
+            works_[m][2] += (given[m][d] - paid[m][d]) * mean_velocity[m][d];
+}
+
 double MarkerWork::sum(std::size_t which) const {
     double all = 0;
     for (const Vec3& work : works_) all += work[which];

@@ -65,11 +65,17 @@ class MarkerWork {
     void add_substep(const PenaltyForce& force, const double* nodal_velocity,
                      double duration_s);
 
+    // After the coupled step: what the fluid was given at each marker [N s], of which the
+    // markers gave `paid`, and their mean velocities in it.
+    void add_given(std::span<const Vec3> given, std::span<const Vec3> paid,
+                   std::span<const Vec3> mean_velocity);
+
     // Sums over this rank's markers since the start [J].
     double by_fluid_j() const { return sum(0); }     // by the coupling force
     double by_enclosed_j() const { return sum(1); }  // by the enclosed fluid's
+    double for_nothing_j() const { return sum(2); }  // on the fluid, by what nobody paid
 
-    // Kept in checkpoints, three numbers a marker: both works, and the last forces.
+    // Kept in checkpoints, three numbers a marker: the works, and the last forces.
     std::span<Vec3> works() { return works_; }
     std::span<Vec3> last_fluid_force() { return last_fluid_force_; }
     std::span<Vec3> last_enclosed_force() { return last_enclosed_force_; }

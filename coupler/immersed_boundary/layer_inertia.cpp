@@ -57,14 +57,4 @@ void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean
     std::ranges::copy(mean_velocity, last_velocity_.begin());
 }
 
-double LayerInertia::energy_j(const double* position) const {
-    double sum = 0;
-    for (const Beyond& beyond : layer_) {
-        const Vec3 v = along(last_velocity_[static_cast<std::size_t>(beyond.area.marker)],
-                             area_vector(beyond.marker, beyond.area, position));
-        sum += 0.5 * beyond.mass_kg * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    return sum;
-}
-
 }  // namespace magfsi::coupler

@@ -88,6 +88,7 @@ void ParticipantReport::add(const EnergySummary& e) {
         out["gained_j"] = *e.gained_j;
         out["gained"] = share(*e.gained_j);
     }
+    if (e.layer_j) out["layer_j"] = *e.layer_j;
     add_section(sections, "energy_audit", out);
 }
 

@@ -70,6 +70,9 @@ struct EnergySummary {
     // Largest rise of the energy of bodies and fluid that no work has paid for; absent
     // where the fluid is driven by its sides or a force.
     std::optional<double> gained_j;
+    // Of the sum over markers of F . V dt by what the fluid is given besides the bodies'
+    // forces: the largest magnitude; absent where it is given nothing.
+    std::optional<double> layer_j;
 };
 
 // One participant's time over the whole run. Seconds are means over its ranks, but for

@@ -242,7 +242,11 @@ void StructureCoupling::take_mean_velocity() {
 void StructureCoupling::send_impulses() {
     before_m_ = std::move(now_m_);
     now_m_ = marker_positions();
-    if (layer_) layer_->add(force_.impulse(), mean_velocity(), solver_.positions());
+    if (layer_) {
+        const std::vector<Vec3> velocity = mean_velocity();
+        layer_->add(force_.impulse(), velocity, solver_.positions());
+        if (work_) work_->add_given(layer_->given(), force_.impulse(), velocity);
+    }
     send({session_.clock().step(), iteration()}, given());
 }
 

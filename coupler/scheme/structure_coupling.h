@@ -92,11 +92,6 @@ class StructureCoupling {
     // Null unless the run measures them.
     BalanceRecord* balance() const { return balance_.get(); }
     const MarkerWork* work() const { return work_.get(); }
-    // Of the fluid that sheets of one layer carry beyond their own thickness; this
-    // rank's.
-    double carried_energy_j() const {
-        return layer_ ? layer_->energy_j(solver_.positions()) : 0;
-    }
     // Null but in the implicit scheme.
     const output::IterationSummary* iterations() const;
     SlipReport slip() const;  // collective

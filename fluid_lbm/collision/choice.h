@@ -36,6 +36,11 @@ constexpr double recursive_magic(double cell_reynolds_number) {
     return std::clamp(0.75 / (cell_reynolds_number * steep), 0.001, 3.0 / 16);
 }
 
+// To six digits: a viscosity that is written down for 0.55 shall not fall on either side.
+constexpr bool reaches_trt(double relaxation_time) {
+    return relaxation_time > trt_from - 1e-6;
+}
+
 inline bool has_moving_wall(const Options& options) {
     return std::ranges::any_of(options.boundaries, [](const Boundary& side) {
         return side.kind == BoundaryKind::no_slip && side.wall_velocity_m_s != Vec3{};
@@ -49,7 +54,7 @@ inline bool has_moving_wall(const Options& options) {
 // cells, relaxation time 0.519), which two relaxation times with an odd rate of 1 do not.
 inline Collision choose_collision(const Options& options, const CollisionCase& now) {
     if (options.collision != Collision::automatic) return options.collision;
-    const bool low = now.relaxation_time < trt_from;
+    const bool low = !reaches_trt(now.relaxation_time);
     if (!low || has_moving_wall(options)) return Collision::trt;
     return now.holds_no_slip ? Collision::recursive_mrt
                              : Collision::recursive_regularized;
@@ -60,7 +65,7 @@ inline double choose_magic_number(const Options& options, const CollisionCase& n
     if (choose_collision(options, now) == Collision::recursive_mrt)
         return recursive_magic(now.cell_reynolds_number);
     // 3/16 puts half-way walls exactly half way; (tau - 1/2) / 2 makes the odd rate 1.
-    return now.relaxation_time >= trt_from ? 3.0 / 16 : (now.relaxation_time - 0.5) / 2;
+    return reaches_trt(now.relaxation_time) ? 3.0 / 16 : (now.relaxation_time - 0.5) / 2;
 }
 
 }  // namespace magfsi::fluid

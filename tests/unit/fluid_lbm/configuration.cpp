@@ -45,6 +45,8 @@ TEST(CollisionChoice, KeepsTheOddRateFromVanishing) {
     EXPECT_NEAR(odd(0.5015), 1, 1e-12);
     EXPECT_NEAR(odd(0.549), 1, 1e-12);
     EXPECT_NEAR(odd(0.55), 1 / (0.5 + 0.1875 / 0.05), 1e-12);
+    // Of a viscosity with seven digits.
+    EXPECT_NEAR(odd(0.55 - 1e-7), odd(0.55), 1e-5);
 }
 
 TEST(CollisionChoice, TakesTheMagicNumberFromTheCellsReynoldsNumber) {

@@ -86,7 +86,37 @@ class Quick(Drag):
             self.assertLess(abs(error(cells, {}, NO_SLIP)), 0.02)
 
 
+def without_slip(reynolds, cells=8):
+    """Drag of markers and of the solid on a coarse grid, over the solid's own limit: by its second
+    order, from this grid and one twice as fine."""
+    def of_solid(n):
+        return coefficient(n, {**SOLID, **settings, "fluid.lattice_speed": speed * cells / n
+                               if reynolds < 10 else speed, "fluid.collision": collision},
+                           "ball.force_x[N]")
+    # A relaxation time of at most 1; one collision for both grids, whose order is that of walls.
+    speed = min(0.08, reynolds / cells / 6)
+    collision = "trt" if reynolds < 50 else "recursive_mrt"
+    settings = {"fluid.viscosity": f"{1e6 * SPEED * DIAMETER / reynolds} mm2/s",
+                "fluid.lattice_speed": speed, "time.end": "0.2 s" if reynolds < 10 else "0.8 s"}
+    coarse, fine = of_solid(cells), of_solid(2 * cells)
+    limit = fine + (fine - coarse) / 3
+    markers = coefficient(cells, {**NO_SLIP, **settings}, "ball.fluid_force_x[N]")
+    testing.report(f"Reynolds number {reynolds}, {cells} cells: markers {markers:.4f}, solid "
+                   f"{coarse:.4f}, twice as fine {fine:.4f}; limit {limit:.4f}: markers "
+                   f"{100 * (markers / limit - 1):+.1f} %, solid {100 * (coarse / limit - 1):+.1f} %")
+    return markers / limit - 1, coarse / limit - 1
+
+
 class Long(Drag):
+    def test_without_slip(self):
+        # The layer at the front is a diameter over sqrt(Re): 1.8 cells at 20, 0.65 at 150.
+        for reynolds, allowed in ((1, 0.03), (20, 0.03), (50, 0.03), (100, 0.06), (150, 0.08),
+                                  (200, 0.12)):
+            markers, solid = without_slip(reynolds)
+            self.assertLess(abs(markers), allowed)
+            if reynolds >= 50:  # an interpolated wall loses more on such a grid
+                self.assertLess(abs(markers), abs(solid))
+
     def test_reynolds_20(self):
         _, limit = self.converges({}, 8, 12)
         self.assertLess(abs(limit), 0.03)
