@@ -81,6 +81,8 @@ coupler::RunPlan run_plan(const scene::Scene& scene) {
     plan.absent_effects = scene::absent_effects(scene);
     plan.effects_by_step = scene::effects_by_step(scene);
     plan.warnings = scene::idle_effects(scene);
+    for (std::string& line : scene::rounded_intervals(scene))
+        plan.warnings.push_back(std::move(line));
     return plan;
 }
 

@@ -391,6 +391,8 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  {}\n", line);
     for (const std::string& line : scene::idle_effects(scene))
         text += fmt::format("  warning: {}\n", line);
+    for (const std::string& line : scene::rounded_intervals(scene))
+        text += fmt::format("  warning: {}\n", line);
     for (const std::filesystem::path& file : scene::files_elsewhere(scene))
         text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
     if (!scene.bodies.empty()) text += explain_structure(scene);

@@ -11,6 +11,7 @@
 #include "adapters/scene/keys.h"
 #include "coupler/hash.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
+#include "coupler/step/clock.h"
 #include "fluid_lbm/units.h"
 
 namespace magfsi::scene {
@@ -319,6 +320,30 @@ std::vector<std::string> idle_effects(const Scene& scene) {
          "it is 0");
     note(lines, scene.checkpoint && scene.checkpoint->every_s > scene.time.end_s,
          "checkpoint", "its interval is longer than the run");
+    return lines;
+}
+
+std::vector<std::string> rounded_intervals(const Scene& scene) {
+    constexpr double unnoticed = 0.05;  // of the interval
+    Lines lines;
+    const auto dt_s = coupled_step_s(scene);
+    if (!dt_s) return lines;
+    const int at_a_time = scene.fluid ? scene.fluid->coupled_steps_in_one() : 1;
+    const coupler::Clock clock(*dt_s, scene.time.end_s, at_a_time);
+    const auto note_rounding = [&](const char* key, double every_s) {
+        const double is_s = static_cast<double>(clock.every(every_s)) * *dt_s;
+        if (std::abs(is_s - every_s) <= unnoticed * every_s) return;
+        lines.push_back(fmt::format(
+            "{}: {:.4g} ms becomes {:.4g} ms, a whole number of steps of {:.4g} ms{}",
+            key, every_s * 1e3, is_s * 1e3, at_a_time * *dt_s * 1e3,
+            at_a_time > 1 ? ", those of the coarsest level" : ""));
+    };
+    if (scene.probes) note_rounding("probes.every", scene.probes->every_s);
+    if (scene.output.structure)
+        note_rounding("output.structure.every", scene.output.structure->every_s);
+    if (scene.output.fluid)
+        note_rounding("output.fluid.every", scene.output.fluid->every_s);
+    if (scene.checkpoint) note_rounding("checkpoint.every", scene.checkpoint->every_s);
     return lines;
 }
 

@@ -72,6 +72,11 @@ std::vector<std::string> effects_by_step(const Scene& scene);
 // of rate 0: which, why, and what to do. Warnings, for nothing is wrong with the result.
 std::vector<std::string> idle_effects(const Scene& scene);
 
+// A line for each interval of probes, outputs and checkpoints that becomes another,
+// because they come after whole steps: those of a refined grid's coarsest level, which
+// are long.
+std::vector<std::string> rounded_intervals(const Scene& scene);
+
 // Meshes, tables and surfaces that lie outside of the scene's folder, with their full
 // paths: the scene may come from a stranger.
 std::vector<std::filesystem::path> files_elsewhere(const Scene& scene);

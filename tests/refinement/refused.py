@@ -2,10 +2,11 @@
 """What a refined grid cannot do is refused in one line, before anything is written, or ends the
 run with a name."""
 
+import subprocess
 import unittest
 from pathlib import Path
 
-from magfsi import testing
+from magfsi import runs, testing
 
 REFUSED = [
     ({"fluid.refinement": "{levels: 4}"}, "at most 3"),
@@ -39,6 +40,19 @@ class Refused(unittest.TestCase):
             "fluid.refinement": "{box: [[3 mm, 1 mm, 3.3 mm], [8 mm, 3 mm, 5 mm]]}"})
         self.assertEqual(run.code, 3, run.err)
         self.assertIn("come to the sides of the refined patch", run.err)
+
+    def test_an_interval_that_is_no_whole_step_is_warned_of(self):
+        scene = [runs.BIN / "magfsi", "check", testing.SMALL, "--set", "fluid.refinement.levels=3",
+                 "--set", "fluid.spacing=1 mm", "--set", "fluid.box=[16 mm, 8 mm, 16 mm]"]
+        for every, words in (("0.12 ms", "probes.every: 0.12 ms becomes 0.1 ms, a whole number of "
+                              "steps of 0.1 ms, those of the coarsest level"), ("0.2 ms", None)):
+            with self.subTest(every):
+                said = subprocess.run([*scene, "--set", f"probes.every={every}"], check=True,
+                                      capture_output=True, text=True).stdout
+                if words:
+                    self.assertIn(words, said)
+                else:
+                    self.assertNotIn("becomes", said)
 
 
 if __name__ == "__main__":

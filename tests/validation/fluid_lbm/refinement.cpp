@@ -90,6 +90,57 @@ TEST(Refinement, FollowsWhatItResolves) {
     EXPECT_LT(stays.patch, coarse);
 }
 
+// Velocities of the finest level in cells that both patches have, and their difference
+// over the swirl's.
+double difference(const RefinedFluid& a, const RefinedFluid& b) {
+    const CellBox one = a.place(1).inside, other = b.place(1).inside;
+    CellBox both;
+    for (int d = 0; d < 3; ++d) {
+        both.lo[d] = std::max(one.lo[d], other.lo[d]);
+        both.hi[d] = std::min(one.hi[d], other.hi[d]);
+    }
+    double squares = 0, swirl = 0;
+    for (int z = both.lo[2]; z < both.hi[2]; ++z) {
+        for (int y = both.lo[1]; y < both.hi[1]; ++y) {
+            const std::vector row{CellRow{y, z, both.lo[0], both.hi[0]}};
+            std::vector<double> u(3 * static_cast<std::size_t>(row[0].size())), v(u);
+            a.velocity(row, u);
+            b.velocity(row, v);
+            for (std::size_t i = 0; i < u.size(); ++i) {
+                squares += std::pow(u[i] - v[i], 2);
+                swirl += v[i] * v[i];
+            }
+        }
+    }
+    return std::sqrt(squares / swirl);
+}
+
+// A patch that goes to and fro by a cell in every step of the coarse grid is as good as
+// one that stays.
+TEST(Refinement, MovingAtEveryStepIsAsGoodAsStaying) {
+    for (const double tau : {0.8, 0.51}) {
+        const CarriedVortex vortex{64, tau};
+        RefinedConfig config = vortex.refined(1);
+        config.rule.slack_cells = 0;
+        RefinedFluid stays(MPI_COMM_WORLD, config, vortex.middle(0));
+        RefinedFluid moves(MPI_COMM_WORLD, config, vortex.middle(0));
+        const int steps = one_turn(vortex);
+        for (int i = 1; i <= steps; ++i) {
+            for (int part = 0; part < 2; ++part) {
+                stays.step();
+                moves.step();
+            }
+            moves.follow(vortex.middle(i % 2));
+        }
+        EXPECT_EQ(moves.moves(), steps);
+        const double off = difference(moves, stays);
+        std::printf("tau %.3g: %d moves in as many steps change velocities by %.3g %%\n",
+                    tau, steps, 100 * off);
+        EXPECT_LT(off, 0.01);
+        EXPECT_GT(off, 0);
+    }
+}
+
 // A shear wave decays by viscosity and gains by a body force, which levels see at other
 // times: u(y) = U sin(k y) e^(-nu k^2 t) + g t.
 TEST(Refinement, TellsVelocitiesWithTheirBodyForce) {
