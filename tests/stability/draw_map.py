@@ -6,8 +6,8 @@
     done
     ./magfsi python tests/stability/draw_map.py runs/map --out docs/stability
 
-Writes fluid.png, coupling.png, bodies.png and no_slip.png, cells.csv with a row for each run, and by_axis.md
-with the counts.
+Writes fluid.png, coupling.png, bodies.png, no_slip.png and refinement.png, cells.csv with a row for each
+run, and by_axis.md with the counts.
 """
 import argparse
 import csv
@@ -19,7 +19,8 @@ from map_panel import draw
 PICTURES = {"fluid": ["lattice", "ranks"],
             "coupling": ["schemes", "boundary", "density", "substeps"],
             "bodies": ["elasticity", "thickness", "field", "elements", "reversal"],
-            "no_slip": ["no_slip", "no_slip_bodies"]}
+            "no_slip": ["no_slip", "no_slip_bodies"],
+            "refinement": ["refinement"]}
 # Of what a run ended: a letter for the pictures, and words that its cause holds.
 CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
           ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
