@@ -4,9 +4,11 @@ with the runs they draw; the calibration; what a scene costs. An hour of two cor
 name (label long):
 
     ./magfsi test -R documentation_figures
+    ./magfsi python tests/docs/figures.py cost models     those lines with both words
 """
 import shlex
 import shutil
+import sys
 import time
 import unittest
 from pathlib import Path
@@ -65,6 +67,8 @@ class Figures(unittest.TestCase):
         folder = Whole()
         self.assertGreater(len(lines()), 15)
         for page, words in lines():
+            if any(part not in shlex.join(words) for part in sys.argv[1:]):
+                continue
             if words[2].endswith("compare.py") and not (runs.BIN / "magfsi-fluid-openfoam").exists():
                 continue
             with self.subTest(f"{page}: {shlex.join(words)}"):
@@ -79,4 +83,4 @@ class Figures(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])
