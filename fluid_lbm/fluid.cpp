@@ -84,6 +84,12 @@ int local_plane(const Fluid::State& s, int plane, std::size_t values) {
     return plane - box.lo[2];
 }
 
+LocalViscosity local_viscosity(const FluidConfig& config) {
+    if (config.rheology) return LocalViscosity::rheology;
+    return config.smagorinsky_constant > 0 ? LocalViscosity::eddies
+                                           : LocalViscosity::none;
+}
+
 }  // namespace
 
 OwnedComm::OwnedComm(MPI_Comm parent) {
@@ -100,10 +106,13 @@ OwnedComm::~OwnedComm() {
 Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
     : config(checked(fluid_config)),
       unit(units(config)),
+      rate_table(config.rheology
+                     ? rates_by_stress(*config.rheology, config.viscosity_m2_s, unit)
+                     : std::vector<double>{}),
       parameters{1 / relaxation_time(config), choose_magic_number(config),
-                 config.smagorinsky_constant},
+                 config.smagorinsky_constant, rate_table.data()},
       kernels(choose_kernels(choose_instruction_set(), config.precision,
-                             choose_collision(config), config.smagorinsky_constant > 0)),
+                             choose_collision(config), local_viscosity(config))),
       comm(parent),
       decomposition(decompose(config.cells, periodic_axes(config), comm.size)),
       layout(decomposition.layout(comm.rank)),

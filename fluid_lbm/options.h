@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fluid_lbm/obstacle/shapes.h"
+#include "fluid_lbm/rheology.h"
 
 namespace magfsi::fluid {
 
@@ -105,6 +106,7 @@ struct Options {
     std::optional<double> magic_number;
     Precision precision = Precision::double_;
     double smagorinsky_constant = 0;       // of the eddy viscosity; 0: none
+    std::optional<Rheology> rheology;      // absent: the viscosity is constant
     std::array<Boundary, 6> boundaries{};  // x_min x_max y_min y_max z_min z_max
     std::vector<Obstacle> obstacles;
     std::optional<Vec3> body_force_n_m3;

@@ -32,6 +32,7 @@ struct Fluid::State {
 
     const FluidConfig config;
     const Units unit;
+    const std::vector<double> rate_table;  // of a rheology
     const CollisionParameters parameters;
     const AnyKernels kernels;  // decide what populations are stored as
     const OwnedComm comm;

@@ -38,7 +38,8 @@ constexpr double max_grid_reynolds = 50;
 
 struct LatticeValues {
     double spacing_m, step_s, tau, mach = 0, grid_reynolds = 0, speed = 0;
-    double odd_rate = 1;  // of trt
+    double odd_rate = 1;                         // of trt
+    double quickest_1_s = 0, quickest_m2_s = 0;  // largest rate of shear, viscosity there
 };
 
 LatticeValues lattice_values(const scene::Fluid& fluid,
@@ -48,7 +49,12 @@ LatticeValues lattice_values(const scene::Fluid& fluid,
         v.odd_rate = fluid::odd_rate(config);
     v.speed = fluid.expected_speed_m_s * v.step_s / v.spacing_m;
     v.mach = v.speed * std::sqrt(3.0);
-    v.grid_reynolds = fluid.expected_speed_m_s * fluid.spacing_m / fluid.viscosity_m2_s;
+    v.quickest_1_s = fluid.expected_speed_m_s / fluid.spacing_m;
+    v.quickest_m2_s =
+        fluid.rheology
+            ? fluid::viscosity_m2_s(*fluid.rheology, fluid.viscosity_m2_s, v.quickest_1_s)
+            : fluid.viscosity_m2_s;
+    v.grid_reynolds = fluid.expected_speed_m_s * fluid.spacing_m / v.quickest_m2_s;
     return v;
 }
 
@@ -73,6 +79,12 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v) {
         row("Reynolds number of a cell", "", v.grid_reynolds);
     }
     row("relaxation time", "", v.tau);
+    if (fluid.rheology) {
+        const double nu = v.quickest_m2_s * v.step_s / (v.spacing_m * v.spacing_m);
+        row(fmt::format("viscosity at {:.4g} 1/s, across a cell", v.quickest_1_s).c_str(),
+            fmt::format("{:.4g} mm2/s", v.quickest_m2_s * 1e6), nu);
+        row("relaxation time there", "", 3 * nu + 0.5);
+    }
     return text;
 }
 

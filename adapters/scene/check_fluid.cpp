@@ -152,6 +152,7 @@ void check_openfoam(const Fluid& fluid, const Marks& marks) {
     not_there(!fluid.obstacles.empty(), marks.key({"fluid", "obstacles"}), "obstacles");
     not_there(fluid.smagorinsky_constant > 0, marks.key({"fluid", "smagorinsky"}),
               "smagorinsky");
+    not_there(fluid.rheology.has_value(), marks.key({"fluid", "rheology"}), "a rheology");
     not_there(fluid.taylor_green.has_value(), marks.key({"fluid", "taylor_green"}),
               "the Taylor-Green vortex");
     for (std::size_t face = 0; face < 6; ++face) {
@@ -159,6 +160,23 @@ void check_openfoam(const Fluid& fluid, const Marks& marks) {
         not_there(side.kind == BoundaryKind::pressure_outlet && side.patch,
                   marks.value({"fluid", "boundaries", std::string(names<Face>[face])}),
                   "an outlet over a part of its side");
+    }
+}
+
+void check_rheology(const Fluid& fluid, const Marks& marks) {
+    const Path here{"fluid", "rheology"};
+    require(fluid.smagorinsky_constant == 0, marks.key(here),
+            "a rheology and an eddy viscosity", "one of the two",
+            "leave smagorinsky out");
+    require(!fluid.refinement, marks.key(here), "a rheology on a refined grid",
+            "one of the two: what levels tell each other takes one viscosity",
+            "leave refinement out");
+    if (const auto* law = std::get_if<fluid::PowerLaw>(&fluid.rheology->law)) {
+        require(law->least_m2_s < law->most_m2_s,
+                marks.value({"fluid", "rheology", "power_law", "most"}),
+                fmt::format("limits of {:.4g} and {:.4g} m2/s", law->least_m2_s,
+                            law->most_m2_s),
+                "least below most");
     }
 }
 
@@ -309,6 +327,7 @@ void check_fluid(const Scene& scene, const Marks& marks) {
         check_periodic_pairs(fluid, marks);
         check_sides(fluid, marks);
         if (fluid.taylor_green) check_taylor_green(fluid, marks);
+        if (fluid.rheology) check_rheology(fluid, marks);
         if (fluid.grading) check_grading(fluid, marks);
         if (fluid.refinement) check_refinement(scene, marks);
         if (fluid.solver == FluidSolver::openfoam) check_openfoam(fluid, marks);

@@ -152,6 +152,7 @@ std::vector<Effect> effects_of(const Scene& s) {
         {fluid, "fluid", s.fluid.has_value()},
         {fluid, "body force", s.fluid && s.fluid->body_force_n_m3},
         {fluid, "eddy viscosity", s.fluid && s.fluid->smagorinsky_constant > 0},
+        {fluid, "rheology", s.fluid && s.fluid->rheology},
         {fluid, "moving walls", some_side([](const Boundary& side) {
              return side.kind == BoundaryKind::no_slip &&
                     side.wall_velocity_m_s != Vec3{};

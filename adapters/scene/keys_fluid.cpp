@@ -117,6 +117,32 @@ void keys(Io& io, TaylorGreen& vortex) {
 }
 
 template <class Io>
+void keys(Io& io, Carreau& law) {
+    io(quantity("infinite_viscosity", "m2/s", "At the highest rates; above the fluid's own it thickens.").above(0), law.infinite_m2_s);
+    io(quantity("time", "s", "One over the rate at which thinning begins.").above(0), law.time_s);
+    io(key("exponent", "Of the stress in between.").above(0).at_most(1), law.exponent);
+    io(key("transition", "Yasuda's: how sharply it begins.").above(0).at_most(10).by_default(),
+       law.transition);
+}
+
+template <class Io>
+void keys(Io& io, PowerLaw& law) {
+    io(key("exponent", "Of the stress; below 1 it thins, above it thickens.").above(0).at_most(2),
+       law.exponent);
+    io(quantity("rate", "1/s", "At which the fluid has the viscosity that is given for it.").above(0),
+       law.rate_1_s);
+    io(quantity("least", "m2/s", "No viscosity below it.").above(0), law.least_m2_s);
+    io(quantity("most", "m2/s", "None above it.").above(0), law.most_m2_s);
+}
+
+template <class Io>
+void keys(Io& io, Rheology& rheology) {
+    io.alternatives(rheology.law, key("carreau", "From the fluid's viscosity at rest to another one at "
+                                      "high rates."),
+                    key("power_law", "A power of the rate, within limits."));
+}
+
+template <class Io>
 void keys(Io& io, Fluid& fluid) {
     io(key("solver", "lbm: built in; openfoam: pimpleFoam.").by_default(), fluid.solver);
     io(quantity("box", "m", "Length along x, y and z.").above(0), fluid.box_m);
@@ -157,6 +183,8 @@ void keys(Io& io, Fluid& fluid) {
         model(key("constant", "Of the filter; 0.1 to 0.2 is usual.").above(0).at_most(1),
               fluid.smagorinsky_constant);
     });
+    io(key("rheology", "How the viscosity depends on the rate of shear, sqrt(2 S:S); for lbm."),
+       fluid.rheology);
     io.group(key("boundaries", "What bounds the box, side by side.").optional(), true,
              [&](auto& sides) {
         for (std::size_t side = 0; side < 6; ++side)

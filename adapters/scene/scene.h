@@ -32,8 +32,10 @@ using coupler::Kernel, coupler::Markers, coupler::OnNoConvergence,
 using coupler::Scheme;
 using coupler::StructureSide;
 using fluid::Block, fluid::Boundary, fluid::BoundaryKind, fluid::Collision;
+using fluid::Carreau, fluid::PowerLaw, fluid::Precision, fluid::Rectangle,
+    fluid::Rheology;
 using fluid::Cylinder, fluid::Disc, fluid::InletProfile, fluid::Obstacle;
-using fluid::Precision, fluid::Rectangle, fluid::Sphere, fluid::StlSurface;
+using fluid::Sphere, fluid::StlSurface;
 
 // The words of an enumeration, in its order, and that of a value.
 template <class E>

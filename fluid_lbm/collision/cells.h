@@ -36,6 +36,7 @@ struct CollisionParameters {
     double omega = 1;          // 1 / tau, tau the relaxation time of the viscosity
     double magic = 3.0 / 16;   // Lambda: how odd modes relax
     double eddy_constant = 0;  // Smagorinsky's
+    const double* by_stress = nullptr;  // omega by the stress: shear_dependent.h
 };
 
 // Odd moments relax so that Ginzburg's magic number stays,
@@ -63,14 +64,18 @@ template <class V>
 struct Rates {
     V even, odd, fourth;
     V magic, eddy_constant;
+    const double* by_stress;
 };
 
 template <class V>
 MAGFSI_INLINE Rates<V> rates(const CollisionParameters& p) {
     // In double: 2 - omega loses digits near tau = 1/2.
-    return {V{} + constant<V>(p.omega), V{} + constant<V>(odd_rate(p.omega, p.magic)),
-            V{} + constant<V>(fourth_rate(p.omega)), V{} + constant<V>(p.magic),
-            V{} + constant<V>(p.eddy_constant)};
+    return {V{} + constant<V>(p.omega),
+            V{} + constant<V>(odd_rate(p.omega, p.magic)),
+            V{} + constant<V>(fourth_rate(p.omega)),
+            V{} + constant<V>(p.magic),
+            V{} + constant<V>(p.eddy_constant),
+            p.by_stress};
 }
 
 // Cells a step that no cell may reach: above it the lattice's equilibria go negative and

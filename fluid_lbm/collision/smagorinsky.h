@@ -55,8 +55,8 @@ struct Smagorinsky {
             square_root<V>(1.0 + constant<V>(18 * sqrt_2) * c2 * rates.even * rates.even *
                                      per_density * square_root(squared_norm(stress)));
         const V even = 2.0 * rates.even / (1.0 + root);
-        const Rates<V> raised{even, odd_rate(even, rates.magic), fourth_rate(even),
-                              rates.magic, rates.eddy_constant};
+        const Rates<V> raised{even,        odd_rate(even, rates.magic), fourth_rate(even),
+                              rates.magic, rates.eddy_constant,         nullptr};
         Base::template collide<Forced>(f, force, raised, check);
     }
 };

@@ -19,10 +19,10 @@ namespace {
 
 template <class Real>
 RowKernels<Real> choose(const KernelTable<Real>& table, Collision collision,
-                        bool eddy_viscosity) {
+                        LocalViscosity viscosity) {
     for (const CollisionKernels<Real>& kernels : table.collisions) {
         if (kernels.kind == collision)
-            return kernels.eddy_viscosity[eddy_viscosity ? 1 : 0];
+            return kernels.by_viscosity[static_cast<int>(viscosity)];
     }
     throw std::invalid_argument("no kernel is registered for collision " +
                                 std::string(name_of(collision)));
@@ -31,19 +31,19 @@ RowKernels<Real> choose(const KernelTable<Real>& table, Collision collision,
 }  // namespace
 
 AnyKernels choose_kernels(InstructionSet set, Precision precision, Collision collision,
-                          bool eddy_viscosity) {
+                          LocalViscosity viscosity) {
     const KernelSet& kernels = set == InstructionSet::sse2   ? sse2::kernels
                                : set == InstructionSet::avx2 ? avx2::kernels
                                                              : avx512::kernels;
     switch (precision) {
         case Precision::float_:
-            return choose(kernels.on_float, collision, eddy_viscosity);
+            return choose(kernels.on_float, collision, viscosity);
         case Precision::float_double:
-            return choose(kernels.on_float_in_double, collision, eddy_viscosity);
+            return choose(kernels.on_float_in_double, collision, viscosity);
         case Precision::double_:
             break;
     }
-    return choose(kernels.on_double, collision, eddy_viscosity);
+    return choose(kernels.on_double, collision, viscosity);
 }
 
 }  // namespace magfsi::fluid

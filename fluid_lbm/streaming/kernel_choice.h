@@ -20,6 +20,6 @@ using AnyKernels = std::variant<RowKernels<double>, RowKernels<float>>;
 
 // collision: not automatic.
 AnyKernels choose_kernels(InstructionSet set, Precision precision, Collision collision,
-                          bool eddy_viscosity);
+                          LocalViscosity viscosity);
 
 }  // namespace magfsi::fluid

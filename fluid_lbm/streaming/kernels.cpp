@@ -3,6 +3,7 @@
 // set (cmake/IsaVariants.cmake).
 #include "fluid_lbm/collision/bgk.h"
 #include "fluid_lbm/collision/recursive_regularized.h"
+#include "fluid_lbm/collision/shear_dependent.h"
 #include "fluid_lbm/collision/smagorinsky.h"
 #include "fluid_lbm/collision/trt.h"
 #include "fluid_lbm/refinement/flow_kernel.h"
@@ -44,7 +45,8 @@ constexpr RowKernels<Real> row_kernels_of() {
 template <class Real, class T, class C>
 constexpr CollisionKernels<Real> kernels_of() {
     return {C::kind,
-            {row_kernels_of<Real, T, C>(), row_kernels_of<Real, T, Smagorinsky<C>>()}};
+            {row_kernels_of<Real, T, C>(), row_kernels_of<Real, T, Smagorinsky<C>>(),
+             row_kernels_of<Real, T, ShearDependent<C>>()}};
 }
 
 // A new collision is a header like bgk.h, an enumerator with its word in options.h, and

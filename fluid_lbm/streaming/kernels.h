@@ -42,10 +42,13 @@ struct RowKernels {
     RebuildKernel<Real> rebuild = nullptr;
 };
 
+// What a cell adds to the viscosity by its own stress.
+enum class LocalViscosity { none, eddies, rheology };
+
 template <class Real>
 struct CollisionKernels {
     Collision kind = Collision::automatic;
-    RowKernels<Real> eddy_viscosity[2];  // without, with
+    RowKernels<Real> by_viscosity[3];  // in the order of LocalViscosity
 };
 
 template <class Real>

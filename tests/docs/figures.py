@@ -28,8 +28,9 @@ class Whole(blocks.Folder):
 
     def __init__(self):
         super().__init__()
-        (self.path / "docs").unlink()
-        shutil.copytree(blocks.ROOT / "docs", self.path / "docs")
+        for name in ("docs", "tutorials"):
+            (self.path / name).unlink()
+            shutil.copytree(blocks.ROOT / name, self.path / name)
         self.environment["XDG_CACHE_HOME"] = str(self.path / "cache")  # where the calibration is kept
         self.limit_s = 3600
 
@@ -47,7 +48,7 @@ class Whole(blocks.Folder):
         self.good(["./magfsi", "run", scene, "--out", run])
 
     def pictures(self):
-        return {file: file.stat().st_mtime_ns for part in (".", "runs", "docs")
+        return {file: file.stat().st_mtime_ns for part in (".", "runs", "docs", "tutorials")
                 for file in (self.path / part).rglob("*.png") if "build" not in file.parts}
 
 

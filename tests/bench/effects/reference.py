@@ -41,6 +41,8 @@ STRUCTURE = {
 FLUID = {
     "body force": ({"fluid.body_force": "[1 N/m3, 0 N/m3, 0 N/m3]"}, {}),
     "eddy viscosity": ({"fluid.smagorinsky.constant": "0.1"}, {}),
+    "rheology": ({"fluid.rheology.carreau": "{infinite_viscosity: 0.1 mm2/s, time: 1 s, exponent: 0.4}"},
+                 {}),
     "moving wall": ({LID: "{no_slip: {velocity: [0.01 m/s, 0 m/s, 0 m/s]}}"}, {}),
     "free slip, one side": ({LID: "free_slip"}, {}),
     "inlet and outlet": ({SIDES: "{x_min: {velocity_inlet: {velocity: [0.01 m/s, 0 m/s, "

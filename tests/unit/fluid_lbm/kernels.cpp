@@ -139,7 +139,7 @@ TEST_P(ForcingMoments, OfEveryInstructionSet) {
     for (const InstructionSet set : available_instruction_sets()) {
         SCOPED_TRACE(magfsi::name(set));
         const auto kernels = std::get<RowKernels<double>>(
-            choose_kernels(set, Precision::double_, GetParam(), false));
+            choose_kernels(set, Precision::double_, GetParam(), LocalViscosity::none));
         const auto out = collide(kernels.forced, cells, force, no_relaxation);
         for (std::size_t x = 0; x < cells.size(); ++x) {
             expect_moments(cells[x], out[x], force[x]);
@@ -183,7 +183,8 @@ class Kernels : public testing::TestWithParam<Case> {
                 const auto row = forced ? kernels.forced : kernels.plain;
                 return collide(row, cells_, force_, {1 / tau, magic, eddy_constant});
             },
-            choose_kernels(set, precision, collision, eddies));
+            choose_kernels(set, precision, collision,
+                           eddies ? LocalViscosity::eddies : LocalViscosity::none));
     }
     Cell expected(std::size_t x) const {
         const Cell& f = cells_[x];

@@ -23,8 +23,8 @@ TEST(Effects, of_a_swimmer) {
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "field sources", "control",
                      "platform", "friction", "contact", "rollers", "prescribed motion",
-                     "parallel scheme", "implicit scheme", "eddy viscosity", "free slip",
-                     "inlets and outlets", "refinement", "obstacles"}));
+                     "parallel scheme", "implicit scheme", "eddy viscosity", "rheology",
+                     "free slip", "inlets and outlets", "refinement", "obstacles"}));
 }
 
 TEST(Effects, of_a_strip_on_a_platform) {
@@ -47,7 +47,8 @@ TEST(Effects, of_a_solid) {
             "coupled step: none; absent: immersed boundary, buoyancy, iterated "
             "forcing, overlap check, parallel scheme, implicit scheme",
             "fluid step: none; absent: fluid, body force, eddy viscosity, "
-            "moving walls, free slip, inlets and outlets, refinement, obstacles",
+            "rheology, moving walls, free slip, inlets and outlets, refinement, "
+            "obstacles",
             "outputs: none; absent: probes, interface balance, energy audit, structure "
             "fields, fluid fields, checkpoint"}));
 }

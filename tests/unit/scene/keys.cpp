@@ -253,6 +253,19 @@ TEST(Keys, of_meshes_with_regions) {
     EXPECT_EQ(s.bodies[0].clamps, (std::vector<std::string>{"palm"}));
 }
 
+TEST(Keys, of_a_viscosity_by_the_rate_of_shear) {
+    const auto carreau = std::get<Carreau>(complete("blood.yaml").fluid->rheology->law);
+    EXPECT_DOUBLE_EQ(carreau.infinite_m2_s, 2e-6);
+    EXPECT_EQ(carreau.time_s, 3);
+    EXPECT_EQ(carreau.exponent, 0.4);
+    EXPECT_EQ(carreau.transition, 1.5);
+    const auto power = std::get<PowerLaw>(complete("paste.yaml").fluid->rheology->law);
+    EXPECT_EQ(power.exponent, 0.6);
+    EXPECT_EQ(power.rate_1_s, 25);
+    EXPECT_DOUBLE_EQ(power.least_m2_s, 0.2e-6);
+    EXPECT_DOUBLE_EQ(power.most_m2_s, 6e-6);
+}
+
 TEST(Keys, of_a_channel_with_obstacles) {
     const Fluid f = *complete("channel.yaml").fluid;
     EXPECT_EQ(f.collision, Collision::trt);
@@ -320,7 +333,8 @@ TEST(Keys, of_the_table_are_all_stored) {
     std::vector<nlohmann::json> scenes;
     for (const char* name :
          {"swimmer.yaml", "implicit.yaml", "elastic.yaml", "turning.yaml",
-          "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml", "spatial.yaml"})
+          "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml", "paste.yaml",
+          "blood.yaml", "spatial.yaml"})
         scenes.push_back(effective_scene(complete(name)));
     // A field has one first law; those that add have the same keys.
     for (const nlohmann::json& term : scenes.back()["magnetic_field"]["plus"])
