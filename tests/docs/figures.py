@@ -20,7 +20,7 @@ from magfsi import runs, testing
 LESS = {"tutorials/swimmer/compare.py": ["--spacing", "0.4", "--end", "4 ms"],
         "tests/bench/effects/costs.py": ["fluid"]}
 MAP_CELL = ["tests/stability/map/lattice.yaml", "--only", "relaxation_time=0.51", "--only",
-            "lattice_speed=0.05", "--only", "collision=trt"]
+            "lattice_speed=0.03", "--only", "collision=trt"]
 
 
 class Whole(blocks.Folder):
