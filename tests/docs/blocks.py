@@ -34,7 +34,6 @@ ELSEWHERE = {("docs/python.md", "python"): "python_api"}
 # What other tests run, by their names; here the options are looked at.
 WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
          "watch": "report_watch", "gallery": "report_gallery"}
-NEWLY_MADE = ("my_robot", "my_scene.yaml", "my_search.yaml", "search.yaml", "in.beam", "lammps.in")
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
 
@@ -62,8 +61,7 @@ class Folder:
         scene["probes"].pop("interface_balance", None)  # which a replay cannot have
         (self.path / "my_scene.yaml").write_text(yaml.safe_dump(scene))
         search = (ROOT / "docs/optimize.md").read_text().split("```yaml\n")[1].split("```")[0]
-        for name in ("my_search.yaml", "search.yaml"):
-            (self.path / name).write_text(search.replace("../tutorials", "tutorials"))
+        (self.path / "search.yaml").write_text(search.replace("../tutorials", "tutorials"))
         self.environment = {**os.environ, "MAGFSI_INSTALL": "no",
                             "MAGFSI_PRESET": runs.BIN.parent.name}
 
@@ -174,7 +172,7 @@ class Shell(unittest.TestCase):
                 self.assertTrue((ROOT / word).exists() or word.startswith("docs/"), f"{word} is not there")
 
     def run_line(self, line, page):
-        line = line.replace("SCENE", "my_scene.yaml")
+        line = line.replace("SCENE", "my_scene.yaml").replace("my_search.yaml", "search.yaml")
         words = shlex.split(line, comments=True)
         if words[0] in ("mpirun",):
             binary = str(runs.BIN)
