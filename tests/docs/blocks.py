@@ -4,7 +4,7 @@
 sh: each command is run from a folder that looks like the checkout. What takes long is cut: a run to
 four coupled steps, or to its first equilibrium, on a grid of 60,000 cells if it is uniform; scenes
 of more than a million cells (OpenFOAM: 60,000) are checked in place of run. A search makes one run,
-studies and costs list theirs, pictures and films are of short runs, tests are listed. What needs whole
+studies and costs list theirs, pictures are of short runs, tests are listed. What needs whole
 runs (scripts of figures, a calibration, `cost` itself) is done by figures.py, which is long; here its
 options must be known and its files be there. Anything else must say in the line above the block why
 it is not run: <!-- not run: REASON -->
@@ -33,7 +33,7 @@ NO_CODE = ("text", "{toctree}", "{literalinclude}", "{eval-rst}")
 ELSEWHERE = {("docs/python.md", "python"): "python_api"}
 # What other tests run, by their names; here the options are looked at.
 WHOLE = {"python": "documentation_figures", "bench": "documentation_figures",
-         "watch": "report_watch", "gallery": "report_gallery"}
+         "watch": "report_watch", "gallery": "report_gallery", "film": "report_drawing"}
 BLOCK = re.compile(r"(?:^<!-- not run: (?P<why>.+?) -->\n)?^```(?P<kind>[^\n]*)\n(?P<text>.*?)^```$",
                    re.M | re.S)
 
@@ -188,21 +188,23 @@ class Shell(unittest.TestCase):
             return
         self.assertEqual(words[0], "./magfsi", f"{page}: \"{line}\" is no command that is run here; say why")
         words = words[:words.index(">")] if ">" in words else words
+        command = words[1] if len(words) > 1 else ""
+        if command in ("study", "cost") and "--list" not in words:
+            words.append("--list")
         if tuple(words) in self.done:
             return
         self.done.add(tuple(words))
-        command = words[1] if len(words) > 1 else ""
         if command == "run":
             self.run_scene(words)
         elif command in ("study", "cost"):
-            self.folder.good([*words, "--list"])
+            self.folder.good(words)
         elif command == "test":
             self.assertRegex(self.folder.good([*words, "-N"]), r"Total Tests: \d\d+")
         elif command == "optimize":
             self.folder.good([*words, "--runs", "1", "--search-only", "--set", "fluid.spacing=0.4 mm"])
         elif command in WHOLE:
             self.words_are_known(words)
-        elif command in ("plot", "report", "render", "film"):
+        elif command in ("plot", "report", "render"):
             for word in words[2:]:
                 if word.startswith("runs/") and not (self.folder.path / word / "summary.json").exists():
                     self.folder.good(["./magfsi", "run", "my_scene.yaml", "--set", "time.end=1 ms",
