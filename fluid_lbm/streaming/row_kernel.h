@@ -90,17 +90,21 @@ MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
     const std::ptrdiff_t end = length / lanes<V> * lanes<V>;
     const int left = static_cast<int>(length - end);
     RowEnd<Forced, Real, lanes<V>> row_end;
-    // The end by the same instructions: apart it took as long as three vectors.
-    for (std::ptrdiff_t x = 0; x < length; x += lanes<V>) {
-        if (x % cells_per_line<Real> == 0) {
-            prefetch_for_write(at, x);
-            if constexpr (Forced) prefetch_force(force, x);
+    // The end as a row of one vector by the same instructions: apart it took as long as
+    // three.
+    for (bool whole = true;; whole = false) {
+        if (!whole) row_end.take(at, force, end, left);
+        Real* const* cells = whole ? at : row_end.at();
+        const Real* const* forces = whole ? force : row_end.force();
+        const std::ptrdiff_t length_here = whole ? end : lanes<V>;
+        for (std::ptrdiff_t x = 0; x < length_here; x += lanes<V>) {
+            if (x % cells_per_line<Real> == 0) {
+                prefetch_for_write(cells, x);
+                if constexpr (Forced) prefetch_force(forces, x);
+            }
+            collide_block<C, Forced, V>(cells, forces, x, r, check);
         }
-        const bool whole = x < end;
-        if (!whole) row_end.take(at, force, x, left);
-        collide_block<C, Forced, V>(whole ? at : row_end.at(),
-                                    whole ? force : row_end.force(), whole ? x : 0, r,
-                                    check);
+        if (!whole || left == 0) break;
     }
     if (left > 0) row_end.put_back(at, end, left);
     return check.all_valid();
