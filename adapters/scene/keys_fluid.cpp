@@ -118,7 +118,8 @@ void keys(Io& io, TaylorGreen& vortex) {
 
 template <class Io>
 void keys(Io& io, Carreau& law) {
-    io(quantity("infinite_viscosity", "m2/s", "At the highest rates; above the fluid's own it thickens.").above(0), law.infinite_m2_s);
+    io(quantity("infinite_viscosity", "m2/s", "At the highest rates; above the fluid's own it "
+                "thickens.").above(0), law.infinite_m2_s);
     io(quantity("time", "s", "One over the rate at which thinning begins.").above(0), law.time_s);
     io(key("exponent", "Of the stress in between.").above(0).at_most(1), law.exponent);
     io(key("transition", "Yasuda's: how sharply it begins.").above(0).at_most(10).by_default(),

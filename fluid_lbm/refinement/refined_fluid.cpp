@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fluid_lbm/refinement/refined_fluid.h"
 
-#include <malloc.h>
-
 #include <cmath>
 
 #include "fluid_lbm/refinement/finer_levels.h"
@@ -121,10 +119,6 @@ double RefinedFluid::excess_of_finer() const {
 RefinedFluid::RefinedFluid(MPI_Comm comm, const RefinedConfig& config,
                            const std::array<Vec3, 2>& bodies_m)
     : comm_(comm), config_(config) {
-    // The memory that a patch leaves when it moves is for the next: else each move waits
-    // until the system has cleared its pages, as long as for twenty steps.
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, -1);
     const auto places = place_levels(config.coarse, config.rule, bodies_m, nullptr);
     levels_ = std::make_unique<Levels>(comm, config_.coarse);
     regrid(*places);

@@ -1,15 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A LAMMPS script of a beam that stretches in a field, for tests of programs that run it: it takes what
 `magfsi lammps lattice beam` has written."""
-import subprocess
-
-
-def good(*words, **named):
-    """What the command prints; an AssertionError if it fails."""
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **named)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
-    return done.stdout
 
 
 def script(digits):

@@ -8,8 +8,9 @@ import sys
 import unittest
 from pathlib import Path
 
-from beam_script import good, script
+from beam_script import script
 from magfsi import runs, testing
+from magfsi.testing import output_of
 
 BUILD = Path(sys.argv.pop(1))
 
@@ -19,12 +20,12 @@ class Examples(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(testing.new_folder())
         cls.prefix = cls.folder / "prefix"
-        good("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        output_of("cmake", "--install", BUILD, "--prefix", cls.prefix)
         cls.examples = cls.prefix / "share/magfsi/examples/installed"
-        good("cmake", "-G", "Ninja", "-S", cls.examples, "-B", cls.folder / "build",
+        output_of("cmake", "-G", "Ninja", "-S", cls.examples, "-B", cls.folder / "build",
              f"-DCMAKE_PREFIX_PATH={cls.prefix}", "-DCMAKE_BUILD_TYPE=Release",
              "-DCMAKE_CXX_FLAGS_RELEASE=-O1")
-        good("ninja", "-C", cls.folder / "build")
+        output_of("ninja", "-C", cls.folder / "build")
 
     def test_a_sheet_of_ones_own_swings_in_water(self):
         lines = (self.examples / "spring_sheet.cpp").read_text().splitlines()
@@ -43,7 +44,7 @@ class Examples(unittest.TestCase):
         """Of the square whose added mass, by potential flow 0.579 pi/4 rho a^3 (DNV-RP-C205), gives the
         period that the run has."""
         out = self.folder / f"sheet_{1e6 * spacing:.0f}"
-        good(self.prefix / "bin/magfsi", "run", self.examples / "sheet.yaml", "--structure",
+        output_of(self.prefix / "bin/magfsi", "run", self.examples / "sheet.yaml", "--structure",
              self.folder / "build/spring_sheet", "--out", out, "--set", f"fluid.spacing={spacing} m")
         columns = runs.read_columns(out / "probes.csv")
         time_s, deflection = columns["t[s]"], columns["deflection[m]"]
@@ -67,19 +68,19 @@ class Examples(unittest.TestCase):
         self.assertIn("can be executed", done.stderr)
 
     def test_the_fluid_library_alone(self):
-        out = good(self.folder / "build/channel")
+        out = output_of(self.folder / "build/channel")
         (ratio,) = re.findall(r"middle over theory: (\S+)", out)
         # The cells nearest the middle lie half a cell beside it: (1/20)^2 of the profile.
         self.assertAlmostEqual(float(ratio), 1 - 1 / 400, delta=2e-4)
 
     def test_the_styles_in_a_program_and_by_the_launcher(self):
         magfsi = self.prefix / "bin/magfsi"
-        good(magfsi, "lammps", "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1",
+        output_of(magfsi, "lammps", "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1",
              "1", "--shear-modulus", "330e3", "--lame-lambda", "6.6e6", "--density", "1860",
              "--magnetization", "66e3", "0", "0", cwd=self.folder)
         (self.folder / "in.beam").write_text(script(6))
-        by_script = good(magfsi, "lammps", "-in", "in.beam", "-log", "none", cwd=self.folder)
-        by_program = good(self.folder / "build/stretch", "in.beam", cwd=self.folder)
+        by_script = output_of(magfsi, "lammps", "-in", "in.beam", "-log", "none", cwd=self.folder)
+        by_program = output_of(self.folder / "build/stretch", "in.beam", cwd=self.folder)
         (last,) = re.findall(r"^\s*200\s+(\S+)", by_script, re.M)
         (energy,) = re.findall(r"energy: (\S+) J", by_program)
         self.assertNotEqual(float(last), 0)

@@ -5,13 +5,7 @@ import unittest
 from pathlib import Path
 
 from magfsi import runs, testing
-
-
-def good(*words, **named):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **named)
-    if done.returncode != 0:
-        raise AssertionError(f"{words}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
-    return done.stdout
+from magfsi.testing import output_of
 
 
 def solid(file):
@@ -29,16 +23,16 @@ class Lattice(unittest.TestCase):
         for scene in ("tutorials/strip/scene.yaml", "tutorials/origami/scene.yaml", "docs/howto/cross.yaml",
                       "docs/examples/scenes/two_bodies.yaml"):
             folder = Path(testing.new_folder())
-            good(runs.BIN / "magfsi", "lattice", testing.ROOT / scene, "--out", folder / "first")
+            output_of(runs.BIN / "magfsi", "lattice", testing.ROOT / scene, "--out", folder / "first")
             for file in sorted((folder / "first").glob("*.lattice")):
                 with self.subTest(f"{scene}: {file.stem}"):
-                    good(runs.BIN / "magfsi", "lattice", file, "--out", folder / "back")
+                    output_of(runs.BIN / "magfsi", "lattice", file, "--out", folder / "back")
                     (folder / "back/scene.yaml").write_text(
                         "time: {end: 1 ms}\nbodies:\n  again:\n"
                         f"    mesh: {{gmsh: {{file: {file.stem}.msh}}}}\n"
                         "    material: {shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}\n"
                         f"    magnetization: {{table: {{file: {file.stem}.csv}}}}\n")
-                    good(runs.BIN / "magfsi", "lattice", folder / "back/scene.yaml", "--out", folder / "second")
+                    output_of(runs.BIN / "magfsi", "lattice", folder / "back/scene.yaml", "--out", folder / "second")
                     there, again = solid(file), solid(folder / "second/again.lattice")
                     self.assertEqual(set(there), set(again))
                     for corners, magnetisation in there.items():
@@ -47,9 +41,9 @@ class Lattice(unittest.TestCase):
 
     def test_its_script_runs(self):
         folder = Path(testing.new_folder())
-        good(runs.BIN / "magfsi", "lattice", testing.ROOT / "tutorials/swimmer", "--set", "time.end=0.2 ms",
+        output_of(runs.BIN / "magfsi", "lattice", testing.ROOT / "tutorials/swimmer", "--set", "time.end=0.2 ms",
              "--out", folder)
-        self.assertIn("Loop time", good(runs.BIN / "magfsi-lammps", "-in", folder / "lammps.in", "-log", "none"))
+        self.assertIn("Loop time", output_of(runs.BIN / "magfsi-lammps", "-in", folder / "lammps.in", "-log", "none"))
 
     def test_what_is_wrong_is_said(self):
         folder = Path(testing.new_folder())

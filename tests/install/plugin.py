@@ -10,8 +10,9 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from beam_script import good, script
+from beam_script import script
 from magfsi import runs, testing
+from magfsi.testing import output_of
 
 HOST = r"""
 #include <dlfcn.h>
@@ -55,11 +56,11 @@ class Plugin(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(testing.new_folder())
         lammps = runs.BIN / "magfsi-lammps"
-        good(lammps, "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1", "1",
+        output_of(lammps, "lattice", "beam", "--size", "4e-3", "1e-3", "1e-3", "--elements", "4", "1", "1",
              "--shear-modulus", "330e3", "--lame-lambda", "6.6e6", "--density", "1860",
              "--magnetization", "66e3", "0", "0", cwd=cls.folder)
         (cls.folder / "in.beam").write_text(script(9))
-        cls.right = cls.last_energy(good(lammps, "-in", "in.beam", "-log", "none", cwd=cls.folder))
+        cls.right = cls.last_energy(output_of(lammps, "-in", "in.beam", "-log", "none", cwd=cls.folder))
 
     @staticmethod
     def last_energy(text):
@@ -72,8 +73,8 @@ class Plugin(unittest.TestCase):
         self.assertAlmostEqual(energy / self.right, 1, delta=1e-6)
 
     def build(self, source, folder, *options):
-        good("cmake", "-G", "Ninja", "-S", source, "-B", folder, *options)
-        good("ninja", "-C", folder)
+        output_of("cmake", "-G", "Ninja", "-S", source, "-B", folder, *options)
+        output_of("ninja", "-C", folder)
 
     def test_in_a_program_around_the_library(self):
         folder = self.folder
@@ -82,7 +83,7 @@ class Plugin(unittest.TestCase):
         self.build(folder, folder / "host")
         self.build(testing.ROOT / "structure/lammps/plugin", folder / "plugin",
                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1")
-        text = good(folder / "host/host", folder / "plugin/magtticeplugin.so", "in.beam", cwd=folder)
+        text = output_of(folder / "host/host", folder / "plugin/magtticeplugin.so", "in.beam", cwd=folder)
         (energy,) = re.findall(r"energy (\S+)", text)
         self.holds(float(energy))
 
@@ -90,27 +91,27 @@ class Plugin(unittest.TestCase):
     def test_by_the_command_of_an_lmp_with_the_package_plugin(self):
         home = Path(os.environ.get("MAGFSI_LAMMPS_HOME", testing.ROOT / "build/lammps"))
         if not list(home.glob("lammps/lammps-*/src/lammps.h")):
-            good(testing.ROOT / "cmake/debian_source.sh", home / "lammps", "lammps", "liblammps-dev")
+            output_of(testing.ROOT / "cmake/debian_source.sh", home / "lammps", "lammps", "liblammps-dev")
             (archive,) = home.glob("lammps/*.orig.tar.*")
-            good("tar", "-xf", archive, "-C", home / "lammps")
+            output_of("tar", "-xf", archive, "-C", home / "lammps")
         (source,) = home.glob("lammps/lammps-*/src")
         without = [f"-DWITH_{name}=off" for name in ("JPEG", "PNG", "GZIP", "FFMPEG")]
-        good("cmake", "-G", "Ninja", "-S", source.parent / "cmake", "-B", home / "lmp",
+        output_of("cmake", "-G", "Ninja", "-S", source.parent / "cmake", "-B", home / "lmp",
              "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O0", "-DPKG_PLUGIN=on",
              "-DBUILD_SHARED_LIBS=on", "-DBUILD_MPI=on", "-DBUILD_OMP=off", *without)
-        good("ninja", "-C", home / "lmp", "lmp")
+        output_of("ninja", "-C", home / "lmp", "lmp")
         lmp = home / "lmp/lmp"
-        self.assertIn("PLUGIN", good(lmp, "-h").split("Installed packages")[1].split("\n\n")[1])
+        self.assertIn("PLUGIN", output_of(lmp, "-h").split("Installed packages")[1].split("\n\n")[1])
         # As docs/fix_magttice.md says.
         self.build(testing.ROOT / "structure/lammps/plugin", self.folder / "for_lmp",
                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1", f"-DLAMMPS_SOURCE={source}")
         load = f"plugin load {self.folder}/for_lmp/magtticeplugin.so\n"
         (self.folder / "in.plugin").write_text(load + script(9))
         words = ("-in", "in.plugin", "-log", "none")
-        self.holds(self.last_energy(good(lmp, *words, cwd=self.folder)))
+        self.holds(self.last_energy(output_of(lmp, *words, cwd=self.folder)))
         # On two ranks, each of which loads it.
         as_root = ["--allow-run-as-root"] if os.getuid() == 0 else []
-        self.holds(self.last_energy(good("mpirun", "-n", "2", "--oversubscribe", *as_root, lmp, *words,
+        self.holds(self.last_energy(output_of("mpirun", "-n", "2", "--oversubscribe", *as_root, lmp, *words,
                                          cwd=self.folder)))
         # The styles come with the plugin alone.
         done = subprocess.run([lmp, "-in", "in.beam", "-log", "none"], capture_output=True, text=True,

@@ -55,6 +55,14 @@ def good_run(*args, **named):
     return result
 
 
+def output_of(*words, **named):
+    """What a command prints; an AssertionError with the end of it if it fails."""
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **named)
+    if done.returncode != 0:
+        raise AssertionError(f"{words}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
+    return done.stdout
+
+
 def has(program):
     """Whether a program of packages-tests.txt is there. CI installs it, so that it shall not leave
     out anything unseen."""
