@@ -6,6 +6,7 @@
 #include "adapters/fluids/fluid_probes.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/step/report.h"
 
 namespace magfsi {

@@ -15,6 +15,7 @@
 #include "coupler/checkpoint/checkpoints.h"
 #include "coupler/output/file.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
 #include "coupler/step/trace.h"

@@ -11,6 +11,7 @@
 #include "coupler/output/file.h"
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {

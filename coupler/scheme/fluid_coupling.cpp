@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupler/scheme/fluid_coupling.h"
 
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "coupler/scheme/fixed_point.h"
 

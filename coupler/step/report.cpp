@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fluid_lbm/refinement/cells_beside.h"
 #include "fluid_lbm/refinement/finer_levels.h"
 #include "fluid_lbm/refuse.h"
 

@@ -56,9 +56,4 @@ class Restriction {
     std::array<std::vector<double>, cubic_points> planes_;
 };
 
-// Of the coarser level's cells around the covered box: adds so much density to each.
-// Returns the number of those cells on this rank.
-std::int64_t cells_beside(const Level& coarse, const LevelPlace& fine);
-void add_density_beside(const Level& coarse, const LevelPlace& fine, double excess);
-
 }  // namespace magfsi::fluid

@@ -2,6 +2,7 @@
 // Rows of probes.csv; beside a structure, the numbers that go to its rows.
 #include "adapters/fluids/fluid_probes.h"
 #include "adapters/fluids/fluid_run.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
 

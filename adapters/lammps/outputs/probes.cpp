@@ -7,6 +7,7 @@
 #include "adapters/fluids/fluid_probes.h"
 #include "adapters/lammps/structure_run.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
 #include "structure/motion.h"

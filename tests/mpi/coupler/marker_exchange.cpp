@@ -5,6 +5,7 @@
 #include <algorithm>
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/spreading.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "tests/mpi/coupler/array_fluid.h"
 #include "tests/mpi/coupler/split.h"

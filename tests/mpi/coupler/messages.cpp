@@ -8,6 +8,7 @@
 #include <thread>
 #include "coupler/exchange/exchange.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/support/checks.h"

@@ -3,6 +3,7 @@
 #include "coupler/participants/world.h"
 #include <gtest/gtest.h>
 #include "coupler/participants/errors.h"
+#include "coupler/participants/handshake.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/support/checks.h"
 

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/magfsi/explain_bodies.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/bodies/fluid_inside.h"
+#include "adapters/bodies/marker_placement.h"
+#include "adapters/bodies/mesh_estimate.h"
+#include "adapters/bodies/probe_row.h"
+#include "adapters/bodies/scene_to_body.h"
+#include "adapters/bodies/surroundings.h"
+#include "adapters/lammps/substeps.h"
+#include "adapters/magfsi/participants.h"
+#include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
+#include "structure/equilibrium/static_problem.h"
+#include "structure/lattice/element_advice.h"
+#include "structure/lattice/inertia.h"
+#include "structure/lattice/lattice.h"
+#include "structure/magnetics/source_field.h"
+
+namespace magfsi::launch {
+namespace {
+
+// Elements, what they do to the displacements, steps.
+
+constexpr double error_to_warn_of = 0.05;
+constexpr double inertia_to_warn_of = 0.1;
+
+std::string in_percent(double error) {
+    return fmt::format("{:+.2g} %", 100 * error);
+}
+
+std::string explain_error(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const auto estimate = bodies::estimate_mesh_error(scene, body, solid);
+    if (!estimate.not_made.empty())
+        return fmt::format("    error of the displacements: not estimated, {}\n",
+                           estimate.not_made);
+    std::string text = fmt::format(
+        "    error of the displacements: about {} (linear response to {}, "
+        "against {})",
+        in_percent(estimate.largest), estimate.loads, estimate.against);
+    double worst = estimate.largest;
+    for (const auto& [point, error] : estimate.points) {
+        text += fmt::format(", of {} {}", point, in_percent(error));
+        if (std::abs(error) > std::abs(worst)) worst = error;
+    }
+    text += "\n";
+    if (std::abs(worst) <= error_to_warn_of) return text;
+    return text +
+           fmt::format(
+               "    warning: body '{}' moves about {:.0f} % too {} on this mesh of "
+               "{}: take finer elements{}\n",
+               body.name, 100 * std::abs(worst), worst < 0 ? "little" : "far",
+               scene::name_of(body.element),
+               body.element == structure::ElementVariant::assumed_strain
+                   ? ""
+                   : ", more layers or element assumed_strain");
+}
+
+// Of the block's bricks; thickness: the body's shortest side.
+std::string explain_bricks(const structure::Body& solid, const structure::Box& box) {
+    structure::Vec3 edges{};
+    for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
+    const auto axis = std::ranges::min_element(box.size_m) - box.size_m.begin();
+    const structure::ElementAdvice advice = structure::element_advice(
+        solid.element, edges, static_cast<int>(axis), box.elements[axis], solid.material);
+    return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
+}
+
+// Of a thin sheet without slip.
+std::string explain_layer(const scene::Scene& scene, std::size_t number) {
+    const auto layer = bodies::carried_layer(scene, number);
+    if (!layer) return "";
+    const double spacing_m = scene.fluid->finest_spacing_m();
+    return fmt::format(
+        "    one layer of markers carries {:.2f} spacings of fluid, the sheet is {:.2f} "
+        "thick: the inertia of the difference along the surface is taken away\n",
+        layer->carried_m / spacing_m, layer->thickness_m / spacing_m);
+}
+
+// Of turning about the axes through the centre of mass.
+std::string explain_moments(const scene::Scene& scene, const structure::Body& solid) {
+    const structure::Vec3 error = structure::inertia_error(solid);
+    std::string text =
+        fmt::format("    moments of inertia against the body's: x {}, y {}, z {}\n",
+                    in_percent(error[0]), in_percent(error[1]), in_percent(error[2]));
+    const bool turns = !scene.time.equilibrium && solid.clamps.empty();
+    if (!turns || std::ranges::max(error) <= inertia_to_warn_of) return text;
+    return text + fmt::format(
+                      "    warning: body '{}' turns as if its inertia were {:.0f} % "
+                      "larger: take {}finer elements\n",
+                      solid.name, 100 * std::ranges::max(error),
+                      solid.inertia == structure::Inertia::lumped
+                          ? "inertia: corrected, or "
+                          : "");
+}
+
+// Of the fluid that the grid has inside the body.
+std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
+    const double off = bodies::off_nodes_kg_m3(scene, solid);
+    const double fluid = scene.fluid->density_kg_m3;
+    if (off == fluid)
+        return "    inertia of the enclosed fluid: subtracted from the nodes' mass\n";
+    if (off == 0) return "    inertia of the enclosed fluid: a force on the markers\n";
+    return fmt::format(
+        "    inertia of the enclosed fluid: {:.3g} % subtracted from the nodes' mass, "
+        "the "
+        "rest a force on the markers\n",
+        100 * off / fluid);
+}
+
+// What only shows once the mesh is there; the run would refuse it, too. On a platform
+// even parts that nothing holds come to rest.
+void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
+    (void)structure::held_axes(solid);
+    (void)structure::build_lattice(solid);
+    if (scene.time.equilibrium && !scene.platform) structure::require_held(solid, {});
+}
+
+// What is known only with the mesh: its size, places that are probed. Throws
+// std::invalid_argument as the run would.
+void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
+                   const structure::Body& solid) {
+    const auto elements = static_cast<double>(solid.mesh.elements.size());
+    scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
+                   fmt::format("a mesh of {} elements", elements),
+                   fmt::format("at most {:.0f}", scene::max_elements));
+    const double markers =
+        scene::most_markers(scene, structure::bounds(solid.mesh.nodes).extent_m());
+    scene::require(markers <= scene::max_markers, {fmt::format("body '{}'", body.name)},
+                   fmt::format("up to {:.3g} markers", markers),
+                   fmt::format("at most {:.0f}", scene::max_markers),
+                   "take a larger fluid.spacing or "
+                   "coupling.immersed_boundary.marker_spacing");
+    if (!scene.probes) return;
+    for (const scene::PointProbe& point : scene.probes->points) {
+        if (point.body == body.name) (void)bodies::locate(body, solid.mesh, point.at_m);
+    }
+    for (const scene::IntegralProbe& integral : scene.probes->integrals) {
+        const auto* part = std::get_if<scene::BodyPart>(&integral.over);
+        if (part && part->body == body.name) (void)bodies::elements_of(*part, solid.mesh);
+    }
+}
+
+// What holds it, and what loads it: M B / G is about the strain that the field makes.
+std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
+                          const structure::Body& solid) {
+    const structure::Vec3 size = structure::bounds(solid.mesh.nodes).extent_m();
+    double mass = 0;
+    for (const double m : structure::build_lattice(solid).node_mass_kg) mass += m;
+    std::string text =
+        fmt::format("    size {:.4g} x {:.4g} x {:.4g} mm, mass {:.4g} mg\n",
+                    1e3 * size[0], 1e3 * size[1], 1e3 * size[2], 1e6 * mass);
+    std::vector<std::string> held;
+    const auto with_nodes = [&](const std::string& face) {
+        return fmt::format("{} ({} nodes)", face,
+                           structure::face_nodes(solid, face, "held").size());
+    };
+    for (const std::string& face : body.clamps)
+        held.push_back(with_nodes(face) + " clamped");
+    for (const structure::Roller& roller : body.rollers) {
+        for (const std::string& face : roller.faces)
+            held.push_back(fmt::format("{} along {}", with_nodes(face),
+                                       scene::axis_names[roller.axis]));
+    }
+    for (const structure::PrescribedMotion& motion : body.prescribed_motion) {
+        for (const std::string& face : motion.faces)
+            held.push_back(with_nodes(face) + " moved");
+    }
+    text +=
+        fmt::format("    held: {}\n",
+                    held.empty() ? "nowhere" : fmt::format("{}", fmt::join(held, "; ")));
+    if (scene.gravity)
+        text += fmt::format("    weight {:.4g} uN{}\n",
+                            1e6 * mass * scene.gravity->acceleration_m_s2,
+                            scene.fluid ? ", buoyancy apart" : "");
+    if (!scene.magnetic_field || solid.magnetization_a_m.empty()) return text;
+    double largest = 0;
+    for (std::size_t e = 0; e < solid.magnetization_a_m.size(); ++e) {
+        const structure::Vec3& m = solid.magnetization_a_m[e];
+        largest =
+            std::max(largest, std::hypot(m[0], m[1], m[2]) /
+                                  structure::material_of(solid, e).shear_modulus_pa);
+    }
+    const structure::Vec3 field = bodies::strongest_field_t(scene);
+    const double field_t = std::hypot(field[0], field[1], field[2]);
+    return text + fmt::format("    field up to {:.4g} mT: largest M B / G {:.3g}\n",
+                              1e3 * field_t, largest * field_t);
+}
+
+std::string explain_body(const scene::Scene& scene, std::size_t number,
+                         const structure::Body& solid) {
+    const scene::Body& body = scene.bodies[number];
+    check_on_mesh(scene, body, solid);
+    refuse_what_cannot_run(scene, solid);
+    std::string text = fmt::format("  body '{}': ", body.name);
+    const auto* box = std::get_if<structure::Box>(&body.mesh);
+    if (box) {
+        const auto& n = box->elements;
+        text += fmt::format("{} x {} x {} = ", n[0], n[1], n[2]);
+    }
+    text += fmt::format("{} elements {}, {} nodes\n", solid.mesh.elements.size(),
+                        scene::name_of(body.element), solid.mesh.nodes.size());
+    if (!solid.mesh.region_names.empty()) {
+        text +=
+            fmt::format("    regions: {}\n", fmt::join(solid.mesh.region_names, ", "));
+    }
+    for (const auto& entry : body.material_regions) {
+        text +=
+            fmt::format("    {}: G {:.4g} Pa, lambda {:.4g} Pa, density {:.4g} kg/m3\n",
+                        fmt::join(entry.regions, ", "), entry.material.shear_modulus_pa,
+                        entry.material.lame_lambda_pa, entry.material.density_kg_m3);
+    }
+    text += explain_loads(scene, body, solid);
+    text += explain_error(scene, body, solid);
+    if (box) text += explain_bricks(solid, *box);
+    if (!scene.time.equilibrium) text += explain_moments(scene, solid);
+    if (scene.coupling) {
+        text += explain_inertia(scene, solid);
+        text += fmt::format("    {} markers, forcing {}\n",
+                            bodies::place_markers(scene, number).size(),
+                            coupler::name_of(*scene.coupling->immersed_boundary.forcing));
+        text += explain_layer(scene, number);
+    }
+    return text;
+}
+
+std::string explain_steps(const scene::Scene& scene) {
+    const lammps::Substeps s = lammps::choose_substeps(scene);
+    std::string text =
+        fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
+                    s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
+    text += fmt::format("    stable step of the lattice        {:.4g} us\n",
+                        s.elastic_limit_s * 1e6);
+    if (s.drag_limit_s > 0) {
+        text += fmt::format("    stable step of the fluid's force  {:.4g} us\n",
+                            s.drag_limit_s * 1e6);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string explain_structure(const scene::Scene& scene) {
+    const bool newton = by_newton(scene);
+    std::string text = newton ? "\nstructure (Newton's method)\n"
+                              : "\nstructure (LAMMPS, fix magttice)\n";
+    std::vector<structure::Body> solids;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        text +=
+            explain_body(scene, b, solids.emplace_back(bodies::to_body(scene.bodies[b])));
+    if (scene.magnetic_field)  // reads and refuses as the run would
+        (void)structure::SourceField(scene.magnetic_field->sources);
+    if (newton) (void)bodies::to_surroundings(scene, solids);  // refuses as the run would
+    if (!scene.time.equilibrium) return text + explain_steps(scene);
+    const double points = scene.time.end_s / scene::path_step_s(scene);
+    text += fmt::format("  {:.0f} equilibria along the path of loads\n", points);
+    if (!newton) {
+        text += fmt::format("  LAMMPS steps of {:.4g} us until at rest\n",
+                            lammps::choose_substeps(scene).lammps_step_s * 1e6);
+    }
+    return text;
+}
+
+}  // namespace magfsi::launch
