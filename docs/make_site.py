@@ -24,7 +24,7 @@ HEADERS = {
                                             "coupler/scheme/structure_solver.h"],
     "A fluid of your own": ["coupler/immersed_boundary/grid.h"],
     "Scenes": ["adapters/scene/reader.h", "adapters/scene/scene.h", "coupler/options.h"],
-    "The coupled run": ["coupler/participants/session.h", "coupler/participants/world.h",
+    "The coupled run": ["coupler/participants/session.h", "coupler/participants/world.h", "coupler/participants/handshake.h",
                         "coupler/scheme/structure_coupling.h", "coupler/scheme/fluid_coupling.h"],
     "The lattice-Boltzmann fluid": ["fluid_lbm/fluid.h", "fluid_lbm/config.h", "fluid_lbm/options.h"],
     "The magttice": ["structure/body.h", "structure/lattice/lattice.h",
