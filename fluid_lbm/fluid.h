@@ -23,6 +23,7 @@ struct Totals {  // over all ranks, without the insides of obstacles
     double mass_kg = 0;
     Vec3 momentum_kg_m_s{};
     double kinetic_energy_j = 0;
+    double sound_energy_j = 0;  // of its compression: sum of p^2 / (2 rho c_s^2)
     double max_speed_m_s = 0;
 };
 

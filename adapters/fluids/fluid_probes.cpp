@@ -140,9 +140,12 @@ Columns columns_of(const scene::Scene& scene) {
         if (const auto* plane = std::get_if<scene::FluidPlane>(&integral.over))
             add_plane(columns, integral.name, *plane);
     }
-    if (scene.fluid && scene.probes->energy_audit)
+    if (scene.fluid && scene.probes->energy_audit) {
+        columns.push_back({"audit.fluid_sound[J]",
+                           [](Sample& s) { return s.totals().sound_energy_j; }});
         columns.push_back({"audit.fluid_kinetic[J]",
                            [](Sample& s) { return s.totals().kinetic_energy_j; }});
+    }
     return columns;
 }
 

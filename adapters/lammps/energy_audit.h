@@ -17,6 +17,12 @@ namespace magfsi::lammps {
 using bodies::NodalState;
 using bodies::Vec3;
 
+// The last two of the fluid's columns.
+struct FluidEnergy {
+    double sound = 0, kinetic = 0;
+    double sum() const { return sound + kinetic; }
+};
+
 // What the solvers know at one time, of all bodies [J]. Sums are since the start.
 struct EnergyTerms {
     double elastic = 0, platform = 0, contact = 0;  // stored
@@ -24,7 +30,7 @@ struct EnergyTerms {
     double of_moved = 0;  // of nodes in prescribed motion: kinetic less the work on them
     double lost_viscosity = 0, lost_drag = 0, lost_friction = 0;
     double by_fluid = 0, by_enclosed = 0;  // work on the body at the markers
-    double fluid_kinetic = 0;
+    FluidEnergy fluid;
     double for_nothing = 0;  // work on it at the markers that no body paid for
 };
 
@@ -69,6 +75,7 @@ class EnergyAudit {
     std::vector<Column> balance(const Motion& motion, const EnergyTerms& terms) const;
     void note(const Motion& motion, const EnergyTerms& terms, double residual);
     double stored(const EnergyTerms& terms) const;
+    const char* advice() const;
 
     const scene::Scene& scene_;
     NodalState start_;

@@ -94,7 +94,7 @@ std::string RefinedLbm::headline() const {
 
 fluids::FluidTotals RefinedLbm::totals() {
     const fluid::Totals all = fluid_.totals();
-    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s};
+    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s, all.sound_energy_j};
 }
 
 double RefinedLbm::quantity(scene::FluidQuantity quantity) {

@@ -32,6 +32,7 @@ Totals RefinedFluid::totals() const {
         for (std::size_t a = 0; a < 3; ++a)
             all.momentum_kg_m_s[a] += of_level.momentum_kg_m_s[a];
         all.kinetic_energy_j += of_level.kinetic_energy_j;
+        all.sound_energy_j += of_level.sound_energy_j;
         all.max_speed_m_s = std::max(all.max_speed_m_s, of_level.max_speed_m_s);
     }
     return all;

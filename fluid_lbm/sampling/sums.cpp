@@ -11,7 +11,7 @@ namespace magfsi::fluid {
 namespace {
 
 struct Sums {  // lattice units
-    double excess = 0, momentum[3] = {}, energy = 0, cells = 0;
+    double excess = 0, momentum[3] = {}, energy = 0, sound = 0, cells = 0;
 };
 
 void add_row(const RowMoments& m, Sums& sum, double& max_speed_squared) {
@@ -25,6 +25,7 @@ void add_row(const RowMoments& m, Sums& sum, double& max_speed_squared) {
         }
         sum.excess += m.excess[x];
         sum.energy += 0.5 * density * u_squared;
+        sum.sound += m.excess[x] * m.excess[x] / 6;  // c_s^2 is 1/3
         max_speed_squared = std::max(max_speed_squared, u_squared);
     }
 }
@@ -101,8 +102,8 @@ Totals Fluid::totals(std::span<const CellBox> parts) const {
         add_row(m, sum, max_speed_squared);  // solid cells hold rest: no excess
         sum.cells += fluid_cells_of(s, row);
     });
-    static_assert(sizeof sum == 6 * sizeof(double));
-    sum_over_ranks(s.comm, &sum.excess, 6);
+    static_assert(sizeof sum == 7 * sizeof(double));
+    sum_over_ranks(s.comm, &sum.excess, 7);
     sum_over_ranks(s.comm, &max_speed_squared, 1, MPI_MAX);
 
     const double mass = s.unit.cell_mass_kg(), speed = s.unit.velocity_m_s();
@@ -110,6 +111,7 @@ Totals Fluid::totals(std::span<const CellBox> parts) const {
     total.mass_kg = mass * (sum.cells + sum.excess);
     for (int a = 0; a < 3; ++a) total.momentum_kg_m_s[a] = mass * speed * sum.momentum[a];
     total.kinetic_energy_j = mass * speed * speed * sum.energy;
+    total.sound_energy_j = mass * speed * speed * sum.sound;
     total.max_speed_m_s = speed * std::sqrt(max_speed_squared);
     return total;
 }

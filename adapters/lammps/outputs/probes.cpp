@@ -30,8 +30,8 @@ class Probes : public coupler::Output {
   private:
     std::vector<bodies::BodyLoads> collect_loads() const;
     void add_supports(std::vector<bodies::BodyLoads>& loads) const;
-    double add_partner_values(std::vector<double>& row);
-    void add_audit(double fluid_kinetic_j, std::vector<double>& row);
+    FluidEnergy add_partner_values(std::vector<double>& row);
+    void add_audit(const FluidEnergy& fluid, std::vector<double>& row);
     void write();
 
     StructureRun& run_;
@@ -103,13 +103,13 @@ void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
     }
 }
 
-// Returns what the fluid's last column is, on the root.
-double Probes::add_partner_values(std::vector<double>& row) {
+// Returns what the fluid's last columns are with an audit, on the root.
+FluidEnergy Probes::add_partner_values(std::vector<double>& row) {
     const coupler::Session& session = run_.session;
     const std::size_t fluid_values = fluids::fluid_columns(run_.scene).size();
     const auto given = run_.balance() ? run_.balance()->collect(session.world().local())
                                       : std::vector<double>{};
-    if (!session.world().root() || (fluid_values == 0 && !run_.balance())) return 0;
+    if (!session.world().root() || (fluid_values == 0 && !run_.balance())) return {};
     std::vector<double> numbers(fluid_values + given.size());
     coupler::receive_numbers(session.world(), session.clock().step(), numbers,
                              session.timeout_s());
@@ -117,7 +117,8 @@ double Probes::add_partner_values(std::vector<double>& row) {
     const auto of_fluid = all.first(fluid_values);
     if (run_.on_fluid_values) run_.on_fluid_values(of_fluid);
     row.insert(row.end(), of_fluid.begin(), of_fluid.end());
-    const double last = fluid_values > 0 ? of_fluid.back() : 0;
+    FluidEnergy last;
+    if (run_.audit) last = {*(of_fluid.end() - 2), of_fluid.back()};
     if (!run_.balance()) return last;
     const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
     row.push_back(mismatch.momentum);
@@ -125,12 +126,12 @@ double Probes::add_partner_values(std::vector<double>& row) {
     return last;
 }
 
-// The fluid's kinetic energy comes last of its columns. Collective.
-void Probes::add_audit(double fluid_kinetic_j, std::vector<double>& row) {
+// Collective.
+void Probes::add_audit(const FluidEnergy& fluid, std::vector<double>& row) {
     const NodalState nodes = run_.engine->gather(run_.atoms);
     EnergyTerms terms = collect_terms(run_);
     if (!run_.session.world().root()) return;
-    if (run_.coupling) terms.fluid_kinetic = fluid_kinetic_j;
+    if (run_.coupling) terms.fluid = fluid;
     const auto values = run_.audit->row(nodes, terms);
     row.insert(row.end(), values.begin(), values.end());
 }
@@ -145,8 +146,8 @@ void Probes::write() {
     std::vector<double> row;
     if (of_bodies_ && run_.steered) of_bodies_->set_field(*run_.steered);
     if (of_bodies_) row = of_bodies_->values(time_s, nodes, loads, on_parts);
-    const double fluid_j = run_.coupling ? add_partner_values(row) : 0;
-    if (run_.audit) add_audit(fluid_j, row);
+    const auto of_fluid = run_.coupling ? add_partner_values(row) : FluidEnergy{};
+    if (run_.audit) add_audit(of_fluid, row);
     if (!file_) return;
     file_->row(time_s, row);
     const std::string fault = run_.audit ? run_.audit->fault() : std::string{};

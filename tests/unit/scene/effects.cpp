@@ -328,7 +328,7 @@ TEST(ProbeColumns, the_fluids_share_of_the_energy_comes_last_of_its_columns) {
     scene.probes->fluid = {FluidQuantity::mass};
     scene.probes->energy_audit = true;
     EXPECT_EQ(fluids::fluid_columns(scene),
-              (Names{"mass[kg]", "audit.fluid_kinetic[J]"}));
+              (Names{"mass[kg]", "audit.fluid_sound[J]", "audit.fluid_kinetic[J]"}));
     scene.fluid.reset();
     scene.probes->fluid.clear();
     EXPECT_TRUE(fluids::fluid_columns(scene).empty());
