@@ -68,8 +68,8 @@ class EnergyAudit(unittest.TestCase):
         z = probes["robot.com_z[m]"]
         for work, height in zip(column(probes, "work_weight"), z):
             self.assertAlmostEqual(work / weight, z[0] - height, delta=1e-12)
-        fluid = [kinetic - given for kinetic, given in
-                 zip(column(probes, "fluid_kinetic"), column(probes, "work_layer"))]
+        fluid = [kinetic + sound - given for kinetic, sound, given in zip(*(
+            column(probes, name) for name in ("fluid_kinetic", "fluid_sound", "work_layer")))]
         given = [-(k - fluid[0]) for k in fluid]
         for to_fluid, less, lost in zip(column(probes, "given_to_fluid"), given,
                                         column(probes, "lost_in_fluid")):
