@@ -43,7 +43,34 @@ struct MeshFile {
     double unit_m = 1;  // length of the file's unit
 };
 
-using MeshOptions = std::variant<Box, ObliquePlate, MeshFile>;
+// Cubes whose middle lies inside the closed surface of an STL file, in a grid around it.
+struct FaceBox {
+    std::string name;
+    std::array<Vec3, 2> box_m{};  // the face is of the nodes inside; bounds included
+};
+struct VoxelMesh {
+    std::string file;
+    double spacing_m = 0;        // edge of the cubes
+    double unit_m = 1;           // length of the file's unit
+    std::vector<FaceBox> faces;  // by name
+};
+
+// A block that is bent or wound along a curve: its middle line, of the elements' first
+// direction, lies on the curve (mesh/swept_mesh.h).
+struct Arc {
+    double radius_m = 0;
+    double angle_rad = 0;               // 2 pi: a ring
+    std::array<double, 2> section_m{};  // width and thickness
+    std::array<int, 3> elements{};      // along the curve, the width and the thickness
+};
+struct Helix {
+    double radius_m = 0, pitch_m = 0, turns = 0;
+    std::array<double, 2> section_m{};
+    std::array<int, 3> elements{};
+    bool left_handed = false;
+};
+
+using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, Helix>;
 
 // --- material and element -----------------------------------------------------------
 
@@ -122,9 +149,27 @@ struct TableMagnetization {
     std::string file;
 };
 
+// Along a curve: strength times its tangent next to the element, turned in the plane from
+// its first axis towards its second by phase + 2 pi s / wavelength, s along the curve.
+struct CurveMagnetization {
+    double strength_a_m = 0;
+    std::vector<Vec3> points_m;  // of the curve; none: the mesh's centre line
+    double wavelength_m = 0;     // 0: turned by the phase alone
+    double phase_rad = 0;
+    std::array<int, 2> plane{0, 2};
+};
+
+// Away from a point, or from an axis through it.
+struct RadialMagnetization {
+    double strength_a_m = 0;  // negative: towards it
+    Vec3 centre_m{};
+    std::optional<Vec3> axis;  // its direction, of any length
+};
+
 using Magnetization =
     std::variant<UniformMagnetization, HarmonicMagnetization, DomainMagnetization,
-                 RegionMagnetization, TableMagnetization>;
+                 RegionMagnetization, TableMagnetization, CurveMagnetization,
+                 RadialMagnetization>;
 
 // --- magnetic field -----------------------------------------------------------------
 

@@ -11,8 +11,10 @@
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/effective.h"
 #include "fluid_lbm/collision/choice.h"
+#include "structure/mesh/block_mesh.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/locate.h"
+#include "structure/mesh/swept_mesh.h"
 
 namespace magfsi::bodies {
 
@@ -121,11 +123,11 @@ std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
     return top;
 }
 
-// A block: rows along its two longer axes, layers across the thinnest.
-std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
-                                   const std::optional<structure::Sheet>& sheet,
-                                   const DryFaces& dry, const KernelReach& reach,
-                                   const structure::Continues& continues) {
+// A block: rows along its two longer axes, layers across the thinnest. Without its share
+// of the surface.
+std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFaces& dry,
+                                        const KernelReach& reach,
+                                        const structure::Continues& continues) {
     const structure::Bounds block = structure::bounds(mesh.nodes);
     const Vec3 size = block.extent_m();
     std::size_t thin = 0;  // never along an axis on which the body goes on
@@ -149,10 +151,32 @@ std::vector<PlacedMarker> in_block(const structure::Mesh& mesh,
         for (const double y : rows[1].at_m)
             for (const double x : rows[0].at_m)
                 markers.push_back({locator.nearest({x, y, z}), volume_m3});
-    if (sheet && rows[thin].at_m.size() == 1)
+    return markers;
+}
+
+// A single layer stands for both faces of a sheet.
+void share_faces(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+                 const std::optional<structure::Sheet>& sheet, bool one_layer,
+                 const DryFaces& dry, const KernelReach& reach) {
+    if (sheet && one_layer)
         share_surface(markers, mesh, top_of(*sheet), reach.grid_m, both);
     else
-        share_surface(markers, mesh, surface, reach.grid_m);
+        share_surface(markers, mesh, dry.without(structure::boundary_quads(mesh)),
+                      reach.grid_m);
+}
+
+// A body that was a block before it was bent has the rows of the block, in its elements.
+std::vector<PlacedMarker> in_bent_block(const scene::Body& body,
+                                        const structure::Box& block,
+                                        const structure::Mesh& mesh,
+                                        const KernelReach& reach) {
+    const structure::Mesh straight = structure::box_mesh(block);
+    const bool ring = mesh.nodes.size() < straight.nodes.size();
+    const structure::Continues continues{ring, false, false};
+    auto markers =
+        rows_in_block(straight, DryFaces(body, straight, continues), reach, continues);
+    for (PlacedMarker& marker : markers)
+        marker.point.node = mesh.elements[static_cast<std::size_t>(marker.point.element)];
     return markers;
 }
 
@@ -277,20 +301,10 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
 std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
                                   const std::optional<structure::Sheet>& sheet,
                                   const DryFaces& dry, const KernelReach& reach) {
-    const auto surface = dry.without(structure::boundary_quads(mesh));
-    double thickness_m = 0;
-    std::vector<PlacedMarker> markers;
-    if (sheet) {
-        thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
-        markers = in_layers(mesh, *sheet, thickness_m, dry, reach);
-    } else {
-        markers = in_volume(mesh, surface, reach);
-    }
-    if (sheet && reach.takes_one_layer(thickness_m))
-        share_surface(markers, mesh, top_of(*sheet), reach.grid_m, both);
-    else
-        share_surface(markers, mesh, surface, reach.grid_m);
-    return markers;
+    if (!sheet)
+        return in_volume(mesh, dry.without(structure::boundary_quads(mesh)), reach);
+    const double thickness_m = structure::volume_m3(mesh) / area_m2(mesh, *sheet);
+    return in_layers(mesh, *sheet, thickness_m, dry, reach);
 }
 
 // In grid spacings: with which plates and disks swung broadside have the exact added mass
@@ -371,10 +385,18 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
                                           const DryFaces& dry, const KernelReach& reach,
                                           const structure::Continues& continues) {
     const auto sheet = structure::find_sheet(mesh, continues);
-    auto markers = std::holds_alternative<structure::Box>(body.mesh)
-                       ? in_block(mesh, sheet, dry, reach, continues)
-                       : in_mesh(mesh, sheet, dry, reach);
-    if (const auto layer = one_layer(mesh, sheet, reach)) {
+    const auto layer = one_layer(mesh, sheet, reach);
+    std::vector<PlacedMarker> markers;
+    if (std::holds_alternative<structure::Box>(body.mesh))
+        markers = rows_in_block(mesh, dry, reach, continues);
+    else if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
+        markers = in_bent_block(body, structure::straightened(*arc), mesh, reach);
+    else if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
+        markers = in_bent_block(body, structure::straightened(*helix), mesh, reach);
+    else
+        markers = in_mesh(mesh, sheet, dry, reach);
+    share_faces(markers, mesh, sheet, layer.has_value(), dry, reach);
+    if (layer) {
         for (PlacedMarker& marker : markers)
             marker.beyond_m3 =
                 marker.volume_m3 * (layer->carried_m - layer->thickness_m) / reach.grid_m;

@@ -9,20 +9,26 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <span>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "adapters/scene/fault.h"
+#include "fluid_lbm/obstacle/solid.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
 #include "structure/mesh/mesh_file.h"
+#include "structure/mesh/swept_mesh.h"
+#include "structure/mesh/voxel_mesh.h"
 
 namespace magfsi::bodies {
 
@@ -97,22 +103,105 @@ structure::Mesh convert(const std::string& file, double unit_m) {
                         : message);
 }
 
-// Runs magfsi-mesh, which lies beside this program, and reads what it wrote. A process of
-// its own: Gmsh's library and the ninety that come with it stay out of the solvers.
-// Converted once for a file and unit, however often it is asked for. Throws
-// std::invalid_argument with the converter's own message.
-structure::Mesh converted_gmsh_mesh(const std::string& file, double unit_m) {
-    static std::map<std::pair<std::string, double>, structure::Mesh> done;
-    const auto [place, first] = done.try_emplace({file, unit_m});
+// Made once for what it is made of, however often it is asked for.
+template <class Key, class Make>
+structure::Mesh made_once(const Key& key, const Make& make) {
+    static std::map<Key, structure::Mesh> done;
+    const auto [place, first] = done.try_emplace(key);
     if (first) {
         try {
-            place->second = convert(file, unit_m);
+            place->second = make();
         } catch (...) {
             done.erase(place);
             throw;
         }
     }
     return place->second;
+}
+
+// Runs magfsi-mesh, which lies beside this program, and reads what it wrote. A process of
+// its own: Gmsh's library and the ninety that come with it stay out of the solvers.
+// Throws std::invalid_argument with the converter's own message.
+structure::Mesh converted_gmsh_mesh(const structure::MeshFile& gmsh) {
+    return made_once(std::pair(gmsh.file, gmsh.unit_m),
+                     [&] { return convert(gmsh.file, gmsh.unit_m); });
+}
+
+structure::Vec3 in_mm(const structure::Vec3& x_m) {
+    return {1e3 * x_m[0], 1e3 * x_m[1], 1e3 * x_m[2]};
+}
+
+// Filled or not: 0.1 GB while they are sorted out.
+constexpr double most_cubes = 2e6;
+
+// Cubes along each side of the grid around a surface, which is as wide as it up to whole
+// cubes, with the surface in its middle.
+std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
+                                const structure::VoxelMesh& voxels) {
+    constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
+    std::array<int, 3> cubes{};
+    double all = 1;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double extent =
+            (bounds_m.high[d] - bounds_m.low[d]) / voxels.spacing_m - rounding;
+        const double whole = std::max(1.0, std::ceil(extent));
+        all *= whole;
+        if (!(all <= most_cubes))
+            throw std::invalid_argument(fmt::format(
+                "{}, {:.4g} x {:.4g} x {:.4g} m large, lies in more than {:g} cubes of "
+                "{:g} m; take a larger spacing, or see that the unit is the file's",
+                voxels.file, bounds_m.high[0] - bounds_m.low[0],
+                bounds_m.high[1] - bounds_m.low[1], bounds_m.high[2] - bounds_m.low[2],
+                most_cubes, voxels.spacing_m));
+        cubes[d] = static_cast<int>(whole);
+    }
+    return cubes;
+}
+
+structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
+    fluid::StlSurface surface{voxels.file, voxels.unit_m, {}};
+    const fluid::Bounds bounds = fluid::stl_extent(surface).bounds_m;
+    const std::array<int, 3> cubes = cubes_around(bounds, voxels);
+    for (std::size_t d = 0; d < 3; ++d)
+        surface.shift_m[d] =
+            0.5 * (cubes[d] * voxels.spacing_m - bounds.low[d] - bounds.high[d]);
+    const auto solid = fluid::make_stl_solid(surface, voxels.spacing_m);
+    const auto [width, depth, height] = cubes;
+    const auto row = static_cast<std::size_t>(width);
+    std::vector<char> filled(row * static_cast<std::size_t>(depth) *
+                             static_cast<std::size_t>(height));
+    for (int k = 0; k < height; ++k) {
+        for (int j = 0; j < depth; ++j) {
+            const auto number = static_cast<std::size_t>(j + depth * k);
+            solid->mark_row(j + 0.5, k + 0.5, 0,
+                            std::span(filled).subspan(number * row, row));
+        }
+    }
+    structure::Mesh mesh = structure::voxel_mesh(cubes, voxels.spacing_m, filled);
+    for (structure::Vec3& x : mesh.nodes)
+        for (std::size_t d = 0; d < 3; ++d) x[d] -= surface.shift_m[d];
+    return mesh;
+}
+
+// Cached without them: faces are named anew at no cost.
+structure::Mesh with_faces(structure::Mesh mesh, const structure::VoxelMesh& voxels) {
+    for (const structure::FaceBox& face : voxels.faces) {
+        // A place may be typed to fewer digits than it has.
+        const structure::Bounds box{face.box_m[0], face.box_m[1]};
+        std::vector<int>& nodes = mesh.faces[face.name];
+        for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+            if (box.holds(mesh.nodes[n], 1e-3 * voxels.spacing_m))
+                nodes.push_back(static_cast<int>(n));
+        }
+        if (nodes.empty())
+            throw std::invalid_argument(fmt::format(
+                "the box of the face {} holds no node of the cubes, which reach from "
+                "({:.4g}) mm to ({:.4g}) mm",
+                scene::in_quotes(face.name),
+                fmt::join(in_mm(structure::bounds(mesh.nodes).low_m), ", "),
+                fmt::join(in_mm(structure::bounds(mesh.nodes).high_m), ", ")));
+    }
+    return mesh;
 }
 
 }  // namespace
@@ -123,12 +212,25 @@ structure::Mesh to_mesh(const scene::Body& body) {
             return structure::box_mesh(*box);
         if (const auto* plate = std::get_if<structure::ObliquePlate>(&body.mesh))
             return structure::oblique_mesh(*plate);
-        const auto& gmsh = std::get<structure::MeshFile>(body.mesh);
-        return converted_gmsh_mesh(gmsh.file, gmsh.unit_m);
+        if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
+            return with_faces(
+                made_once(std::tuple(voxels->file, voxels->unit_m, voxels->spacing_m),
+                          [&] { return filled_mesh(*voxels); }),
+                *voxels);
+        if (const auto* arc = std::get_if<structure::Arc>(&body.mesh))
+            return structure::arc_mesh(*arc);
+        if (const auto* helix = std::get_if<structure::Helix>(&body.mesh))
+            return structure::helix_mesh(*helix);
+        return converted_gmsh_mesh(std::get<structure::MeshFile>(body.mesh));
     } catch (const std::invalid_argument& fault) {
-        throw std::invalid_argument(
-            fmt::format("body '{}': {}", body.name, fault.what()));
+        throw scene::SceneError(fmt::format("{}{}body '{}': {}", body.mesh_place,
+                                            body.mesh_place.empty() ? "" : ": ",
+                                            body.name, fault.what()));
     }
+}
+
+double surface_volume_m3(const structure::VoxelMesh& voxels) {
+    return fluid::stl_extent({voxels.file, voxels.unit_m, {}}).volume_m3;
 }
 
 double extent(const structure::Mesh& mesh, int axis) {
@@ -169,6 +271,10 @@ std::vector<structure::Vec3> magnetize(const structure::Magnetization& wanted,
         if (whole.wavelength_m == 0) whole.wavelength_m = extent(mesh, wave->along);
         return structure::harmonic_magnetization(mesh, whole);
     }
+    if (const auto* curve = std::get_if<structure::CurveMagnetization>(&wanted))
+        return structure::curve_magnetization(mesh, *curve);
+    if (const auto* radial = std::get_if<structure::RadialMagnetization>(&wanted))
+        return structure::radial_magnetization(mesh, *radial);
     std::map<std::string, structure::Vec3> vectors;
     for (const std::string& name : mesh.region_names) vectors[name] = {};
     for (const auto& entry : std::get<structure::RegionMagnetization>(wanted).regions) {

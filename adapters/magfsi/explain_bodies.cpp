@@ -115,6 +115,21 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
+// What the steps of a surface of cubes do to its volume.
+std::string explain_voxels(const structure::Body& solid,
+                           const structure::VoxelMesh& voxels) {
+    const double volume_m3 = structure::volume_m3(solid.mesh);
+    const double surface_m3 = bodies::surface_volume_m3(voxels);
+    const double thin_m =
+        std::ranges::min(structure::bounds(solid.mesh.nodes).extent_m());
+    return fmt::format(
+        "    cubes of {:.4g} mm, {:.0f} across the thinnest side; their volume against "
+        "the "
+        "surface's: {}\n",
+        1e3 * voxels.spacing_m, thin_m / voxels.spacing_m,
+        in_percent(volume_m3 / surface_m3 - 1));
+}
+
 // What only shows once the mesh is there; the run would refuse it, too. On a platform
 // even parts that nothing holds come to rest.
 void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
@@ -220,6 +235,8 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     text += explain_loads(scene, body, solid);
     text += explain_error(scene, body, solid);
     if (box) text += explain_bricks(solid, *box);
+    if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
+        text += explain_voxels(solid, *voxels);
     if (!scene.time.equilibrium) text += explain_moments(scene, solid);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);

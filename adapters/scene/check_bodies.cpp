@@ -47,6 +47,10 @@ double elements_of(const Body& body) {
     } else if (const auto* plate = std::get_if<ObliquePlate>(&body.mesh)) {
         for (const int n : plate->cells) elements *= n;
         for (const int n : plate->elements_per_cell) elements *= n;
+    } else if (const auto* arc = std::get_if<Arc>(&body.mesh)) {
+        for (const int n : arc->elements) elements *= n;
+    } else if (const auto* helix = std::get_if<Helix>(&body.mesh)) {
+        for (const int n : helix->elements) elements *= n;
     }
     return elements;
 }
@@ -103,7 +107,9 @@ void check_marker_spacing(const Scene& scene, const Body& body, const Box& box,
 void check_face(const Body& body, const std::string& face, std::string_view list,
                 const Origin& here) {
     if (std::holds_alternative<MeshFile>(body.mesh)) return;
-    const std::vector<std::string> faces(names<Face>.begin(), names<Face>.end());
+    std::vector<std::string> faces(names<Face>.begin(), names<Face>.end());
+    if (const auto* voxels = std::get_if<VoxelMesh>(&body.mesh))
+        for (const FaceBox& named : voxels->faces) faces.push_back(named.name);
     require(std::ranges::find(faces, face) != faces.end(), here,
             fmt::format("{} as a face of {}", in_quotes(face), list), joined(faces),
             did_you_mean(face, faces));
@@ -174,6 +180,19 @@ void check_magnetization(const Body& body, const Marks& marks) {
                     fmt::format("a domain box (number {}) that is empty along {}", i + 1,
                                 axis_names[k]),
                     "[lower corner, upper corner]");
+    }
+}
+
+void check_voxels(const Body& body, const VoxelMesh& voxels, const Marks& marks) {
+    for (const FaceBox& face : voxels.faces) {
+        const Path here{"bodies", body.name, "mesh", "voxels", "faces", face.name};
+        for (int d = 0; d < 3; ++d)
+            require(face.box_m[0][d] <= face.box_m[1][d], marks.value(here),
+                    fmt::format("a box that is empty along {}", axis_names[d]),
+                    "[lower corner, upper corner]");
+        require(std::ranges::find(names<Face>, face.name) == names<Face>.end(),
+                marks.value(here), fmt::format("the face {}", in_quotes(face.name)),
+                "another name: x_min to z_max are there already");
     }
 }
 
@@ -291,6 +310,8 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         if (box) check_marker_count(scene, body, *box, marks);
         if (box) check_marker_spacing(scene, body, *box, marks);
         if (box) check_mean_f(body, *box, marks);
+        if (const auto* voxels = std::get_if<VoxelMesh>(&body.mesh))
+            check_voxels(body, *voxels, marks);
         check_clamps(body, marks);
         check_rollers(body, marks);
         check_prescribed_motion(scene, body, marks);

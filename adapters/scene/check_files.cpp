@@ -82,6 +82,9 @@ void check_files(const Scene& scene, const Marks& marks) {
         if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
             check_mesh_file(mesh->file,
                             marks.value({"bodies", body.name, "mesh", "gmsh", "file"}));
+        if (const auto* mesh = std::get_if<VoxelMesh>(&body.mesh))
+            require_regular_file(
+                mesh->file, marks.value({"bodies", body.name, "mesh", "voxels", "file"}));
         if (!body.magnetization) continue;
         if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
             require_regular_file(
@@ -121,6 +124,8 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
     }
     for (const Body& body : scene.bodies) {
         if (const auto* mesh = std::get_if<MeshFile>(&body.mesh))
+            files.emplace_back(mesh->file);
+        if (const auto* mesh = std::get_if<VoxelMesh>(&body.mesh))
             files.emplace_back(mesh->file);
         if (!body.magnetization) continue;
         if (const auto* table = std::get_if<TableMagnetization>(&*body.magnetization))

@@ -36,6 +36,48 @@ void keys(Io& io, MeshFile& mesh) {
 }
 
 template <class Io>
+void keys(Io& io, FaceBox& face) {
+    io(quantity("box", "m", "Lower and upper corner, in the file's frame; all nodes inside are of the "
+                "face."), face.box_m);
+}
+
+template <class Io>
+void keys(Io& io, VoxelMesh& mesh) {
+    io(key("file", "A closed surface, ASCII or binary STL; its path counts from the scene's "
+           "folder."), mesh.file);
+    io(quantity("spacing", "m", "Edge of the cubes; best a whole part of the body's thickness.")
+           .above(0), mesh.spacing_m);
+    io(quantity("unit", "m", "Length of the file's unit.").above(0).by_default(),
+       mesh.unit_m);
+    io(key("faces", "More faces to clamp, by their names.").optional(), mesh.faces);
+}
+
+template <class Io>
+void keys(Io& io, Arc& arc) {
+    io(quantity("radius", "m", "Of the middle line.").above(0), arc.radius_m);
+    io(quantity("angle", "rad", "From end to end; 360 deg is a ring, whose ends are joined.").above(0)
+           .at_most(6.2831853071796), arc.angle_rad);
+    io(quantity("section", "m", "Width, along y, and thickness, towards the centre.").above(0),
+       arc.section_m);
+    io(key("elements", "Along the arc, the width and the thickness.").at_least(1).at_most(100000),
+       arc.elements);
+}
+
+template <class Io>
+void keys(Io& io, Helix& helix) {
+    io(quantity("radius", "m", "Of the middle line.").above(0), helix.radius_m);
+    io(quantity("pitch", "m", "Along x, of one turn.").above(0), helix.pitch_m);
+    io(key("turns", "How many.").above(0).at_most(1000), helix.turns);
+    io(quantity("section", "m", "Width, along the surface of the cylinder, and thickness, away from "
+                "its axis.").above(0),
+       helix.section_m);
+    io(key("elements", "Along the helix, the width and the thickness.").at_least(1).at_most(100000),
+       helix.elements);
+    io(key("left_handed", "A right-handed one turns from y to z as x grows.").by_default(),
+       helix.left_handed);
+}
+
+template <class Io>
 void keys(Io& io, Material& material) {
     io(quantity("shear_modulus", "Pa", "G, with lame_lambda; or the next two.").above(0)
            .optional(), material.shear_modulus_pa);
@@ -112,6 +154,29 @@ void keys(Io& io, TableMagnetization& table) {
 }
 
 template <class Io>
+void keys(Io& io, CurveMagnetization& curve) {
+    io(quantity("strength", "A/m", "Strength.").above(0), curve.strength_a_m);
+    io(quantity("points", "m", "Of the curve, in the body's frame; without them, the centre line of the "
+                "mesh: of a block, an arc, a helix, or what the Gmsh file calls so.")
+           .rows(2, 10000).optional(), curve.points_m);
+    io(quantity("wavelength", "m", "Length along the curve of one turn; without it, none.").above(0)
+           .optional(), curve.wavelength_m);
+    io(quantity("phase", "rad", "Angle at the start of the curve.").by_default(), curve.phase_rad);
+    io(key("plane", "The angle runs from its first axis to its second.").by_default(),
+       PlaneRef{curve.plane});
+}
+
+template <class Io>
+void keys(Io& io, RadialMagnetization& radial) {
+    io(quantity("strength", "A/m", "Strength; a negative one points to the centre."),
+       radial.strength_a_m);
+    io(quantity("centre", "m", "In the body's frame.").by_default(), radial.centre_m);
+    io(key("axis", "Away from the axis of this direction through the centre, in place of from the centre; any "
+           "length.").optional(),
+       radial.axis);
+}
+
+template <class Io>
 void keys(Io& io, Magnetization& magnetization) {
     io.alternatives(magnetization,
         quantity("uniform", "A/m", "Magnetization vector."),
@@ -120,7 +185,10 @@ void keys(Io& io, Magnetization& magnetization) {
         key("domains", "Elements whose centre lies in a domain carry its vector; the first "
             "domain wins."),
         key("regions", "By the mesh's regions; one that is not named carries none."),
-        key("table", "Each element takes the vector of the nearest point."));
+        key("table", "Each element takes the vector of the nearest point."),
+        key("curve", "Along the tangent of a curve, at its point nearest to the element, turned by "
+            "phase + 2 pi s / wavelength; s runs along the curve."),
+        key("radial", "Away from a point or an axis."));
 }
 
 template <class Io>
@@ -179,13 +247,18 @@ void keys(Io& io, Placement& initial) {
 
 template <class Io>
 void keys(Io& io, Body& body) {
-    io.group(key("mesh", "Hexahedra; the frame's origin is the lowest corner."), true,
+    io.group(key("mesh", "Hexahedra; a block's or a plate's origin is its lowest corner."), true,
              [&](auto& mesh) {
         mesh.alternatives(body.mesh,
             key("box", "A block."),
             key("oblique", "A plate of parallelogram cells, each a region \"row R column C\"."),
             key("gmsh", "Hexahedra from a Gmsh file; physical volumes are regions, physical "
-                "surfaces faces to clamp."));
+                "surfaces faces to clamp."),
+            key("voxels", "Cubes that fill a closed surface: those whose middle is inside. Faces "
+                "x_min to z_max are what lies furthest out along the axes; the frame is the file's."),
+            key("arc", "A block bent in the plane xz about the origin, its ends up; faces as a block's."),
+            key("helix", "A block wound about the axis x, from x = 0 and the side of y; faces as a "
+                "block's."));
     });
     io(key("element", "full: the paper's element, for four and more layers; mean_f: accurate in bending with few layers; "
            "assumed_strain: in every mode, for elements of any proportion.").by_default(),

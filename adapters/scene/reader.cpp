@@ -60,6 +60,8 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
         if (auto* mesh = std::get_if<MeshFile>(&body.mesh))
             mesh->file = (folder / mesh->file).string();
+        if (auto* mesh = std::get_if<VoxelMesh>(&body.mesh))
+            mesh->file = (folder / mesh->file).string();
         if (!body.magnetization) continue;
         if (auto* table = std::get_if<TableMagnetization>(&*body.magnetization))
             table->file = (folder / table->file).string();
@@ -149,6 +151,8 @@ Scene read_scene(const std::filesystem::path& path,
     check_materials(scene, Marks(root));
     read_field_files(scene, Marks(root));
     check_scene(scene, Marks(root));
+    for (Body& body : scene.bodies)
+        body.mesh_place = to_string(Marks(root).value({"bodies", body.name, "mesh"}));
     if (scene.control) {
         for (std::size_t i = 0; i < scene.control->probes.size(); ++i)
             scene.control->probe_places.push_back(

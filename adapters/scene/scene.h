@@ -80,6 +80,7 @@ constexpr auto words_of(Face) {
 struct Body {
     std::string name;
     MeshOptions mesh;
+    std::string mesh_place;  // in the scene, for faults that only the mesh shows
     ElementVariant element = ElementVariant::assumed_strain;
     Inertia inertia = Inertia::lumped;
     Material material;

@@ -40,6 +40,14 @@ std::shared_ptr<const Solid> make_solid(const ObstacleShape& shape, double spaci
 // has no triangle or is not closed.
 std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m);
 
+// Of the closed surface in a file: what it reaches and what it holds. Throws as
+// make_stl_solid.
+struct StlExtent {
+    Bounds bounds_m;
+    double volume_m3 = 0;
+};
+StlExtent stl_extent(const StlSurface& surface);
+
 // In the order of the configuration. Throws std::invalid_argument with a sentence on the
 // first obstacle that cannot be.
 Solids make_solids(const FluidConfig& config);

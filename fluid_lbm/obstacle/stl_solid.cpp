@@ -172,6 +172,42 @@ std::array<float, 3> key(const Vec3& x) {
     return {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])};
 }
 
+// Every edge must be walked as often one way as the other.
+void check_closed(const std::vector<Triangle>& triangles,
+                  const std::filesystem::path& file) {
+    std::map<std::array<std::array<float, 3>, 2>, int> balance;
+    for (const Triangle& t : triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const auto a = key(t[i]), b = key(t[(i + 1) % 3]);
+            if (a == b) continue;
+            if (a < b) ++balance[{a, b}];
+            if (b < a) --balance[{b, a}];
+        }
+    }
+    const auto open =
+        std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; });
+    if (open == 0) return;
+    refuse_file(file, "has ", open,
+                " edges that do not join two triangles of the same orientation; the "
+                "surface must be closed");
+}
+
+// In place: a point x of the file comes to shift + scale * x.
+Bounds place(std::vector<Triangle>& triangles, double scale, const Vec3& shift) {
+    constexpr double huge = std::numeric_limits<double>::max();
+    Bounds bounds{{huge, huge, huge}, {-huge, -huge, -huge}};
+    for (Triangle& t : triangles) {
+        for (Vec3& corner : t) {
+            for (int a = 0; a < 3; ++a) {
+                corner[a] = shift[a] + scale * corner[a];
+                bounds.low[a] = std::min(bounds.low[a], corner[a]);
+                bounds.high[a] = std::max(bounds.high[a], corner[a]);
+            }
+        }
+    }
+    return bounds;
+}
+
 class TriangulatedSolid final : public Solid {
   public:
     // A point x of the file comes to shift + scale * x. Throws std::invalid_argument if
@@ -196,7 +232,6 @@ class TriangulatedSolid final : public Solid {
 
     void sort_into_bins();
     std::vector<double> crossings(double y, double z) const;  // x of each, ascending
-    void check_closed(const std::filesystem::path& file) const;
 
     std::vector<Triangle> triangles_;
     Bounds bounds_;
@@ -213,38 +248,9 @@ std::size_t TriangulatedSolid::BinHash::operator()(const Bin& bin) const {
 TriangulatedSolid::TriangulatedSolid(const std::filesystem::path& file, double scale,
                                      const Vec3& shift)
     : triangles_(read_stl(file)) {
-    check_closed(file);
-    constexpr double huge = std::numeric_limits<double>::max();
-    bounds_ = {{huge, huge, huge}, {-huge, -huge, -huge}};
-    for (Triangle& t : triangles_) {
-        for (Vec3& corner : t) {
-            for (int a = 0; a < 3; ++a) {
-                corner[a] = shift[a] + scale * corner[a];
-                bounds_.low[a] = std::min(bounds_.low[a], corner[a]);
-                bounds_.high[a] = std::max(bounds_.high[a], corner[a]);
-            }
-        }
-    }
+    check_closed(triangles_, file);
+    bounds_ = place(triangles_, scale, shift);
     sort_into_bins();
-}
-
-// Every edge must be walked as often one way as the other.
-void TriangulatedSolid::check_closed(const std::filesystem::path& file) const {
-    std::map<std::array<std::array<float, 3>, 2>, int> balance;
-    for (const Triangle& t : triangles_) {
-        for (int i = 0; i < 3; ++i) {
-            const auto a = key(t[i]), b = key(t[(i + 1) % 3]);
-            if (a == b) continue;
-            if (a < b) ++balance[{a, b}];
-            if (b < a) --balance[{b, a}];
-        }
-    }
-    const auto open =
-        std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; });
-    if (open == 0) return;
-    refuse_file(file, "has ", open,
-                " edges that do not join two triangles of the same orientation; an "
-                "obstacle's surface must be closed");
 }
 
 void TriangulatedSolid::sort_into_bins() {
@@ -328,6 +334,20 @@ std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double sp
     need("scale", surface.unit_m);
     return std::make_shared<TriangulatedSolid>(surface.file, surface.unit_m / spacing_m,
                                                in_cells(surface.shift_m, spacing_m));
+}
+
+StlExtent stl_extent(const StlSurface& surface) {
+    need("scale", surface.unit_m);
+    std::vector<Triangle> triangles = read_stl(surface.file);
+    check_closed(triangles, surface.file);
+    StlExtent out{place(triangles, surface.unit_m, surface.shift_m)};
+    const Vec3& origin = out.bounds_m.low;
+    for (const Triangle& t : triangles)
+        out.volume_m3 += dot(minus(t[0], origin),
+                             cross_product(minus(t[1], origin), minus(t[2], origin))) /
+                         6;
+    out.volume_m3 = std::abs(out.volume_m3);  // of one turned inside out, too
+    return out;
 }
 
 }  // namespace magfsi::fluid

@@ -76,6 +76,8 @@ Mesh refined(const Mesh& mesh) {
             if (!mesh.region.empty()) out.region.push_back(mesh.region[e]);
         }
     }
+    out.centre_line = mesh.centre_line;
+    for (MaterialPoint& point : out.centre_line) point.element *= 8;
     out.faces = mesh.faces;
     out.points = mesh.points;
     for (auto& [name, group] : out.faces) middles.extend(group);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -169,6 +170,127 @@ std::vector<Vec3> harmonic_magnetization(const Mesh& mesh,
             2 * std::numbers::pi * s / profile.wavelength_m + profile.phase_rad;
         out[e][profile.along] = profile.amplitude_a_m * std::cos(angle);
         out[e][profile.into] = profile.amplitude_a_m * std::sin(angle);
+    }
+    return out;
+}
+
+namespace {
+
+Eigen::Vector3d to_eigen(const Vec3& x) {
+    return Eigen::Vector3d(x[0], x[1], x[2]);
+}
+
+// A curve by points on it. Its tangent is the mean of the two pieces at a point between
+// them, and at an end what makes it linear over the last piece: exact for circles with
+// even points.
+class Curve {
+  public:
+    explicit Curve(const std::vector<Vec3>& points_m) {
+        for (const Vec3& x : points_m) points_.push_back(to_eigen(x));
+        std::vector<Eigen::Vector3d> along;
+        for (std::size_t i = 1; i < points_.size(); ++i) {
+            const Eigen::Vector3d piece = points_[i] - points_[i - 1];
+            if (!(piece.norm() > 0))
+                refuse(
+                    "points {} and {} of the curve coincide; each piece of it needs a "
+                    "length",
+                    i, i + 1);
+            along.push_back(piece.normalized());
+            lengths_m_.push_back(piece.norm());
+        }
+        const auto last = along.size() - 1;
+        const bool closed =
+            (points_.front() - points_.back()).norm() < 1e-9 * lengths_m_.front();
+        tangents_.push_back(closed ? (along[last] + along[0]).normalized() : along[0]);
+        for (std::size_t i = 1; i <= last; ++i)
+            tangents_.push_back((along[i - 1] + along[i]).normalized());
+        tangents_.push_back(closed ? tangents_[0] : along[last]);
+        if (!closed && last > 0) {
+            tangents_[0] = 2 * along[0] - tangents_[1];
+            tangents_[last + 1] = 2 * along[last] - tangents_[last];
+        }
+    }
+
+    struct Place {
+        double s_m;
+        Eigen::Vector3d tangent;
+    };
+    Place nearest(const Eigen::Vector3d& x) const {
+        Place best{};
+        double least = INFINITY, s_m = 0;
+        for (std::size_t i = 0; i < lengths_m_.size(); ++i) {
+            const Eigen::Vector3d piece = points_[i + 1] - points_[i];
+            const double share =
+                std::clamp((x - points_[i]).dot(piece) / piece.squaredNorm(), 0.0, 1.0);
+            const double away = (points_[i] + share * piece - x).squaredNorm();
+            if (away < least) {
+                least = away;
+                best = {
+                    s_m + share * lengths_m_[i],
+                    ((1 - share) * tangents_[i] + share * tangents_[i + 1]).normalized()};
+            }
+            s_m += lengths_m_[i];
+        }
+        return best;
+    }
+
+  private:
+    std::vector<Eigen::Vector3d> points_, tangents_;  // tangents of points
+    std::vector<double> lengths_m_;                   // of pieces
+};
+
+}  // namespace
+
+std::vector<Vec3> curve_magnetization(const Mesh& mesh,
+                                      const CurveMagnetization& wanted) {
+    std::vector<Vec3> points_m = wanted.points_m;
+    if (points_m.empty())
+        for (const MaterialPoint& p : mesh.centre_line)
+            points_m.push_back(position(mesh, p));
+    if (points_m.size() < 2)
+        refuse(
+            "magnetisation along the centre line of a mesh without one found; give "
+            "points of the curve, or a centre line in the Gmsh file");
+    const Curve curve(points_m);
+    const auto first = static_cast<std::size_t>(wanted.plane[0]);
+    const auto second = static_cast<std::size_t>(wanted.plane[1]);
+    std::vector<Vec3> out;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const auto [s_m, tangent] = curve.nearest(to_eigen(element_centre(mesh, e)));
+        const double wave = wanted.wavelength_m > 0
+                                ? 2 * std::numbers::pi * s_m / wanted.wavelength_m
+                                : 0;
+        const double angle = wanted.phase_rad + wave;
+        const double a = tangent[wanted.plane[0]], b = tangent[wanted.plane[1]];
+        Vec3 m{tangent[0], tangent[1], tangent[2]};
+        m[first] = a * std::cos(angle) - b * std::sin(angle);
+        m[second] = a * std::sin(angle) + b * std::cos(angle);
+        for (double& part : m) part *= wanted.strength_a_m;
+        out.push_back(m);
+    }
+    return out;
+}
+
+std::vector<Vec3> radial_magnetization(const Mesh& mesh,
+                                       const RadialMagnetization& wanted) {
+    Eigen::Vector3d axis = to_eigen(wanted.axis.value_or(Vec3{}));
+    if (wanted.axis && !(axis.norm() > 0))
+        refuse("a radial magnetisation about an axis of no direction found");
+    if (wanted.axis) axis.normalize();
+    const double tiny_m = 1e-9 * bounds(mesh.nodes).diagonal_m();
+    std::vector<Vec3> out;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        Eigen::Vector3d away =
+            to_eigen(element_centre(mesh, e)) - to_eigen(wanted.centre_m);
+        away -= away.dot(axis) * axis;
+        if (!(away.norm() > tiny_m))
+            refuse(
+                "element {} has its middle on the centre of a radial magnetisation, "
+                "where it has no direction; take an even number of elements across it, "
+                "or move the centre",
+                e);
+        away *= wanted.strength_a_m / away.norm();
+        out.push_back({away[0], away[1], away[2]});
     }
     return out;
 }

@@ -27,6 +27,13 @@ std::vector<Vec3> domain_magnetization(const Mesh& mesh,
 std::vector<Vec3> region_magnetization(const Mesh& mesh,
                                        const std::map<std::string, Vec3>& vector_a_m);
 
+// Throws std::invalid_argument where neither the options nor the mesh have a curve, or
+// two of its points coincide.
+std::vector<Vec3> curve_magnetization(const Mesh& mesh, const CurveMagnetization& wanted);
+// Throws std::invalid_argument on an element whose middle is on the centre.
+std::vector<Vec3> radial_magnetization(const Mesh& mesh,
+                                       const RadialMagnetization& wanted);
+
 // Reads a CSV file with a header of names and units and one row a vector; lines that are
 // empty or begin with # are skipped. Columns, in any order:
 //

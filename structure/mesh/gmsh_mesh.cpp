@@ -83,10 +83,12 @@ void refuse_other_elements() {
     throw std::runtime_error(fmt::format(
         "volume elements of the kinds {} found, hexahedra of 8 nodes are allowed; {}",
         found.empty() ? "(none)" : found,
-        other_order ? "set Mesh.ElementOrder = 1"
-                    : "extrude a surface meshed with Mesh.RecombineAll = 1 with Layers "
-                      "and Recombine, or use Transfinite Surface, Transfinite Volume and "
-                      "Recombine, or Mesh.SubdivisionAlgorithm = 2, and mesh in 3D"));
+        other_order
+            ? "set Mesh.ElementOrder = 1"
+            : "extrude a surface meshed with Mesh.RecombineAll = 1 with Layers "
+              "and Recombine, or use Transfinite Surface, Transfinite Volume and "
+              "Recombine, or Mesh.SubdivisionAlgorithm = 2, and mesh in 3D; or save "
+              "the surface as STL and fill it with cubes, mesh: {voxels: ...}"));
 }
 
 std::string group_name(int dimension, int tag) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "structure/lattice/hexahedron.h"
+#include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -140,6 +141,27 @@ std::vector<int> connected_parts(const Mesh& mesh) {
     int parts = 0;
     for (const Hexahedron& element : mesh.elements) {
         int& its = number[root_of(parent, element[0])];
+        if (its < 0) its = parts++;
+        part.push_back(its);
+    }
+    return part;
+}
+
+std::vector<int> parts_joined_by_faces(const Mesh& mesh) {
+    std::vector<int> parent(mesh.elements.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto behind = face_neighbours(mesh);
+    for (std::size_t e = 0; e < behind.size(); ++e) {
+        for (const FaceOfElement& face : behind[e]) {
+            if (face.element >= 0)
+                parent[root_of(parent, face.element)] =
+                    root_of(parent, static_cast<int>(e));
+        }
+    }
+    std::vector<int> number(parent.size(), -1), part;
+    int parts = 0;
+    for (std::size_t e = 0; e < parent.size(); ++e) {
+        int& its = number[static_cast<std::size_t>(root_of(parent, static_cast<int>(e)))];
         if (its < 0) its = parts++;
         part.push_back(its);
     }

@@ -33,6 +33,8 @@ inline int root_of(std::vector<int>& parent, int node) {
 // Number of the connected part of each element, from 0 in the order of the elements;
 // elements are connected by any common node.
 std::vector<int> connected_parts(const Mesh& mesh);
+// The same by common faces only: elements on both sides of a hinge are apart.
+std::vector<int> parts_joined_by_faces(const Mesh& mesh);
 
 // Throws std::invalid_argument with advice on a mesh without elements, an inverted
 // element, elements given twice, or nodes within a thousandth of the shortest edge.

@@ -305,6 +305,41 @@ TEST(Keys, of_obstacles) {
     EXPECT_EQ(surface.shift_m, (Vec3{1e-3, 2e-3, 3e-3}));
 }
 
+TEST(Keys, of_shapes) {
+    const auto bodies = complete("shapes.yaml").bodies;
+    ASSERT_EQ(bodies.size(), 3u);  // by the alphabet
+    const auto& cubes = std::get<VoxelMesh>(bodies[0].mesh);
+    EXPECT_EQ(cubes.file, (test_folder / "complete/robot.stl").string());
+    EXPECT_EQ(cubes.unit_m, 1e-3);
+    EXPECT_EQ(cubes.spacing_m, 0.1e-3);
+    ASSERT_EQ(cubes.faces.size(), 1u);
+    EXPECT_EQ(cubes.faces[0].name, "tip");
+    EXPECT_EQ(cubes.faces[0].box_m[1], (Vec3{4e-3, 5e-3, 6e-3}));
+    const auto& arc = std::get<Arc>(bodies[1].mesh);
+    EXPECT_EQ(arc.radius_m, 2e-3);
+    EXPECT_NEAR(arc.angle_rad, std::numbers::pi / 2, 1e-15);
+    EXPECT_EQ(arc.section_m, (std::array{1e-3, 0.2e-3}));
+    EXPECT_EQ(arc.elements, (std::array{12, 3, 1}));
+    const auto& helix = std::get<Helix>(bodies[2].mesh);
+    EXPECT_EQ(helix.radius_m, 0.5e-3);
+    EXPECT_EQ(helix.pitch_m, 2e-3);
+    EXPECT_EQ(helix.turns, 1.5);
+    EXPECT_EQ(helix.section_m, (std::array{0.3e-3, 0.2e-3}));
+    EXPECT_EQ(helix.elements, (std::array{30, 2, 1}));
+    EXPECT_TRUE(helix.left_handed);
+    const auto& radial = std::get<RadialMagnetization>(*bodies[0].magnetization);
+    EXPECT_EQ(radial.strength_a_m, -20e3);
+    EXPECT_EQ(radial.centre_m, (Vec3{1e-3, 2e-3, 3e-3}));
+    EXPECT_EQ(radial.axis, (Vec3{0, 0, 2}));
+    const auto& curve = std::get<CurveMagnetization>(*bodies[1].magnetization);
+    EXPECT_EQ(curve.strength_a_m, 62e3);
+    EXPECT_EQ(curve.wavelength_m, 3e-3);
+    EXPECT_NEAR(curve.phase_rad, std::numbers::pi / 4, 1e-15);
+    EXPECT_EQ(curve.plane, (std::array{0, 1}));
+    ASSERT_EQ(curve.points_m.size(), 2u);
+    EXPECT_EQ(curve.points_m[1], (Vec3{1e-3, 0, 0}));
+}
+
 // True if the effective scene has a value for each leaf of the table; adds those it
 // lacks.
 void missing_leaves(const Field& field, const std::string& path,
@@ -334,7 +369,7 @@ TEST(Keys, of_the_table_are_all_stored) {
     for (const char* name :
          {"swimmer.yaml", "implicit.yaml", "elastic.yaml", "turning.yaml",
           "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml", "paste.yaml",
-          "blood.yaml", "spatial.yaml"})
+          "blood.yaml", "shapes.yaml", "spatial.yaml"})
         scenes.push_back(effective_scene(complete(name)));
     // A field has one first law; those that add have the same keys.
     for (const nlohmann::json& term : scenes.back()["magnetic_field"]["plus"])

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A robot meshed from the closed surface of an STL file bends as one of a box of the same shape; one
+whose surface the cubes can only step along comes near with the number of cubes across."""
+
+import math
+import struct
+import unittest
+from pathlib import Path
+
+from magfsi import testing
+
+SIZE_MM, EDGE_MM = (6, 1.5, 0.75), 0.375
+SHEAR_PA, LAME_PA, DENSITY, GRAVITY = 33e3, 660e3, 1860, 0.05
+SCENE = """
+name: cantilever
+time: {end: 1 s, equilibrium: {}}
+bodies:
+  bar:
+    mesh: {MESH}
+    material: {shear_modulus: 33 kPa, lame_lambda: 660 kPa, density: 1860 kg/m3}
+    clamps: [x_min]
+gravity: {acceleration: ACCELERATION m/s2, direction: [0, SIDE, DOWN]}
+probes: {every: 1 s, bodies: [max_displacement]}
+"""
+CORNERS = [[i >> a & 1 for a in range(3)] for i in range(8)]
+QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+
+
+def stl(file, triangles):
+    data = bytes(80) + struct.pack("<I", len(triangles))
+    for triangle in triangles:
+        data += struct.pack("<12f", 0, 0, 0, *(x for point in triangle for x in point)) + bytes(2)
+    file.write_bytes(data)
+
+
+def block(size, low=(0, 0, 0)):
+    corner = [[low[a] + bit * size[a] for a, bit in enumerate(bits)] for bits in CORNERS]
+    return [[corner[i] for i in t] for a, b, c, d in QUADS for t in ((a, b, c), (a, c, d))]
+
+
+def rolled(triangles, angle):
+    """Turned about x."""
+    c, s = math.cos(angle), math.sin(angle)
+    return [[(x, c * y - s * z, s * y + c * z) for x, y, z in t] for t in triangles]
+
+
+def rod(length, diameter, sides=64):
+    ring = [(0.5 * diameter * math.cos(2 * math.pi * i / sides),
+             0.5 * diameter * math.sin(2 * math.pi * i / sides)) for i in range(sides)]
+    triangles = []
+    for i, (a, b) in enumerate(zip(ring, ring[1:] + ring[:1])):
+        p, q = (0, *a), (0, *b)
+        r, s = (length, *a), (length, *b)
+        triangles += [[p, r, s], [p, s, q], [(0, 0, 0), p, q], [(length, 0, 0), s, r]]
+    return triangles
+
+
+class Voxels(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(testing.new_folder())
+
+    def run_with(self, mesh, run=testing.good_run, gravity=9.81, angle=0.0):
+        scene = self.folder / "scene.yaml"
+        scene.write_text(SCENE.replace("MESH", mesh).replace("ACCELERATION", f"{gravity}")
+                         .replace("SIDE", f"{math.sin(angle)}").replace("DOWN", f"{-math.cos(angle)}"))
+        return run(scene)
+
+    def bend(self, mesh, **loads):
+        return self.run_with(mesh, **loads).probes()["bar.max_displacement[m]"][-1]
+
+    def from_file(self, triangles, spacing, unit="1 mm"):
+        stl(self.folder / "robot.stl", triangles)
+        return f"voxels: {{file: robot.stl, spacing: {spacing}, unit: {unit}}}"
+
+    def test_bends_as_the_box(self):
+        def of_box(*elements):
+            return self.bend("box: {size: [%g mm, %g mm, %g mm], elements: %s}"
+                             % (*SIZE_MM, list(elements)))
+
+        box = of_box(*(round(s / EDGE_MM) for s in SIZE_MM))
+        # Anywhere in its file's frame, in millimetres.
+        shape = block(SIZE_MM, (-3.1, 7, 0.123))
+        same = self.bend(self.from_file(shape, "0.375 mm"))
+        cubes, flat = self.bend(self.from_file(shape, "0.1875 mm")), of_box(24, 6, 4)
+        testing.report(f"bends by {1e3 * box:.6f} mm, from the file {1e3 * same:.6f}; by cubes half as "
+                       f"large {1e3 * cubes:.6f}, a box of flatter elements {1e3 * flat:.6f}")
+        # Places of a file in float: 1e-7 of its size, and the bend goes with the length's fourth
+        # power.
+        self.assertAlmostEqual(same / box, 1, delta=1e-5)
+        self.assertAlmostEqual(cubes / flat, 1, delta=0.01)
+
+    def test_a_box_rolled_against_its_cubes(self):
+        """Its sides are steps. The thickness is off by the third part of a cube at most, and bending goes
+        with its third power: 1 / n for n cubes across, of which most averages out over the steps."""
+        shape, angle = rolled(block(SIZE_MM), math.radians(30)), math.radians(30)
+        box = self.bend("box: {size: [6 mm, 1.5 mm, 0.75 mm], elements: [24, 6, 4]}", gravity=GRAVITY)
+        errors = []
+        for across in (4, 8):
+            bend = self.bend(self.from_file(shape, f"{SIZE_MM[2] / across} mm"), gravity=GRAVITY,
+                             angle=angle)
+            errors.append(bend / box - 1)
+            testing.report(f"rolled by 30 degrees, {across} cubes across: {100 * errors[-1]:+.2f} %")
+        self.assertLess(abs(errors[0]), 1 / 4)
+        self.assertLess(abs(errors[1]), 1 / 8)
+
+    def test_a_round_rod(self):
+        """Against a slender beam with Cowper's shear coefficient (J. Appl. Mech. 33 (1966) 335) under its
+        weight."""
+        length, diameter = 8, 1
+        young = SHEAR_PA * (3 * LAME_PA + 2 * SHEAR_PA) / (LAME_PA + SHEAR_PA)
+        nu = LAME_PA / (2 * (LAME_PA + SHEAR_PA))
+        area, second = math.pi / 4 * (1e-3 * diameter)**2, math.pi / 64 * (1e-3 * diameter)**4
+        load, span = DENSITY * GRAVITY * area, 1e-3 * length
+        shear = 6 * (1 + nu) / (7 + 6 * nu)
+        exact = load * span**4 / (8 * young * second) + load * span**2 / (2 * shear * SHEAR_PA * area)
+        errors = []
+        for across in (4, 8):
+            bend = self.bend(self.from_file(rod(length, diameter), f"{diameter / across} mm"),
+                             gravity=GRAVITY)
+            errors.append(bend / exact - 1)
+            testing.report(f"round rod, {across} cubes across: {100 * errors[-1]:+.2f} %")
+        # Steps as above; 4 cubes across leave out the corners.
+        self.assertLess(abs(errors[0]), 1 / 4)
+        self.assertLess(abs(errors[1]), 1 / 8)
+
+    def test_a_named_face(self):
+        """Held by the lower half of its length it is a bar of half the length: a sixteenth of the bend."""
+        whole = self.bend(self.from_file(block(SIZE_MM), "0.25 mm"), gravity=GRAVITY)
+        mesh = self.from_file(block(SIZE_MM, (1, 1, 1)), "0.25 mm")[:-1]
+        held = mesh + ", faces: {root: {box: [[1 mm, 1 mm, 1 mm], [4 mm, 2.5 mm, 1.75 mm]]}}}"
+        scene = self.folder / "scene.yaml"
+        scene.write_text(SCENE.replace("MESH", held).replace("ACCELERATION", f"{GRAVITY}")
+                         .replace("SIDE", "0").replace("DOWN", "-1").replace("x_min", "root"))
+        half = testing.good_run(scene).probes()["bar.max_displacement[m]"][-1]
+        testing.report(f"half the length bends by 1 / {whole / half:.1f} of the whole")
+        # The clamp's own give and shear count for more in the shorter one.
+        self.assertAlmostEqual(half / whole, 1 / 16, delta=0.2 / 16)
+        refused = self.folder / "refused.yaml"
+        refused.write_text(scene.read_text().replace("[1 mm, 1 mm, 1 mm]", "[3.9 mm, 5 mm, 1 mm]")
+                           .replace("[4 mm, 2.5 mm", "[4 mm, 6 mm"))
+        testing.check_refused(self, testing.run(refused), "holds no node")
+
+    def test_refusals(self):
+        cubes = block((1, 1, 1))
+        for triangles, spacing, unit, word in (
+                (block(SIZE_MM), "0.375 mm", "1 m", "more than"),
+                (cubes + block((1, 1, 1), (3, 0, 0)), "0.5 mm", "1 mm", "2 parts that no face joins"),
+                (cubes + block((1, 1, 1), (1, 1, 0)), "0.5 mm", "1 mm", "2 parts that no face joins"),
+                (cubes[:-1], "0.5 mm", "1 mm", "closed")):
+            run = self.run_with(self.from_file(triangles, spacing, unit), testing.run)
+            testing.check_refused(self, run, word)
+            self.assertIn("scene.yaml:6:", run.err)
+
+
+if __name__ == "__main__":
+    testing.main()
