@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Draws how far the helix is behind the field in some runs, and how fast all of them turned and swam.
+
+    plot.py RUN [RUN ...] [--out figure.png]
+
+Frequencies that no RUN has are those of reference.csv; --reference FILE writes what is drawn there.
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import theory
+from magfsi import plotting
+
+HERE = pathlib.Path(__file__).resolve().parent
+SHAPE, BOX = (0.5, 2, 3, 0.3), (8, 4, 4)  # mm
+VISCOSITY, MAGNETIZATION, FIELD = 0.01, 2e3, 1e-3
+COLUMNS = ("frequency[Hz]", "turns[Hz]", "speed[m/s]")
+BLUE, ORANGE = "#0072b2", "#d55e00"
+
+
+def course(folder):
+    """(frequency, times, lag behind the field, place)"""
+    scene = json.loads((folder / "scene.json").read_text())
+    frequency = scene["magnetic_field"]["precession"]["frequency"]
+    p = plotting.read_columns(folder / "probes.csv")
+    angle = np.unwrap(np.arctan2(p["start_z[m]"] - p["opposite_z[m]"], p["start_y[m]"] - p["opposite_y[m]"]))
+    return frequency, p["t[s]"], 2 * math.pi * frequency * p["t[s]"] - angle, p["helix.com_x[m]"]
+
+
+def means(frequency, time, lag, x):
+    """Over the last turn, or over whole turns lost."""
+    if lag[-1] > 5 * math.pi / 2:
+        lost = math.floor((lag[-1] - math.pi / 2) / (2 * math.pi))
+        begin, end = np.interp([math.pi / 2, math.pi / 2 + 2 * math.pi * lost], lag, time)
+    else:
+        begin, end = time[-1] - 1 / frequency, time[-1]
+    rate = frequency - np.diff(np.interp([begin, end], time, lag))[0] / (2 * math.pi * (end - begin))
+    return rate, np.diff(np.interp([begin, end], time, x))[0] / (end - begin)
+
+
+def draw_lags(axes, runs, step_out):
+    for frequency, time, lag, _ in runs:
+        axes.plot(time, np.degrees(lag), lw=1.2, label=f"{frequency:g} Hz")
+        if frequency < step_out:
+            axes.axhline(math.degrees(math.asin(frequency / step_out)), color="0.6", lw=0.8, ls="--", zorder=0)
+    axes.set(xlabel="time [s]", ylabel="behind the field [degrees]", ylim=(0, 800))
+    axes.legend(frameon=False)
+    plotting.clean(axes)
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("folders", type=pathlib.Path, nargs="+")
+    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figure.png"))
+    options.add_argument("--reference", type=pathlib.Path)
+    chosen = options.parse_args()
+    rows = {}
+    with (HERE / "reference.csv").open() as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            rows[float(row[COLUMNS[0]])] = (float(row[COLUMNS[1]]), float(row[COLUMNS[2]]))
+    runs = sorted((course(folder) for folder in chosen.folders), key=lambda run: run[0])
+    rows.update({run[0]: means(*run) for run in runs})
+    if chosen.reference:
+        lines = [f"{f:g},{rate:.5g},{speed:.5g}" for f, (rate, speed) in sorted(rows.items())]
+        chosen.reference.write_text("# Means of the runs of README.md.\n" + "\n".join([",".join(COLUMNS), *lines, ""]))
+    plt.rcParams.update({"font.size": 8, "font.family": "DejaVu Sans"})
+    figure, (lags, rates, speeds) = plt.subplots(1, 3, figsize=(10.2, 3.1), constrained_layout=True)
+    speed, torque = theory.in_periodic_box(*SHAPE, BOX)
+    moment = MAGNETIZATION * SHAPE[3]**2 * SHAPE[2] * theory.wire(*SHAPE[:2])[0] * 1e-9
+    step_out = moment * FIELD / (VISCOSITY * 1e-9 * torque) / (2 * math.pi)
+    draw_lags(lags, runs, step_out)
+    f = np.linspace(0, 3.2, 400)
+    turning = theory.turns_with_the_field(f, step_out)
+    found = np.array([[frequency, *rest] for frequency, rest in sorted(rows.items())])
+    rates.plot(f, turning, color=ORANGE, lw=1.2, label="torque balance, slender body")
+    speeds.plot(f, 2 * math.pi * turning * speed, color=ORANGE, lw=1.2, label="slender body, in the box")
+    lighthill = theory.lighthill(*SHAPE)[0]
+    below = f <= step_out
+    speeds.plot(f[below], 2 * math.pi * f[below] * lighthill, color=ORANGE, lw=1, ls=":",
+                label="Lighthill's coefficients")
+    rates.plot(found[:, 0], found[:, 1], "o", color=BLUE, ms=4, label="simulated")
+    speeds.plot(found[:, 0], 1e3 * found[:, 2], "o", color=BLUE, ms=4, label="simulated")
+    for axes, label in ((rates, "turns of the helix [Hz]"), (speeds, "swims at [mm/s]")):
+        axes.axvline(step_out, color="0.8", lw=0.8, zorder=0)
+        axes.set(xlabel="turns of the field [Hz]", ylabel=label, xlim=(0, 3.2), ylim=(0, None))
+        axes.legend(frameon=False, fontsize=7)
+        plotting.clean(axes)
+    figure.savefig(chosen.out, dpi=150)
+    print(chosen.out)
+
+
+if __name__ == "__main__":
+    main()
