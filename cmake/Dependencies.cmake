@@ -6,6 +6,7 @@ set(magfsi_missing "")
 
 macro(magfsi_missing_is purpose debian)
   list(APPEND magfsi_missing "${purpose} (Debian: ${debian})")
+  list(REMOVE_DUPLICATES magfsi_missing)
 endmacro()
 
 # magfsi_package(PURPOSE DEBIAN NAME ...): one with a CMake package.
@@ -34,12 +35,17 @@ macro(magfsi_find_lbm)
   magfsi_package("OpenMP, for the fluid's threads" g++ OpenMP COMPONENTS CXX)
 endmacro()
 
+macro(magfsi_find_formulas)
+  magfsi_package("muParser, which reads formulas" libmuparser-dev muparser)
+endmacro()
+
 macro(magfsi_find_coupler)
   magfsi_package("yaml-cpp, which reads scenes" libyaml-cpp-dev yaml-cpp)
   if(TARGET yaml-cpp AND NOT TARGET yaml-cpp::yaml-cpp)  # before 0.8 it exports the bare name
     add_library(yaml-cpp::yaml-cpp INTERFACE IMPORTED)
     set_target_properties(yaml-cpp::yaml-cpp PROPERTIES INTERFACE_LINK_LIBRARIES yaml-cpp)
   endif()
+  magfsi_find_formulas()
   magfsi_package("CLI11, which reads command lines" libcli11-dev CLI11)
   magfsi_package("spdlog, for the log" libspdlog-dev spdlog)
   magfsi_package("JSON for Modern C++, for summaries" nlohmann-json3-dev nlohmann_json)
@@ -50,6 +56,7 @@ macro(magfsi_find_coupler)
 endmacro()
 
 macro(magfsi_find_structure)
+  magfsi_find_formulas()
   # With OpenMP inside. Its time is spent in BLAS: packages.txt names OpenBLAS, several times as
   # fast as the reference library, in its serial variant, which starts no threads of its own.
   magfsi_library("CHOLMOD, which factorises Newton's tangent" libsuitesparse-dev cholmod::cholmod

@@ -36,5 +36,5 @@ set(CPACK_DEBIAN_OPENFOAM_PACKAGE_DEPENDS "magfsi (= ${PROJECT_VERSION}), openfo
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME magfsi-dev)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "magfsi's libraries and headers for programs in C++")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "magfsi (= ${PROJECT_VERSION}), cmake, g++, libopenmpi-dev, liblammps-dev, libeigen3-dev, libsuitesparse-dev, libyaml-cpp-dev, libcli11-dev, libfmt-dev, libspdlog-dev, nlohmann-json3-dev, libhdf5-dev")
+  "magfsi (= ${PROJECT_VERSION}), cmake, g++, libopenmpi-dev, liblammps-dev, libeigen3-dev, libsuitesparse-dev, libyaml-cpp-dev, libmuparser-dev, libcli11-dev, libfmt-dev, libspdlog-dev, nlohmann-json3-dev, libhdf5-dev")
 include(CPack)

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "structure/formula.h"
+
 namespace magfsi::structure {
 
 using Vec3 = std::array<double, 3>;
@@ -218,9 +220,14 @@ struct PrecessingField {
     double frequency_hz = 0, start_rad = 0;
     double ramp_s = 0;  // within it the magnitude rises by (1 - cos(pi t / ramp)) / 2
 };
+// Of the time, by component.
+struct FormulaField {
+    std::array<Formula, 3> component_t;
+};
 
-using FieldLaw = std::variant<ConstantField, FieldTable, RotatingField, VectorField,
-                              VectorTable, OscillatingField, PrecessingField>;
+using FieldLaw =
+    std::variant<ConstantField, FieldTable, RotatingField, VectorField, VectorTable,
+                 OscillatingField, PrecessingField, FormulaField>;
 struct FieldTerm {
     FieldLaw law;
 };

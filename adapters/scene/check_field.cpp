@@ -54,29 +54,56 @@ void check_law(const PrecessingField& field, const At& at) {
             "any other vector such as [0, 0, 1]");
 }
 
-void check_any_law(const FieldLaw& law, const At& at) {
+// Over the run it is looked at a thousand times, with both ends; what lies in between
+// stops the run.
+void check_law(const FormulaField& field, const At& at, double end_s) {
+    constexpr const char* names[] = {"x", "y", "z"};
+    for (std::size_t d = 0; d < 3; ++d) {
+        for (int i = 0; i <= 1000; ++i) {
+            const double t = end_s * i / 1000;
+            const std::string& formula = field.component_t[d].si;
+            const double value = structure::value_or_nan(formula, t);
+            require(std::isfinite(value), at(names[d]),
+                    fmt::format("{}, which is {} at t = {}",
+                                in_quotes(field.component_t[d].written),
+                                structure::fault_of(value), seconds(t)),
+                    "formulas with a value at all times of the run");
+        }
+    }
+}
+
+void check_any_law(const FieldLaw& law, const At& at, double end_s) {
     std::visit(
         [&]<class Law>(const Law& one) {
-            if constexpr (requires { check_law(one, at); }) check_law(one, at);
+            if constexpr (requires { check_law(one, at); })
+                check_law(one, at);
+            else if constexpr (requires { check_law(one, at, end_s); })
+                check_law(one, at, end_s);
         },
         law);
 }
 
-void check_laws(const MagneticField& field, const Marks& marks) {
+void check_laws(const MagneticField& field, double end_s, const Marks& marks) {
     const std::string law = field.uniform ? law_key(field.course) : "";
     require(field.uniform || (!field.sources.empty() && field.plus.empty()),
             marks.key({"magnetic_field"}), "a magnetic_field without a law",
             "one of constant, table, rotation, vector, vector_table, oscillation, "
-            "precession, or sources");
+            "precession, formula, or sources");
     if (field.uniform)
-        check_any_law(field.course, [&](const char* key) -> const Origin& {
-            return marks.value({"magnetic_field", law, key});
-        });
+        check_any_law(
+            field.course,
+            [&](const char* key) -> const Origin& {
+                return marks.value({"magnetic_field", law, key});
+            },
+            end_s);
     for (std::size_t i = 0; i < field.plus.size(); ++i) {
-        check_any_law(field.plus[i].law, [&](const char* key) -> const Origin& {
-            return marks.value({"magnetic_field", "plus", std::to_string(i),
-                                law_key(field.plus[i].law), key});
-        });
+        check_any_law(
+            field.plus[i].law,
+            [&](const char* key) -> const Origin& {
+                return marks.value({"magnetic_field", "plus", std::to_string(i),
+                                    law_key(field.plus[i].law), key});
+            },
+            end_s);
     }
 }
 
@@ -166,7 +193,7 @@ void check_magnetic_field(const Scene& scene, const Marks& marks) {
             "magnetic_field without a magnetized body",
             "it with at least one body that has a magnetization",
             "add a magnetization or remove this key");
-    check_laws(field, marks);
+    check_laws(field, scene.time.end_s, marks);
     for (const FieldSource& source : field.sources) check_source(source, marks);
     if (field.gradient) check_gradient(*field.gradient, marks);
 }

@@ -244,6 +244,9 @@ bool is_zero(const FieldLaw& law) {
                 return is_zero(one.magnitude_t);
             else if constexpr (requires { one.vector_t; })
                 return is_zero(one.vector_t);
+            else if constexpr (requires { one.component_t; })
+                return std::ranges::all_of(one.component_t,
+                                           [](const auto& f) { return f.si == "0"; });
             else
                 return is_zero(one.amplitude_t);
         },

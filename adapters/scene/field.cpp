@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "adapters/scene/formula_units.h"
 #include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
@@ -24,6 +25,8 @@ std::string one_value(const Field& field) {
             return "true or false";
         case Kind::text:
             return "one line of text";
+        case Kind::formula:
+            return formula_expectation(field.unit);
         case Kind::identifier:
             return "a name of letters, digits and _, a letter first";
         case Kind::choice:

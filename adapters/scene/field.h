@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/scene/document.h"
+#include "structure/formula.h"
 
 namespace magfsi::scene {
 
@@ -21,6 +22,7 @@ enum class Kind {
     integer,     // whole number
     boolean,     // true or false
     text,        // one line
+    formula,     // of the time t, whose value has the unit
     identifier,  // letters, digits and _, a letter first
     choice,      // one of choices; a child of the same name lets the choice carry a map
 };
@@ -131,6 +133,7 @@ double number_value(const Node& scalar, const Field& field);  // SI
 int integer_value(const Node& scalar, const Field& field);
 bool boolean_value(const Node& scalar, const Field& field);
 std::string text_value(const Node& scalar, const Field& field);  // text and identifier
+structure::Formula formula_value(const Node& scalar, const Field& field);
 std::size_t choice_value(const Node& scalar, const Field& field);
 
 }  // namespace magfsi::scene

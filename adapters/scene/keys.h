@@ -100,6 +100,7 @@ class JsonWriter {
     void write(E& value) {
         json_ = name_of(value);
     }
+    void write(structure::Formula& value) { json_ = value.written; }
     void write(AxisRef& value) {
         json_ = axis_names[static_cast<std::size_t>(value.axis)];
     }
@@ -201,6 +202,7 @@ class Describer {
     void describe(int&) { leaf(Kind::integer); }
     void describe(bool&) { leaf(Kind::boolean); }
     void describe(std::string&) { leaf(Kind::text); }
+    void describe(structure::Formula&) { leaf(Kind::formula); }
     template <std::size_t N>
     void words(const std::array<std::string_view, N>& list) {
         leaf(Kind::choice);
@@ -313,6 +315,7 @@ class TreeReader {
     void read(int& value) { value = integer_value(*node_, *field_); }
     void read(bool& value) { value = boolean_value(*node_, *field_); }
     void read(std::string& value) { value = text_value(*node_, *field_); }
+    void read(structure::Formula& value) { value = formula_value(*node_, *field_); }
     template <Named E>
     void read(E& value) {
         value = static_cast<E>(choice_value(*node_, *field_));

@@ -66,6 +66,14 @@ void keys(Io& io, PrecessingField& field) {
                 "(1 - cos(pi t / ramp)) / 2.").above(0).optional(), field.ramp_s);
 }
 
+template <class Io>
+void keys(Io& io, FormulaField& field) {
+    auto& [x, y, z] = field.component_t;
+    io(quantity("x", "T", "Bx.").by_default(), x);
+    io(quantity("y", "T", "By.").by_default(), y);
+    io(quantity("z", "T", "Bz.").by_default(), z);
+}
+
 // One, or at most one.
 template <class Io, class Law>
 void laws(Io& io, Law& law) {
@@ -77,7 +85,8 @@ void laws(Io& io, Law& law) {
         quantity("vector", "T", "Bx, By, Bz, held still."),
         key("vector_table", "Of three components, linear between rows, held before and after."),
         key("oscillation", "amplitude sin(2 pi frequency t + phase)."),
-        key("precession", "Turns about an axis on a cone, or in the plane across it."));
+        key("precession", "Turns about an axis on a cone, or in the plane across it."),
+        key("formula", "Of the time t, by component."));
 }
 
 template <class Io>

@@ -144,6 +144,10 @@ std::string ascii(std::string_view text) {
 
 }  // namespace
 
+bool is_unit_symbol(std::string_view text) {
+    return find_symbol(text).has_value();
+}
+
 Unit parse_unit(std::string_view text) {
     const std::string plain = ascii(text);
     Unit unit;
@@ -230,7 +234,8 @@ const NamedDimension* find(const Dimension& dimension) {
     return nullptr;
 }
 
-// "a length", "a density"; a product of base units for what has no name here.
+}  // namespace
+
 std::string dimension_name(const Dimension& dimension) {
     if (const NamedDimension* entry = find(dimension)) return std::string(entry->name);
     constexpr std::string_view base[] = {"kg", "m", "s", "A", "rad"};
@@ -240,8 +245,6 @@ std::string dimension_name(const Dimension& dimension) {
     }
     return "a quantity in" + product;
 }
-
-}  // namespace
 
 std::string format_si(double value, std::string_view si_unit) {
     const bool takes_prefix = si_unit == "m" || si_unit == "s" || si_unit == "Pa" ||
@@ -304,6 +307,16 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
 }
 
 }  // namespace
+
+SiValue parse_any_quantity(std::string_view text) {
+    Number number;
+    if (!split(trim(text), number)) throw Complaint(in_quotes(text), "a number");
+    const Unit unit = parse_unit(number.rest);
+    if (unit.factor == 1)
+        return {rounded<double>(number, unit.decimal_exponent, text), unit.dimension};
+    const auto value = rounded<long double>(number, unit.decimal_exponent, text);
+    return {static_cast<double>(value * unit.factor), unit.dimension};
+}
 
 std::string dimension_expectation(std::string_view si_unit) {
     if (si_unit == "%") return "a share such as 3 %";

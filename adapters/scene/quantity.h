@@ -34,6 +34,19 @@ std::string format_si(double value, std::string_view si_unit);
 // dimension and the one found.
 double parse_quantity(std::string_view text, std::string_view si_unit);
 
+// The SI value of a number with any unit, and its dimension. Throws Complaint.
+struct SiValue {
+    double value = 0;
+    Dimension dimension{};
+};
+SiValue parse_any_quantity(std::string_view text);
+
+// Of m, g, s ... with or without a prefix; "mm2" is none.
+bool is_unit_symbol(std::string_view text);
+
+// "a length"; a product of base units for what has no name here.
+std::string dimension_name(const Dimension& dimension);
+
 // "a length such as 0.2 mm"
 std::string dimension_expectation(std::string_view si_unit);
 

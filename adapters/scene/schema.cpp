@@ -67,6 +67,8 @@ Json value_schema(const Field& field) {
             add_range(schema, field.range);
             return schema;
         }
+        case Kind::formula:  // 0 may stand for itself
+            return {{"type", Json::array({"string", "number"})}};
         case Kind::integer: {
             Json schema = {{"type", "integer"}};
             add_range(schema, field.range);

@@ -8,6 +8,7 @@
 
 #include "adapters/scene/fault.h"
 #include "adapters/scene/field.h"
+#include "adapters/scene/formula_units.h"
 #include "adapters/scene/quantity.h"
 
 namespace magfsi::scene {
@@ -114,6 +115,15 @@ std::string text_value(const Node& scalar, const Field& field) {
     if (scalar.scalar.empty() || std::ranges::any_of(scalar.scalar, control))
         refuse_value(scalar, field);
     return scalar.scalar;
+}
+
+structure::Formula formula_value(const Node& scalar, const Field& field) {
+    const std::string text = text_value(scalar, field);
+    try {
+        return {.written = text, .si = formula_in_si(text, field.unit)};
+    } catch (const Complaint& complaint) {
+        refuse(scalar.origin, complaint);
+    }
 }
 
 std::size_t choice_value(const Node& scalar, const Field& field) {
@@ -250,6 +260,9 @@ void check_leaf(const Node& node, const Field& field) {
                 break;
             case Kind::integer:
                 integer_value(*scalar, field);
+                break;
+            case Kind::formula:
+                formula_value(*scalar, field);
                 break;
             case Kind::boolean:
                 boolean_value(*scalar, field);

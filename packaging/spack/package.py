@@ -24,6 +24,7 @@ class Magfsi(CMakePackage):
     depends_on("suite-sparse")
     depends_on("openblas threads=none")
     depends_on("yaml-cpp@0.6:")
+    depends_on("muparser@2.3:")
     depends_on("cli11")
     depends_on("fmt@8:9")
     depends_on("spdlog +fmt_external")

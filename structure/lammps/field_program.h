@@ -30,7 +30,8 @@ Vec3 field_vector(const ConstantField& field, const std::array<int, 2>& plane);
 //   xz vectors|repeat_vectors  TIME BX BY BZ  TIME BX BY BZ ...
 //   xz oscillating BX BY BZ FREQUENCY PHASE
 //   xz precessing MAGNITUDE AXIS_X AXIS_Y AXIS_Z CONE FREQUENCY START RAMP
-// The words are the two axes of the plane, which the last four laws do not use, and the
+//   xz formula BX BY BZ       of t [s] in T, without spaces (structure/formula.h)
+// The words are the two axes of the plane, which the last five laws do not use, and the
 // course; further laws that add to it follow, each after the word `plus`. Numbers read
 // back exactly. Both throw std::invalid_argument on what is not such a program.
 std::string field_arguments(const FieldProgram& program);

@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -73,6 +74,17 @@ inline std::vector<double> numbers_of(std::span<const std::string> words) {
 template <class... Laws>
 void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
     if (words.empty()) refuse("a name is needed");
+    // Laws that are not of numbers alone.
+    const auto read_words = [&]<class Law>(std::type_identity<Law>) {
+        if constexpr (requires { LawWords<Law>::read_words(words); }) {
+            if (std::optional<Law> law = LawWords<Law>::read_words(words)) {
+                out = *std::move(law);
+                return true;
+            }
+        }
+        return false;
+    };
+    if ((read_words(std::type_identity<Laws>{}) || ...)) return;
     const auto values = numbers_of(words.subspan(1));
     const auto read = [&]<class Law>(std::optional<Law> law) {
         if (law) out = *law;

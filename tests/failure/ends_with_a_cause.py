@@ -158,6 +158,16 @@ class Diverged(unittest.TestCase):
         self.assertEqual(run.summary()["outcome"], "diverged")
         self.assertTrue(run.summary()["cause"])
 
+    def test_field_without_a_value(self):
+        """A gap of the formula between two of the instants at which it is checked before."""
+        gap = "sqrt(abs(t - 1.0066 ms) < 1 us ? -1 : 1)"
+        run = testing.run(testing.ROOT / "docs/examples/scenes/formula.yaml",
+                          {"magnetic_field.plus.0.formula.x": f"1 mT*{gap}", "time.end": "20 ms"},
+                          limit_s=LIMIT_S)
+        self.assertEqual(run.code, 3, run.err)
+        self.assertRegex(run.err, r"the formula 0\.001\*sqrt.* is not a number at t = 0\.00100")
+        self.assertEqual(run.summary()["outcome"], "diverged")
+
     def test_body_that_leaves_the_box(self):
         run = testing.run(testing.SMALL, {"coupling.overlap": "allow",
                                           "bodies.robot.initial.position": "[4 mm, 2 mm, 0.2 mm]",

@@ -88,7 +88,7 @@ class Recipes(unittest.TestCase):
     def test_the_spack_recipe_is_python_and_names_what_the_build_needs(self):
         text = (testing.ROOT / "packaging/spack/package.py").read_text()
         ast.parse(text)
-        for library in ("lammps", "eigen", "suite-sparse", "yaml-cpp", "cli11", "fmt", "spdlog",
+        for library in ("lammps", "eigen", "suite-sparse", "yaml-cpp", "muparser", "cli11", "fmt", "spdlog",
                         "nlohmann-json", "gmsh", "hdf5", "mpi"):
             self.assertIn(f'depends_on("{library}', text)
 

@@ -42,7 +42,11 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
     // restarts.
     double compute_vector(int i) override {
         const double time_s = static_cast<double>(update->ntimestep) * update->dt;
-        return field_at(program_, time_s)[static_cast<std::size_t>(i)];
+        try {
+            return field_at(program_, time_s)[static_cast<std::size_t>(i)];
+        } catch (const std::exception& cause) {
+            fail(*error, "magnetic field: {}", cause.what());
+        }
     }
 
   private:

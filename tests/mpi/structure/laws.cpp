@@ -191,7 +191,9 @@ TEST(FieldVariables, FollowTheProgram) {
     const FieldProgram sum{{0, 2},
                            PrecessingField{5e-3, {1, 1, 2}, 0.6, 25, 0.3, 1e-3},
                            {{VectorField{{1e-3, 0, -2e-3}}}}};
-    for (const FieldProgram& program : {table, rotation, sum}) {
+    const FieldProgram formula{
+        {0, 2}, FormulaField{{{{}, {.si = "0.003*t"}, {.si = "0.012*sin(2*pi*25*t)"}}}}};
+    for (const FieldProgram& program : {table, rotation, sum, formula}) {
         LammpsInput input = test::strip_in_field();
         input.field = program;
         test::Run run(input);

@@ -256,7 +256,10 @@ TEST(FieldProgram, ArgumentsReadBackExactly) {
     sum.plus = {{VectorField{{1e-3, 0, 1.0 / 7}}},
                 {OscillatingField{{0, 1.0 / 9, 0}, 3, 0.3}},
                 {ConstantField{0.01, 1.0 / 3}}};
-    for (const FieldProgram& program : {strokes(), rotating, constant, vectors, sum}) {
+    const FieldProgram formula =
+        spatial(FormulaField{{{{.si = "0.012*sin(2*pi*25*t)"}, {}, {.si = "t<1?1:2"}}}});
+    for (const FieldProgram& program :
+         {strokes(), rotating, constant, vectors, sum, formula}) {
         std::vector<std::string> words;
         std::istringstream text(field_arguments(program));
         for (std::string word; text >> word;) words.push_back(word);
@@ -278,7 +281,9 @@ TEST(FieldProgram, RefusesWhatIsNoProgram) {
           Words{"xz", "vector", "1", "0"}, Words{"xz", "vector", "1", "0", "0", "plus"},
           Words{"xz", "plus", "vector", "1", "0", "0"},
           Words{"xz", "vectors", "1", "0", "0", "0", "0", "0", "0", "0"},
-          Words{"xz", "precessing", "1", "0", "0", "0", "1", "5", "0", "0"}}) {
+          Words{"xz", "precessing", "1", "0", "0", "0", "1", "5", "0", "0"},
+          Words{"xz", "formula", "t", "0"}, Words{"xz", "formula", "t", "0", "x"},
+          Words{"xz", "formula", "t", "0", "t=1"}}) {
         EXPECT_THROW(parse_field_arguments(words), std::invalid_argument);
     }
     EXPECT_THROW(field_arguments({{0, 2}, FieldTable{{0, 1}, {1, 1}, {0, 1, 2}, false}}),

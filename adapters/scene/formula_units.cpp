@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/scene/formula_units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "adapters/scene/fault.h"
+#include "adapters/scene/quantity.h"
+#include "structure/formula.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+// Size of today's unit of mass, length, time and current in another system of units.
+using Scales = std::array<double, 4>;
+
+double scale_of(const Dimension& dimension, const Scales& scales) {
+    double factor = 1;
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        factor *= std::pow(scales[i], dimension[i]);
+    return factor;
+}
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) || c == '_' || (c & 0x80);
+}
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c));
+}
+bool is_space(char c) {
+    return std::isspace(static_cast<unsigned char>(c));
+}
+
+std::size_t after(std::string_view text, std::size_t at, bool (*kind)(char)) {
+    while (at < text.size() && kind(text[at])) ++at;
+    return at;
+}
+
+// End of a symbol and its power at this place, "mm2", "s^-1"; `at` itself where there is
+// none, as at the name of a function.
+std::size_t after_unit_factor(std::string_view text, std::size_t at) {
+    if (text.substr(at, 1) == "%") return at + 1;
+    const std::size_t name = after(text, at, is_letter);
+    const std::size_t next = after(text, name, is_space);
+    if (name == at || text.substr(next, 1) == "(") return at;
+    std::size_t power = name;
+    if (text.substr(power, 1) == "^") power = power + 1;
+    if (text.substr(power, 1) == "-" && power > name) ++power;
+    const std::size_t digits = after(text, power, is_digit);
+    return digits > power ? digits : name;
+}
+
+// End of the unit that begins at this place. A "/" belongs to it before the symbol of a
+// unit: 5 mT/s; not before the time or a function: 5 mT/t.
+std::size_t after_unit(std::string_view text, std::size_t at) {
+    std::size_t end = after_unit_factor(text, at);
+    while (end > at && text.substr(end, 1) == "/") {
+        const std::size_t next = after_unit_factor(text, end + 1);
+        if (!is_unit_symbol(
+                text.substr(end + 1, after(text, end + 1, is_letter) - end - 1)) ||
+            next == end + 1)
+            break;
+        end = next;
+    }
+    return end;
+}
+
+// The numbers, each with its unit, in other units; what is between them as it is.
+std::string in_units(std::string_view text, const Scales& scales) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        if (is_space(text[at])) {
+            // muParser must not see "3 4" as 34, nor "a b" as ab.
+            const std::size_t next = after(text, at, is_space);
+            const auto joins = [](char c) {
+                return is_letter(c) || is_digit(c) || c == '.';
+            };
+            if (!out.empty() && next < text.size() && joins(out.back()) &&
+                joins(text[next]))
+                throw Complaint(fmt::format("{} after {}", in_quotes(text.substr(next)),
+                                            in_quotes(text.substr(0, at))),
+                                "an operator such as * between two values");
+            at = next;
+        } else if (is_letter(text[at])) {
+            const std::size_t end =
+                after(text, at, [](char c) { return is_letter(c) || is_digit(c); });
+            out += text.substr(at, end - at);
+            at = end;
+        } else if (is_digit(text[at]) || text[at] == '.') {
+            double value = 0;
+            const char* const begin = text.data() + at;
+            const char* const stop =
+                std::from_chars(begin, text.data() + text.size(), value).ptr;
+            const auto number = at + static_cast<std::size_t>(stop - begin);
+            const std::size_t unit = after(text, number, is_space);
+            std::size_t end = after_unit(text, unit);
+            const std::string_view name = text.substr(unit, end - unit);
+            if (end == unit || name == "t" || name == "pi")  // muParser tells of "2 t"
+                end = std::max(number, at + 1);              // or of a lone point
+            const SiValue found = parse_any_quantity(text.substr(at, end - at));
+            // The shortest digits that read back exactly.
+            out += fmt::format("{}", found.value * scale_of(found.dimension, scales));
+            at = end;
+        } else {
+            out += text[at++];
+        }
+    }
+    return out;
+}
+
+// What a formula turns out to be: nothing where it scales like no quantity; no dimension
+// where it is zero at all times, which is zero of any.
+struct Found {
+    bool scales = true;
+    std::optional<Dimension> dimension;
+};
+
+constexpr double other_unit = 4096;  // 2^12: square, cube and fourth roots are exact
+
+// A formula is dimensionally right exactly if its value in any other system of units is
+// that in SI, converted (P. W. Bridgman, Dimensional Analysis, 1922, ch. 2). So it is
+// evaluated in SI and in four systems that differ in one unit each. The factor is a power
+// of two, by which all operations but powers scale to the bit. Times of many orders of
+// magnitude reach all branches of what compares, for example, t with 20 ms.
+Found analyse(std::string_view text) {
+    constexpr double tolerance = 1e-9;  // powers round
+    const std::string si = in_units(text, {1, 1, 1, 1});
+    Found found{.scales = true, .dimension = Dimension{}};
+    bool zero = true;
+    for (std::size_t unit = 0; unit < 4; ++unit) {
+        Scales scales{1, 1, 1, 1};
+        scales[unit] = other_unit;
+        const std::string other = in_units(text, scales);
+        std::optional<double> power;
+        for (int sample = 0; sample < 60; ++sample) {
+            const double t = 1.37e-7 * std::pow(1.61803, sample);  // to 3e5 s
+            const double here = structure::value_or_nan(si, t);
+            const double there =
+                structure::value_or_nan(other, t * (unit == 2 ? other_unit : 1));
+            if (!std::isfinite(here) || !std::isfinite(there) ||
+                (here == 0 && there == 0))
+                continue;
+            zero = false;
+            const double ratio = there / here;
+            const double now = std::round(std::log2(ratio) / 12);
+            if (!power) power = now;
+            if (!(ratio > 0) || now != *power ||
+                std::abs(ratio / std::pow(other_unit, now) - 1) > tolerance)
+                return {.scales = false, .dimension = {}};
+        }
+        (*found.dimension)[unit] = static_cast<int>(power.value_or(0));
+    }
+    if (zero) found.dimension.reset();
+    return found;
+}
+
+// "sin(25*t)" of a function of plain numbers whose argument is none, or "".
+std::string argument_with_a_unit(std::string_view text) {
+    constexpr std::string_view functions[] = {"sin",  "cos",  "tan",  "asin", "acos",
+                                              "atan", "sinh", "cosh", "tanh", "exp",
+                                              "ln",   "log",  "log2", "log10"};
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (!is_letter(text[at]) || (at > 0 && is_letter(text[at - 1]))) continue;
+        const std::size_t name =
+            after(text, at, [](char c) { return is_letter(c) || is_digit(c); });
+        const std::size_t open = after(text, name, is_space);
+        if (std::ranges::find(functions, text.substr(at, name - at)) ==
+                std::end(functions) ||
+            text.substr(open, 1) != "(")
+            continue;
+        int depth = 1;
+        std::size_t close = open + 1;
+        for (; close < text.size() && depth > 0; ++close)
+            depth += text[close] == '(' ? 1 : text[close] == ')' ? -1 : 0;
+        const std::string_view inner = text.substr(open + 1, close - open - 2);
+        const Found found = analyse(inner);
+        if (found.scales && found.dimension.value_or(Dimension{}) != Dimension{})
+            return fmt::format("the argument of {} is {}, {} must be a plain number",
+                               text.substr(at, name - at),
+                               dimension_name(*found.dimension), in_quotes(inner));
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string formula_in_si(const std::string& text, std::string_view si_unit) {
+    const std::string allowed = formula_expectation(si_unit);
+    std::string si;
+    Found found;
+    try {
+        si = in_units(text, {1, 1, 1, 1});
+        found = analyse(text);
+    } catch (const std::invalid_argument& fault) {
+        throw Complaint(fmt::format("{}: {}", in_quotes(text), fault.what()), allowed);
+    }
+    if (!found.scales) {
+        const std::string argument = argument_with_a_unit(text);
+        throw Complaint(fmt::format("{}, which mixes quantities that are not of one kind",
+                                    in_quotes(text)),
+                        allowed,
+                        argument.empty()
+                            ? "what is added or compared has one dimension, and what a "
+                              "function such as sin takes has none: sin(2*pi*25 Hz*t)"
+                            : argument);
+    }
+    Dimension wanted = parse_unit(si_unit).dimension;
+    wanted[4] = 0;  // angles count as plain numbers
+    if (found.dimension && *found.dimension != wanted)
+        throw Complaint(
+            fmt::format("{}, {}", in_quotes(text), dimension_name(*found.dimension)),
+            allowed);
+    return si;
+}
+
+std::string formula_expectation(std::string_view si_unit) {
+    return fmt::format(
+        "{}, as a formula of the time t such as {}", dimension_expectation(si_unit),
+        si_unit == "T" ? "12 mT*sin(2*pi*25 Hz*t)" : "3 mm/s*(1 - cos(2*pi*t/0.8 s))");
+}
+
+}  // namespace magfsi::scene

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Formulas of the time: their values, and that units must cancel.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "adapters/scene/fault.h"
+#include "adapters/scene/formula_units.h"
+#include "adapters/scene/reader.h"
+#include "structure/formula.h"
+#include "tests/support/checks.h"
+#include "tests/unit/scene/scene_files.h"
+
+namespace magfsi::scene {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double value(const std::string& text, const char* unit, double t) {
+    return structure::value_at(formula_in_si(text, unit), t);
+}
+
+TEST(Formula, has_the_value_of_its_numbers_and_units) {
+    const double t = 0.0123, roundoff = 1e-16;
+    EXPECT_NEAR(value("12 mT * sin(2*pi*25 Hz*t)", "T", t),
+                0.012 * std::sin(2 * pi * 25 * t), roundoff);
+    EXPECT_EQ(value("17 mT", "T", t), 0.017);
+    EXPECT_EQ(value("-17mT", "T", t), -0.017);
+    EXPECT_EQ(value("0", "T", t), 0);
+    EXPECT_EQ(value("0.5 mT/ms*t", "T", t), 0.5 * t);
+    EXPECT_EQ(value("3 mT/t*1 s", "T", 2), 0.0015);
+    EXPECT_EQ(value("1 mm/min(1 s, t)", "m/s", 0.5), 0.002);
+    EXPECT_EQ(value("sqrt(4 mm2/s^2)", "m/s", t), 0.002);
+    EXPECT_EQ(value("4 mm^2/s2/2 mm*1 s", "m/s", t), 0.002);
+    EXPECT_EQ(value("t < 20 ms ? 1 mT : 2 mT", "T", 0.03), 0.002);
+    EXPECT_EQ(value("mod(t, 0.8 s) == 0.25 s ? 1 T : 0", "T", 4.25), 1);
+    EXPECT_EQ(value("max(0, 1 - 50 %*t/1 s)*1 T", "T", 1), 0.5);
+    EXPECT_NEAR(value("1 T*cos(90 deg)", "T", t), 0, roundoff);
+    EXPECT_EQ(value("1 T*(1 + (t/1 s)^0.3)", "T", 1), 2);
+}
+
+// Numbers have the same double as elsewhere in a scene: by their decimal digits.
+TEST(Formula, has_the_numbers_of_other_keys) {
+    EXPECT_EQ(formula_in_si("200 um", "m"), formula_in_si("0.2 mm", "m"));
+    EXPECT_EQ(formula_in_si("  1 mT *\tt / 3 ms ", "T"), "0.001*t/0.003");
+}
+
+struct Wrong {
+    const char* text;
+    const char* says;
+};
+
+class WrongFormula : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongFormula, is_refused) {
+    const std::string message =
+        test::message_of<Complaint>([] { formula_in_si(GetParam().text, "T"); });
+    test::expect_says(message, {GetParam().says});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    of_flux_densities, WrongFormula,
+    testing::Values(
+        Wrong{"12",
+              "a plain number; allowed a magnetic flux density such as 17 mT, as a "
+              "formula of"},
+        Wrong{"12 mm*sin(2*pi*25 Hz*t)", "a length"}, Wrong{"12 mT*t", "kg^1 s^-1 A^-1"},
+        Wrong{"12 mT*sin(2*pi*25*t)",
+              "the argument of sin is a time, \"2*pi*25*t\" must be a plain number"},
+        Wrong{"12 mT + 3 ms", "not of one kind"}, Wrong{"12 mT + t", "not of one kind"},
+        Wrong{"12 mT*(1 + t)", "not of one kind"},
+        Wrong{"t < 20 ? 1 mT : 2 mT", "not of one kind"},
+        Wrong{"mod(t, 0.8) < 0.1 s ? 1 mT : 0", "not of one kind"},
+        Wrong{"(2 mT)^(3 ms/t*t)", "not of one kind"},
+        Wrong{"1 mT*2^(3 Hz*t*t)", "not of one kind"},
+        Wrong{"12 mTT", "the unknown unit \"mTT\""}, Wrong{"3 mT 4", "an operator"},
+        Wrong{"2 t*1 mT", "an operator"}, Wrong{"sin(t/1 s", "Missing parenthesis"},
+        Wrong{"bar(t)*1 T", "bar"}, Wrong{"1 mT*x", "\"x\""}, Wrong{"t = 1 mT", "=="},
+        Wrong{"1 mT, 2 mT", "separated by commas"}, Wrong{".", "\".\""}));
+
+TEST(Formula, that_has_no_value_names_itself_and_the_time) {
+    const std::string message = test::message_of<std::runtime_error>(
+        [] { structure::value_at("sqrt(1-t)", 2.5); });
+    test::expect_says(message, {"sqrt(1-t)", "not a number", "t = 2.5 s"});
+}
+
+// A formula is kept as it is written; its hash is that of the text.
+TEST(Formula, reaches_the_field_in_either_place) {
+    const auto file = source_folder / "docs/examples/scenes/formula.yaml";
+    const Scene s = read_scene(file);
+    const auto& first = std::get<FormulaField>(s.magnetic_field->course).component_t;
+    EXPECT_EQ(first[0].written, "1 mT*(1 - exp(-t/0.3 ms))");
+    EXPECT_EQ(first[1].si, "0");
+    const auto& more = std::get<FormulaField>(s.magnetic_field->plus[0].law).component_t;
+    EXPECT_EQ(structure::value_at(more[0].si, 1.1e-3), 0.5e-3);
+    EXPECT_EQ(structure::value_at(more[0].si, 1.3e-3), 0);
+    EXPECT_NE(read_scene(file, {"magnetic_field.formula.y=1 mT"}).hash, s.hash);
+}
+
+}  // namespace
+}  // namespace magfsi::scene
