@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,10 +58,30 @@ constexpr auto words_of(InletProfile) {
     return std::to_array<std::string_view>({"uniform", "parabolic", "plug"});
 }
 
+// Factors of an inlet's velocity over time.
+struct InletWave {  // mean + amplitude sin(2 pi f t + phase)
+    double mean = 1, amplitude = 0, frequency_hz = 0, phase_rad = 0;
+};
+struct InletTable {  // linear between rows, held before and after
+    std::vector<double> time_s, factor;
+    bool repeat = false;
+    std::string file;    // CSV that the rows are in, instead
+    std::string source;  // the file that they have been read from
+};
+struct InletFormula {  // with units, and in numbers of SI
+    std::string written, si;
+};
+using InletCourse = std::variant<InletWave, InletTable, InletFormula>;
+
 struct Inlet {
     Vec3 velocity_m_s{};  // mean over the cells of the opening, whatever the profile
     InletProfile profile = InletProfile::uniform;
     double ramp_s = 0;  // grows from rest as (1 - cos(pi t / ramp)) / 2
+    std::optional<InletCourse> course{};
+    // What the course comes to, for the fluid: factor at a time [s], none where there is
+    // no course, and the largest size of it.
+    std::function<double(double)> factor{};
+    double peak_factor = 1;
 };
 
 // Openings of a side, in its plane: coordinates along the two other axes in the order x,

@@ -127,7 +127,8 @@ class TableReader {
             bracket == std::string::npos ? "" : field.substr(bracket);
         std::vector<std::string> allowed;
         for (const ColumnUnit& one : kind->units) {
-            allowed.push_back(fmt::format("[{}]", one.text));
+            // A plain number has none.
+            allowed.push_back(one.text.empty() ? "" : fmt::format("[{}]", one.text));
             if (unit != allowed.back()) continue;
             const auto place = static_cast<std::size_t>(kind - known_.begin());
             if (std::ranges::find(columns_, place, &Column::known) != columns_.end())

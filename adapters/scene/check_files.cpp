@@ -132,6 +132,11 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
             files.emplace_back(table->file);
     }
     if (scene.control) files.emplace_back(scene.control->script);
+    for (const Boundary& side : scene.fluid.value_or(Fluid{}).boundaries) {
+        if (!side.inlet.course) continue;
+        const auto* table = std::get_if<InletTable>(&*side.inlet.course);
+        if (table && !table->source.empty()) files.emplace_back(table->source);
+    }
     for (const Obstacle& obstacle : scene.fluid.value_or(Fluid{}).obstacles) {
         if (const auto* surface = std::get_if<StlSurface>(&obstacle.shape))
             files.emplace_back(surface->file);

@@ -160,6 +160,9 @@ void check_openfoam(const Fluid& fluid, const Marks& marks) {
         not_there(side.kind == BoundaryKind::pressure_outlet && side.patch,
                   marks.value({"fluid", "boundaries", std::string(names<Face>[face])}),
                   "an outlet over a part of its side");
+        not_there(side.inlet.course.has_value(),
+                  marks.value({"fluid", "boundaries", std::string(names<Face>[face])}),
+                  "an inlet with a course");
     }
 }
 
@@ -253,8 +256,13 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
         const Boundary& side = fluid.boundaries[face];
         const std::string kind(name_of(side.kind));
         const bool inlet = side.kind == BoundaryKind::velocity_inlet;
-        check_speed(length(inlet ? side.inlet.velocity_m_s : side.wall_velocity_m_s),
-                    !inlet ? "the wall velocity" : "the inlet's velocity",
+        const double speed_m_s =
+            inlet ? side.inlet.peak_factor * length(side.inlet.velocity_m_s)
+                  : length(side.wall_velocity_m_s);
+        check_speed(speed_m_s,
+                    !inlet              ? "the wall velocity"
+                    : side.inlet.course ? "the largest velocity of the inlet's course"
+                                        : "the inlet's velocity",
                     marks.value({"fluid", "boundaries", name, kind, "velocity"}), fluid,
                     dt_s);
     }

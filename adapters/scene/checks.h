@@ -51,6 +51,9 @@ void check_materials(const Scene& scene, const Marks& marks);
 // Field tables that are in files: their rows become the scene's, before it is checked.
 void read_field_files(Scene& scene, const Marks& marks);
 
+// Courses of inlets: rows of files become the scene's; what the fluid calls is made.
+void complete_inlets(Scene& scene, const Marks& marks);
+
 // Throws SceneError at the first fault. The scene is complete (wavelengths, coupling).
 void check_scene(const Scene& scene, const Marks& marks);
 

@@ -28,6 +28,39 @@ void patch_keys(Io& io, Boundary& side) {
 }
 
 template <class Io>
+void keys(Io& io, InletWave& wave) {
+    io(key("mean", "Of the factor.").by_default(), wave.mean);
+    io(key("amplitude", "Of the factor."), wave.amplitude);
+    io(quantity("frequency", "1/s", "Periods per second.").above(0), wave.frequency_hz);
+    io(quantity("phase", "rad", "At time 0; 90 deg begins at the largest.").by_default(),
+       wave.phase_rad);
+}
+
+template <class Io>
+void keys(Io& io, InletTable& table) {
+    io(key("file", "CSV with the columns t[s] (also ms, us) and factor in place of time and factor; "
+           "its path counts from the scene's folder.").optional(), table.file);
+    io(quantity("time", "s", "Times of the rows, ascending.").optional(), table.time_s);
+    io(key("factor", "One per row.").optional(), table.factor);
+    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
+}
+
+template <class Io>
+void keys(Io& io, InletFormula& formula) {
+    structure::Formula text{formula.written, formula.si};
+    io.whole(text);
+    formula = {text.written, text.si};
+}
+
+template <class Io>
+void keys(Io& io, InletCourse& course) {
+    io.alternatives(course,
+        key("oscillation", "mean + amplitude sin(2 pi frequency t + phase)."),
+        key("table", "Linear between rows, held before and after."),
+        quantity("formula", "", "Of the time t."));
+}
+
+template <class Io>
 void keys(Io& io, Boundary& side) {
     io.whole(side.kind);
     io.word_with_map(side.kind, BoundaryKind::no_slip, "Moving wall.",
@@ -42,6 +75,7 @@ void keys(Io& io, Boundary& side) {
                   "free-slip sides.").by_default(), side.inlet.profile);
         inlet(quantity("ramp", "s", "Grows from rest over this time, as (1 - cos) / 2.")
                   .at_least(0).by_default(), side.inlet.ramp_s);
+        inlet(key("course", "Factor of the velocity over time: a pulse."), side.inlet.course);
         patch_keys(inlet, side);
     });
     io.word_with_map(side.kind, BoundaryKind::pressure_outlet, "Lets flow and sound out.",

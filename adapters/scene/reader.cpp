@@ -150,6 +150,7 @@ Scene read_scene(const std::filesystem::path& path,
     Scene scene = unchecked_scene(root, file.parent_path());
     check_materials(scene, Marks(root));
     read_field_files(scene, Marks(root));
+    complete_inlets(scene, Marks(root));
     check_scene(scene, Marks(root));
     for (Body& body : scene.bodies)
         body.mesh_place = to_string(Marks(root).value({"bodies", body.name, "mesh"}));

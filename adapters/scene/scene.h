@@ -34,7 +34,9 @@ using coupler::StructureSide;
 using fluid::Block, fluid::Boundary, fluid::BoundaryKind, fluid::Collision;
 using fluid::Carreau, fluid::PowerLaw, fluid::Precision, fluid::Rectangle,
     fluid::Rheology;
-using fluid::Cylinder, fluid::Disc, fluid::InletProfile, fluid::Obstacle;
+using fluid::Cylinder, fluid::Disc, fluid::Inlet, fluid::InletCourse;
+using fluid::InletFormula, fluid::InletProfile, fluid::InletTable, fluid::InletWave;
+using fluid::Obstacle;
 using fluid::Sphere, fluid::StlSurface;
 
 // The words of an enumeration, in its order, and that of a value.

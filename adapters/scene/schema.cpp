@@ -68,7 +68,7 @@ Json value_schema(const Field& field) {
             return schema;
         }
         case Kind::formula:  // 0 may stand for itself
-            return {{"type", Json::array({"string", "number"})}};
+            return {{"anyOf", Json::array({{{"type", "string"}}, {{"type", "number"}}})}};
         case Kind::integer: {
             Json schema = {{"type", "integer"}};
             add_range(schema, field.range);

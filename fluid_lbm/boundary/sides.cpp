@@ -121,6 +121,7 @@ void check_inlet(const FluidConfig& config, int side) {
     for_each_cell(whole_side(config, side), [&](const Cell& c) {
         if (is_open(config, side, c)) peak = std::max(peak, length(velocity(c)));
     });
+    peak *= config.boundaries[side].inlet.peak_factor;
     check_lattice_speed(config, peak * units(config).velocity_m_s(), "inlet speed", side);
 }
 
@@ -137,7 +138,14 @@ void check_balance(const FluidConfig& config) {
     double sum = 0, largest = 0;
     for (int side = 0; side < 6; ++side) {
         if (is(config, side, BoundaryKind::pressure_outlet)) return;
+    }
+    for (int side = 0; side < 6; ++side) {
         const double flow = inflow_m3_s(config, side);
+        if (config.boundaries[side].inlet.factor)
+            refuse(
+                "fluid inlet at ", side_name[side],
+                " has a course of time and there is no pressure outlet to let flow out; "
+                "make a side an outlet");
         sum += flow;
         largest = std::max(largest, std::abs(flow));
     }

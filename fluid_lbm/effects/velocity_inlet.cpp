@@ -19,8 +19,9 @@ class VelocityInlet final : public SideEffect {
 
     void after_exchange(const Populations& populations, const RowLayout& layout,
                         double time) override {
-        const double factor =
+        double factor =
             time >= ramp_ ? 1 : 0.5 * (1 - std::cos(std::numbers::pi * time / ramp_));
+        if (course_) factor *= course_(time * step_s_);
         populations.visit([&](const auto& rows) { add(rows, layout, factor); });
     }
 
@@ -41,6 +42,8 @@ class VelocityInlet final : public SideEffect {
     std::array<int, 2> in_plane_;  // axes
     int stride_;
     double ramp_;  // steps
+    double step_s_;
+    std::function<double(double)> course_;
     // With a margin of one cell around the rank's part of the side.
     std::vector<Vec3> velocity_;
     std::vector<char> open_;
@@ -52,7 +55,9 @@ VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& sid
       cells_(side_cells),
       in_plane_(in_plane(side)),
       stride_(cells_.hi[in_plane_[0]] - cells_.lo[in_plane_[0]] + 2),
-      ramp_(in.config.boundaries[side].inlet.ramp_s / in.config.time_step_s) {
+      ramp_(in.config.boundaries[side].inlet.ramp_s / in.config.time_step_s),
+      step_s_(in.config.time_step_s),
+      course_(in.config.boundaries[side].inlet.factor) {
     const int rows = cells_.hi[in_plane_[1]] - cells_.lo[in_plane_[1]] + 2;
     velocity_.resize(static_cast<std::size_t>(stride_) * rows);
     open_.resize(velocity_.size());

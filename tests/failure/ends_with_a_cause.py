@@ -162,7 +162,7 @@ class Diverged(unittest.TestCase):
         """A gap of the formula between two of the instants at which it is checked before."""
         gap = "sqrt(abs(t - 1.0066 ms) < 1 us ? -1 : 1)"
         run = testing.run(testing.ROOT / "docs/examples/scenes/formula.yaml",
-                          {"magnetic_field.plus.0.formula.x": f"1 mT*{gap}", "time.end": "20 ms"},
+                          {"magnetic_field.plus.0.formula.x": f"'1 mT*{gap}'", "time.end": "20 ms"},
                           limit_s=LIMIT_S)
         self.assertEqual(run.code, 3, run.err)
         self.assertRegex(run.err, r"the formula 0\.001\*sqrt.* is not a number at t = 0\.00100")

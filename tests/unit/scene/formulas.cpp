@@ -85,6 +85,52 @@ TEST(Formula, that_has_no_value_names_itself_and_the_time) {
     test::expect_says(message, {"sqrt(1-t)", "not a number", "t = 2.5 s"});
 }
 
+// --- courses of inlets
+
+Scene pulsing(const std::string& course) {
+    return read_scene(source_folder / "docs/examples/scenes/pulse.yaml",
+                      {"fluid.boundaries.x_min.velocity_inlet.course=" + course});
+}
+
+const Inlet& inlet(const Scene& s) {
+    return s.fluid->boundaries[0].inlet;
+}
+
+TEST(InletCourse, is_a_factor_of_the_time) {
+    const Scene wave = pulsing(
+        "{oscillation: {mean: 0.5, amplitude: 0.25, frequency: 10 Hz, phase: 90 deg}}");
+    EXPECT_DOUBLE_EQ(inlet(wave).factor(0.1), 0.75);
+    EXPECT_EQ(inlet(wave).peak_factor, 0.75);
+    const Scene rows =
+        pulsing("{table: {time: [0 s, 1 s, 2 s], factor: [0, -2, 0], repeat: true}}");
+    EXPECT_EQ(inlet(rows).factor(4.5), -1);
+    EXPECT_EQ(inlet(rows).peak_factor, 2);
+    const Scene file = pulsing("{table: {file: pulse.csv, repeat: true}}");
+    EXPECT_EQ(inlet(file).factor(1e-3), 1.5);
+    const Scene formula = pulsing("{formula: 1 + t/1 ms}");
+    EXPECT_EQ(inlet(formula).factor(1e-3), 2);
+    EXPECT_EQ(inlet(formula).peak_factor, 1 + formula.time.end_s / 1e-3);
+    EXPECT_NE(formula.hash, rows.hash);
+}
+
+TEST(InletCourse, that_cannot_be_is_refused) {
+    const auto says = [](const std::string& course, const char* what) {
+        test::expect_says(test::message_of<SceneError>([&] { pulsing(course); }), {what});
+    };
+    says("{formula: 1 + t}", "not of one kind");
+    says("{formula: 2 mm}", "a length; allowed a plain number");
+    says("{formula: 'sqrt(0.5 - t/1 s*1e6)'}", "not a number at t = ");
+    says("{table: {time: [1 s, 0 s], factor: [1, 2]}}", "times that do not ascend");
+    says("{table: {time: [0 s, 1 s], factor: [1]}}", "1 factors for 2 times");
+    says("{table: {repeat: true}}", "a table without time");
+    says("{table: {file: absent.csv}}", "absent.csv");
+    // 20 mm/s times 100 is more than the lattice bears.
+    says("{formula: 1000*t/1 ms}", "the largest velocity of the inlet's course");
+    EXPECT_THROW(read_scene(source_folder / "docs/examples/scenes/pulse.yaml",
+                            {"fluid.solver=openfoam"}),
+                 SceneError);
+}
+
 // A formula is kept as it is written; its hash is that of the text.
 TEST(Formula, reaches_the_field_in_either_place) {
     const auto file = source_folder / "docs/examples/scenes/formula.yaml";

@@ -369,7 +369,7 @@ TEST(Keys, of_the_table_are_all_stored) {
     for (const char* name :
          {"swimmer.yaml", "implicit.yaml", "elastic.yaml", "turning.yaml",
           "platform.yaml", "origami.yaml", "channel.yaml", "vortex.yaml", "paste.yaml",
-          "blood.yaml", "shapes.yaml", "spatial.yaml"})
+          "blood.yaml", "formula.yaml", "shapes.yaml", "spatial.yaml"})
         scenes.push_back(effective_scene(complete(name)));
     // A field has one first law; those that add have the same keys.
     for (const nlohmann::json& term : scenes.back()["magnetic_field"]["plus"])

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Courses of inlets: read from files, checked, and made what the fluid calls.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "adapters/scene/checks.h"
+#include "structure/formula.h"
+#include "structure/table_file.h"
+#include "structure/table_rows.h"
+
+namespace magfsi::scene {
+
+namespace {
+
+constexpr structure::ColumnUnit plain[] = {{""}, {"1"}};
+constexpr structure::ColumnKind course_columns[] = {{"t", structure::units::time},
+                                                    {"factor", plain}};
+
+void read_rows(InletTable& table, const std::filesystem::path& folder,
+               const Origin& where) {
+    require(table.time_s.empty() && table.factor.empty(), where,
+            "file beside time or factor", "either a file or rows in the scene");
+    table.file = (folder / table.file).string();
+    require_regular_file(table.file, where);
+    try {
+        auto values = structure::read_table("course of an inlet", table.file,
+                                            course_columns, {"t", "factor"});
+        table.time_s = std::move(values[0]);
+        table.factor = std::move(values[1]);
+    } catch (const std::invalid_argument& fault) {
+        refuse(where, fmt::format("a fault in the {}", fault.what()),
+               "a header with t, factor and rows of finite numbers");
+    }
+    table.source = std::exchange(table.file, {});
+}
+
+void check(const InletTable& table, const Origin& where) {
+    const std::size_t rows = table.time_s.size();
+    require(rows > 0, where, "a table without time", "time and factor, or file");
+    require(std::ranges::adjacent_find(table.time_s, std::greater_equal{}) ==
+                table.time_s.end(),
+            where, "times that do not ascend", "times that ascend");
+    require(table.factor.size() == rows, where,
+            fmt::format("{} factors for {} times", table.factor.size(), rows),
+            "one factor per time");
+    require(!table.repeat || rows >= 2, where, "repeat with one row",
+            "it with at least 2 rows");
+}
+
+struct Factor {
+    std::function<double(double)> operator()(const InletWave& wave) const {
+        return [wave](double t) {
+            return wave.mean + wave.amplitude *
+                                   std::sin(2 * std::numbers::pi * wave.frequency_hz * t +
+                                            wave.phase_rad);
+        };
+    }
+    std::function<double(double)> operator()(const InletTable& table) const {
+        return [table](double t) {
+            return structure::rows_at(table.time_s, table.repeat, t).of(table.factor);
+        };
+    }
+    std::function<double(double)> operator()(const InletFormula& formula) const {
+        return [formula](double t) { return structure::value_at(formula.si, t); };
+    }
+};
+
+// The largest size: of a wave exactly, of a table that of its rows, of a formula by
+// evaluation at a thousand instants of the run.
+double peak(const InletCourse& course, double end_s, const Origin& where) {
+    if (const auto* wave = std::get_if<InletWave>(&course))
+        return std::abs(wave->mean) + std::abs(wave->amplitude);
+    double largest = 0;
+    if (const auto* table = std::get_if<InletTable>(&course)) {
+        for (double factor : table->factor) largest = std::max(largest, std::abs(factor));
+        return largest;
+    }
+    const auto& formula = std::get<InletFormula>(course);
+    for (int i = 0; i <= 1000; ++i) {
+        const double t = end_s * i / 1000;
+        const double value = structure::value_or_nan(formula.si, t);
+        require(std::isfinite(value), where,
+                fmt::format("{}, which is {} at t = {}", in_quotes(formula.written),
+                            structure::fault_of(value), seconds(t)),
+                "formulas with a value at all times of the run");
+        largest = std::max(largest, std::abs(value));
+    }
+    return largest;
+}
+
+}  // namespace
+
+void complete_inlets(Scene& scene, const Marks& marks) {
+    if (!scene.fluid) return;
+    for (std::size_t face = 0; face < 6; ++face) {
+        Inlet& inlet = scene.fluid->boundaries[face].inlet;
+        if (!inlet.course) continue;
+        const std::string name(names<Face>[face]);
+        const auto at = [&](const char* key) -> const Origin& {
+            return marks.value(
+                {"fluid", "boundaries", name, "velocity_inlet", "course", key});
+        };
+        if (auto* table = std::get_if<InletTable>(&*inlet.course)) {
+            if (!table->file.empty()) read_rows(*table, scene.folder, at("table"));
+            check(*table, at("table"));
+        }
+        inlet.factor = std::visit(Factor{}, *inlet.course);
+        inlet.peak_factor = peak(*inlet.course, scene.time.end_s, at("formula"));
+    }
+}
+
+}  // namespace magfsi::scene
