@@ -91,6 +91,16 @@ class SameBytes(unittest.TestCase):
                                  "checkpoint.every": "0.625 ms"}, "0.75 ms", "fluid=1")
 
 
+    # What a formula gives is that of the step's number: the field, and an inlet's velocity.
+    def test_formulas_of_time(self):
+        pulse = "{formula: 1 + 0.5*sin(2*pi*400 Hz*t)}"
+        self.same(testing.SMALL, {**FLUID, "fluid.boundaries.x_min.velocity_inlet.course": pulse},
+                  "1.375 ms", "fluid=2")
+        self.same(testing.SMALL, {**COUPLED, "magnetic_field":
+                                  "{formula: {x: 10 mT*sin(2*pi*400 Hz*t), z: 5 mT}}"},
+                  "1.375 ms", "structure=1,fluid=1")
+
+
 class Series(unittest.TestCase):
     def test_two_restarts_and_rows_that_come_again(self):
         settings = {**COUPLED, "checkpoint.every": "0.5 ms", "probes.every": "25 us"}
