@@ -55,6 +55,8 @@ Compiled& compiled(const std::string& si) {
     static thread_local std::unordered_map<std::string, std::unique_ptr<Compiled>> kept;
     if (const auto found = kept.find(si); found != kept.end()) return *found->second;
     refuse_assignment(si);
+    // A controller may send another one each time.
+    if (kept.size() > 100) kept.clear();
     try {
         return *(kept[si] = std::make_unique<Compiled>(si));
     } catch (const mu::Parser::exception_type& fault) {

@@ -46,6 +46,13 @@ TEST(Formula, has_the_numbers_of_other_keys) {
     EXPECT_EQ(formula_in_si("  1 mT *\tt / 3 ms ", "T"), "0.001*t/0.003");
 }
 
+// More than are kept at once.
+TEST(Formula, of_many_is_the_one_that_was_asked_for) {
+    for (int i = 0; i < 300; ++i)
+        EXPECT_EQ(structure::value_at(std::to_string(i) + "+t", 0.5), i + 0.5);
+    EXPECT_EQ(structure::value_at("7+t", 0.5), 7.5);
+}
+
 struct Wrong {
     const char* text;
     const char* says;
