@@ -103,7 +103,7 @@ def main():
     chosen = arguments()
     wish = wish_of(chosen)
     wish.out = wish.out or default_out(wish)
-    result = command.planned(wish)
+    result = command.planned(wish, dry=chosen.list)
     if chosen.list:
         _list(result)
         return

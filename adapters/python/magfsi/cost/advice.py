@@ -82,7 +82,8 @@ class Settings:
             sizes = _sizes(self.scene.parameters, self.factors[block])
             for probe in self.probes:
                 errors, bars = probe.fit.errors(sizes)
-                worst[block] = np.maximum(worst[block], (np.abs(errors) + bars) / probe.scale)
+                worst[block] = np.maximum(
+                    worst[block], (np.abs(errors) + bars + probe.scatter_bar) / probe.scale)
         return worst
 
     def _exponents(self, done):

@@ -14,6 +14,7 @@ from magfsi.study import store
 from magfsi.study.norms import NoError
 
 UNTOUCHED = 1e-7  # of the scale: a probe that no parameter changes, such as the field
+TRIAL_LIMIT_S = 60.0
 LIMIT = 5.0  # a run that takes so many times what it should, and 30 s, is ended
 
 
@@ -47,13 +48,22 @@ class Result:
     advice: list = field(default_factory=list)
 
 
-def planned(wish):
-    """The scene and its variants, nothing run yet. Raises variants.CannotRun."""
+def planned(wish, dry=False):
+    """The scene and its variants, of which none is run yet, but for a trial of the machine's speed
+    where that is not known. dry: not that either. Raises variants.CannotRun."""
     scene = making.Scene(wish.path, wish.sets, wish.ranks)
     if not scene.facts["scene"].get("probes"):
         raise making.CannotRun("the scene has no probes, and so nothing to look at")
     if not scene.parameters:
         raise making.CannotRun("the scene has no numerical parameter that this command varies")
+    trial = making.trial(scene)
+    if trial:
+        making.to_run(scene, [trial], wish.out)
+        if not dry:
+            store.do(store.scene_file(wish.path), TRIAL_LIMIT_S, [trial.run], quiet=True)
+        if store.is_done(trial.run):
+            store.load(trial.run)
+            scene.slower = making.correction([trial])
     variants, _, words = making.plan(scene, wish.budget_s)
     making.to_run(scene, variants, wish.out)
     return Result(scene, variants, wish.budget_s, words, wish.norm, wish.start_s)

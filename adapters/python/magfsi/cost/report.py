@@ -58,6 +58,11 @@ def _advice_lines(scene, advice):
     return lines
 
 
+def _of_probes(result, which):
+    return [f"  {f.parameter}: {p.column}: {f.why}" for p in result.probes
+            for f in getattr(p, which)]
+
+
 def text(result):
     """All of it, for people. result: cost.Result."""
     scene, done = result.scene, [v for v in result.variants if v.run.completed()]
@@ -71,11 +76,13 @@ def text(result):
         lines.append(f"  and {len(result.probes) - FEW} more, in cost.csv")
     lines += ["", "The cheapest settings for " + ", ".join(p.column for p in result.headline)
               + " (the whole run):", *_advice_lines(scene, result.advice)]
-    faults = result.faults + [f for p in result.probes for f in
-                              [type(f)(f.parameter, f"{p.column}: {f.why}") for f in p.faults]]
+    faults = [f"  {f.parameter}: {f.why}" for f in result.faults] + _of_probes(result, "faults")
     if faults:
-        lines += ["", "Where the fit does not hold, and no tolerance is promised:",
-                  *(f"  {f.parameter}: {f.why}" for f in faults[:FEW])]
+        lines += ["", "Where the fit does not hold, and no tolerance is promised:", *faults[:FEW]]
+    scatter = _of_probes(result, "scatter")
+    if scatter:
+        lines += ["", "Not as the fit supposes, but little: bars are wider by three times the range of",
+                  *scatter[:FEW]]
     left = numerical.not_varied(scene.facts["scene"])
     if left:
         lines += ["", "Not varied, its error is not in the figures: " + "; ".join(left)]

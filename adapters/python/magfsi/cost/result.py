@@ -15,12 +15,18 @@ SEEN = 0.005  # of the probe's scale: an arm that changes it by less is no cause
 LEAST_ORDER = 0.5  # seen along an arm; below, the value has no limit that it tends to
 FALLS = 0.5  # order with which what a step does that does not settle falls with the spacing
 REVERSAL = 0.2  # of an arm's range: more is no monotonous course
+# The error of an arm that the fit does not describe, in its range: Eca and Hoekstra's factor of safety
+# for data that do not converge with one order.
+SAFETY = 3.0
+SCATTER = 0.1  # of the scale: where that is less, values that turn back widen the bar, no more
 
 
 @dataclass
 class Fault:
     parameter: str
     why: str
+    span: float = 0.0  # of the values along the arm
+    scatter: bool = False  # it widens the bar only
 
 
 @dataclass
@@ -37,6 +43,12 @@ class Probe:
     error_bar: float  # of that error
     shares: dict = field(default_factory=dict)  # parameter: its part of the error, signed
     faults: list = field(default_factory=list)
+    scatter: list = field(default_factory=list)  # faults that widen the bars only
+
+    @property
+    def scatter_bar(self):
+        """What arms that the fit does not describe add to each bar."""
+        return SAFETY * sum(f.span for f in [*self.faults, *self.scatter])
 
     @property
     def bar(self):
@@ -97,11 +109,12 @@ def _arm_fault(name, sizes, values, scale):
     back = max(0, *(-ahead * steps)) if len(steps) > 1 else 0
     shown = ", ".join(f"{v:.5g}" for v in values)
     if back > REVERSAL * span:
-        return Fault(name, f"the values do not tend to one side as it is refined: {shown}")
+        return Fault(name, f"the values do not tend to one side as it is refined: {shown}", span,
+                     SAFETY * span < SCATTER * scale)
     order = seen_order(sizes, values)
     if order is not None and order < LEAST_ORDER:
         return Fault(name, f"the values do not settle as it is refined: {shown}; order seen "
-                     f"{order:.1f}")
+                     f"{order:.1f}", span)
     return None
 
 
@@ -175,7 +188,10 @@ def analyse(scene, variants, column, kind, start_s=None):
     present = [i for i, v in enumerate(done) if v.setting == scene.own_setting()]
     value = values[present[0]] if present else limit + errors[0]
     found = Probe(column, kind, fit, scale, limit, limit_bar, float(value), bool(present),
-                  float(errors[0]), float(bars[0]), faults=faults)
+                  float(errors[0]), float(bars[0]), faults=[f for f in faults if not f.scatter],
+                  scatter=[f for f in faults if f.scatter])
+    found.limit_bar += found.scatter_bar
+    found.error_bar += found.scatter_bar
     for k, p in enumerate(scene.parameters):
         found.shares[p.name] = float(fit.errors(own, only=k)[0][0])
     return found

@@ -16,6 +16,7 @@ COARSENINGS = (1, 1.25, 1.5, 2, 2.5, 3, 4)  # of the star's centre against the s
 KEPT_WHOLE = 1.5  # a leading part is better than a coarser centre than this
 SPARE = 0.85  # of the budget: predictions are off by some 10 %
 MIN_ROWS = 8  # of probes, in a leading part
+TRIAL_S = 6.0  # by the prices below, of the run that tells how fast an uncalibrated machine is
 FRACTIONS = (1, 1 / 2, 1 / 4, 1 / 8, 1 / 16, 1 / 32, 1 / 64)
 # Seconds of a machine that nobody has calibrated: a cell's and an element's update, a step of
 # LAMMPS, an equilibrium a node^1.3.
@@ -71,7 +72,7 @@ def uncalibrated_s(facts):
 def work_s(facts):
     """Of the steps."""
     predicted = facts.get("predicted", {}).get("wall_s")
-    return max(1e-3, predicted if predicted else uncalibrated_s(facts))
+    return max(1e-3, predicted or facts["slower"] * uncalibrated_s(facts))
 
 
 def seconds(facts):
@@ -88,6 +89,7 @@ class Scene:
 
     def __init__(self, path, sets=None, ranks=""):
         self.path, self.ranks, self.known = path, ranks, {}
+        self.slower = 1.0  # than the prices above, of a machine that is not calibrated
         self.own_sets = dict(sets or {})
         self.facts = self.explain({})
         scene = self.facts["scene"]
@@ -108,7 +110,7 @@ class Scene:
                 self.known[key] = error.stderr.strip().splitlines()[-1]
         if isinstance(self.known[key], str):
             raise CannotRun(self.known[key])
-        return self.known[key]
+        return self.known[key] | {"slower": self.slower}
 
     def variant(self, setting, part="", length=None):
         """length: [s] of the run, in place of the scene's."""
@@ -262,6 +264,23 @@ def plan(scene, budget_s):
                     "coarse grids; take a larger --budget")
 
 
+def trial(scene):
+    """A short run of a coarser scene, from which the speed of a machine that is not calibrated
+    follows; None where that is known, or where the whole scene is as short."""
+    if scene.facts.get("predicted") or work_s(scene.facts) <= TRIAL_S:
+        return None
+    for coarser in sorted(COARSENINGS[:3], reverse=True):
+        try:
+            setting = _centre(scene, coarser)
+            coarse_s = work_s(scene.variant(setting).facts)
+        except CannotRun:  # its cells do not divide the box
+            continue
+        break
+    whole, shortest = scene.lengths()[0][0], scene.lengths()[-1][0]
+    length = next((at for at, _ in scene.lengths() if at / whole * coarse_s <= TRIAL_S), shortest)
+    return scene.variant(setting, "trial", length)
+
+
 def to_run(scene, variants, out):
     """Gives each variant its run in the store."""
     for v in variants:
@@ -270,7 +289,7 @@ def to_run(scene, variants, out):
 
 
 def correction(variants):
-    """What runs took over what was predicted."""
-    known = [max(1e-3, v.run.record["elapsed_s"] - START_UP_S) / work_s(v.facts)
-             for v in variants if v.run.completed() and "elapsed_s" in v.run.record]
+    """What the steps of runs took over what was predicted."""
+    known = [max(1e-3, v.run.summary["wall_s"]) / work_s(v.facts)
+             for v in variants if v.run.completed() and "wall_s" in v.run.summary]
     return statistics.median(known[-3:]) if known else 1.0  # start-up rules the cheap ones

@@ -57,7 +57,7 @@ def _bars(result, advice, folder):
         except NoError:
             continue
         errors, bars = p.fit.errors(sizes)
-        share = float(np.abs(errors[0]) + bars[0]) / p.scale
+        share = float(np.abs(errors[0]) + bars[0] + p.scatter_bar) / p.scale
         out[p.column] = {"norm": p.norm, "value": value, "bar": share * scale}
         if p.faults:
             out[p.column] = {"norm": p.norm, "value": value, "bar": None, "doubt":

@@ -152,7 +152,7 @@ def _summary(run):
         return {}
 
 
-def _load(run):
+def load(run):
     """What the run left; False if it is not done."""
     try:
         run.record = json.loads((run.folder / RECORD).read_text())
@@ -195,7 +195,7 @@ def do(scene, limit_s, runs, check=None, again=False, quiet=False, watch=None):
     for number, run in enumerate(runs, 1):
         if not run.key:
             continue
-        done = _load(run)
+        done = load(run)
         # The same scene in two cells is one run.
         if not done or (again and run.key not in now):
             if not quiet:
