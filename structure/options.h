@@ -308,6 +308,7 @@ struct ContactLaw {
     double stiffness_pa_m = 0;  // pressure over approach; 0: from the bodies
     // Nodes of one body whose distance at rest is below this many distances do not repel.
     double excluded = 2;
+    double friction = 0;  // Coulomb's coefficient mu; 0: smooth
 };
 
 // The word of a value.

@@ -77,8 +77,12 @@ EnergyTerms collect_terms(const StructureRun& run) {
         terms.lost_friction = engine.fix_vector("platform", 8);
     }
     if (run.scene.contact) terms.contact = engine.compute_scalar("contact");
-    for (const structure::Wall& wall : run.input.walls)
+    const bool rubs = run.scene.contact && run.scene.contact->friction > 0;
+    if (rubs) terms.lost_friction += engine.compute_vector("contact", 4);
+    for (const structure::Wall& wall : run.input.walls) {
         terms.contact += engine.fix_scalar("wall_" + wall.name);
+        if (rubs) terms.lost_friction += engine.fix_vector("wall_" + wall.name, 8);
+    }
     const auto* markers = run.coupling ? run.coupling->work() : nullptr;
     if (!markers) return terms;
     std::array<double, 3> works{markers->by_fluid_j(), markers->by_enclosed_j(),

@@ -86,6 +86,7 @@ class Engine final : public coupler::StructureSolver {
     // compute is collective.
     void attach_audit(double drag_rate_1_s, const std::vector<std::string>& moved);
     double compute_scalar(const std::string& compute_id) const;
+    double compute_vector(const std::string& compute_id, int n) const;  // from 1
 
     // What a checkpoint keeps. Of each atom position, velocity, force
     // and what fixes keep with it: rows of node_values() numbers in the order of the

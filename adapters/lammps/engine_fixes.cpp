@@ -165,4 +165,11 @@ double Engine::compute_scalar(const std::string& compute_id) const {
     return lammps_->modify->compute[at]->compute_scalar();
 }
 
+double Engine::compute_vector(const std::string& compute_id, int n) const {
+    LAMMPS_NS::Compute& found =
+        *lammps_->modify->compute[lammps_->modify->find_compute(compute_id)];
+    found.compute_vector();
+    return found.vector[n - 1];
+}
+
 }  // namespace magfsi::lammps

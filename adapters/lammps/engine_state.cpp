@@ -10,8 +10,10 @@
 #include "comm.h"
 #include "coupler/checkpoint/rank_rows.h"
 #include "fix.h"
+#include "force.h"
 #include "lammps.h"
 #include "modify.h"
+#include "pair.h"
 #include "update.h"
 
 namespace magfsi::lammps {
@@ -105,6 +107,10 @@ std::vector<double*> Engine::sums_in_fixes() const {
             if (found != nullptr) sums.push_back(static_cast<double*>(found));
         }
     }
+    int dimension = 0;
+    if (auto* pair = lammps_->force->pair)
+        if (void* found = pair->extract("lost_share", dimension))
+            sums.push_back(static_cast<double*>(found));
     return sums;
 }
 

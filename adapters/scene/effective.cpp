@@ -132,7 +132,9 @@ std::vector<Effect> effects_of(const Scene& s) {
         {structure, "gravity", s.gravity.has_value()},
         {structure, "damping", s.damping.has_value()},
         {structure, "platform", s.platform.has_value()},
-        {structure, "friction", s.platform && s.platform->friction > 0},
+        {structure, "friction",
+         (s.platform && s.platform->friction > 0) ||
+             (s.contact && s.contact->friction > 0)},
         {structure, "contact", s.contact.has_value()},
         {structure, "clamps",
          some_body([](const Body& body) { return !body.clamps.empty(); })},

@@ -307,6 +307,9 @@ void keys(Io& io, ContactLaw& contact) {
     io(quantity("stiffness", "Pa/m", "Pressure over approach; without it, from the bodies.")
            .above(0).optional(),
        contact.stiffness_pa_m);
+    io(key("friction", "Coulomb's coefficient between bodies, and in a fluid with the sides of its "
+           "box; without it, none.").above(0).at_most(10).optional(),
+       contact.friction);
 }
 
 MAGFSI_KEYS_OF(Body)

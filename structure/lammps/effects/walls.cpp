@@ -45,6 +45,8 @@ void add_walls(Lines& lines, const LammpsInput& input) {
             fmt::format("fix wall_{} {} magttice/platform {:.17g} {:.17g} {:.17g}",
                         wall.name, group, fmt::join(plane.point_m, " "),
                         fmt::join(plane.normal, " "), stiffness_pa_m(input)));
+        const double friction = input.contact ? input.contact->friction : 0;
+        if (friction > 0) lines.back() += fmt::format(" friction {:.17g}", friction);
     }
 }
 

@@ -101,6 +101,23 @@ TEST(ContactLawOfNodes, IsThatOfSurfacesWhateverTheMesh) {
     EXPECT_EQ(contact_force(law, 1e-16, 2e-4).force_n, 0);
 }
 
+TEST(ContactLawOfNodes, FrictionIsCoulombsAboveTheSpeedAtWhichItsDragReachesIt) {
+    ContactLaw law{2e-4, 1e9};
+    law.friction = 0.3;
+    const double drag = friction_drag_kg_s(law, 1e-8, 1e-9, 1e-6);
+    // 6 A / (pi d^2) = 0.477 of 2.2, of a quarter of the mass in a step.
+    EXPECT_NEAR(drag, 0.25e-3 * 0.4775 / 2.2, 1e-8);
+    // Nodes closer than one another's area allows: no more than that quarter.
+    EXPECT_DOUBLE_EQ(friction_drag_kg_s(law, 1e-6, 1e-9, 1e-6), 0.25e-3);
+    const double normal_n = 1e-5;
+    const Vec3 fast = friction_force_n(law, normal_n, drag, {3, -4, 0});
+    EXPECT_NEAR(fast[0], -0.6 * 0.3 * normal_n, 1e-20);
+    EXPECT_NEAR(fast[1], 0.8 * 0.3 * normal_n, 1e-20);
+    EXPECT_DOUBLE_EQ(friction_force_n(law, normal_n, drag, {1e-3, 0, 0})[0],
+                     -drag * 1e-3);
+    EXPECT_EQ(friction_force_n(law, normal_n, drag, {})[0], 0);
+}
+
 class LatticeFileTest : public ::testing::Test {
   protected:
     void write(const std::string& text) { std::ofstream(file_) << text; }

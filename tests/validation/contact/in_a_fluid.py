@@ -2,6 +2,8 @@
 """Bodies that touch in a fluid: themselves, each other, the box. Nothing passes through anything
 (the run would end with its name), no energy comes from nowhere, all momentum and power arrive."""
 
+import itertools
+import math
 import sys
 import unittest
 from pathlib import Path
@@ -22,6 +24,13 @@ SWIMMER = {"magnetic_field": "{plane: xz, table: {time: [0 ms, 19.5 ms, 32 ms, 4
 
 
 class InAFluid(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = Path(testing.new_folder())
+        cls.scene = folder / "balls.yaml"
+        cls.scene.write_text((HERE / "balls.yaml").read_text())
+        ball_mesh.write(folder / "ball.msh", ball_mesh.ball(4, 2, 2e-3))
+
     def check(self, run, label, column="audit.contact[J]"):
         probes, audit = run.probes(), run.summary()["energy_audit"]
         testing.report(f"{label}: contact stores up to {max(probes[column]):.2e} J, {audit}")
@@ -33,11 +42,8 @@ class InAFluid(unittest.TestCase):
         self.assertLess(max(abs(m / mass[0] - 1) for m in mass), 1e-12, label)
         return probes
 
-    def balls(self, settings, ranks=None):
-        folder = Path(testing.new_folder())
-        (folder / "balls.yaml").write_text((HERE / "balls.yaml").read_text())
-        ball_mesh.write(folder / "ball.msh", ball_mesh.ball(4, 2, 2e-3))
-        return testing.good_run(folder / "balls.yaml", settings, ranks)
+    def balls(self, settings, ranks=None, out=None):
+        return testing.good_run(self.scene, settings, ranks, folder=out)
 
     def test_balls_on_each_other_and_on_the_floor(self):
         # The parallel scheme's forces act a step late: see docs/coupling.md.
@@ -54,6 +60,46 @@ class InAFluid(unittest.TestCase):
             self.assertGreater(low, 1e-3 - 0.05 * 0.25e-3)
             self.assertLess(low, 1.1e-3)
             self.assertLess(high, 3.8e-3 - 0.5e-3)
+
+    # tan(15 deg) is 0.268.
+    def test_block_slips_above_its_angle_of_friction_and_stays_below(self):
+        weight_n = 2000 * 2.25e-9 * 9.81  # less buoyancy
+        for friction, slips in ((0.25, True), (0.3, False)):
+            run = testing.good_run(HERE / "incline.yaml", {"contact.friction": str(friction)})
+            probes, audit = run.probes(), run.summary()["energy_audit"]
+            way = probes["block.com_x[m]"][-1] - probes["block.com_x[m]"][0]
+            lost = probes["audit.lost_friction[J]"][-1]
+            testing.report(f"friction {friction}: goes {way:.3e} m, loses {lost:.4e} J, {audit}")
+            testing.check_interface_balance(self, run, str(friction))
+            self.assertLess(audit["gained"], 1e-3)
+            if slips:
+                self.assertGreater(way, 5e-5)
+                # mu N over its way; the first 0.2 um are those of the springs.
+                expected = friction * weight_n * math.cos(math.radians(15)) * way
+                self.assertLess(abs(lost / expected - 1), 0.01)
+            else:  # but for the springs' give: mu N over their stiffness
+                self.assertLess(abs(way), 1e-6)
+                self.assertLess(abs(probes["block.speed_x[m/s]"][-1]), 1e-5)
+
+    def test_friction_between_balls_on_other_ranks_and_over_a_restart(self):
+        rough = {"contact.friction": "0.5", "time.end": "30 ms"}
+        whole = self.balls(rough, "structure=1,fluid=1")
+        self.check(whole, "rough balls")
+        self.assertLess(whole.summary()["energy_audit"]["gained"], 1e-9)
+        divided = self.balls(rough, "structure=2,fluid=1").probes()
+        for name in ("upper.com_x[m]", "lower.com_z[m]", "audit.lost_friction[J]"):
+            self.assertLess(testing.difference(whole.probes(), divided, name), 1e-9, name)
+        lost = divided["audit.lost_friction[J]"]
+        self.assertGreater(lost[-1], 0)
+        self.assertTrue(all(a <= b for a, b in itertools.pairwise(lost)))
+        folder = Path(testing.new_folder())
+        short = {**rough, "checkpoint.every": "10 ms"}
+        self.balls({**short, "time.end": "20 ms"}, "structure=1,fluid=1", folder)
+        testing.finish(testing.start(
+            [testing.BIN / "magfsi", "run", self.scene, "--out", folder, "--restart", "latest",
+             "--ranks", "structure=1,fluid=1", *testing.overrides(short)]), 0, folder, 600)
+        self.assertEqual((whole.folder / "probes.csv").read_bytes(),
+                         (folder / "probes.csv").read_bytes())
 
     def test_swimmer_closes_and_opens(self):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=1")[:1 if PERIODS == 1 else 2]:

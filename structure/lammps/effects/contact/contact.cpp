@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR]: contact between the
-// surfaces of the bodies; compute ID group magttice/contact: what it does at present. See
-// docs/fix_magttice.md.
+// pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU]: contact
+// between the surfaces of the bodies; compute ID group magttice/contact: what it does at
+// present. See docs/fix_magttice.md.
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
@@ -34,6 +34,7 @@ class PairMagtticeContact : public LAMMPS_NS::Pair {
     struct State {
         double energy_j = 0;
         double touching = 0;  // pairs closer than the distance
+        double slid_j = 0;    // lost to friction since the start
         double smallest_m;    // distance of the closest pair
     };
 
@@ -45,6 +46,7 @@ class PairMagtticeContact : public LAMMPS_NS::Pair {
     void init_style() override;
     double init_one(int i, int j) override;
     void compute(int eflag, int vflag) override;
+    void* extract(const char* name, int& dimension) override;
     State state();  // collective
 
   private:
@@ -54,6 +56,10 @@ class PairMagtticeContact : public LAMMPS_NS::Pair {
         double areas_m4;
         int atom_a, atom_b;  // local indices of those that this rank owns, else -1
     };
+    struct Motion {
+        Vec3 velocity_m_s{};
+        double mass_kg = 0;
+    };
     bool may_touch(const SurfaceNode& a, const SurfaceNode& b) const;
     bool outdated() const;
     void renew();
@@ -61,8 +67,11 @@ class PairMagtticeContact : public LAMMPS_NS::Pair {
     void collect_candidates();
     template <class Act>
     void each_contact(const Act& act) const;
+    void add_friction();
 
     ContactLaw law_;
+    double slid_j_ = 0;              // this rank's share, since the start
+    std::vector<Motion> motion_;     // of surface_, with friction: of those of x_
     std::vector<SurfaceNode> node_;  // by atom ID
     std::vector<int> surface_;       // IDs of those on surfaces
     std::vector<Vec3> x_;            // of surface_: all at a renewal, then watched_ alone
@@ -88,14 +97,19 @@ PairMagtticeContact::~PairMagtticeContact() {
 }
 
 void PairMagtticeContact::settings(int narg, char** arg) {
-    if (narg != 2 && !(narg == 4 && std::strcmp(arg[2], "excluded") == 0)) {
+    bool known = narg >= 2 && narg % 2 == 0;
+    for (int i = 2; known && i < narg; i += 2) {
+        const std::string keyword = arg[i];
+        known = keyword == "excluded" || keyword == "friction";
+        (keyword == "friction" ? law_.friction : law_.excluded) = number(arg[i + 1], lmp);
+    }
+    if (!known || !(law_.friction >= 0)) {
         fail(*error,
              "pair_style magttice/contact takes a distance, a stiffness and no other "
-             "keyword than \"excluded\" with one value");
+             "keyword than \"excluded\" or \"friction\", each with one value");
     }
     law_.distance_m = number(arg[0], lmp);
     law_.stiffness_pa_m = number(arg[1], lmp);
-    if (narg == 4) law_.excluded = number(arg[3], lmp);
     if (!(law_.distance_m > 0) || !(law_.stiffness_pa_m > 0) || !(law_.excluded >= 1)) {
         fail(*error,
              "pair_style magttice/contact: distance {} and stiffness {} found; both must "
@@ -132,6 +146,7 @@ void PairMagtticeContact::init_style() {
     for (std::size_t id = 0; id < node_.size(); ++id)
         if (node_[id].area_m2 > 0) surface_.push_back(static_cast<int>(id));
     x_.resize(surface_.size());
+    if (law_.friction > 0) motion_.resize(surface_.size());
     renewed_ = false;
 }
 
@@ -177,28 +192,41 @@ void PairMagtticeContact::renew() {
     renewed_ = true;
 }
 
-// The present places of these on every rank.
+// The present places of these on every rank, with friction their motions.
 void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
+    const bool moves = !motion_.empty();
+    const std::size_t width = moves ? 8 : 4;
     std::vector<double> mine;
     for (const std::size_t n : numbers) {
         const int i = atom->map(surface_[n]);
         if (i < 0 || i >= atom->nlocal) continue;
         std::copy_n(atom->x[i], 3, x_[n].begin());
+        if (moves) {
+            std::copy_n(atom->v[i], 3, motion_[n].velocity_m_s.begin());
+            motion_[n].mass_kg = atom->rmass[i];
+        }
         if (comm->nprocs == 1) continue;
         mine.push_back(static_cast<double>(n));
         mine.insert(mine.end(), atom->x[i], atom->x[i] + 3);
+        if (!moves) continue;
+        mine.insert(mine.end(), atom->v[i], atom->v[i] + 3);
+        mine.push_back(motion_[n].mass_kg);
     }
     if (comm->nprocs == 1) return;
     auto count = static_cast<int>(mine.size());
     std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), first(counts.size());
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
     std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
-    std::vector<double> all(4 * numbers.size());
+    std::vector<double> all(width * numbers.size());
     MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(),
                    first.data(), MPI_DOUBLE, world);
-    for (std::size_t at = 0; at < all.size(); at += 4)
-        std::copy_n(all.data() + at + 1, 3,
-                    x_[static_cast<std::size_t>(all[at])].begin());
+    for (std::size_t at = 0; at < all.size(); at += width) {
+        const auto n = static_cast<std::size_t>(all[at]);
+        std::copy_n(all.data() + at + 1, 3, x_[n].begin());
+        if (!moves) continue;
+        std::copy_n(all.data() + at + 4, 3, motion_[n].velocity_m_s.begin());
+        motion_[n].mass_kg = all[at + 7];
+    }
 }
 
 // In the order of their numbers, so that forces are summed in the same order on any
@@ -263,6 +291,41 @@ void PairMagtticeContact::compute(int eflag, int vflag) {
             virial[q] += factor * apart[static_cast<std::size_t>(first[q])] *
                          apart[static_cast<std::size_t>(second[q])];
     });
+    if (law_.friction > 0) add_friction();
+}
+
+// Velocities are those of the half step. Its work belongs to the first node's rank.
+void PairMagtticeContact::add_friction() {
+    double* const* const f = atom->f;
+    const double dt_s = update->dt;
+    each_contact([&](const Candidate& pair, const Vec3& apart, double distance) {
+        const Motion &a = motion_[pair.a], &b = motion_[pair.b];
+        Vec3 past{};
+        double along = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            past[d] = a.velocity_m_s[d] - b.velocity_m_s[d];
+            along += past[d] * apart[d] / distance;
+        }
+        for (std::size_t d = 0; d < 3; ++d) past[d] -= along * apart[d] / distance;
+        const double area_m2 =
+            std::max(node_[static_cast<std::size_t>(surface_[pair.a])].area_m2,
+                     node_[static_cast<std::size_t>(surface_[pair.b])].area_m2);
+        const double drag =
+            friction_drag_kg_s(law_, area_m2, std::min(a.mass_kg, b.mass_kg), dt_s);
+        const Vec3 rubbing = friction_force_n(
+            law_, contact_force(law_, pair.areas_m4, distance).force_n, drag, past);
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (pair.atom_a >= 0) f[pair.atom_a][d] += rubbing[d];
+            if (pair.atom_b >= 0) f[pair.atom_b][d] -= rubbing[d];
+            if (pair.atom_a >= 0 && update->setupflag == 0)
+                slid_j_ -= rubbing[d] * past[d] * dt_s;
+        }
+    });
+}
+
+void* PairMagtticeContact::extract(const char* name, int& dimension) {
+    dimension = 0;
+    return law_.friction > 0 && std::strcmp(name, "lost_share") == 0 ? &slid_j_ : nullptr;
 }
 
 PairMagtticeContact::State PairMagtticeContact::state() {
@@ -271,6 +334,7 @@ PairMagtticeContact::State PairMagtticeContact::state() {
     else
         gather(watched_);
     State out;
+    out.slid_j = slid_j_;
     out.smallest_m = INFINITY;
     for (const Candidate& pair : candidates_)
         out.smallest_m = std::min(out.smallest_m, distance_m(x_[pair.a], x_[pair.b]));
@@ -288,7 +352,8 @@ class ComputeMagtticeContact : public LAMMPS_NS::Compute {
     ~ComputeMagtticeContact() override;
     void init() override;
     double compute_scalar() override;  // energy
-    void compute_vector() override;    // energy, touching pairs, smallest distance
+    void compute_vector()
+        override;  // energy, touching pairs, smallest distance, lost to friction
 
   private:
     PairMagtticeContact* pair_ = nullptr;
@@ -303,10 +368,10 @@ ComputeMagtticeContact::ComputeMagtticeContact(LAMMPS_NS::LAMMPS* lammps, int na
     scalar_flag = 1;
     extscalar = 1;
     vector_flag = 1;
-    size_vector = 3;
+    size_vector = 4;
     extvector = -1;
-    extlist = new int[3]{1, 1, 0};
-    vector = new double[3]{};
+    extlist = new int[4]{1, 1, 0, 1};
+    vector = new double[4]{};
 }
 
 ComputeMagtticeContact::~ComputeMagtticeContact() {
@@ -335,6 +400,7 @@ void ComputeMagtticeContact::compute_vector() {
     const double sums[2] = {mine.energy_j, mine.touching};
     MPI_Allreduce(sums, vector, 2, MPI_DOUBLE, MPI_SUM, world);
     MPI_Allreduce(&mine.smallest_m, vector + 2, 1, MPI_DOUBLE, MPI_MIN, world);
+    MPI_Allreduce(&mine.slid_j, vector + 3, 1, MPI_DOUBLE, MPI_SUM, world);
 }
 
 void add_contact(Lines& lines, const LammpsInput& input) {
@@ -342,6 +408,7 @@ void add_contact(Lines& lines, const LammpsInput& input) {
     lines.push_back(
         fmt::format("pair_style magttice/contact {:.17g} {:.17g} excluded {:.17g}",
                     law.distance_m, law.stiffness_pa_m, law.excluded));
+    if (law.friction > 0) lines.back() += fmt::format(" friction {:.17g}", law.friction);
     lines.push_back("pair_coeff * *");
     lines.push_back("compute contact all magttice/contact");
 }

@@ -19,6 +19,21 @@ ContactForce contact_force(const ContactLaw& law, double areas_m4, double distan
     return {spring * approach, 0.5 * spring * approach * approach};
 }
 
+double friction_drag_kg_s(const ContactLaw& law, double area_m2, double mass_kg,
+                          double dt_s) {
+    const double coarse =
+        6 * area_m2 / (std::numbers::pi * law.distance_m * law.distance_m);
+    return 0.25 * mass_kg / dt_s * coarse / std::max(2.2, coarse);
+}
+
+Vec3 friction_force_n(const ContactLaw& law, double normal_n, double drag_kg_s,
+                      const Vec3& past_m_s) {
+    const double speed = std::hypot(past_m_s[0], past_m_s[1], past_m_s[2]);
+    if (speed == 0) return {};
+    const double drag = std::min(law.friction * normal_n / speed, drag_kg_s);
+    return {-drag * past_m_s[0], -drag * past_m_s[1], -drag * past_m_s[2]};
+}
+
 double contact_distance_m(const std::vector<Body>& bodies) {
     double longest = 0;
     for (const Body& body : bodies) {

@@ -22,6 +22,19 @@ struct ContactForce {
 // d, is reached at g = d / 3. No force at r = 0, where there is no direction.
 ContactForce contact_force(const ContactLaw& law, double areas_m4, double distance_m);
 
+// Coulomb's friction between two nodes that press each other with N and move past each
+// other with v, across the line between them:
+//   F = -min(mu N / |v|, c) v,   c = min(m_i, m_j) / (4 dt) share,
+// share = 6 A / (pi d^2) / max(2.2, 6 A / (pi d^2)) of the larger area A, so that the
+// drags of all nodes that a node touches add up to at most about m / (4 dt): stable in
+// every step dt. Where c v is less than mu N the surfaces stick but for a creep, of
+// F / c: some ten steps' fall under weight. The pair's momentum is conserved; its angular
+// momentum but for F r, r < d the gap of the layer.
+Vec3 friction_force_n(const ContactLaw& law, double normal_n, double drag_kg_s,
+                      const Vec3& past_m_s);
+double friction_drag_kg_s(const ContactLaw& law, double area_m2, double mass_kg,
+                          double dt_s);
+
 // 0.75 of the longest diagonal of a quadrilateral of the surface: a node in the middle of
 // four others is half a diagonal away from them and feels them all.
 double contact_distance_m(const std::vector<Body>& bodies);
