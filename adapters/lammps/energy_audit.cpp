@@ -211,14 +211,17 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
 }
 
 std::string EnergyAudit::fault() const {
-    // What the layers are given is no source: it must not feed a run.
-    const double gained = record_.unpaid - record_.unpaid_at_start + record_.for_nothing;
+    // Since the start, where what the layers are given is no source, for it must not feed
+    // a run; or since the lowest sum so far, which sound, being counted, does not raise.
+    const double gained =
+        std::max(record_.unpaid - record_.unpaid_at_start + record_.for_nothing,
+                 record_.unpaid - record_.lowest);
     const double allowed = max_share_of_work * record_.work +
                            max_share_of_fluid * record_.fluid_at_start + min_j_;
     if (driven_ || record_.rows < 2 || gained <= allowed) return {};
     return fmt::format(
-        "the run has gained energy without a source: {:.3g} J more than the energy at "
-        "the start and all works, of which the largest is {:.3g} J; {}",
+        "the run has gained energy without a source: {:.3g} J more than the energy of "
+        "the start, or of a later time, and all works, of which the largest is {:.3g} J; {}",
         gained, record_.work, advice());
 }
 

@@ -6,8 +6,8 @@
     done
     ./magfsi python tests/stability/draw_map.py runs/map --out docs/stability
 
-Writes fluid.png, coupling.png, bodies.png, no_slip.png and refinement.png, cells.csv with a row for each
-run, and by_axis.md with the counts.
+Writes fluid.png, coupling.png, bodies.png, no_slip.png, refinement.png and contact.png, cells.csv with a row for
+each run, and by_axis.md with the counts.
 """
 import argparse
 import csv
@@ -20,7 +20,8 @@ PICTURES = {"fluid": ["lattice", "ranks"],
             "coupling": ["schemes", "boundary", "density", "substeps"],
             "bodies": ["elasticity", "thickness", "field", "elements", "reversal"],
             "no_slip": ["no_slip", "no_slip_bodies"],
-            "refinement": ["refinement"]}
+            "refinement": ["refinement"],
+            "contact": ["rotating", "contact", "rheology", "rheology_strong"]}
 # Of what a run ended: a letter for the pictures, and words that its cause holds.
 CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
           ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
