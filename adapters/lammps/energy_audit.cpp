@@ -202,6 +202,7 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
                           terms.work_field - m.work_weight - moved - terms.for_nothing;
     if (record_.rows == 0) record_.unpaid_at_start = unpaid;
     record_.unpaid = unpaid;
+    lags_ = terms.by_enclosed != 0;
     record_.for_nothing = terms.for_nothing;
     record_.most_for_nothing =
         std::max(record_.most_for_nothing, std::abs(terms.for_nothing));
@@ -212,16 +213,19 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
 
 std::string EnergyAudit::fault() const {
     // Since the start, where what the layers are given is no source, for it must not feed
-    // a run; or since the lowest sum so far, which sound, being counted, does not raise.
-    const double gained =
-        std::max(record_.unpaid - record_.unpaid_at_start + record_.for_nothing,
-                 record_.unpaid - record_.lowest);
+    // a run; or since the lowest sum so far, which sound, being counted, does not raise,
+    // beyond what the layers may hide; not of light bodies, whose enclosed fluid lags.
+    double gained = record_.unpaid - record_.unpaid_at_start + record_.for_nothing;
+    if (!lags_)
+        gained =
+            std::max(gained, record_.unpaid - record_.lowest - record_.most_for_nothing);
     const double allowed = max_share_of_work * record_.work +
                            max_share_of_fluid * record_.fluid_at_start + min_j_;
     if (driven_ || record_.rows < 2 || gained <= allowed) return {};
     return fmt::format(
         "the run has gained energy without a source: {:.3g} J more than the energy of "
-        "the start, or of a later time, and all works, of which the largest is {:.3g} J; {}",
+        "the start, or of a later time, and all works, of which the largest is {:.3g} J; "
+        "{}",
         gained, record_.work, advice());
 }
 

@@ -82,6 +82,7 @@ class EnergyAudit {
     std::vector<double> whole_kg_, inside_kg_;  // of each node; inside: of the fluid
     Vec3 gravity_m_s2_{};
     bool driven_ = false;  // the fluid gets energy through sides or forces of its own
+    bool lags_ = false;    // the enclosed fluid is a force (light bodies)
     double min_j_ = 0;     // gains below it are not judged
 
     struct Record {
