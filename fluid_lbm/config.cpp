@@ -17,9 +17,9 @@ namespace {
 
 CollisionCase collision_case(const FluidConfig& config) {
     const double tau = relaxation_time(config);
-    return {tau, config.holds_no_slip,
-            cell_reynolds_number(config.expected_speed_m_s, config.spacing_m,
-                                 config.viscosity_m2_s, tau)};
+    return {
+        tau, config.holds_no_slip,
+        cell_reynolds_number(config, config.expected_speed_m_s, config.spacing_m, tau)};
 }
 
 }  // namespace

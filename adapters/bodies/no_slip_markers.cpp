@@ -360,7 +360,7 @@ KernelReach reach_in(const scene::Scene& scene) {
     const double grid_m = scene.fluid->finest_spacing_m();
     const double tau = scene::relaxation_time_at_bodies(scene).value_or(1);
     const double reynolds = fluid::cell_reynolds_number(
-        scene.fluid->expected_speed_m_s, grid_m, scene.fluid->viscosity_m2_s, tau);
+        *scene.fluid, scene.fluid->expected_speed_m_s, grid_m, tau);
     const double magic = fluid::choose_magic_number(*scene.fluid, {tau, true, reynolds});
     return {grid_m,
             WallOfPlanes(kernel, tau, magic),

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fluid_lbm/options.h"
+#include "fluid_lbm/rheology.h"
 #include "fluid_lbm/units.h"
 
 namespace magfsi::fluid {
@@ -18,12 +19,18 @@ struct CollisionCase {
 };
 
 // Largest expected speed times spacing over viscosity; where that speed is not given (0),
-// of the usual 0.05 spacings a step.
-constexpr double cell_reynolds_number(double expected_speed_m_s, double spacing_m,
-                                      double viscosity_m2_s, double relaxation_time) {
+// of the usual 0.05 spacings a step. A fluid that thins has the viscosity that it has
+// where that speed changes over one spacing.
+inline double cell_reynolds_number(const Options& options, double expected_speed_m_s,
+                                   double spacing_m, double relaxation_time) {
     constexpr double usual_lattice_speed = 0.05;
-    return expected_speed_m_s > 0 ? expected_speed_m_s * spacing_m / viscosity_m2_s
-                                  : 3 * usual_lattice_speed / (relaxation_time - 0.5);
+    const double speed = expected_speed_m_s;
+    if (!(speed > 0)) return 3 * usual_lattice_speed / (relaxation_time - 0.5);
+    double least_m2_s = options.viscosity_m2_s;
+    if (options.rheology)
+        least_m2_s = std::min(
+            least_m2_s, viscosity_m2_s(*options.rheology, least_m2_s, speed / spacing_m));
+    return speed * spacing_m / least_m2_s;
 }
 
 // Of recursive_mrt: large on grids that resolve the flow, for walls stand where they

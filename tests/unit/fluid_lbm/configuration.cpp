@@ -64,6 +64,12 @@ TEST(CollisionChoice, TakesTheMagicNumberFromTheCellsReynoldsNumber) {
     EXPECT_DOUBLE_EQ(magic_at(15, 1), 0.05);
     EXPECT_DOUBLE_EQ(magic_at(15, 0.5), 0.05);  // whatever the step
     EXPECT_DOUBLE_EQ(magic_at(1, 1), 3.0 / 16);
+    // Of what a fluid thins to: a tenth of the viscosity.
+    config.rheology = Rheology{PowerLaw{.exponent = 0.5,
+                                        .rate_1_s = 1e-12,
+                                        .least_m2_s = 0.1 * config.viscosity_m2_s,
+                                        .most_m2_s = config.viscosity_m2_s}};
+    EXPECT_DOUBLE_EQ(magic_at(1.5, 1), 0.05);
 }
 
 TEST(CollisionChoice, GivesItsReason) {
