@@ -375,11 +375,11 @@ def page(found):
         lines.append(f"| {f.case.name} | {f.case.reference}{known} | {percent(e)} | {percent(bar)} "
                      f"| {words[0]} | {bar / e:.1f} | {percent(limit)} | {percent(limit_bar)} | "
                      f"{words[1]} |")
-    n = max(1, len(promised))
+    n, of = len(promised), max(1, len(promised))
     lines += ["", f"Of {n} cases for which a bar is stated, the true error of the value lies "
-              f"within it in {len(inside)} ({percent(len(inside) / n)}); the bar is at most 3 times "
-              f"the error in {len(near)} ({percent(len(near) / n)}); the limit lies within its own bar "
-              f"in {len(limits)} ({percent(len(limits) / n)})."]
+              f"within it in {len(inside)} ({percent(len(inside) / of)}); the bar is at most 3 times "
+              f"the error in {len(near)} ({percent(len(near) / of)}); the limit lies within its own bar "
+              f"in {len(limits)} ({percent(len(limits) / of)})."]
     doubtful = [f for f in found if f.fault]
     if doubtful:
         lines += ["", "No bar is stated (the fit does not hold, and the command says so):", ""]
