@@ -8,6 +8,7 @@
 #include "structure/equilibrium/static_problem.h"
 #include "structure/magnetics/magnetic_forces.h"
 #include "structure/magnetics/source_field.h"
+#include "tests/unit/structure/derivatives.h"
 #include "tests/unit/structure/elements.h"
 #include "tests/unit/structure/sources.h"
 
@@ -118,30 +119,13 @@ TEST(SourceForces, AndTheirTangentAreDerivativesOfTheEnergy) {
     full.sources = 0.8;
     const NodalLoads loads = problem.load(full);
     problem.assemble(x, loads);
-    Eigen::MatrixXd tangent = problem.matrix().lower_triangle();
-    tangent = tangent.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd tangent = test::whole_tangent(problem);
     problem.assemble(x);
-    Eigen::MatrixXd elastic = problem.matrix().lower_triangle();
-    elastic = elastic.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd elastic = test::whole_tangent(problem);
     const double of_sources = (tangent - elastic).cwiseAbs().maxCoeff();
     ASSERT_GT(of_sources, 1e-3 * elastic.cwiseAbs().maxCoeff());
-    const auto held = held_axes(body);
-    const double step_m = 1e-9;
-    for (Eigen::Index q = 0; q < x.size(); ++q) {
-        if (held[static_cast<std::size_t>(q / 3)][static_cast<std::size_t>(q % 3)])
-            continue;
-        Eigen::VectorXd ahead = x, back = x;
-        ahead[q] += step_m;
-        back[q] -= step_m;
-        const auto to = problem.response(ahead, loads),
-                   from = problem.response(back, loads);
-        const Eigen::VectorXd column = (from.residual_n - to.residual_n) / (2 * step_m);
-        // Rounding of the differences: 1e-6 of the stiffness of the elements.
-        EXPECT_LT((column - tangent.col(q)).cwiseAbs().maxCoeff(), 0.02 * of_sources);
-        EXPECT_NEAR((from.total_j - to.total_j) / (2 * step_m),
-                    problem.response(x, loads).residual_n[q],
-                    1e-5 * problem.response(x, loads).residual_n.cwiseAbs().maxCoeff());
-    }
+    // Rounding of the differences: 1e-6 of the stiffness of the elements.
+    test::expect_derivatives(problem, body, x, loads, tangent, 0.02 * of_sources, 1e-5);
 }
 
 }  // namespace

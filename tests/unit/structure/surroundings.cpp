@@ -7,6 +7,7 @@
 
 #include "structure/equilibrium/newton.h"
 #include "structure/mesh/surface.h"
+#include "tests/unit/structure/derivatives.h"
 #include "tests/unit/structure/elements.h"
 
 namespace magfsi::structure {
@@ -52,29 +53,11 @@ TEST(Surroundings, TangentIsTheDerivativeOfTheForces) {
     for (double& value : x) value += 2e-5 * random.uniform();
     const NodalLoads loads = problem.load({{1e-3, 0, 2e-3}, {}, 0.7});
     problem.assemble(x, loads);
-    Eigen::MatrixXd tangent = problem.matrix().lower_triangle();
-    tangent = tangent.selfadjointView<Eigen::Lower>();
-    const auto held = held_axes(body);
+    const Eigen::MatrixXd tangent = test::whole_tangent(problem);
     // Forces of order 1e-2 N / 1e-9 m: differences have 1e-6 of the largest entry, and
     // gradient and platform are far above that.
-    const double step_m = 1e-9;
-    for (Eigen::Index q = 0; q < x.size(); ++q) {
-        if (held[static_cast<std::size_t>(q / 3)][static_cast<std::size_t>(q % 3)])
-            continue;
-        Eigen::VectorXd ahead = x, back = x;
-        ahead[q] += step_m;
-        back[q] -= step_m;
-        const Eigen::VectorXd column = (problem.response(back, loads).residual_n -
-                                        problem.response(ahead, loads).residual_n) /
-                                       (2 * step_m);
-        EXPECT_LT((column - tangent.col(q)).cwiseAbs().maxCoeff(),
-                  1e-5 * tangent.cwiseAbs().maxCoeff())
-            << "coordinate " << q;
-        const double energy = problem.response(back, loads).total_j -
-                              problem.response(ahead, loads).total_j;
-        EXPECT_NEAR(energy / (2 * step_m), problem.response(x, loads).residual_n[q],
-                    1e-6 * problem.response(x, loads).residual_n.cwiseAbs().maxCoeff());
-    }
+    test::expect_derivatives(problem, body, x, loads, tangent,
+                             1e-5 * tangent.cwiseAbs().maxCoeff(), 1e-6);
 }
 
 // Of an elongated bar on rollers all around: lambda along x, nothing across. The energy

@@ -89,19 +89,21 @@ class Voxels(unittest.TestCase):
         self.assertAlmostEqual(same / box, 1, delta=1e-5)
         self.assertAlmostEqual(cubes / flat, 1, delta=0.01)
 
+    def check_both(self, name, shape, thickness_mm, exact_m, share, angle=0.0):
+        """4 and 8 cubes across: within this share of 1 / n."""
+        for across in (4, 8):
+            mesh = self.from_file(shape, f"{thickness_mm / across} mm")
+            error = self.bend(mesh, gravity=GRAVITY, angle=angle) / exact_m - 1
+            testing.report(f"{name}, {across} cubes across: {100 * error:+.2f} %")
+            self.assertLess(abs(error), share / across)
+
     def test_a_box_rolled_against_its_cubes(self):
         """Its sides are steps. The thickness is off by the third part of a cube at most, and bending goes
         with its third power: 1 / n for n cubes across, of which most averages out over the steps."""
         shape, angle = rolled(block(SIZE_MM), math.radians(30)), math.radians(30)
         box = self.bend("box: {size: [6 mm, 1.5 mm, 0.75 mm], elements: [24, 6, 4]}", gravity=GRAVITY)
-        errors = []
-        for across in (4, 8):
-            bend = self.bend(self.from_file(shape, f"{SIZE_MM[2] / across} mm"), gravity=GRAVITY,
-                             angle=angle)
-            errors.append(bend / box - 1)
-            testing.report(f"rolled by 30 degrees, {across} cubes across: {100 * errors[-1]:+.2f} %")
-        self.assertLess(abs(errors[0]), 1 / 4)
-        self.assertLess(abs(errors[1]), 1 / 8)
+        # Seen: -1.6 and -1.0 %; a quarter of that bound.
+        self.check_both("rolled by 30 degrees", shape, SIZE_MM[2], box, 1 / 4, angle)
 
     def test_a_round_rod(self):
         """Against a slender beam with Cowper's shear coefficient (J. Appl. Mech. 33 (1966) 335) under its
@@ -113,15 +115,8 @@ class Voxels(unittest.TestCase):
         load, span = DENSITY * GRAVITY * area, 1e-3 * length
         shear = 6 * (1 + nu) / (7 + 6 * nu)
         exact = load * span**4 / (8 * young * second) + load * span**2 / (2 * shear * SHEAR_PA * area)
-        errors = []
-        for across in (4, 8):
-            bend = self.bend(self.from_file(rod(length, diameter), f"{diameter / across} mm"),
-                             gravity=GRAVITY)
-            errors.append(bend / exact - 1)
-            testing.report(f"round rod, {across} cubes across: {100 * errors[-1]:+.2f} %")
         # Steps as above; 4 cubes across leave out the corners.
-        self.assertLess(abs(errors[0]), 1 / 4)
-        self.assertLess(abs(errors[1]), 1 / 8)
+        self.check_both("round rod", rod(length, diameter), diameter, exact, 1)
 
     def test_a_named_face(self):
         """Held by the lower half of its length it is a bar of half the length: a sixteenth of the bend."""
