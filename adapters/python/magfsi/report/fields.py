@@ -56,7 +56,13 @@ def surface(grid):
     faces = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 4)
     nodes = vtk_to_numpy(skin.GetPointData().GetArray("vtkOriginalPointIds"))
     elements = vtk_to_numpy(skin.GetCellData().GetArray("vtkOriginalCellIds"))
-    return faces, elements, nodes
+    # VTK's threads find the faces in another order each time.
+    places = nodes[faces]
+    turned = (places.argmin(axis=1)[:, None] + np.arange(4)) % 4
+    places = np.take_along_axis(places, turned, axis=1)
+    order = np.lexsort((*places.T[::-1], elements))
+    nodes, faces = np.unique(places[order], return_inverse=True)
+    return faces.reshape(-1, 4), elements[order], nodes
 
 
 def array(data, *names):
