@@ -244,6 +244,14 @@ struct GradientInput {
     Vec3 origin_m{};                   // where the course's field is the whole field
 };
 
+// --- bodies' own field
+// ------------------------------------------------------------------
+
+// Magnetised elements act on those of other bodies as dipoles (magnetics/dipoles.h).
+struct DipoleOptions {
+    bool within_bodies = false;  // and on those of their own
+};
+
 // --- how a body starts and is held ----------------------------------------------------
 
 // Rotation by an angle from the first axis of the plane towards the second.

@@ -77,6 +77,7 @@ EnergyTerms collect_terms(const StructureRun& run) {
         terms.lost_friction = engine.fix_vector("platform", 8);
     }
     if (run.scene.contact) terms.contact = engine.compute_scalar("contact");
+    if (run.scene.dipoles) terms.dipoles = engine.fix_scalar("dipoles");
     const bool rubs = run.scene.contact && run.scene.contact->friction > 0;
     if (rubs) terms.lost_friction += engine.compute_vector("contact", 4);
     for (const structure::Wall& wall : run.input.walls) {
@@ -130,7 +131,7 @@ EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
 }
 
 double EnergyAudit::stored(const EnergyTerms& terms) const {
-    return terms.elastic + terms.platform + terms.contact;
+    return terms.elastic + terms.platform + terms.contact + terms.dipoles;
 }
 
 std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
@@ -159,6 +160,7 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
     add(in_fluid, "kinetic", m.kinetic);
     add(effect("platform"), "platform", terms.platform);
     add(effect("contact"), "contact", terms.contact);
+    add(effect("dipoles"), "dipoles", terms.dipoles);
     add(effect("viscosity"), "lost_viscosity", terms.lost_viscosity);
     add(effect("damping"), "lost_drag", terms.lost_drag);
     add(effect("friction"), "lost_friction", terms.lost_friction);
@@ -183,6 +185,7 @@ std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms&
     if (record_.rows == 0) {
         record_.stored_at_start = stored(terms);
         record_.moved_at_start = terms.of_moved;
+        record_.dipoles_at_start = terms.dipoles;
         record_.nodes_at_start = motion.kinetic_nodes;
         record_.fluid_at_start = terms.fluid.sum();
     }
@@ -194,8 +197,10 @@ std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms&
 
 void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residual) {
     const double moved = terms.of_moved - record_.moved_at_start;
-    for (const double part : {terms.work_field, m.work_weight, moved, terms.by_fluid,
-                              record_.stored_at_start + record_.nodes_at_start})
+    for (const double part :
+         {terms.work_field, m.work_weight, moved, terms.by_fluid,
+          terms.dipoles - record_.dipoles_at_start,
+          record_.stored_at_start - record_.dipoles_at_start + record_.nodes_at_start})
         record_.work = std::max(record_.work, std::abs(part));
     record_.residual = std::max(record_.residual, std::abs(residual));
     const double unpaid = stored(terms) + m.kinetic + terms.fluid.sum() + lost(terms) -

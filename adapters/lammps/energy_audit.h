@@ -25,7 +25,7 @@ struct FluidEnergy {
 
 // What the solvers know at one time, of all bodies [J]. Sums are since the start.
 struct EnergyTerms {
-    double elastic = 0, platform = 0, contact = 0;  // stored
+    double elastic = 0, platform = 0, contact = 0, dipoles = 0;  // stored
     double work_field = 0;
     double of_moved = 0;  // of nodes in prescribed motion: kinetic less the work on them
     double lost_viscosity = 0, lost_drag = 0, lost_friction = 0;
@@ -88,6 +88,7 @@ class EnergyAudit {
     struct Record {
         double rows = 0;
         double stored_at_start = 0, moved_at_start = 0, nodes_at_start = 0;
+        double dipoles_at_start = 0;
         double fluid_at_start = 0;
         double work = 0, residual = 0, lowest = 0, gained = 0;
         double unpaid_at_start = 0, unpaid = 0, for_nothing = 0, most_for_nothing = 0;

@@ -50,6 +50,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
         input.gradient = scene.magnetic_field->gradient;
         input.sources = scene.magnetic_field->sources;
     }
+    input.dipoles = scene.dipoles;
     input.gravity_m_s2 = bodies::to_gravity(scene);
     input.drag = scene.damping;
     input.platform = scene.platform;

@@ -44,6 +44,7 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
     without(scene.platform && scene.platform->friction > 0, {"platform", "friction"},
             "friction");
     without(scene.contact.has_value(), {"contact"}, "contact");
+    without(scene.dipoles.has_value(), {"dipoles"}, "dipoles");
 }
 
 // Beside a body at rest a velocity that alternates from step to step decays for strengths
@@ -84,6 +85,18 @@ void check_coupling(const Coupling& coupling, const Marks& marks) {
             "remove this key or take another scheme");
 }
 
+// Bodies that act on each other are more than one.
+void check_dipoles(const Scene& scene, const Marks& marks) {
+    const auto magnets = std::ranges::count_if(
+        scene.bodies, [](const Body& b) { return b.magnetization.has_value(); });
+    const bool within = scene.dipoles->within_bodies;
+    require(magnets >= (within ? 1 : 2), marks.key({"dipoles"}),
+            fmt::format("dipoles with {} magnetized bodies", magnets),
+            within ? "them with at least one" : "them with at least two",
+            magnets == 0 ? "add a magnetization or remove this key"
+                         : "add a magnetization, or dipoles.within_bodies: true");
+}
+
 // --- the platform: one that no body can touch is a slip ----------------------------
 
 double dot(const Vec3& a, const Vec3& b) {
@@ -112,7 +125,7 @@ bool can_travel_towards(const Scene& scene, const Platform& platform) {
                        dot(scene.gravity->direction, platform.normal) < 0;
     const bool drawn = scene.magnetic_field && (scene.magnetic_field->gradient ||
                                                 !scene.magnetic_field->sources.empty());
-    return falls || drawn || scene.fluid || scene.contact;
+    return falls || drawn || scene.fluid || scene.contact || scene.dipoles;
 }
 
 // How far from its centre a body may ever come to be, if it cannot travel. Of a stretch
@@ -227,6 +240,7 @@ void check_loads(const Scene& scene, const Marks& marks) {
         return present;
     };
     if (scene.magnetic_field) check_magnetic_field(scene, marks);
+    if (scene.dipoles) check_dipoles(scene, marks);
     if (scene.control) check_control(scene, marks);
     if (with_bodies(scene.gravity.has_value(), "gravity"))
         require(scene.gravity->direction != Vec3{}, marks.value({"gravity", "direction"}),

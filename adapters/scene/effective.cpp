@@ -128,6 +128,7 @@ std::vector<Effect> effects_of(const Scene& s) {
         {structure, "field gradient", s.magnetic_field && s.magnetic_field->gradient},
         {structure, "field sources",
          s.magnetic_field && !s.magnetic_field->sources.empty()},
+        {structure, "dipoles", s.dipoles.has_value()},
         {structure, "control", s.control.has_value()},
         {structure, "gravity", s.gravity.has_value()},
         {structure, "damping", s.damping.has_value()},

@@ -155,6 +155,9 @@ void keys(Io& io, Scene& scene) {
            "Applied field: a law of time for all of space, sources that vary in space, or "
            "both."),
        scene.magnetic_field);
+    io(key("dipoles", "Magnetised bodies act on each other: each element is a dipole. Every pair counts in every "
+           "step (docs/effects.md)."),
+       scene.dipoles);
     io(key("control", "A program that sees probes and sets the magnetic field as the run goes on."),
        scene.control);
     io(key("gravity", "Weight of the bodies; in a fluid, less their buoyancy."), scene.gravity);

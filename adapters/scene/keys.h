@@ -400,6 +400,8 @@ void keys(Io& io, MagneticField& field);  // keys_field.cpp
 template <class Io>
 void keys(Io& io, FieldTerm& term);
 template <class Io>
+void keys(Io& io, DipoleOptions& dipoles);
+template <class Io>
 void keys(Io& io, Fluid& fluid);  // keys_fluid.cpp
 template <class Io>
 void keys(Io& io, Coupling& coupling);  // keys_coupling.cpp

@@ -264,6 +264,13 @@ void keys(Io& io, MagneticField& field) {
            .optional(), field.sources);
 }
 
+template <class Io>
+void keys(Io& io, DipoleOptions& dipoles) {
+    io(key("within_bodies", "Also on the elements of their own body, whose edges may then differ by a "
+           "factor of 2 at most.").by_default(), dipoles.within_bodies);
+}
+
+MAGFSI_KEYS_OF(DipoleOptions)
 MAGFSI_KEYS_OF(MagneticField)
 MAGFSI_KEYS_OF(FieldTerm)
 

@@ -314,6 +314,7 @@ struct Scene {
     std::optional<Gravity> gravity;
     std::optional<Damping> damping;
     std::optional<Platform> platform;
+    std::optional<DipoleOptions> dipoles;
     std::optional<ContactLaw> contact;
     std::optional<Fluid> fluid;
     std::optional<Coupling> coupling;  // always there with both bodies and a fluid

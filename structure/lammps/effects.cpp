@@ -38,6 +38,7 @@ void refuse_absent(const LammpsInput& input) {
     need(input.field.has_value(), "magnetic_field");
     need(input.gradient.has_value(), "field_gradient");
     need(!input.sources.empty(), "field_sources");
+    need(input.dipoles.has_value(), "dipoles");
     need(input.contact.has_value(), "contact");
     need(input.gravity_m_s2.has_value(), "gravity");
     need(input.drag.has_value(), "drag");

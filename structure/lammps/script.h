@@ -30,6 +30,7 @@ struct LammpsInput {
     std::optional<FieldProgram> field;
     std::optional<GradientInput> gradient;  // with or without a field
     std::vector<FieldSource> sources;       // likewise
+    std::optional<DipoleOptions> dipoles;
     std::optional<Vec3> gravity_m_s2;
     std::optional<Drag> drag;
     std::optional<Platform> platform;  // stiffness 0: that of platform_of
@@ -60,11 +61,11 @@ struct LammpsScript {
 // lines. Run them, then `run 0`, then `run N pre no post no` as often as needed: with
 // neigh_modify once yes nothing but the forces and the integration is left in a step, and
 // atoms keep their ranks and places. Besides fix_id there are, where asked for, the fixes
-// platform, wall_NAME, quiet, drag, gravity, field, before_rollers and the compute
-// contact. A relaxed shape lies in the plane of `field` (x
-// and z where there is none), and is found here, before LAMMPS starts, so that the script
-// holds the run alone. Throws std::invalid_argument on bad input, std::runtime_error if a
-// file cannot be written or a shape not be relaxed.
+// platform, wall_NAME, quiet, drag, gravity, field, dipoles, before_rollers and the
+// compute contact. A relaxed shape lies in the plane of `field` (x and z where there is
+// none), and is found here, before LAMMPS starts, so that the script holds the run alone.
+// Throws std::invalid_argument on bad input, std::runtime_error if a file cannot be
+// written or a shape not be relaxed.
 LammpsScript write_lammps_input(const LammpsInput& input,
                                 const std::filesystem::path& folder);
 

@@ -21,6 +21,7 @@ STRUCTURE = {
     "magnetic field": (MAGNET, {}),
     "field gradient": ({**MAGNET, "magnetic_field.gradient.matrix": "[[1 T/m, 0 T/m, 0 T/m], "
                         "[0 T/m, 0 T/m, 0 T/m], [0 T/m, 0 T/m, -1 T/m]]"}, MAGNET),
+    "dipoles, within the body": ({**MAGNET, "dipoles": "{within_bodies: true}"}, MAGNET),
     "gravity": (FALL, {}),
     "damping": ({"damping.rate": "10 1/s"}, {}),
     "platform": (GROUND, FALL),

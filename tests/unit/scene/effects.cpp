@@ -21,7 +21,7 @@ TEST(Effects, of_a_swimmer) {
                      "fluid", "body force", "moving walls", "probes", "interface balance",
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
-              (Names{"viscosity", "field gradient", "field sources", "control",
+              (Names{"viscosity", "field gradient", "field sources", "dipoles", "control",
                      "platform", "friction", "contact", "rollers", "prescribed motion",
                      "parallel scheme", "implicit scheme", "eddy viscosity", "rheology",
                      "free slip", "inlets and outlets", "refinement", "obstacles"}));
@@ -31,7 +31,7 @@ TEST(Effects, of_a_strip_on_a_platform) {
     const Scene s = read_scene(test_folder / "complete/platform.yaml");
     EXPECT_EQ(active_effects(s),
               (Names{"elasticity", "viscosity", "magnetic field", "field gradient",
-                     "platform", "friction", "contact"}));
+                     "dipoles", "platform", "friction", "contact"}));
 }
 
 TEST(Effects, of_a_solid) {
@@ -41,7 +41,8 @@ TEST(Effects, of_a_solid) {
         effects_by_step(s),
         (Names{
             "structure step: elasticity, magnetic field; absent: viscosity, "
-            "field gradient, field sources, control, gravity, damping, platform, "
+            "field gradient, field sources, dipoles, control, gravity, damping, "
+            "platform, "
             "friction, contact, "
             "clamps, rollers, prescribed motion",
             "coupled step: none; absent: immersed boundary, buoyancy, iterated "

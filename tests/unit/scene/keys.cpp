@@ -216,6 +216,7 @@ TEST(Keys, of_platform_contact_and_equilibrium) {
     EXPECT_EQ(s.platform->normal, (Vec3{0, 0.6, 0.8}));  // normalised
     EXPECT_EQ(s.platform->stiffness_pa_m, 20e6);
     EXPECT_EQ(s.platform->friction, 0.3);
+    EXPECT_TRUE(s.dipoles->within_bodies);
     EXPECT_EQ(s.contact->distance_m, 0.2e-3);
     EXPECT_EQ(s.contact->stiffness_pa_m, 30e6);
 }
