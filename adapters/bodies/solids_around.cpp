@@ -109,6 +109,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
     for (const scene::Obstacle& shape : fluid.obstacles) {
         Obstacle made{fmt::format("the obstacle '{}'", shape.name),
                       fluid::make_solid(shape.shape, spacing_m_, cells),
+                      {},
                       {}};
         std::vector<bool> holds_body(points_.empty() ? 0 : points_.back().body + 1);
         const auto holds = [&](const Vec3& x) {
@@ -123,6 +124,8 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
             made.free.push_back(
                 !holds_body[point.body] ||
                 !comes_within(made, place_of(point.at, start_m), spacing_m_));
+        const bool has_distance = !std::holds_alternative<scene::StlSurface>(shape.shape);
+        for (const bool held : holds_body) made.pushed.push_back(has_distance && !held);
         obstacles_.push_back(std::move(made));
     }
 }
@@ -167,7 +170,9 @@ SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) 
             const double gap = is_deep(holds, x, deep_m_)           ? -INFINITY
                                : comes_within(obstacle, x, near_m_) ? 0.5 * near_m_
                                                                     : near_m_;
-            note({point.body, point.at.element, obstacle.what, x, false}, gap, found);
+            note({point.body, point.at.element, obstacle.what, x,
+                  obstacle.pushed[point.body]},
+                 gap, found);
         }
     }
     return found;

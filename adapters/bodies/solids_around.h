@@ -62,7 +62,8 @@ class SolidsAround {
     struct Obstacle {
         std::string what;
         std::shared_ptr<const fluid::Solid> solid;
-        std::vector<bool> free;  // by point: does not start in it
+        std::vector<bool> free;    // by point: does not start in it
+        std::vector<bool> pushed;  // by body: contact keeps it out
     };
 
     void add_points(const structure::Body& body, std::size_t number, int first_node);

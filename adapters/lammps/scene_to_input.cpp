@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/lammps/scene_to_input.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
@@ -13,15 +17,58 @@ namespace magfsi::lammps {
 
 namespace {
 
+// Of those shapes that have a distance; a surface of triangles pushes nobody.
+std::optional<structure::SolidShape> shape_of(const scene::Obstacle& obstacle) {
+    if (const auto* ball = std::get_if<scene::Sphere>(&obstacle.shape))
+        return structure::Ball{ball->centre_m, 0.5 * ball->diameter_m};
+    if (const auto* block = std::get_if<scene::Block>(&obstacle.shape))
+        return structure::Brick{block->low_m, block->high_m};
+    const auto* rod = std::get_if<scene::Cylinder>(&obstacle.shape);
+    if (!rod) return {};
+    std::optional<double> half_m;
+    if (rod->length_m) half_m = 0.5 * *rod->length_m;
+    return structure::Rod{rod->centre_m, 0.5 * rod->diameter_m, rod->axis, half_m};
+}
+
+// Whether a body starts in a shape, which then holds it.
+bool starts_in(const structure::SolidShape& shape,
+               const std::vector<structure::Vec3>& nodes_m, double deep_m) {
+    return std::ranges::any_of(nodes_m, [&](const structure::Vec3& x) {
+        return structure::signed_distance(shape, x).distance_m < -deep_m;
+    });
+}
+
+// With contact in a fluid: its obstacles.
+void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scene,
+                   const std::vector<structure::Body>& bodies) {
+    std::vector<std::vector<structure::Vec3>> start_m;
+    for (std::size_t b = 0; b < bodies.size() && !scene.fluid->obstacles.empty(); ++b) {
+        scene::Placement placement = scene.bodies[b].initial;
+        placement.relaxed.reset();
+        start_m.push_back(structure::placed_nodes(bodies[b], placement, {0, 2}));
+    }
+    for (std::size_t o = 0; o < scene.fluid->obstacles.size(); ++o) {
+        structure::Wall wall{fmt::format("obstacle_{}", o + 1), {}, {}, {}};
+        wall.shape = shape_of(scene.fluid->obstacles[o]);
+        for (std::size_t b = 0; wall.shape && b < bodies.size(); ++b) {
+            // As the look for overlaps has it.
+            const double deep_m = 0.05 * scene.fluid->finest_spacing_m();
+            if (!starts_in(*wall.shape, start_m[b], deep_m)) wall.bodies.push_back(b);
+        }
+        if (!wall.bodies.empty()) walls.push_back(std::move(wall));
+    }
+}
+
 // With contact in a fluid: all sides of its box that a body could go through. One that
 // spans the box touches them anyway.
-std::vector<structure::Wall> walls_of(const scene::Scene& scene) {
+std::vector<structure::Wall> walls_of(const scene::Scene& scene,
+                                      const std::vector<structure::Body>& bodies) {
     std::vector<structure::Wall> walls;
     if (!scene.contact || !scene.fluid) return walls;
     for (std::size_t side = 0; side < scene.fluid->boundaries.size(); ++side) {
         if (scene.fluid->boundaries[side].kind == scene::BoundaryKind::periodic) continue;
         const std::size_t axis = side / 2;
-        structure::Wall wall{std::string(scene::names<scene::Face>[side]), {}, {}};
+        structure::Wall wall{std::string(scene::names<scene::Face>[side]), {}, {}, {}};
         wall.plane.normal = {};
         wall.plane.normal[axis] = side % 2 == 0 ? 1 : -1;
         if (side % 2 == 1) wall.plane.point_m[axis] = scene.fluid->box_m[axis];
@@ -30,6 +77,7 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene) {
                 wall.bodies.push_back(b);
         if (!wall.bodies.empty()) walls.push_back(std::move(wall));
     }
+    add_obstacles(walls, scene, bodies);
     return walls;
 }
 
@@ -55,7 +103,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     input.drag = scene.damping;
     input.platform = scene.platform;
     input.contact = scene.contact;
-    input.walls = walls_of(scene);
+    input.walls = walls_of(scene, input.bodies);
     input.reactions = bodies::needs(scene, bodies::Load::support);
     input.time_step_s = time_step_s;
     structure::check_effects(input);

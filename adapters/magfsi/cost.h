@@ -28,6 +28,7 @@ struct FluidWork {
 
 struct StructureWork {
     double elements = 0, nodes = 0, markers = 0;
+    double dipoles = 0;   // that act on another, each on each
     double substeps = 1;  // in a coupled step
     double probe_rows = 0, files = 0;
     int ranks = 1;

@@ -92,9 +92,13 @@ double exchange_s(const Work& work, const Calibration& c) {
 }
 
 // Ranks share elements and markers, and exchange the nodes between them.
+// Of one element's dipole on another, with AVX2 (docs/effects.md).
+constexpr double s_per_dipole = 4e-9;
+
 double substep_s(const StructureWork& s, const Calibration& c) {
     return c.s_per_substep + (s.ranks > 1 ? c.s_per_substep_exchange : 0) +
-           (s.elements * c.s_per_element_substep + s.markers * c.s_per_marker_substep) /
+           (s.elements * c.s_per_element_substep + s.markers * c.s_per_marker_substep +
+            s.dipoles * s_per_dipole) /
                s.ranks;
 }
 

@@ -12,16 +12,18 @@
 #include "structure/lammps/drag_law.h"
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/placement.h"
+#include "structure/solid_shape.h"
 #include "structure/source_options.h"
 
 namespace magfsi::structure {
 
-// A plane that pushes some of the bodies back: fix wall_NAME, of the platform's style.
-// Its stiffness follows from the bodies.
+// A plane or a shape that pushes some of the bodies back: fix wall_NAME, of the
+// platform's style. Its stiffness follows from the bodies.
 struct Wall {
-    std::string name;
+    std::string name;  // fit for an ID of LAMMPS
     Platform plane;
-    std::vector<std::size_t> bodies;  // ascending
+    std::optional<SolidShape> shape{};  // in place of the plane
+    std::vector<std::size_t> bodies;    // ascending
 };
 
 struct LammpsInput {

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "structure/solid_shape.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "structure/refuse.h"
+
+namespace magfsi::structure {
+namespace {
+
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+Vec3 divided(Vec3 v, double by) {
+    for (double& x : v) x /= by;
+    return v;
+}
+
+SignedDistance of(const Ball& ball, const Vec3& point) {
+    Vec3 way{};
+    for (std::size_t d = 0; d < 3; ++d) way[d] = point[d] - ball.centre_m[d];
+    const double r = length(way);
+    if (r == 0) return {-ball.radius_m, {0, 0, 1}};
+    return {r - ball.radius_m, divided(way, r)};
+}
+
+// A box of any number of directions: out, how far beyond each pair of faces the point is
+// (negative between them), and the unit vector of that direction.
+template <std::size_t n>
+SignedDistance of_faces(const std::array<double, n>& out,
+                        const std::array<Vec3, n>& outwards) {
+    const auto nearest =
+        static_cast<std::size_t>(std::ranges::max_element(out) - out.begin());
+    if (!(out[nearest] > 0)) return {out[nearest], outwards[nearest]};
+    Vec3 way{};
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t d = 0; d < 3; ++d)
+            way[d] += std::max(0.0, out[i]) * outwards[i][d];
+    }
+    const double distance = length(way);
+    return {distance, divided(way, distance)};
+}
+
+Vec3 along(std::size_t axis, double side) {
+    Vec3 unit{};
+    unit[axis] = side < 0 ? -1 : 1;
+    return unit;
+}
+
+SignedDistance of(const Rod& rod, const Vec3& point) {
+    const auto axis = static_cast<std::size_t>(rod.axis);
+    Vec3 across{};
+    for (std::size_t d = 0; d < 3; ++d) across[d] = point[d] - rod.centre_m[d];
+    const double height = across[axis];
+    across[axis] = 0;
+    const double r = length(across);
+    const Vec3 radial = r > 0 ? divided(across, r) : along((axis + 1) % 3, 1);
+    if (!rod.half_length_m) return {r - rod.radius_m, radial};
+    return of_faces<2>({r - rod.radius_m, std::abs(height) - *rod.half_length_m},
+                       {radial, along(axis, height)});
+}
+
+SignedDistance of(const Brick& brick, const Vec3& point) {
+    std::array<double, 3> out{};
+    std::array<Vec3, 3> outwards{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double from_middle = point[d] - 0.5 * (brick.low_m[d] + brick.high_m[d]);
+        out[d] = std::abs(from_middle) - 0.5 * (brick.high_m[d] - brick.low_m[d]);
+        outwards[d] = along(d, from_middle);
+    }
+    return of_faces<3>(out, outwards);
+}
+
+std::string words_for(const Ball& ball) {
+    return fmt::format("ball {:.17g} {:.17g}", fmt::join(ball.centre_m, " "),
+                       ball.radius_m);
+}
+
+std::string words_for(const Rod& rod) {
+    return fmt::format("rod {:.17g} {:.17g} {} {:.17g}", fmt::join(rod.centre_m, " "),
+                       rod.radius_m, "xyz"[rod.axis],
+                       rod.half_length_m.value_or(INFINITY));
+}
+
+std::string words_for(const Brick& brick) {
+    return fmt::format("brick {:.17g} {:.17g}", fmt::join(brick.low_m, " "),
+                       fmt::join(brick.high_m, " "));
+}
+
+double length_from(const std::string& word) {
+    std::size_t read = 0;
+    double value = NAN;
+    try {
+        value = std::stod(word, &read);
+    } catch (const std::exception&) {
+        read = 0;
+    }
+    if (read != word.size() || std::isnan(value))
+        refuse("\"{}\" found in a shape, a length in metres is needed", word);
+    return value;
+}
+
+}  // namespace
+
+SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m) {
+    return std::visit([&](const auto& one) { return of(one, point_m); }, shape);
+}
+
+std::string shape_words(const SolidShape& shape) {
+    return std::visit([](const auto& one) { return words_for(one); }, shape);
+}
+
+int shape_word_count(const std::string& name) {
+    return name == "ball" ? 5 : name == "rod" || name == "brick" ? 7 : 0;
+}
+
+SolidShape parse_shape(const std::vector<std::string>& words) {
+    const std::string name = words.empty() ? "" : words[0];
+    if (static_cast<int>(words.size()) != std::max(1, shape_word_count(name)))
+        refuse("a shape of {} words found; \"ball\" has 5, \"rod\" and \"brick\" have 7",
+               words.size());
+    const auto place = [&](std::size_t from) {
+        return Vec3{length_from(words[from]), length_from(words[from + 1]),
+                    length_from(words[from + 2])};
+    };
+    const auto size = [](double value, const char* what) {
+        if (value > 0) return value;
+        refuse("a shape with the {} {:g} m found, it must be above 0", what, value);
+    };
+    if (name == "ball") return Ball{place(1), size(length_from(words[4]), "radius")};
+    if (name == "brick") {
+        const Brick brick{place(1), place(4)};
+        for (std::size_t d = 0; d < 3; ++d)
+            size(brick.high_m[d] - brick.low_m[d], "edge");
+        return brick;
+    }
+    if (name != "rod") refuse("\"{}\" found; shapes are ball, rod and brick", name);
+    Rod rod{place(1), size(length_from(words[4]), "radius"), 0, {}};
+    const std::string axes = "xyz";
+    const auto axis = words[5].size() == 1 ? axes.find(words[5]) : std::string::npos;
+    if (axis == std::string::npos)
+        refuse("\"{}\" found as the axis of a rod, x, y or z is allowed", words[5]);
+    rod.axis = static_cast<int>(axis);
+    const double half = size(length_from(words[6]), "half length");
+    if (std::isfinite(half)) rod.half_length_m = half;
+    return rod;
+}
+
+}  // namespace magfsi::structure

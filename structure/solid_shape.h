@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Solid shapes that bodies cannot enter, by their distance.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "structure/options.h"
+
+namespace magfsi::structure {
+
+struct Ball {
+    Vec3 centre_m{};
+    double radius_m = 0;
+};
+// Along a coordinate axis, 0 x, 1 y, 2 z.
+struct Rod {
+    Vec3 centre_m{};
+    double radius_m = 0;
+    int axis = 2;
+    std::optional<double> half_length_m;  // without end
+};
+struct Brick {
+    Vec3 low_m{}, high_m{};  // opposite corners
+};
+using SolidShape = std::variant<Ball, Rod, Brick>;
+
+// Where a point is to a shape: the distance to the nearest point of its surface, negative
+// inside, and there the unit vector outwards. On the middle of a ball or the axis of a
+// rod, where all directions are as near, one of them.
+struct SignedDistance {
+    double distance_m = 0;
+    Vec3 normal{};
+};
+SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m);
+
+// "ball X Y Z RADIUS", "rod X Y Z RADIUS x|y|z HALF_LENGTH|inf" or "brick X Y Z X Y Z",
+// lengths in metres, and back. Throws std::invalid_argument on what is no shape.
+std::string shape_words(const SolidShape& shape);
+SolidShape parse_shape(const std::vector<std::string>& words);
+// How many words a shape of this name has, itself included; 0: there is none.
+int shape_word_count(const std::string& name);
+
+}  // namespace magfsi::structure
