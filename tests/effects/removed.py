@@ -78,7 +78,7 @@ EFFECTS = {
     "field_gradient": of_structure("field_gradient", "structure/magnetics/field_gradient.*",
                                    **{"magnetic_field.gradient": "null"}),
     "field_sources": of_structure("field_sources"),
-    "dipoles": of_structure("dipoles", "structure/magnetics/dipole*"),
+    "dipoles": of_structure("dipoles"),
     "gravity": of_structure("gravity", gravity="null"),
     "drag": of_structure("drag", damping="null"),
     "platform": of_structure("platform", platform="null"),
