@@ -42,6 +42,17 @@ bool is_deep(const Holds& holds, const Vec3& x, double radius_m) {
     return true;
 }
 
+// Of what faces clamps hold still.
+std::set<int> clamped_nodes(const structure::Body& body,
+                            const std::vector<std::string>& clamps) {
+    std::set<int> all;
+    for (const std::string& face : clamps) {
+        const auto& nodes = structure::face_nodes(body, face, "clamped");
+        all.insert(nodes.begin(), nodes.end());
+    }
+    return all;
+}
+
 }  // namespace
 
 SolidsAround::SolidsAround(const scene::Scene& scene,
@@ -50,21 +61,22 @@ SolidsAround::SolidsAround(const scene::Scene& scene,
     : spacing_m_(scene.fluid->spacing_m), near_m_(near_m), deep_m_(deep_m) {
     int first_node = 0;
     for (std::size_t b = 0; b < solids.size(); ++b) {
-        add_points(solids[b], b, first_node);
+        add_points(solids[b], clamped_nodes(solids[b], scene.bodies[b].clamps), b,
+                   first_node);
         first_node += static_cast<int>(solids[b].mesh.nodes.size());
     }
     add_sides(*scene.fluid, scene.bodies, start_m);
     add_obstacles(*scene.fluid, start_m);
 }
 
-void SolidsAround::add_points(const structure::Body& body, std::size_t number,
-                              int first_node) {
+void SolidsAround::add_points(const structure::Body& body, const std::set<int>& clamped,
+                              std::size_t number, int first_node) {
     const auto surface = structure::boundary_quads(body.mesh);
     std::set<int> known;
     for (const auto& quad : surface) {
         for (const int node : quad.node) {
             if (!known.insert(node).second) continue;
-            Point point{{}, number};
+            Point point{{}, number, clamped.contains(node)};
             point.at.node.fill(first_node + node);
             point.at.weight[0] = 1;
             point.at.element = quad.element;
@@ -72,7 +84,7 @@ void SolidsAround::add_points(const structure::Body& body, std::size_t number,
         }
     }
     for (const auto& middle : structure::surface_points(body.mesh, surface, spacing_m_)) {
-        points_.push_back({middle.point, number});
+        points_.push_back({middle.point, number, false});
         for (int& node : points_.back().at.node) node += first_node;
     }
 }
@@ -90,13 +102,20 @@ void SolidsAround::add_sides(const scene::Fluid& fluid,
                   fmt::format("the side {} of the fluid's box",
                               scene::names<scene::Face>[side]),
                   {}};
+        std::vector<bool> passes, stands(bodies.size());
         for (const scene::Body& body : bodies)
-            made.of_body.push_back(!spans_fluid(fluid, body, true)[axis]);
+            passes.push_back(spans_fluid(fluid, body, true)[axis]);
+        const auto height_m = [&](const Point& point) {
+            return made.inwards * (place_of(point.at, start_m)[axis] - made.place_m);
+        };
         for (const Point& point : points_) {
-            const double height =
-                made.inwards * (place_of(point.at, start_m)[axis] - made.place_m);
-            if (height < -deep_m_) made.of_body[point.body] = false;
+            const double height = height_m(point);
+            if (height < -deep_m_) passes[point.body] = true;
+            if (height < deep_m_ && point.clamped) stands[point.body] = true;
         }
+        for (const Point& point : points_)
+            made.free.push_back(!passes[point.body] &&
+                                !(stands[point.body] && height_m(point) < spacing_m_));
         sides_.push_back(std::move(made));
     }
 }
@@ -116,7 +135,9 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
             return made.solid->holds(fluid::in_cells(x, spacing_m_));
         };
         for (const Point& point : points_) {
-            if (is_deep(holds, place_of(point.at, start_m), deep_m_))
+            const Vec3 x = place_of(point.at, start_m);
+            if (is_deep(holds, x, deep_m_) ||
+                (point.clamped && comes_within(made, x, deep_m_)))
                 holds_body[point.body] = true;
         }
         // Of a body that is held by it, also what starts beside it.
@@ -159,7 +180,7 @@ SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) 
         for (const Side& side : sides_) {
             const double gap =
                 side.inwards * (x[static_cast<std::size_t>(side.axis)] - side.place_m);
-            if (gap < reach_m && side.of_body[point.body])
+            if (gap < reach_m && side.free[p])
                 note({point.body, point.at.element, side.what, x, true}, gap, found);
         }
         for (const Obstacle& obstacle : obstacles_) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,8 +41,9 @@ class SolidsAround {
   public:
     // solids: to_body of each. start_m: their nodes at time 0, all of one body after the
     // other's. What stands in an obstacle there, as a body does that is held by it, is
-    // not looked at; nor is a side that a body starts beyond or spans the box to.
-    // near_m: what is closer is reported. deep_m: what is further inside is.
+    // not looked at; nor is a side that a body starts beyond or spans the box to; nor
+    // what starts beside a side or an obstacle on which a clamped face of its body
+    // stands. near_m: what is closer is reported. deep_m: what is further inside is.
     SolidsAround(const scene::Scene& scene, std::span<const structure::Body> solids,
                  std::span<const structure::Vec3> start_m, double near_m, double deep_m);
 
@@ -52,12 +54,13 @@ class SolidsAround {
     struct Point {
         structure::MaterialPoint at;  // of the nodes of all bodies
         std::size_t body = 0;
+        bool clamped = false;
     };
     struct Side {
         int axis = 0;
         double inwards = 1, place_m = 0;
         std::string what;
-        std::vector<bool> of_body;  // those that may not pass it
+        std::vector<bool> free;  // by point: may not pass it
     };
     struct Obstacle {
         std::string what;
@@ -66,7 +69,8 @@ class SolidsAround {
         std::vector<bool> pushed;  // by body: contact keeps it out
     };
 
-    void add_points(const structure::Body& body, std::size_t number, int first_node);
+    void add_points(const structure::Body& body, const std::set<int>& clamped,
+                    std::size_t number, int first_node);
     void add_sides(const scene::Fluid& fluid, std::span<const scene::Body> bodies,
                    std::span<const structure::Vec3> start_m);
     void add_obstacles(const scene::Fluid& fluid,

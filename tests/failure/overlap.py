@@ -83,6 +83,14 @@ class Overlap(unittest.TestCase):
                    "bodies.robot.initial.position": "[4.1 mm, 2 mm, 1.5 mm]"},
                   "body 'robot' passes into the side z_min of the fluid's box")
 
+    def test_a_body_clamped_on_a_side_or_an_obstacle(self):
+        plate = PLATE.replace("[x_min]", "[z_min]")
+        step = "{step: {box: [[3 mm, 1 mm, 0 mm], [5 mm, 3 mm, 2.75 mm]]}}"
+        for settings in ({"bodies.plate": plate.replace("3 mm]}", "0.25 mm]}")},
+                         {"bodies.plate": plate, "fluid.obstacles": step}):
+            run = testing.good_run(testing.SMALL, {**QUIET, **settings})
+            self.assertNotIn("comes within", (run.folder / "run.log").read_text())
+
     def test_allowed(self):
         run = testing.good_run(testing.SMALL, {**ONTO_PLATE, "coupling.overlap": "allow"})
         self.assertNotIn("warning", (run.folder / "run.log").read_text())
