@@ -28,7 +28,8 @@ ContactForce contact_force(const ContactLaw& law, double areas_m4, double distan
 // share = 6 A / (pi d^2) / max(2.2, 6 A / (pi d^2)) of the larger area A, so that the
 // drags of all nodes that a node touches add up to at most about m / (4 dt): stable in
 // every step dt. Where c v is less than mu N the surfaces stick but for a creep, of
-// F / c: some ten steps' fall under weight. The pair's momentum is conserved; its angular
+// F / c: some ten steps' fall under weight where all of a surface touches, thousands in
+// light contact, where few nodes do. The pair's momentum is conserved; its angular
 // momentum but for F r, r < d the gap of the layer.
 Vec3 friction_force_n(const ContactLaw& law, double normal_n, double drag_kg_s,
                       const Vec3& past_m_s);
