@@ -54,6 +54,12 @@ Vec3 wall_velocity(const FluidConfig& config, int side) {
     return velocity;
 }
 
+Vec3 half_body_force(const FluidConfig& config) {
+    Vec3 half = config.body_force_n_m3.value_or(Vec3{});
+    for (double& f : half) f *= 0.5 / units(config).force_n_m3();
+    return half;
+}
+
 Collision choose_collision(const FluidConfig& config) {
     return choose_collision(config, collision_case(config));
 }

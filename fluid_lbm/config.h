@@ -37,6 +37,8 @@ std::array<bool, 3> periodic_axes(const FluidConfig& config);
 bool sweep_is_all(const FluidConfig& config);
 // Of a side's wall, lattice units.
 Vec3 wall_velocity(const FluidConfig& config, int side);
+// What momentum lacks between steps in each cell (Guo, Zheng, Shi 2002), lattice units.
+Vec3 half_body_force(const FluidConfig& config);
 
 // config.collision, or for automatic the choice by relaxation time.
 Collision choose_collision(const FluidConfig& config);

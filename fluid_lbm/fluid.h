@@ -99,6 +99,8 @@ class Fluid {
     void set_steps_done(std::int64_t steps);
     void set_populations(int plane, std::span<const double> values);
 
+    // These, plane_flow() and macroscopic() have velocities with half of the body force,
+    // which momentum lacks between steps; of other forces the next is not known yet.
     Totals totals() const;  // collective
     // Of disjoint boxes of global cells alone. Collective.
     Totals totals(std::span<const CellBox> parts) const;

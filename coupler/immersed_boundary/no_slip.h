@@ -46,17 +46,47 @@ constexpr double least_row_sum = 0.25;
 
 constexpr double no_slip_strength = 0.75;  // s
 
+// With a gain of 0.5 balls that move diverge at relaxation times above 1.1.
+constexpr double slip_gain = 0.25;
+
+// What the leak depends on: the fluid's viscosity and the largest speed that the run
+// should resolve (0: not known), on the grid at the bodies.
+struct SlipScale {
+    double viscosity_m2_s = 0;
+    double speed_m_s = 0;
+    double spacing_m = 0;
+    double coupled_step_s = 0;
+};
+
+// The leak, a part a step. Steady forces leave the slip leak / gain (r f - g), where f
+// falls with the step while the velocity that a force F of one marker alone holds up does
+// not: F / (rho h (nu + c u h)) from viscosity and from the flow past it. So that the
+// same forces are let go at any step, the leak is their ratio,
+//   leak = 0.002 / (nu dt / h^2 + 2 u dt / h),
+// up to the gain, from where on the memory holds nothing more. With a constant leak of
+// 0.02 the flow past held balls fell by 1.5 % with every halving of the step, towards
+// balls 0.1 h larger than theirs. The factor 2 keeps 0.02 for sheets at the usual speed
+// of 0.05 h a step; larger speeds change nothing.
+inline double slip_leak(const SlipScale& scale) {
+    constexpr double usual = 0.05;  // h a step
+    const double per_step = scale.coupled_step_s / scale.spacing_m;
+    const double viscous = scale.viscosity_m2_s * per_step / scale.spacing_m;
+    const double speed =
+        scale.speed_m_s > 0 ? std::min(usual, scale.speed_m_s * per_step) : usual;
+    return std::min(slip_gain, 0.002 / (viscous + 2 * speed));
+}
+
 class SlipMemory {
   public:
-    explicit SlipMemory(std::size_t markers) : memory_(markers) {}
+    SlipMemory(std::size_t markers, double leak) : memory_(markers), leak_(leak) {}
 
     // After a step: the markers' mean velocities, what passed, and r f - g [m/s].
     void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed,
              std::span<const Vec3> uneven) {
         for (std::size_t m = 0; m < memory_.size(); ++m) {
             for (std::size_t d = 0; d < 3; ++d)
-                memory_[m][d] +=
-                    gain * (mean_velocity[m][d] - passed[m][d]) - leak * uneven[m][d];
+                memory_[m][d] += slip_gain * (mean_velocity[m][d] - passed[m][d]) -
+                                 leak_ * uneven[m][d];
         }
     }
 
@@ -72,10 +102,8 @@ class SlipMemory {
     std::span<Vec3> values() { return memory_; }  // for checkpoints
 
   private:
-    // With a gain of 0.5 balls that move diverge at relaxation times above 1.1; the leak
-    // lets go of modes that the fluid does not feel.
-    static constexpr double gain = 0.25, leak = 0.02;
     std::vector<Vec3> memory_;
+    double leak_;
 };
 
 }  // namespace magfsi::coupler

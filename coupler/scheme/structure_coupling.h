@@ -40,6 +40,7 @@ struct BodyMarkers {
     std::vector<double> off_nodes_kg;
     bool carries_layers = false;  // markers of any rank have a volume beyond their body
     bool measures_work = false;   // for the energy audit
+    double slip_leak = 0;         // without slip (no_slip.h)
     std::int64_t steps_between_slip_samples = 1;
 };
 
@@ -142,7 +143,7 @@ class StructureCoupling {
 
     // Of forcing no_slip, from step to step.
     struct NoSlip {
-        explicit NoSlip(std::span<const Marker> markers);
+        NoSlip(std::span<const Marker> markers, double leak);
         std::vector<double> volume_m3;
         NoSlipAnswer answer;
         SlipMemory memory;

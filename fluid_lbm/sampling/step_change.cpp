@@ -57,9 +57,9 @@ StepChange step_change(const FluidConfig& config, double old_step_s) {
     change.velocity = config.time_step_s / old_step_s;
     change.stress = relaxation_time(config) / relaxation_time(before) * change.velocity;
     if (!config.body_force_n_m3) return change;
+    const Vec3 half = half_body_force(config);
     for (std::size_t a = 0; a < 3; ++a)
-        change.momentum[a] = (*config.body_force_n_m3)[a] / units(config).force_n_m3() *
-                             (1 / change.velocity - 1) / 2;
+        change.momentum[a] = half[a] * (1 / change.velocity - 1);
     return change;
 }
 

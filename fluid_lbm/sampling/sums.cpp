@@ -10,6 +10,17 @@ namespace magfsi::fluid {
 
 namespace {
 
+// Momentum with half of the body force, as it is at the time of the step.
+void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m) {
+    row_moments(s.view(), row.y, row.z, row.x_begin, row.x_end, m);
+    if (!s.config.body_force_n_m3) return;
+    const Vec3 half = half_body_force(s.config);
+    for (int x = 0; x < row.size(); ++x) {
+        if (s.is_solid({row.x_begin + x, row.y, row.z})) continue;
+        for (int a = 0; a < 3; ++a) m.j[a][x] += half[a];
+    }
+}
+
 struct Sums {  // lattice units
     double excess = 0, momentum[3] = {}, energy = 0, sound = 0, cells = 0;
 };
@@ -75,7 +86,7 @@ PlaneSums sum_layers(const Fluid::State& s, const Layers& layers) {
             const double of_row = layers.weight(layers.axis == 1 ? s.owned().lo[1] + y
                                                                  : s.owned().lo[2] + z);
             if (!across_rows && of_row == 0) continue;
-            row_moments(s.view(), y, z, begin, end, m);
+            moments_in_time(s, {y, z, begin, end}, m);
             for (int x = begin; x < end; ++x) {
                 if (s.is_solid({x, y, z})) continue;
                 add_cell(m, static_cast<std::size_t>(x - begin), layers.axis,
@@ -98,7 +109,7 @@ Totals Fluid::totals(std::span<const CellBox> parts) const {
     Sums sum;
     double max_speed_squared = 0;
     each_row_of(s, parts, [&](const CellRow& row) {
-        row_moments(s.view(), row.y, row.z, row.x_begin, row.x_end, m);
+        moments_in_time(s, row, m);
         add_row(m, sum, max_speed_squared);  // solid cells hold rest: no excess
         sum.cells += fluid_cells_of(s, row);
     });
@@ -161,7 +172,7 @@ void Fluid::macroscopic(std::span<float> velocity, std::span<float> density) con
     std::size_t cell = 0;
     for (int z = 0; z < s.layout.nz; ++z) {
         for (int y = 0; y < s.layout.ny; ++y) {
-            row_moments(s.view(), y, z, 0, s.layout.nx, m);
+            moments_in_time(s, {y, z, 0, s.layout.nx}, m);
             for (int x = 0; x < s.layout.nx; ++x, ++cell) {
                 const double rho = 1 + m.excess[x];
                 for (int a = 0; a < 3; ++a) {

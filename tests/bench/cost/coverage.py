@@ -253,6 +253,7 @@ fluid:
   spacing: {spacing:.12g} m
   density: 1 kg/m3
   viscosity: {viscosity} m2/s
+  expected_speed: {3 * speed:.3g} m/s
   body_force: [{force} N/m3, 0 N/m3, 0 N/m3]
   boundaries: {{x_min: periodic, x_max: periodic, y_min: periodic, y_max: periodic,
                z_min: periodic, z_max: periodic}}

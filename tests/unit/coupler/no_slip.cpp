@@ -18,7 +18,7 @@ using namespace testing;
 // Without the memory half of the slip would be left here.
 TEST(SlipMemory, removes_a_steady_slip) {
     const std::vector<Vec3> body{{1, 0, 0}}, fluid{{0, 0, 0}}, even{{0, 0, 0}};
-    SlipMemory memory(1);
+    SlipMemory memory(1, 0.02);
     double passed = 0;
     for (int step = 0; step < 400; ++step) {
         // A fluid of which half a felt slip is left, whatever it does.
@@ -106,7 +106,7 @@ TEST_F(SheetOfTwo, gives_it_without_lag) {
 // Two markers at one place that pull against each other.
 TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
     const std::vector<Vec3> rest(2);
-    SlipMemory memory(2);
+    SlipMemory memory(2, 0.02);
     memory.values()[0] = {1, 0, 0};
     memory.values()[1] = {-1, 0, 0};
     for (int step = 0; step < 2000; ++step) {
@@ -116,6 +116,20 @@ TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
         memory.add(rest, rest, uneven);
     }
     EXPECT_LT(std::abs(memory.values()[0][0]), 1e-9);
+}
+
+// Leak times force (which goes with the step) stays where viscosity and speed do.
+TEST(SlipLeak, lets_go_of_the_same_forces_at_any_step) {
+    const auto leak = [](double step_s, double speed_m_s) {
+        return slip_leak({1e-6, speed_m_s, 1e-4, step_s});
+    };
+    for (const double speed_m_s : {1e-4, 2e-3}) {
+        EXPECT_NEAR(leak(5e-4, speed_m_s), 2 * leak(1e-3, speed_m_s), 1e-12);
+    }
+    EXPECT_EQ(leak(1e-7, 1e-4), slip_gain);      // holds nothing more
+    EXPECT_NEAR(leak(1e-5, 0.5), 0.02, 0.0002);  // the usual speed of 0.05 h a step
+    EXPECT_EQ(leak(1e-5, 0.5), leak(1e-5, 0));   // which is taken where none is given
+    EXPECT_EQ(leak(1e-5, 0.5), leak(1e-5, 2));   // and where it is larger
 }
 
 }  // namespace
