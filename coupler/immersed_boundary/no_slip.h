@@ -62,18 +62,18 @@ struct SlipScale {
 // falls with the step while the velocity that a force F of one marker alone holds up does
 // not: F / (rho h (nu + c u h)) from viscosity and from the flow past it. So that the
 // same forces are let go at any step, the leak is their ratio,
-//   leak = 0.002 / (nu dt / h^2 + 2 u dt / h),
-// up to the gain, from where on the memory holds nothing more. With a constant leak of
-// 0.02 the flow past held balls fell by 1.5 % with every halving of the step, towards
-// balls 0.1 h larger than theirs. The factor 2 keeps 0.02 for sheets at the usual speed
-// of 0.05 h a step; larger speeds change nothing.
+//   leak = 0.002 / (nu dt / h^2 + 2 u dt / h).
+// With a constant leak of 0.02 the flow past held balls fell by 1.5 % with every halving
+// of the step, towards balls 0.1 h larger than theirs. The factor 2 makes it 0.02 for
+// sheets at the usual speed of 0.05 h a step. It is never less: with 0.005 a ball that
+// settles at a relaxation time of 1.4 diverges. Nor more than the gain, from where on the
+// memory holds nothing more.
 inline double slip_leak(const SlipScale& scale) {
-    constexpr double usual = 0.05;  // h a step
+    constexpr double usual_speed = 0.05;  // h a step
     const double per_step = scale.coupled_step_s / scale.spacing_m;
+    const double speed = scale.speed_m_s > 0 ? scale.speed_m_s * per_step : usual_speed;
     const double viscous = scale.viscosity_m2_s * per_step / scale.spacing_m;
-    const double speed =
-        scale.speed_m_s > 0 ? std::min(usual, scale.speed_m_s * per_step) : usual;
-    return std::min(slip_gain, 0.002 / (viscous + 2 * speed));
+    return std::clamp(0.002 / (viscous + 2 * speed), 0.02, slip_gain);
 }
 
 class SlipMemory {

@@ -37,8 +37,8 @@ class Ball(unittest.TestCase):
     def test_its_drag_does_not_depend_on_the_step(self):
         # With a leak that is the same in each step it differed by 1 to 1.5 % a halving. What stays
         # is the share of the response that comes within the first step.
-        step, quarter = (disk.held(6, write_ball, exact(), tau=0.5 + part / 2) for part in (1, 1 / 4))
-        self.assertLess(abs(quarter / step - 1), 0.005)
+        step, half = (disk.held(6, write_ball, exact(), tau=tau) for tau in (0.8, 0.65))
+        self.assertLess(abs(half / step - 1), 0.003)
 
 
 if __name__ == "__main__":
