@@ -21,6 +21,12 @@ STRUCTURE = {
     "magnetic field": (MAGNET, {}),
     "field gradient": ({**MAGNET, "magnetic_field.gradient.matrix": "[[1 T/m, 0 T/m, 0 T/m], "
                         "[0 T/m, 0 T/m, 0 T/m], [0 T/m, 0 T/m, -1 T/m]]"}, MAGNET),
+    "field source, a cuboid magnet": (
+        {**MAGNET, "magnetic_field": "{sources: {magnet: {cuboid: {size: [8 mm, 6 mm, 4 mm], "
+         "remanence: [0 T, 0 T, 1.2 T]}, position: [0 mm, 0 mm, 40 mm]}}}"}, MAGNET),
+    "field source, a coil": (
+        {**MAGNET, "magnetic_field": "{sources: {coil: {coil: {diameter: 20 mm, axis: [0, 1, 0], "
+         "current: 2 A, turns: 50}}}}"}, MAGNET),
     "dipoles, within the body": ({**MAGNET, "dipoles": "{within_bodies: true}"}, MAGNET),
     "gravity": (FALL, {}),
     "damping": ({"damping.rate": "10 1/s"}, {}),
