@@ -82,7 +82,7 @@ def rows(program, measure, scene, effects, common, short, long):
 
 HEAD = """# What effects cost
 
-Each effect on a small reference scene, on against off. That an effect which is a folder costs
+The cost of each effect on a small reference scene: with it, compared with without it. That an effect which is a folder costs
 nothing where it is off, `tests/effects/removed.py` shows ([adding_an_effect.md](adding_an_effect.md)). Instructions are those
 within the steps, start and end apart; seconds are of longer runs, medians of {pairs} pairs on and
 off in turn, with the smallest and largest difference of a pair; memory is the largest resident.
@@ -93,9 +93,8 @@ Made by
 ./magfsi python tests/bench/effects/costs.py > docs/effects.md
 ```
 
-Every step of every scene looks for what is no number any more: the structure at its nodes, the
-fluid within its sweep. That is no effect that a scene can leave out; it is
-{watch}.
+Every step of every scene checks for NaN: the structure at its nodes, the fluid within its
+sweep. A scene cannot switch that off; it takes {watch}.
 """
 TABLE = """
 ## {title}
@@ -155,7 +154,7 @@ def boundary(scene, bare, short, long):
 
 
 def watch():
-    """The share of the looks for what is no number, in instructions of the steps."""
+    """The share of the NaN checks in the instructions of the steps."""
     settings = {**reference.FREE, "time.step": "1 us", "time.end": "50 us"}
     node = instructions.share_of_steps(testing.BIN / STRUCTURE, reference.STRUCTURE_SCENE,
                                        settings, "atom_without_place")
