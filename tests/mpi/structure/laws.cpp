@@ -273,7 +273,7 @@ TEST(BadArguments, AreRefusedInOneSentence) {
     expect_stop(
         {"fix a all magttice x 1 1 1 fields 0 0 0"},
         {"\"fields\" found; allowed are element, material, field, gradient, sources, "
-         "viscosity"});
+         "dipoles, viscosity"});
     expect_stop({"fix a all magttice x 1 1 1 field 0 0 1 field 0 0 2"},
                 {"\"field\" found twice"});
     expect_stop({"fix a all magttice/field xz constant 1"}, {"constant has 2"});
