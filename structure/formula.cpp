@@ -82,4 +82,10 @@ double value_at(const std::string& si, double time_s) {
     return value;
 }
 
+std::array<double, 3> value_at(const std::array<Formula, 3>& component, double time_s) {
+    std::array<double, 3> out{};
+    for (std::size_t d = 0; d < 3; ++d) out[d] = value_at(component[d].si, time_s);
+    return out;
+}
+
 }  // namespace magfsi::structure

@@ -2,6 +2,7 @@
 // Formulas of the time, read by muParser (https://beltoforion.de/en/muparser).
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace magfsi::structure {
@@ -16,6 +17,8 @@ struct Formula {
 // finite number, and std::invalid_argument where the text is no formula. A text is
 // compiled at its first use and kept.
 double value_at(const std::string& si, double time_s);
+
+std::array<double, 3> value_at(const std::array<Formula, 3>& component, double time_s);
 
 // Likewise, but NaN and infinity come back as they are.
 double value_or_nan(const std::string& si, double time_s);

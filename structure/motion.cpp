@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "structure/formula_motion.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -57,6 +58,13 @@ Vec3 acceleration(const DisplacementRamp& r, double time_s) {
 
 Vec3 way(const DisplacementRamp& r) {
     return r.displacement_m;
+}
+
+// Along an axis on which it may move.
+Vec3 way(const FormulaMotion& f) {
+    Vec3 out{};
+    for (std::size_t d = 0; d < 3; ++d) out[d] = f.component_m[d].si == "0" ? 0 : 1;
+    return out;
 }
 
 // Held where it is, or on rollers across the motion's way.

@@ -289,7 +289,11 @@ struct DisplacementRamp {
     Vec3 displacement_m{};
     double duration_s = 0;
 };
-using MotionCourse = std::variant<Oscillation, DisplacementRamp>;
+// Of the time, by component. Of faces it counts from its value at time 0.
+struct FormulaMotion {
+    std::array<Formula, 3> component_m;
+};
+using MotionCourse = std::variant<Oscillation, DisplacementRamp, FormulaMotion>;
 
 // Faces that something outside holds and moves: displacement from where they start, zero
 // at time 0.

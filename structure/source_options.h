@@ -36,17 +36,18 @@ struct CoilPair : CircularCoil {
     bool opposed = false;
 };
 // Coils whose currents, a row each, are linear between the times of the columns; held
-// before and after, or repeated.
+// before and after, or repeated. A coil with a formula has it in place of its row.
 struct SystemCoil {
     Vec3 position_m{};
     double diameter_m = 0;
     Vec3 axis{0, 0, 1};
     double turns = 1;
     std::vector<double> current_a;
+    std::optional<Formula> current{};
 };
 struct CoilSystem {
     std::vector<SystemCoil> coils;
-    std::vector<double> time_s;  // may be empty where each coil has one current
+    std::vector<double> time_s{};  // may be empty where each coil has one current
     bool repeat = false;
 };
 // Values on a regular grid (magnetics/grid_field.h), in the source's frame.
@@ -57,7 +58,7 @@ using SourceShape = std::variant<DipoleSource, CuboidMagnet, CylinderMagnet, Cir
                                  CoilPair, CoilSystem, GridField>;
 
 // Factors of its strength: sin(2 pi f t + phase), a table, a rise from zero by
-// (1 - cos(pi t / duration)) / 2.
+// (1 - cos(pi t / duration)) / 2, a formula.
 struct StrengthOscillation {
     double frequency_hz = 0, phase_rad = 0;
 };
@@ -68,7 +69,8 @@ struct StrengthTable {
 struct StrengthRamp {
     double duration_s = 0;
 };
-using StrengthLaw = std::variant<StrengthOscillation, StrengthTable, StrengthRamp>;
+using StrengthLaw =
+    std::variant<StrengthOscillation, StrengthTable, StrengthRamp, Formula>;
 
 // Displacement from `position`.
 struct SourcePath {
@@ -76,16 +78,18 @@ struct SourcePath {
     std::vector<Vec3> displacement_m;
     bool repeat = false;
 };
-using SourceMotion = std::variant<Oscillation, DisplacementRamp, SourcePath>;
+using SourceMotion =
+    std::variant<Oscillation, DisplacementRamp, FormulaMotion, SourcePath>;
 
 struct AxisRotation {
     Vec3 axis{0, 0, 1};  // of any length, right-handed
     double angle_rad = 0;
 };
-// Constant turning about an axis through the source, or through a point that it circles.
+// Turning about an axis through the source, or through a point that it circles: at a
+// frequency [Hz], or by an angle [rad].
 struct SourceTurning {
     Vec3 axis{0, 0, 1};
-    double frequency_hz = 0;
+    std::variant<double, Formula> turns = 0.0;
     std::optional<Vec3> about_m;
 };
 struct FieldSource {

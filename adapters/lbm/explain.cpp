@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -323,6 +324,40 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
     return text;
 }
 
+// Of inlets with a course: how little the lattice follows as an incompressible fluid does
+// (docs/howto/obstacle.md), from the start and afterwards.
+constexpr double overshoots = 0.05;  // (omega L/c)^2, above which the start is told of
+
+std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
+    using std::numbers::pi;
+    std::string text;
+    for (std::size_t face = 0; face < 6; ++face) {
+        const fluid::Inlet& inlet = fluid.boundaries[face].inlet;
+        if (!inlet.course) continue;
+        const double crossing_s =
+            fluid.box_m[face / 2] / (v.spacing_m / v.step_s / std::sqrt(3.0));
+        const auto square = [&](double omega) { return std::pow(omega * crossing_s, 2); };
+        text += fmt::format("  {}: sound crosses the box in {:.3g} ms",
+                            scene::names<scene::Face>[face], 1e3 * crossing_s);
+        if (const auto* wave = std::get_if<fluid::InletWave>(&*inlet.course))
+            text += fmt::format("; (omega L/c)^2 of the course is {:.2g}",
+                                square(2 * pi * wave->frequency_hz));
+        const bool at_once = inlet.ramp_s == 0 && inlet.factor(0) != 0;
+        const double start = inlet.ramp_s > 0 ? square(pi / inlet.ramp_s) : 0;
+        if (at_once)
+            text += "; the flow starts at once";
+        else if (start > 0)
+            text += fmt::format("; of the ramp {:.2g}", start);
+        if (at_once || start > overshoots)
+            text += fmt::format(
+                ", so that the far end follows late and overshoots: a ramp of {:.3g} ms "
+                "has {:.2g}",
+                1e3 * pi * crossing_s / std::sqrt(overshoots), overshoots);
+        text += "\n";
+    }
+    return text;
+}
+
 std::string refinement(const scene::Scene& scene) {
     const auto levels = level_configs(scene);
     std::string text;
@@ -354,6 +389,7 @@ std::string explain(const scene::Scene& scene, int ranks) {
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
     std::string text = table(fluid, v);
+    text += sound(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
     if (fluid.refinement) text += refinement(scene);

@@ -18,7 +18,10 @@
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "structure/equilibrium/static_problem.h"
+#include "structure/lammps/field_program.h"
+#include "structure/lammps/placement.h"
 #include "structure/lattice/element_advice.h"
+#include "structure/lattice/hexahedron.h"
 #include "structure/lattice/inertia.h"
 #include "structure/lattice/lattice.h"
 #include "structure/magnetics/source_field.h"
@@ -163,6 +166,39 @@ void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
     }
 }
 
+// Where it starts, but for a body that comes bent: of sources at some of its elements, at
+// some instants of the run.
+double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
+                         const structure::Body& solid) {
+    const scene::MagneticField& field = *scene.magnetic_field;
+    if (field.sources.empty()) {
+        const structure::Vec3 b = bodies::strongest_field_t(scene);
+        return std::hypot(b[0], b[1], b[2]);
+    }
+    constexpr std::size_t most_places = 50;
+    constexpr int instants = 100;
+    structure::Placement placement = body.initial;
+    placement.relaxed.reset();
+    const auto nodes_m = structure::placed_nodes(solid, placement, {0, 2});
+    structure::SourceField sources(field.sources);
+    double strongest = 0;
+    for (int i = 0; i <= instants; ++i) {
+        const double t = scene.time.end_s * i / instants;
+        sources.set_time(t);
+        const structure::Vec3 even = structure::field_at(field, t);
+        const std::size_t elements = solid.mesh.elements.size();
+        for (std::size_t e = 0; e < elements; e += 1 + elements / most_places) {
+            const auto corners = structure::gather(nodes_m, solid.mesh.elements[e]);
+            const Eigen::Vector3d middle = corners.colwise().mean();
+            const auto there = sources.sample({middle[0], middle[1], middle[2]});
+            strongest = std::max(
+                strongest,
+                (there.field_t + Eigen::Vector3d(even[0], even[1], even[2])).norm());
+        }
+    }
+    return strongest;
+}
+
 // What holds it, and what loads it: M B / G is about the strain that the field makes.
 std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                           const structure::Body& solid) {
@@ -203,10 +239,12 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
             std::max(largest, std::hypot(m[0], m[1], m[2]) /
                                   structure::material_of(solid, e).shear_modulus_pa);
     }
-    const structure::Vec3 field = bodies::strongest_field_t(scene);
-    const double field_t = std::hypot(field[0], field[1], field[2]);
-    return text + fmt::format("    field up to {:.4g} mT: largest M B / G {:.3g}\n",
-                              1e3 * field_t, largest * field_t);
+    const double field_t = strongest_field_t(scene, body, solid);
+    return text +
+           fmt::format("    field up to {:.4g} mT{}: largest M B / G {:.3g}\n",
+                       1e3 * field_t,
+                       scene.magnetic_field->sources.empty() ? "" : " where it starts",
+                       largest * field_t);
 }
 
 std::string explain_body(const scene::Scene& scene, std::size_t number,

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "adapters/scene/field.h"
+#include "structure/formula_motion.h"
 
 namespace magfsi::scene {
 
@@ -254,6 +255,14 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
                 "a prescribed motion on a path of equilibria by damped motion",
                 "it in runs over time, or with the method newton",
                 "take time.equilibrium.method: newton");
+        if (const auto* way =
+                std::get_if<FormulaMotion>(&body.prescribed_motion[i].course)) {
+            for (std::size_t d = 0; d < 3; ++d)
+                largest_size(way->component_m[d], scene.time.end_s,
+                             marks.value({"bodies", body.name, "prescribed_motion",
+                                          std::to_string(i), "formula",
+                                          std::string(axis_names[d])}));
+        }
         for (const std::string& face : body.prescribed_motion[i].faces) {
             check_face(body, face, "prescribed_motion", here);
             require(std::ranges::find(held, face) == held.end(), here,
@@ -324,12 +333,17 @@ void check_bodies(const Scene& scene, const Marks& marks) {
     }
 }
 
-double largest_speed_m_s(const PrescribedMotion& motion) {
+double largest_speed_m_s(const PrescribedMotion& motion, double end_s) {
     constexpr double pi = std::numbers::pi;
     if (const auto* o = std::get_if<Oscillation>(&motion.course))
         return 2 * pi * o->frequency_hz * length(o->amplitude_m);
-    const auto& ramp = std::get<DisplacementRamp>(motion.course);
-    return pi / 2 * length(ramp.displacement_m) / ramp.duration_s;
+    if (const auto* ramp = std::get_if<DisplacementRamp>(&motion.course))
+        return pi / 2 * length(ramp->displacement_m) / ramp->duration_s;
+    const auto& formula = std::get<FormulaMotion>(motion.course);
+    double largest = 0;
+    for (int i = 0; i <= 1000; ++i)
+        largest = std::max(largest, length(velocity(formula, end_s * i / 1000)));
+    return largest;
 }
 
 }  // namespace magfsi::scene

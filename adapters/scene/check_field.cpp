@@ -54,22 +54,10 @@ void check_law(const PrecessingField& field, const At& at) {
             "any other vector such as [0, 0, 1]");
 }
 
-// Over the run it is looked at a thousand times, with both ends; what lies in between
-// stops the run.
 void check_law(const FormulaField& field, const At& at, double end_s) {
     constexpr const char* names[] = {"x", "y", "z"};
-    for (std::size_t d = 0; d < 3; ++d) {
-        for (int i = 0; i <= 1000; ++i) {
-            const double t = end_s * i / 1000;
-            const std::string& formula = field.component_t[d].si;
-            const double value = structure::value_or_nan(formula, t);
-            require(std::isfinite(value), at(names[d]),
-                    fmt::format("{}, which is {} at t = {}",
-                                in_quotes(field.component_t[d].written),
-                                structure::fault_of(value), seconds(t)),
-                    "formulas with a value at all times of the run");
-        }
-    }
+    for (std::size_t d = 0; d < 3; ++d)
+        largest_size(field.component_t[d], end_s, at(names[d]));
 }
 
 void check_any_law(const FieldLaw& law, const At& at, double end_s) {
@@ -104,6 +92,38 @@ void check_laws(const MagneticField& field, double end_s, const Marks& marks) {
                                     law_key(field.plus[i].law), key});
             },
             end_s);
+    }
+}
+
+// Those of a source: its strength, its motion and its currents.
+void check_formulas(const FieldSource& source, double end_s, const Marks& marks) {
+    constexpr const char* field = "magnetic_field";
+    constexpr const char* all = "sources";
+    const std::string& name = source.name;
+    if (source.strength) {
+        if (const auto* factor = std::get_if<Formula>(&*source.strength))
+            largest_size(*factor, end_s,
+                         marks.value({field, all, name, "strength", "formula"}));
+    }
+    if (source.motion) {
+        if (const auto* way = std::get_if<FormulaMotion>(&*source.motion)) {
+            for (std::size_t d = 0; d < 3; ++d)
+                largest_size(way->component_m[d], end_s,
+                             marks.value({field, all, name, "motion", "formula",
+                                          std::string(axis_names[d])}));
+        }
+    }
+    if (source.turning) {
+        if (const auto* angle = std::get_if<Formula>(&source.turning->turns))
+            largest_size(*angle, end_s,
+                         marks.value({field, all, name, "turning", "angle"}));
+    }
+    const auto* system = std::get_if<CoilSystem>(&source.shape);
+    for (std::size_t i = 0; system && i < system->coils.size(); ++i) {
+        if (const auto& current = system->coils[i].current)
+            largest_size(*current, end_s,
+                         marks.value({field, all, name, "coil_system", "coils",
+                                      std::to_string(i), "current"}));
     }
 }
 
@@ -152,7 +172,13 @@ void check_source(const FieldSource& source, const Marks& marks) {
             axis(s->coils[i].axis, at({"magnetic_field", "sources", name, "coil_system",
                                        "coils", number, "axis"}));
             const std::size_t currents = s->coils[i].current_a.size();
-            const std::size_t times = std::max<std::size_t>(1, s->time_s.size());
+            const bool formula = s->coils[i].current.has_value();
+            const std::size_t times =
+                formula ? 0 : std::max<std::size_t>(1, s->time_s.size());
+            require(!formula || currents == 0,
+                    at({"magnetic_field", "sources", name, "coil_system", "coils", number,
+                        "current"}),
+                    "current beside currents", "one of the two");
             require(currents == times,
                     at({"magnetic_field", "sources", name, "coil_system", "coils", number,
                         "currents"}),
@@ -184,6 +210,20 @@ void check_gradient(const GradientInput& gradient, const Marks& marks) {
 
 }  // namespace
 
+double largest_size(const Formula& formula, double end_s, const Origin& where) {
+    double largest = 0;
+    for (int i = 0; i <= 1000; ++i) {
+        const double t = end_s * i / 1000;
+        const double value = structure::value_or_nan(formula.si, t);
+        require(std::isfinite(value), where,
+                fmt::format("{}, which is {} at t = {}", in_quotes(formula.written),
+                            structure::fault_of(value), seconds(t)),
+                "formulas with a value at all times of the run");
+        largest = std::max(largest, std::abs(value));
+    }
+    return largest;
+}
+
 void check_magnetic_field(const Scene& scene, const Marks& marks) {
     const MagneticField& field = *scene.magnetic_field;
     const auto magnetized = [](const Body& body) {
@@ -194,7 +234,10 @@ void check_magnetic_field(const Scene& scene, const Marks& marks) {
             "it with at least one body that has a magnetization",
             "add a magnetization or remove this key");
     check_laws(field, scene.time.end_s, marks);
-    for (const FieldSource& source : field.sources) check_source(source, marks);
+    for (const FieldSource& source : field.sources) {
+        check_source(source, marks);
+        check_formulas(source, scene.time.end_s, marks);
+    }
     if (field.gradient) check_gradient(*field.gradient, marks);
 }
 

@@ -103,6 +103,9 @@ inline std::string metres(double value) {
 inline std::string seconds(double value) {
     return format_si(value, "s");
 }
-double largest_speed_m_s(const PrescribedMotion& motion);
+double largest_speed_m_s(const PrescribedMotion& motion, double end_s);
+// The largest size of a formula over the run, of a thousand instants with both ends.
+// Refuses one without a value there; what lies in between stops the run.
+double largest_size(const Formula& formula, double end_s, const Origin& where);
 
 }  // namespace magfsi::scene

@@ -221,9 +221,12 @@ std::string formula_in_si(const std::string& text, std::string_view si_unit) {
 }
 
 std::string formula_expectation(std::string_view si_unit) {
-    return fmt::format(
-        "{}, as a formula of the time t such as {}", dimension_expectation(si_unit),
-        si_unit == "T" ? "12 mT*sin(2*pi*25 Hz*t)" : "3 mm/s*(1 - cos(2*pi*t/0.8 s))");
+    constexpr std::array<std::array<std::string_view, 2>, 4> sizes{
+        {{"T", "12 mT*"}, {"m", "3 mm*"}, {"A", "2 A*"}, {"rad", "90 deg*"}}};
+    const auto* size = std::ranges::find(sizes, si_unit, [](auto& s) { return s[0]; });
+    return fmt::format("{}, as a formula of the time t such as {}sin(2*pi*25 Hz*t)",
+                       dimension_expectation(si_unit),
+                       size == sizes.end() ? "" : (*size)[1]);
 }
 
 }  // namespace magfsi::scene

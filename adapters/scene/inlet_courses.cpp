@@ -69,26 +69,15 @@ struct Factor {
     }
 };
 
-// The largest size: of a wave exactly, of a table that of its rows, of a formula by
-// evaluation at a thousand instants of the run.
+// The largest size: of a wave exactly, of a table that of its rows.
 double peak(const InletCourse& course, double end_s, const Origin& where) {
     if (const auto* wave = std::get_if<InletWave>(&course))
         return std::abs(wave->mean) + std::abs(wave->amplitude);
+    if (const auto* formula = std::get_if<InletFormula>(&course))
+        return largest_size({formula->written, formula->si}, end_s, where);
     double largest = 0;
-    if (const auto* table = std::get_if<InletTable>(&course)) {
-        for (double factor : table->factor) largest = std::max(largest, std::abs(factor));
-        return largest;
-    }
-    const auto& formula = std::get<InletFormula>(course);
-    for (int i = 0; i <= 1000; ++i) {
-        const double t = end_s * i / 1000;
-        const double value = structure::value_or_nan(formula.si, t);
-        require(std::isfinite(value), where,
-                fmt::format("{}, which is {} at t = {}", in_quotes(formula.written),
-                            structure::fault_of(value), seconds(t)),
-                "formulas with a value at all times of the run");
-        largest = std::max(largest, std::abs(value));
-    }
+    for (double factor : std::get<InletTable>(course).factor)
+        largest = std::max(largest, std::abs(factor));
     return largest;
 }
 

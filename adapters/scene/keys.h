@@ -392,6 +392,8 @@ void keys(Io& io, Oscillation& motion);
 template <class Io>
 void keys(Io& io, DisplacementRamp& motion);
 template <class Io>
+void keys(Io& io, FormulaMotion& motion);
+template <class Io>
 void keys(Io& io, Platform& platform);
 template <class Io>
 void keys(Io& io, ContactLaw& contact);

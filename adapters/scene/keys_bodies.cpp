@@ -208,6 +208,14 @@ void keys(Io& io, Oscillation& oscillation) {
 }
 
 template <class Io>
+void keys(Io& io, FormulaMotion& motion) {
+    auto& [x, y, z] = motion.component_m;
+    io(quantity("x", "m", "Along x.").by_default(), x);
+    io(quantity("y", "m", "Along y.").by_default(), y);
+    io(quantity("z", "m", "Along z.").by_default(), z);
+}
+
+template <class Io>
 void keys(Io& io, DisplacementRamp& ramp) {
     io(quantity("displacement", "m", "Along x, y and z."), ramp.displacement_m);
     io(quantity("duration", "s", "Of the displacement.").above(0), ramp.duration_s);
@@ -218,7 +226,8 @@ void keys(Io& io, PrescribedMotion& motion) {
     io(key("face", "As in `clamps`; one name, or a list.").one_or_list(), motion.faces);
     io.alternatives(motion.course,
         key("oscillation", "amplitude (sin(2 pi frequency t + phase) - sin(phase))."),
-        key("ramp", "By (1 - cos(pi t / duration)) / 2, then held there."));
+        key("ramp", "By (1 - cos(pi t / duration)) / 2, then held there."),
+        key("formula", "Of the time t, by component, counted from its value at time 0."));
 }
 
 template <class Io>
@@ -316,6 +325,7 @@ MAGFSI_KEYS_OF(Body)
 MAGFSI_KEYS_OF(ConstantField)
 MAGFSI_KEYS_OF(Oscillation)
 MAGFSI_KEYS_OF(DisplacementRamp)
+MAGFSI_KEYS_OF(FormulaMotion)
 MAGFSI_KEYS_OF(Platform)
 MAGFSI_KEYS_OF(ContactLaw)
 

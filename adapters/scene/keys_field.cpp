@@ -152,7 +152,9 @@ void keys(Io& io, SystemCoil& coil) {
     io(key("axis", "The current runs right-handed about it; any length.").by_default(),
        coil.axis);
     io(key("turns", "All on one circle.").above(0).by_default(), coil.turns);
-    io(quantity("currents", "A", "One for each time, or one for good."), coil.current_a);
+    io(quantity("currents", "A", "One for each time, or one for good; or current.").optional(),
+       coil.current_a);
+    io(quantity("current", "A", "Of the time t, in place of currents."), coil.current);
 }
 
 template <class Io>
@@ -200,7 +202,8 @@ void keys(Io& io, StrengthLaw& law) {
     io.alternatives(law,
         key("oscillation", "sin(2 pi frequency t + phase)."),
         key("table", "Linear between rows, held before and after."),
-        key("ramp", "From zero, by (1 - cos(pi t / duration)) / 2."));
+        key("ramp", "From zero, by (1 - cos(pi t / duration)) / 2."),
+        quantity("formula", "", "Of the time t."));
 }
 
 template <class Io>
@@ -216,14 +219,16 @@ void keys(Io& io, SourceMotion& motion) {
     io.alternatives(motion,
         key("oscillation", "amplitude (sin(2 pi frequency t + phase) - sin(phase))."),
         key("ramp", "By (1 - cos(pi t / duration)) / 2, then held there."),
+        key("formula", "Of the time t, by component."),
         key("path", "Linear between rows, held before and after."));
 }
 
 template <class Io>
 void keys(Io& io, SourceTurning& turning) {
     io(key("axis", "About which it turns, right-handed; any length."), turning.axis);
-    io(quantity("frequency", "1/s", "Turns per second; negative turns backwards."),
-       turning.frequency_hz);
+    io.alternatives(turning.turns,
+        quantity("frequency", "1/s", "Turns per second; negative turns backwards."),
+        quantity("angle", "rad", "Of the time t."));
     io(quantity("about", "m", "A point that it circles; without it, it turns about itself."),
        turning.about_m);
 }
@@ -243,7 +248,7 @@ void keys(Io& io, FieldSource& source) {
     io(key("strength", "Factor of its moment, remanence, currents or values over time."),
        source.strength);
     io(key("motion", "Displacement from its position over time."), source.motion);
-    io(key("turning", "Turns at constant speed, after the rotation and the motion."),
+    io(key("turning", "Turns at constant speed or by an angle, after the rotation and the motion."),
        source.turning);
 }
 

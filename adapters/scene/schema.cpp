@@ -222,8 +222,11 @@ void add_row(std::string& page, const Field& field, const std::string& path) {
 
 // Keys that differ by name alone, such as the sides of a box, share a row.
 bool alike(const Field& a, const Field& b) {
-    return !a.children.empty() && a.doc == b.doc && a.fallback == b.fallback &&
-           a.children.size() == b.children.size();
+    if (a.children.empty() || a.doc != b.doc || a.fallback != b.fallback) return false;
+    std::string rows_a, rows_b;
+    add_rows(rows_a, a, "");
+    add_rows(rows_b, b, "");
+    return rows_a == rows_b;
 }
 
 void add_rows(std::string& page, const Field& field, const std::string& path) {

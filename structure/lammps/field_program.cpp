@@ -79,26 +79,8 @@ struct LawWords<VectorTable> {
     }
 };
 
-// Of words without spaces.
 template <>
-struct LawWords<FormulaField> {
-    static std::string words(const FormulaField& law) {
-        std::string out = "formula";
-        for (const Formula& one : law.component_t) out += " " + one.si;
-        return out;
-    }
-    static std::string usage() { return "formula has 3 formulas of t"; }
-    static std::optional<FormulaField> read_words(std::span<const std::string> words) {
-        if (words.size() != 4 || words[0] != "formula") return {};
-        FormulaField law;
-        for (std::size_t d = 0; d < 3; ++d)
-            law.component_t[d] = {.written = words[d + 1], .si = words[d + 1]};
-        return law;
-    }
-    static std::optional<FormulaField> read(const std::string&, std::span<const double>) {
-        return {};
-    }
-};
+struct LawWords<FormulaField> : FormulaWords<FormulaField> {};
 
 namespace {
 
@@ -135,10 +117,7 @@ Vec3 vector_of(const OscillatingField& course, double time_s) {
 }
 
 Vec3 vector_of(const FormulaField& course, double time_s) {
-    Vec3 out{};
-    for (std::size_t d = 0; d < 3; ++d)
-        out[d] = value_at(course.component_t[d].si, time_s);
-    return out;
+    return value_at(course.component_t, time_s);
 }
 
 double length(const Vec3& v) {
@@ -225,7 +204,7 @@ void check(const PrecessingField& field) {
 }
 
 void check(const FormulaField& field) {
-    for (const Formula& one : field.component_t) value_or_nan(one.si, 0);
+    check_formulas(field.component_t);
 }
 
 void check_plane(const std::array<int, 2>& plane) {

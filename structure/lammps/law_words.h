@@ -17,6 +17,7 @@
 #include <variant>
 #include <vector>
 
+#include "structure/formula.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -46,6 +47,30 @@ struct LawWords {
         return std::bit_cast<Law>(numbers);
     }
 };
+
+// Of a law of three formulas: these, words without spaces.
+template <class Law>
+struct FormulaWords {
+    static std::string words(const Law& law) {
+        const auto& [component] = law;
+        return fmt::format("formula {} {} {}", component[0].si, component[1].si,
+                           component[2].si);
+    }
+    static std::string usage() { return "formula has 3 formulas of t"; }
+    static std::optional<Law> read_words(std::span<const std::string> words) {
+        if (words.size() != 4 || words[0] != "formula") return {};
+        return Law{{Formula{words[1], words[1]}, Formula{words[2], words[2]},
+                    Formula{words[3], words[3]}}};
+    }
+    static std::optional<Law> read(const std::string&, std::span<const double>) {
+        return {};
+    }
+};
+
+// Throws std::invalid_argument where one is no formula.
+inline void check_formulas(std::span<const Formula> formulas) {
+    for (const Formula& one : formulas) value_or_nan(one.si, 0);
+}
 
 template <class... Laws>
 std::string law_words(const std::variant<Laws...>& law) {

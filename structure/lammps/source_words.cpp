@@ -59,9 +59,11 @@ struct Writer {
         std::string out = "system";
         if (!s.time_s.empty())
             out += words(s.repeat ? " repeat_times" : " times", {s.time_s});
-        for (const SystemCoil& coil : s.coils)
+        for (const SystemCoil& coil : s.coils) {
             out += words(" member", {coil.position_m, one(coil.diameter_m), coil.axis,
                                      one(coil.turns), coil.current_a});
+            if (coil.current) out += " current " + coil.current->si;
+        }
         return out;
     }
     std::string operator()(const GridField& s) const {
@@ -87,11 +89,17 @@ struct Writer {
     std::string operator()(const StrengthRamp& s) const {
         return words("rising", {one(s.duration_s)});
     }
+    std::string operator()(const Formula& s) const { return "factor " + s.si; }
     std::string operator()(const Oscillation& s) const {
         return words("swinging", {s.amplitude_m, one(s.frequency_hz), one(s.phase_rad)});
     }
     std::string operator()(const DisplacementRamp& s) const {
         return words("shifting", {s.displacement_m, one(s.duration_s)});
+    }
+    std::string operator()(const FormulaMotion& s) const {
+        std::string out = "shift";
+        for (const Formula& component : s.component_m) out += " " + component.si;
+        return out;
     }
     std::string operator()(const SourcePath& s) const {
         std::string out = s.repeat ? "repeat_path" : "path";
@@ -111,16 +119,22 @@ std::string text_of(const FieldSource& source) {
     if (source.strength) add(std::visit(Writer{}, *source.strength));
     if (source.motion) add(std::visit(Writer{}, *source.motion));
     if (source.turning) {
-        out +=
-            words(" turning", {source.turning->axis, one(source.turning->frequency_hz)});
-        if (source.turning->about_m) out += words("", {*source.turning->about_m});
+        const SourceTurning& turning = *source.turning;
+        const auto* formula = std::get_if<Formula>(&turning.turns);
+        if (formula)
+            out += " angle " + formula->si + words(" about", {turning.axis});
+        else
+            out +=
+                words(" turning", {turning.axis, one(std::get<double>(turning.turns))});
+        if (turning.about_m) out += words("", {*turning.about_m});
     }
     return out;
 }
 
 // --- reading
 
-// A word and the numbers after it, which are taken from the front.
+// A word, what follows it that is no number, and the numbers after it, which are taken
+// from the front.
 struct Group {
     std::string word;
     std::vector<std::string> texts;
@@ -136,7 +150,20 @@ struct Group {
         return {x, y, z};
     }
     std::size_t left() const { return numbers.size() - taken; }
+    Formula formula(std::size_t i = 0) const {
+        if (i >= texts.size()) refuse("\"{}\" with too few formulas found", word);
+        value_or_nan(texts[i], 0);  // refuses what is none
+        return {texts[i], texts[i]};
+    }
 };
+
+// A file, or formulas.
+std::size_t texts_after(const std::string& word) {
+    if (word == "shift") return 3;
+    const bool has_one =
+        word == "grid" || word == "current" || word == "factor" || word == "angle";
+    return has_one ? 1 : 0;
+}
 
 bool is_word(const std::string& text) {
     return std::isalpha(static_cast<unsigned char>(text.front())) != 0;
@@ -146,17 +173,15 @@ std::vector<Group> groups_of(const std::string& text) {
     std::vector<Group> out;
     std::istringstream stream(text);
     for (std::string word; stream >> word;) {
-        if (!out.empty() && out.back().word == "grid" && out.back().texts.empty())
+        if (!out.empty() && out.back().texts.size() < texts_after(out.back().word)) {
             out.back().texts.push_back(word);
-        else if (is_word(word))
+        } else if (is_word(word)) {
             out.push_back({word, {}});
-        else if (out.empty())
+        } else if (out.empty()) {
             refuse("\"{}\" found, a source of the field begins with its kind", word);
-        else
-            out.back().texts.push_back(word);
-    }
-    for (Group& group : out) {
-        if (group.word != "grid") group.numbers = numbers_of(group.texts);
+        } else {
+            out.back().numbers.push_back(numbers_of({&word, 1}).front());
+        }
     }
     return out;
 }
@@ -208,6 +233,10 @@ bool read_member(Group& g, SourceShape& shape) {
         while (g.left() > 0) system->time_s.push_back(g.take());
         return true;
     }
+    if (g.word == "current" && !system->coils.empty()) {
+        system->coils.back().current = g.formula();
+        return true;
+    }
     if (g.word != "member") return false;
     SystemCoil coil;
     coil.position_m = g.take3();
@@ -225,6 +254,8 @@ bool read_strength(Group& g, FieldSource& out) {
         out.strength = StrengthOscillation{frequency_hz, g.take()};
     } else if (g.word == "rising") {
         out.strength = StrengthRamp{g.take()};
+    } else if (g.word == "factor") {
+        out.strength = g.formula();
     } else if (g.word == "factors" || g.word == "repeat_factors") {
         StrengthTable table;
         table.repeat = g.word == "repeat_factors";
@@ -255,12 +286,19 @@ bool read_motion(Group& g, FieldSource& out) {
             path.displacement_m.push_back(g.take3());
         }
         out.motion = path;
+    } else if (g.word == "shift") {
+        out.motion = FormulaMotion{{g.formula(0), g.formula(1), g.formula(2)}};
     } else if (g.word == "turning") {
         SourceTurning turning;
         turning.axis = g.take3();
-        turning.frequency_hz = g.take();
+        turning.turns = g.take();
         if (g.left() > 0) turning.about_m = g.take3();
         out.turning = turning;
+    } else if (g.word == "angle") {
+        out.turning = SourceTurning{{}, g.formula(), {}};
+    } else if (g.word == "about" && out.turning) {
+        out.turning->axis = g.take3();
+        if (g.left() > 0) out.turning->about_m = g.take3();
     } else {
         return false;
     }

@@ -17,14 +17,18 @@ namespace magfsi::structure {
 //   pair DIAMETER AX AY AZ CURRENT TURNS DISTANCE, or opposed_pair likewise
 //   system [times T1 T2 ... | repeat_times T1 T2 ...]
 //       member PX PY PZ DIAMETER AX AY AZ TURNS CURRENT1 CURRENT2 ...  (for each coil)
+//       or member PX PY PZ DIAMETER AX AY AZ TURNS current FORMULA
 //   grid FILE
 // and then, each where it is asked for:
 //   at X Y Z
 //   rotated AX AY AZ ANGLE
 //   oscillating FREQUENCY PHASE, factors TIME F ..., repeat_factors TIME F ..., rising
-//   TIME swinging DX DY DZ FREQUENCY PHASE, shifting DX DY DZ TIME, path TIME DX DY DZ
-//   ..., repeat_path TIME DX DY DZ ... turning AX AY AZ FREQUENCY [X Y Z]     (about the
-//   source, or about a point)
+//   TIME, or factor FORMULA
+//   swinging DX DY DZ FREQUENCY PHASE, shifting DX DY DZ TIME, path TIME DX DY DZ ...,
+//   repeat_path TIME DX DY DZ ..., or shift FORMULA FORMULA FORMULA
+//   turning AX AY AZ FREQUENCY [X Y Z], or angle FORMULA about AX AY AZ [X Y Z]
+//   (about the source, or about a point)
+// Formulas are of t [s] in SI, without spaces (structure/formula.h).
 // Numbers read back exactly; names are not kept. Both throw std::invalid_argument.
 std::string source_words(const std::vector<FieldSource>& sources);
 std::vector<FieldSource> parse_source_words(const std::string& text);

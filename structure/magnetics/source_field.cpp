@@ -78,6 +78,7 @@ double strength_at(const StrengthLaw& law, double time_s) {
             if (t >= l.duration_s) return 1;
             return 0.5 * (1 - std::cos(std::numbers::pi * t / l.duration_s));
         }
+        double operator()(const Formula& l) const { return value_at(l.si, t); }
     };
     return std::visit(At{time_s}, law);
 }
@@ -86,9 +87,17 @@ Vector3d way_at(const SourceMotion& motion, double time_s) {
     if (const auto* path = std::get_if<SourcePath>(&motion))
         return vector(
             rows_at(path->time_s, path->repeat, time_s).of(path->displacement_m));
+    if (const auto* formula = std::get_if<FormulaMotion>(&motion))
+        return vector(value_at(formula->component_m, time_s));
     if (const auto* ramp = std::get_if<DisplacementRamp>(&motion))
         return vector(displacement_m(*ramp, time_s));
     return vector(displacement_m(std::get<Oscillation>(motion), time_s));
+}
+
+double angle_at(const SourceTurning& turning, double time_s) {
+    if (const auto* formula = std::get_if<Formula>(&turning.turns))
+        return value_at(formula->si, time_s);
+    return 2 * std::numbers::pi * std::get<double>(turning.turns) * time_s;
 }
 
 }  // namespace
@@ -103,6 +112,13 @@ struct SourceField::Element {
     // Of a system's coil: current over time, in place of it.
     std::vector<double> time_s{}, current_a{};
     bool repeat = false;
+    std::optional<Formula> current{};
+
+    bool changes() const { return time_s.size() > 1 || current; }
+    double current_at(double at_s) const {
+        if (current) return value_at(current->si, at_s);
+        return current_a.empty() ? 1 : rows_at(time_s, repeat, at_s).of(current_a);
+    }
 
     Vector3d now_centre_m = Vector3d::Zero();
     Matrix3d now_frame = Matrix3d::Identity();
@@ -174,7 +190,8 @@ struct Parts {
     void operator()(const CoilSystem& s) const {
         for (const SystemCoil& one : s.coils) {
             require_positive(one.diameter_m, "a diameter");
-            const std::size_t times = std::max<std::size_t>(1, s.time_s.size());
+            const std::size_t times =
+                one.current ? 0 : std::max<std::size_t>(1, s.time_s.size());
             if (one.current_a.size() != times) {
                 refuse("{} currents of a coil for {} times found, one for each is needed",
                        one.current_a.size(), times);
@@ -183,8 +200,9 @@ struct Parts {
             coil.frame = frame_along(one.axis);
             coil.centre_m = vector(one.position_m);
             coil.strength = one.turns;
+            coil.current = one.current;
             coil.current_a = one.current_a;
-            coil.time_s = s.time_s;
+            if (!one.current) coil.time_s = s.time_s;
             coil.repeat = s.repeat;
         }
     }
@@ -208,8 +226,7 @@ bool SourceField::at_rest() const {
                                 [](const FieldSource& s) {
                                     return s.strength || s.motion || s.turning;
                                 }) &&
-           std::ranges::none_of(elements_,
-                                [](const auto& e) { return e->time_s.size() > 1; });
+           std::ranges::none_of(elements_, [](const auto& e) { return e->changes(); });
 }
 
 void SourceField::set_time(double time_s) {
@@ -226,8 +243,7 @@ void SourceField::set_time(double time_s) {
         if (source.motion) place.position += way_at(*source.motion, time_s);
         if (source.turning) {
             const SourceTurning& turning = *source.turning;
-            const Matrix3d turn = turned(
-                turning.axis, 2 * std::numbers::pi * turning.frequency_hz * time_s);
+            const Matrix3d turn = turned(turning.axis, angle_at(turning, time_s));
             place.frame = turn * place.frame;
             if (turning.about_m) {
                 const Vector3d about = vector(*turning.about_m);
@@ -241,10 +257,8 @@ void SourceField::set_time(double time_s) {
         const Place& place = places[element->source];
         element->now_centre_m = place.position + place.frame * element->centre_m;
         element->now_frame = place.frame * element->frame;
-        element->now_strength = place.strength * element->strength;
-        if (!element->current_a.empty())
-            element->now_strength *=
-                rows_at(element->time_s, element->repeat, time_s).of(element->current_a);
+        element->now_strength =
+            place.strength * element->strength * element->current_at(time_s);
     }
 }
 

@@ -47,7 +47,12 @@ class FixMagtticeSources : public LAMMPS_NS::Fix {
     const SourceField& field() {
         if (placed_ != update->ntimestep) {
             placed_ = update->ntimestep;
-            field_->set_time(held_s_.value_or(static_cast<double>(placed_) * update->dt));
+            try {
+                field_->set_time(
+                    held_s_.value_or(static_cast<double>(placed_) * update->dt));
+            } catch (const std::exception& cause) {
+                fail(*error, "sources of the magnetic field: {}", cause.what());
+            }
         }
         return *field_;
     }

@@ -151,5 +151,44 @@ TEST(Formula, reaches_the_field_in_either_place) {
     EXPECT_NE(read_scene(file, {"magnetic_field.formula.y=1 mT"}).hash, s.hash);
 }
 
+TEST(Formula, reaches_sources_and_motions) {
+    const Scene s = read_scene(source_folder / "docs/examples/scenes/formula.yaml");
+    const auto value = [](const structure::Formula& formula) {
+        return structure::value_at(formula.si, 0.05);
+    };
+    const FieldSource& arm = s.magnetic_field->sources[0];
+    EXPECT_EQ(value(std::get<Formula>(*arm.strength)), std::exp(-5));
+    EXPECT_NEAR(value(std::get<FormulaMotion>(*arm.motion).component_m[0]), 2e-3, 1e-18);
+    EXPECT_NEAR(value(std::get<Formula>(arm.turning->turns)), pi / 6, 1e-15);
+    const auto& system = std::get<CoilSystem>(s.magnetic_field->sources[1].shape);
+    EXPECT_NEAR(value(*system.coils[0].current), 0, 1e-14);
+    const auto& motion = s.bodies[0].prescribed_motion[0];
+    EXPECT_NEAR(value(std::get<FormulaMotion>(motion.course).component_m[2]), 0, 1e-17);
+}
+
+TEST(Formula, of_a_source_or_a_motion_that_cannot_be_is_refused) {
+    const auto says = [](const std::string& set,
+                         std::initializer_list<std::string> what) {
+        test::expect_says(
+            test::message_of<SceneError>([&] {
+                read_scene(source_folder / "docs/examples/scenes/formula.yaml", {set});
+            }),
+            what);
+    };
+    const std::string arm = "magnetic_field.sources.arm.";
+    says(arm + "strength.formula=2 A", {"an electric current; allowed a plain number"});
+    says(arm + "strength.formula=1/(1 ms - t)*1 ms", {"infinite at t = 1 ms"});
+    says(arm + "motion.formula.y=3 mT", {"a magnetic flux density; allowed a length"});
+    says(arm + "motion.formula.y=sqrt(1 ms - t)*1 m/sqrt(1 s)", {"not a number at t = "});
+    says(arm + "turning.angle=2 Hz", {"allowed an angle"});
+    says(arm + "turning.frequency=2 Hz", {"angle", "frequency"});
+    const std::string coils = "magnetic_field.sources.coils.coil_system.coils.0.";
+    says(coils + "current=3 V", {"\"V\""});
+    says(coils + "currents=[1 A]", {"current beside currents"});
+    const std::string motion = "bodies.strip.prescribed_motion.0.formula.";
+    says(motion + "z=1/t*1 mm*1 s", {"infinite at t = 0 s"});
+    says(motion + "z=2 s", {"a time; allowed a length"});
+}
+
 }  // namespace
 }  // namespace magfsi::scene

@@ -66,7 +66,7 @@ TEST(Keys, of_sources_of_the_field) {
     EXPECT_EQ(arm.position_m, (Vec3{0, 0, 40e-3}));
     EXPECT_EQ(arm.rotation->axis, (Vec3{0, 1, 0}));
     EXPECT_EQ(std::get<SourcePath>(*arm.motion).displacement_m[1], (Vec3{5e-3, 0, 0}));
-    EXPECT_EQ(arm.turning->frequency_hz, 2);
+    EXPECT_EQ(std::get<double>(arm.turning->turns), 2);
     EXPECT_EQ(*arm.turning->about_m, (Vec3{1e-3, 0, 0}));
     const auto& coil = std::get<CircularCoil>(sources[1].shape);
     EXPECT_EQ(coil.diameter_m, 20e-3);

@@ -136,7 +136,7 @@ TEST(SourceField, FollowsItsMotion) {
     FieldSource moving =
         source(CuboidMagnet{{8e-3, 6e-3, 4e-3}, {0, 0.2, 1}}, {20e-3, 0, 5e-3});
     const FieldSource still = moving;
-    moving.turning = SourceTurning{{0, 0, 3}, 2, Vec3{1e-3, 1e-3, 0}};
+    moving.turning = SourceTurning{{0, 0, 3}, 2.0, Vec3{1e-3, 1e-3, 0}};
     const Matrix3d turn = Eigen::AngleAxisd(pi / 3, Vector3d::UnitZ()).toRotationMatrix();
     const Vector3d about(1e-3, 1e-3, 0), point(4e-3, -2e-3, 1e-3);
     const Vector3d seen = about + turn.transpose() * (point - about);
@@ -154,6 +154,37 @@ TEST(SourceField, FollowsItsMotion) {
     expect_same(at({shifted}, {4e-3, 0, 0}, 0.5), moved, 1e-12);
     EXPECT_FALSE(SourceField({shifted}).at_rest());
     EXPECT_TRUE(SourceField({still}).at_rest());
+}
+
+// The same laws as a wave, a table, a path and a frequency.
+TEST(SourceField, FollowsFormulas) {
+    const auto as_formula = [](const char* text) { return Formula{text, text}; };
+    FieldSource other =
+        source(CuboidMagnet{{8e-3, 6e-3, 4e-3}, {0, 0.2, 1}}, {0.02, 0, 0});
+    other.strength = StrengthOscillation{3, 0.2};
+    other.motion = SourcePath{{0, 2}, {{1e-3, 0, 0}, {1e-3, -4e-3, 2e-3}}, false};
+    other.turning = SourceTurning{{1, 0, 1}, 2.0, Vec3{1e-3, 1e-3, 0}};
+    FieldSource same = other;
+    same.strength = as_formula("sin(2*pi*3*t+0.2)");
+    same.motion = FormulaMotion{
+        {as_formula("0.001"), as_formula("-0.002*t"), as_formula("t*1e-3")}};
+    same.turning->turns = as_formula("4*pi*t");
+    FieldSource rows =
+        source(CoilSystem{{{{0, 0, 1}, 0.1, {0, 1, 0}, 20, {1, 5}}}, {0, 2}});
+    FieldSource coil =
+        source(CoilSystem{{{{0, 0, 1}, 0.1, {0, 1, 0}, 20, {}, as_formula("1+2*t")}}});
+    for (const double t : {0.0, 0.37, 1.9}) {
+        expect_same(at({same}, {4e-3, -2e-3, 1e-3}, t),
+                    at({other}, {4e-3, -2e-3, 1e-3}, t), 1e-12);
+        expect_same(at({coil}, {4e-3, -2e-3, 1e-3}, t),
+                    at({rows}, {4e-3, -2e-3, 1e-3}, t), 1e-12);
+    }
+    EXPECT_FALSE(SourceField({coil}).at_rest());
+    const std::vector<FieldSource> both{same, coil};
+    const std::string text = source_words(both);
+    EXPECT_EQ(source_words(parse_source_words(text)), text);
+    expect_same(at(parse_source_words(text), {4e-3, 0, 0}, 0.37),
+                at(both, {4e-3, 0, 0}, 0.37), 1e-15);
 }
 
 // --- grids ----------------------------------------------------------------------------
@@ -237,7 +268,7 @@ TEST(SourceWords, ReadBackExactly) {
     magnet.rotation = AxisRotation{{1, 0, 1}, 0.3};
     magnet.strength = StrengthTable{{0, 1}, {1, 1.0 / 3}, true};
     magnet.motion = Oscillation{{1e-3, 0, 0}, 3, 0.1};
-    magnet.turning = SourceTurning{{0, 1, 0}, 2, Vec3{1, 1, 1}};
+    magnet.turning = SourceTurning{{0, 1, 0}, 2.0, Vec3{1, 1, 1}};
     FieldSource coils = source(CoilSystem{{{{0, 0, 1}, 0.1, {0, 1, 0}, 20, {1, 2}},
                                            {{0, 0, 2}, 0.1, {1, 1, 0}, 3, {-1, 0.5}}},
                                           {0, 1},
@@ -262,7 +293,8 @@ TEST(SourceWords, RefuseWhatIsNoSource) {
     for (const char* text :
          {"", "dipole 1 2", "dipole 1 2 3 4", "magnet 1 2 3", "1 2 3",
           "coil 0.1 0 0 0 1 1", "cuboid 1 0 1 0 0 1", "dipole 1 0 0 spinning 3",
-          "dipole 1 0 x", "grid", "dipole 1 0 0 member 1 1 1",
+          "dipole 1 0 x", "dipole 1 0 0 shift t t", "dipole 1 0 0 factor sin(",
+          "dipole 1 0 0 angle t", "grid", "dipole 1 0 0 member 1 1 1",
           "system member 0 0 0 0.1 0 0 1 1 2 3"}) {
         EXPECT_THROW(SourceField(parse_source_words(text)), std::invalid_argument)
             << text;

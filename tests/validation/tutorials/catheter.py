@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The catheter's tip bends to the magnet as a slender rod in the field of a dipole does, at rest and in blood, whose
 forces on it are about those of White's drag law."""
+import math
+import re
 import sys
 import unittest
 
@@ -28,6 +30,18 @@ class Catheter(unittest.TestCase):
         testing.report(f"bends by up to {1e3 * up.max():.4f} mm, a slender rod by {1e3 * right.max():.4f}; off by "
                        f"{100 * off:.2f} % of it")
         self.assertLess(off, ROD)
+
+    def test_what_explain_says(self):
+        text = testing.output_of(testing.BIN / "magfsi", "explain", CATHETER)
+        # On the magnet's axis, 60 mm away: mu0 m / (2 pi r^3); the tip's side is 0.3 mm nearer, 1.5 %.
+        field = float(re.search(r"field up to (\S+) mT where it starts", text)[1])
+        self.assertAlmostEqual(field / (1e3 * 2e-7 * 5.33 / 0.06**3), 1, delta=0.015)
+        crossing, course, ramp = map(float, re.search(
+            r"x_min: sound crosses the box in (\S+) ms; .* of the course is (\S+); of the ramp (\S+),", text).groups())
+        right = 16e-3 / (0.18 / 0.09 / math.sqrt(3))
+        self.assertAlmostEqual(1e-3 * crossing / right, 1, delta=0.005)  # of three digits
+        for found, omega in ((course, 2 * math.pi * 1.25), (ramp, math.pi / 50e-3)):
+            self.assertAlmostEqual(found / (omega * right)**2, 1, delta=0.05)  # of two digits
 
     def test_in_blood(self):
         p = testing.good_run(CATHETER, {"time.end": "0.4 s", "output": "null"}, ranks="structure=1,fluid=1").probes()

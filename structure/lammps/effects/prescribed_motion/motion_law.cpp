@@ -10,6 +10,8 @@ template <>
 constexpr const char* law_name<Oscillation> = "oscillation";
 template <>
 constexpr const char* law_name<DisplacementRamp> = "ramp";
+template <>
+struct LawWords<FormulaMotion> : FormulaWords<FormulaMotion> {};
 
 namespace {
 
@@ -19,6 +21,10 @@ void check(const Oscillation& o) {
 
 void check(const DisplacementRamp& r) {
     if (!(r.duration_s > 0)) refuse("a ramp needs a duration above zero");
+}
+
+void check(const FormulaMotion& f) {
+    check_formulas(f.component_m);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace magfsi::structure {
 
 // As words of fix magttice/motion, and back: "oscillation AX AY AZ FREQUENCY PHASE",
-// "ramp DX DY DZ DURATION". Throws std::invalid_argument on other words.
+// "ramp DX DY DZ DURATION", "formula UX UY UZ". Throws std::invalid_argument on other
+// words.
 std::string motion_words(const MotionCourse& course);
 MotionCourse motion_from(const std::vector<std::string>& words);
 

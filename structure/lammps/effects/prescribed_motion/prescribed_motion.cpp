@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 
 #include "structure/lammps/effect.h"
@@ -30,7 +31,8 @@ class FixMagtticeMotion : public LAMMPS_NS::Fix {
     void final_integrate() override;
 
   private:
-    double time_s(int steps_ago) const;
+    // A place or a velocity of the course.
+    Vec3 of_course(Vec3 (*what)(const MotionCourse&, double time_s), int steps_ago) const;
     void set_velocity(const Vec3& velocity_m_s);
 
     MotionCourse course_;
@@ -50,21 +52,27 @@ int FixMagtticeMotion::setmask() {
     return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE;
 }
 
-// From the number of the step, so that it stays right over restarts.
-double FixMagtticeMotion::time_s(int steps_ago) const {
-    return static_cast<double>(update->ntimestep - steps_ago) * update->dt;
+// At the time by the number of the step, so that it stays right over restarts.
+Vec3 FixMagtticeMotion::of_course(Vec3 (*what)(const MotionCourse&, double time_s),
+                                  int steps_ago) const {
+    try {
+        return what(course_,
+                    static_cast<double>(update->ntimestep - steps_ago) * update->dt);
+    } catch (const std::exception& cause) {
+        fail(*error, "fix {} magttice/motion: {}", id, cause.what());
+    }
 }
 
 // Before the first forces are evaluated, and before ghosts get their velocities.
 void FixMagtticeMotion::init() {
-    set_velocity(velocity_m_s(course_, time_s(0)));
+    set_velocity(of_course(velocity_m_s, 0));
 }
 
 // Between the two, forces see the mean velocity of the step, as velocity Verlet's half
 // step has it for all other atoms.
 void FixMagtticeMotion::initial_integrate(int) {
-    const Vec3 from = displacement_m(course_, time_s(1));
-    const Vec3 to = displacement_m(course_, time_s(0));
+    const Vec3 from = of_course(displacement_m, 1);
+    const Vec3 to = of_course(displacement_m, 0);
     Vec3 gain{}, mean{};
     for (std::size_t d = 0; d < 3; ++d) {
         gain[d] = to[d] - from[d];
@@ -78,7 +86,7 @@ void FixMagtticeMotion::initial_integrate(int) {
 }
 
 void FixMagtticeMotion::final_integrate() {
-    set_velocity(velocity_m_s(course_, time_s(0)));
+    set_velocity(of_course(velocity_m_s, 0));
 }
 
 void FixMagtticeMotion::set_velocity(const Vec3& velocity_m_s) {
