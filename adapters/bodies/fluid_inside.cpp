@@ -16,6 +16,21 @@ namespace {
 // the density, at least 0.58 of their own.
 constexpr double largest_part = 2.0 / 3;
 
+// How much a material has of the body's: cubes that a surface cuts hold less than others
+// of both the body and the fluid in its place.
+double part_of(const scene::Body& body, const structure::Material& material) {
+    return std::holds_alternative<structure::VoxelMesh>(body.mesh)
+               ? material.density_kg_m3 / body.material.density_kg_m3
+               : 1;
+}
+
+// Of the fluid inside in place of the solid.
+void fill_with(structure::Body& solid, const scene::Body& body, double density_kg_m3) {
+    for (structure::Material& other : solid.other_materials)
+        other.density_kg_m3 = part_of(body, other) * density_kg_m3;
+    solid.material.density_kg_m3 = density_kg_m3;
+}
+
 void add_masses(std::vector<double>& all, const structure::Body& body) {
     const auto masses = structure::build_lattice(body).node_mass_kg;
     all.insert(all.end(), masses.begin(), masses.end());
@@ -26,8 +41,9 @@ void add_masses(std::vector<double>& all, const structure::Body& body) {
 double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body) {
     if (!scene.fluid || scene.damping) return 0;
     double lightest = std::numeric_limits<double>::infinity();
+    const auto& from = *std::ranges::find(scene.bodies, body.name, &scene::Body::name);
     for (const structure::Material& material : structure::used_materials(body))
-        lightest = std::min(lightest, material.density_kg_m3);
+        lightest = std::min(lightest, material.density_kg_m3 / part_of(from, material));
     return std::min(scene.fluid->density_kg_m3, largest_part * lightest);
 }
 
@@ -36,9 +52,9 @@ std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene) {
     for (const scene::Body& body : scene.bodies) {
         structure::Body& solid = all.emplace_back(to_body(body));
         const double off = off_nodes_kg_m3(scene, solid);
-        solid.material.density_kg_m3 -= off;
         for (structure::Material& other : solid.other_materials)
-            other.density_kg_m3 -= off;
+            other.density_kg_m3 -= off * part_of(body, other);
+        solid.material.density_kg_m3 -= off;
     }
     return all;
 }
@@ -53,9 +69,7 @@ std::vector<double> inside_masses_kg(const scene::Scene& scene) {
     std::vector<double> all;
     for (const scene::Body& body : scene.bodies) {
         structure::Body solid = to_body(body);
-        solid.material.density_kg_m3 = scene.fluid->density_kg_m3;
-        for (structure::Material& other : solid.other_materials)
-            other.density_kg_m3 = scene.fluid->density_kg_m3;
+        fill_with(solid, body, scene.fluid->density_kg_m3);
         add_masses(all, solid);
     }
     return all;

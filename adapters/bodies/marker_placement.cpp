@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "adapters/bodies/filled_cubes.h"
 #include "adapters/bodies/marker_surface.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "adapters/scene/checks.h"
@@ -131,7 +132,9 @@ std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t n
                    : on_surface
                        ? on_sheet(mesh, *sheet, both_faces, dry, boundary, spacing)
                        : through_volume(mesh, dry, boundary, spacing);
-    share_body(markers, structure::volume_m3(mesh), static_cast<int>(number));
+    const auto* cubes = std::get_if<structure::VoxelMesh>(&body.mesh);
+    share_body(markers, cubes ? surface_volume_m3(*cubes) : structure::volume_m3(mesh),
+               static_cast<int>(number));
     return markers;
 }
 

@@ -14,21 +14,19 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "adapters/bodies/filled_cubes.h"
 #include "adapters/scene/fault.h"
-#include "fluid_lbm/obstacle/solid.h"
 #include "structure/magnetics/magnetization.h"
 #include "structure/mesh/block_mesh.h"
 #include "structure/mesh/locate.h"
 #include "structure/mesh/mesh_file.h"
 #include "structure/mesh/swept_mesh.h"
-#include "structure/mesh/voxel_mesh.h"
 
 namespace magfsi::bodies {
 
@@ -131,58 +129,6 @@ structure::Vec3 in_mm(const structure::Vec3& x_m) {
     return {1e3 * x_m[0], 1e3 * x_m[1], 1e3 * x_m[2]};
 }
 
-// Filled or not: 0.1 GB while they are sorted out.
-constexpr double most_cubes = 2e6;
-
-// Cubes along each side of the grid around a surface, which is as wide as it up to whole
-// cubes, with the surface in its middle.
-std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
-                                const structure::VoxelMesh& voxels) {
-    constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
-    std::array<int, 3> cubes{};
-    double all = 1;
-    for (std::size_t d = 0; d < 3; ++d) {
-        const double extent =
-            (bounds_m.high[d] - bounds_m.low[d]) / voxels.spacing_m - rounding;
-        const double whole = std::max(1.0, std::ceil(extent));
-        all *= whole;
-        if (!(all <= most_cubes))
-            throw std::invalid_argument(fmt::format(
-                "{}, {:.4g} x {:.4g} x {:.4g} m large, lies in more than {:g} cubes of "
-                "{:g} m; take a larger spacing, or see that the unit is the file's",
-                voxels.file, bounds_m.high[0] - bounds_m.low[0],
-                bounds_m.high[1] - bounds_m.low[1], bounds_m.high[2] - bounds_m.low[2],
-                most_cubes, voxels.spacing_m));
-        cubes[d] = static_cast<int>(whole);
-    }
-    return cubes;
-}
-
-structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
-    fluid::StlSurface surface{voxels.file, voxels.unit_m, {}};
-    const fluid::Bounds bounds = fluid::stl_extent(surface).bounds_m;
-    const std::array<int, 3> cubes = cubes_around(bounds, voxels);
-    for (std::size_t d = 0; d < 3; ++d)
-        surface.shift_m[d] =
-            0.5 * (cubes[d] * voxels.spacing_m - bounds.low[d] - bounds.high[d]);
-    const auto solid = fluid::make_stl_solid(surface, voxels.spacing_m);
-    const auto [width, depth, height] = cubes;
-    const auto row = static_cast<std::size_t>(width);
-    std::vector<char> filled(row * static_cast<std::size_t>(depth) *
-                             static_cast<std::size_t>(height));
-    for (int k = 0; k < height; ++k) {
-        for (int j = 0; j < depth; ++j) {
-            const auto number = static_cast<std::size_t>(j + depth * k);
-            solid->mark_row(j + 0.5, k + 0.5, 0,
-                            std::span(filled).subspan(number * row, row));
-        }
-    }
-    structure::Mesh mesh = structure::voxel_mesh(cubes, voxels.spacing_m, filled);
-    for (structure::Vec3& x : mesh.nodes)
-        for (std::size_t d = 0; d < 3; ++d) x[d] -= surface.shift_m[d];
-    return mesh;
-}
-
 // Cached without them: faces are named anew at no cost.
 structure::Mesh with_faces(structure::Mesh mesh, const structure::VoxelMesh& voxels) {
     for (const structure::FaceBox& face : voxels.faces) {
@@ -227,10 +173,6 @@ structure::Mesh to_mesh(const scene::Body& body) {
                                             body.mesh_place.empty() ? "" : ": ",
                                             body.name, fault.what()));
     }
-}
-
-double surface_volume_m3(const structure::VoxelMesh& voxels) {
-    return fluid::stl_extent({voxels.file, voxels.unit_m, {}}).volume_m3;
 }
 
 double extent(const structure::Mesh& mesh, int axis) {
@@ -327,6 +269,7 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         throw scene::SceneError(
             fmt::format("material_regions of body '{}': {}", body.name, fault.what()));
     }
+    const bool cubes = std::holds_alternative<structure::VoxelMesh>(body.mesh);
     out.element = body.element;
     out.inertia = body.inertia;
     out.clamps = body.clamps;
@@ -340,6 +283,7 @@ structure::Body to_body(const scene::Body& body, structure::Mesh mesh) {
         throw std::invalid_argument(
             fmt::format("magnetization of body '{}': {}", body.name, fault.what()));
     }
+    if (cubes) weigh(out);
     return out;
 }
 

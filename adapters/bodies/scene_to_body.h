@@ -12,9 +12,6 @@ namespace magfsi::bodies {
 // Throws std::invalid_argument on a mesh file that cannot be used, naming the body.
 structure::Mesh to_mesh(const scene::Body& body);
 
-// Held by the surface of the file, without its cubes.
-double surface_volume_m3(const structure::VoxelMesh& voxels);
-
 // Length of the undeformed mesh along an axis [m].
 double extent(const structure::Mesh& mesh, int axis);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/bodies/filled_cubes.h"
 #include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/mesh_estimate.h"
@@ -125,12 +126,15 @@ std::string explain_voxels(const structure::Body& solid,
     const double surface_m3 = bodies::surface_volume_m3(voxels);
     const double thin_m =
         std::ranges::min(structure::bounds(solid.mesh.nodes).extent_m());
+    double weighed_m3 = solid.mesh.region.empty() ? volume_m3 : 0;
+    for (const int region : solid.mesh.region)
+        weighed_m3 +=
+            bodies::weight_of_region(solid.mesh, region) * std::pow(voxels.spacing_m, 3);
     return fmt::format(
         "    cubes of {:.4g} mm, {:.0f} across the thinnest side; their volume against "
-        "the "
-        "surface's: {}\n",
+        "the surface's: {}, weighed by what they hold of it: {}\n",
         1e3 * voxels.spacing_m, thin_m / voxels.spacing_m,
-        in_percent(volume_m3 / surface_m3 - 1));
+        in_percent(volume_m3 / surface_m3 - 1), in_percent(weighed_m3 / surface_m3 - 1));
 }
 
 // What only shows once the mesh is there; the run would refuse it, too. On a platform
@@ -260,7 +264,8 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     }
     text += fmt::format("{} elements {}, {} nodes\n", solid.mesh.elements.size(),
                         scene::name_of(body.element), solid.mesh.nodes.size());
-    if (!solid.mesh.region_names.empty()) {
+    const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh);
+    if (!voxels && !solid.mesh.region_names.empty()) {
         text +=
             fmt::format("    regions: {}\n", fmt::join(solid.mesh.region_names, ", "));
     }
@@ -273,8 +278,7 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     text += explain_loads(scene, body, solid);
     text += explain_error(scene, body, solid);
     if (box) text += explain_bricks(solid, *box);
-    if (const auto* voxels = std::get_if<structure::VoxelMesh>(&body.mesh))
-        text += explain_voxels(solid, *voxels);
+    if (voxels) text += explain_voxels(solid, *voxels);
     if (!scene.time.equilibrium) text += explain_moments(scene, solid);
     if (scene.coupling) {
         text += explain_inertia(scene, solid);

@@ -153,6 +153,9 @@ void check_regions(const Body& body, const std::vector<Item>& list, Path here,
     require(list.empty() || !std::holds_alternative<Box>(body.mesh), marks.key(here),
             fmt::format("{} of a block, whose mesh has no regions", name),
             "them for the meshes oblique and gmsh");
+    require(list.empty() || !std::holds_alternative<VoxelMesh>(body.mesh),
+            marks.key(here), fmt::format("{} of cubes, which have no regions", name),
+            "them for the meshes oblique and gmsh");
     std::set<std::string> seen;
     for (std::size_t i = 0; i < list.size(); ++i) {
         for (const std::string& region : list[i].regions)
