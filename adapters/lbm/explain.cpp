@@ -314,12 +314,17 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
             "take a spacing of {:.3g} mm or less",
             v.tau, v.spacing_m * (v.tau - 0.5) / (min_tau - 0.5) * 1e3));
     }
-    if (v.grid_reynolds > max_grid_reynolds && scene.fluid->smagorinsky_constant == 0) {
+    // The finest cells are where shear layers begin: at bodies.
+    const double finest_m = scene.fluid->finest_spacing_m();
+    const double finest_reynolds = v.grid_reynolds * finest_m / v.spacing_m;
+    if (finest_reynolds > max_grid_reynolds * (1 + 1e-9) &&
+        scene.fluid->smagorinsky_constant == 0) {
         warn(fmt::format(
             "at a cell's Reynolds number of {:.3g} shear layers are not "
-            "resolved: take a spacing of {:.3g} mm, or smagorinsky: "
+            "resolved: take a spacing of {:.3g} mm{}, or smagorinsky: "
             "{{constant: 0.1}}",
-            v.grid_reynolds, v.spacing_m * max_grid_reynolds / v.grid_reynolds * 1e3));
+            finest_reynolds, finest_m * max_grid_reynolds / finest_reynolds * 1e3,
+            finest_m < v.spacing_m ? " on the finest level" : ""));
     }
     return text;
 }

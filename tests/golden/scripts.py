@@ -32,7 +32,7 @@ SCENES = {
     "origami": ("tutorials/origami/scene.yaml",
                 {**PATH, "bodies.plate.mesh.oblique.elements": "[2, 2, 1]"}, [SOLVER]),
     "strip": ("tutorials/strip/scene.yaml", PATH, [LAMMPS]),
-    "swimmer": ("tutorials/swimmer/scene.yaml", MOTION, [LAMMPS, FLUID]),
+    "swimmer": ("tutorials/swimmer/uniform.yaml", MOTION, [LAMMPS, FLUID]),
     "swimmer_paper": ("tutorials/swimmer/paper.yaml", MOTION, [LAMMPS, FLUID]),
     "turning": ("tutorials/turning/scene.yaml", PATH, [SOLVER]),
     "turning_motion": ("tutorials/turning/motion.yaml", MOTION, [LAMMPS]),

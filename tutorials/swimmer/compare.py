@@ -20,7 +20,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 from magfsi import plotting
 
 HERE = pathlib.Path(__file__).resolve().parent
-LATTICE_SPEED = 0.05  # of the scene
+LATTICE_SPEED = 0.05  # of uniform.yaml
 UNIFORM = "[[4 mm, 2.4 mm, 1.6 mm], [12 mm, 5.6 mm, 8 mm]]"  # robot and near wake
 COLORS = {"lbm": "0.1", "openfoam": "#c2410c"}
 NAMES = {"lbm": "lattice Boltzmann", "openfoam": "OpenFOAM"}
@@ -57,7 +57,7 @@ def start(solver, spacing_mm, chosen):
         settings["coupling.immersed_boundary.strength"] = chosen.courant / LATTICE_SPEED
         if chosen.grading:
             settings.update({"fluid.grading.uniform": UNIFORM, "fluid.grading.growth": 1.15})
-    plotting.run(HERE, folder, [f"{key}={value}" for key, value in settings.items()])
+    plotting.run(HERE / "uniform.yaml", folder, [f"{key}={value}" for key, value in settings.items()])
     return Run(solver, spacing_mm, folder)
 
 

@@ -89,8 +89,8 @@ class Installed(unittest.TestCase):
         # Whatever else the doctor finds: a container's own name is not always known to it.
         if "not there" in call(runs.BIN / "magfsi", "doctor", cwd=self.folder).stdout:
             self.skipTest("OpenFOAM is optional, and not here")
-        run = magfsi.run(SWIMMER, {"time.end": "1 ms", "fluid.solver": "openfoam",
-                                   "fluid.spacing": "0.4 mm"}, out=self.folder / "openfoam")
+        run = magfsi.run(SWIMMER / "uniform.yaml", {"time.end": "1 ms", "fluid.solver": "openfoam",
+                                                    "fluid.spacing": "0.4 mm"}, out=self.folder / "openfoam")
         self.assertEqual(run.summary["outcome"], "completed")
 
     def test_the_schema_is_one(self):

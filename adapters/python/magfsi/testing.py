@@ -17,7 +17,7 @@ from magfsi import runs
 from magfsi.runs import EXIT_INPUT, BIN, ROOT, overrides, run_command, start  # noqa: F401
 
 SMALL = ROOT / "tests/scenes/small_swimmer.yaml"
-SWIMMER = ROOT / "tutorials/swimmer/scene.yaml"
+SWIMMER = ROOT / "tutorials/swimmer/uniform.yaml"
 PAPER = ROOT / "tutorials/swimmer/paper.yaml"
 for name in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"):
     os.environ.setdefault(name, "1")

@@ -22,6 +22,7 @@ inline std::vector<std::filesystem::path> right_scenes() {
             test_folder / "complete/spatial.yaml",
             test_folder / "minimal.yaml",
             source_folder / "tutorials/swimmer/scene.yaml",
+            source_folder / "tutorials/swimmer/uniform.yaml",
             source_folder / "tutorials/swimmer/paper.yaml"};
 }
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 RATIO_MAX = 8.0  # from the scene's own value, either way
 ROUNDING = 0.12  # of elements along an axis, where all axes are refined together
 ROUNDED_IS_FAR = 4  # so much further than a factor that is off by as much itself
+OFF_PLACE = 0.2  # how rounded half a cell of another place in the grid counts, over cells
 COARSEST_STEP = 2.0  # a lattice speed of 0.05 is then 0.1: beyond it, sound counts
 
 
@@ -52,14 +53,25 @@ def _cells(fluid):
     return [round(side / fluid["spacing"]) for side in fluid["box"]]
 
 
+def _off_place(scene, factor):
+    """By how many cells bodies start elsewhere between the nodes of a grid so many times finer.
+    What a sheet of one layer does depends on that by some per cent
+    (docs/coupling_measurements.md), which on an arm would look like the spacing's."""
+    h = finest_spacing(scene)
+    at = [x / h for body in scene.get("bodies", {}).values()
+          for x in body.get("initial", {}).get("position", [])]
+    return max((abs((x * factor - x + 0.5) % 1 - 0.5) for x in at), default=0)
+
+
 def _spacing(scene):
     fluid = scene["fluid"]
     common = math.gcd(*_cells(fluid))
     factors = [m / common for m in range(1, math.ceil(RATIO_MAX * common) + 1)]
-    factors = [f for f in factors if 1 / RATIO_MAX <= f <= RATIO_MAX]
+    off = {f: OFF_PLACE * round(_off_place(scene, f), 6) for f in factors
+           if 1 / RATIO_MAX <= f <= RATIO_MAX}
     body = bool(scene.get("bodies"))
-    return Parameter("spacing", _thinned(factors), 1.3 if body else 2.0, (1, 0.75, 0.5),
-                     lambda facts: f"{1e3 * finest_spacing(facts['scene']):.4g} mm")
+    return Parameter("spacing", _thinned(off, off), 1.3 if body else 2.0, (1, 0.75, 0.5),
+                     lambda facts: f"{1e3 * finest_spacing(facts['scene']):.4g} mm", off)
 
 
 def levels(scene):
