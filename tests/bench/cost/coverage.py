@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from magfsi.cost import command, probes
+from magfsi.cost import result as finding
 from magfsi.cost.report import percent
 from magfsi.cost.variants import Named
 from magfsi.study import store
@@ -70,11 +71,11 @@ def examine(case, out):
         if any("time.end" in v.sets for v in result.variants):  # the truth is of the whole
             return Found(case, fault="the budget has room for a leading part only")
         command.do(result, wish)
-        command.conclude(result, wish)
-    except command.making.CannotRun as why:
+        probe = finding.analyse(result.scene, result.variants, case.probe, case.norm, case.start_s)
+    except (command.making.CannotRun, finding.NoError) as why:
         return Found(case, fault=str(why))
-    faults = result.faults + result.probes[0].faults
-    return Found(case, result.probes[0], time.monotonic() - began,
+    faults = finding.common_faults(result.scene, result.variants) + probe.faults
+    return Found(case, probe, time.monotonic() - began,
                  "; ".join(f"{f.parameter}: {f.why}" for f in faults))
 
 

@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.patheffects import withStroke  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 from magfsi.study import findings  # noqa: E402
@@ -63,7 +64,38 @@ def _label_series(axes, ends):
                                   "relpos": (0, 0.5), "shrinkA": 1, "shrinkB": 4})
 
 
+# Of a label from its point, [pt], with the side of it that is there.
+PLACES = ((-6, -7, "right", "top"), (6, 7, "left", "bottom"), (-6, 7, "right", "bottom"),
+          (6, -7, "left", "top"), (0, -10, "center", "top"), (0, 10, "center", "bottom"),
+          (-12, 0, "right", "center"), (12, 0, "left", "center"), (-6, -20, "right", "top"),
+          (0, 24, "center", "bottom"), (-16, 16, "right", "bottom"), (12, -16, "left", "top"))
+
+
+def _place_labels(axes, labels, others):
+    """Each where the fewest lines, points and labels cross it. labels: (text, x, y); others: boxes
+    of text that is there."""
+    renderer = axes.figure.canvas.get_renderer()
+    taken = list(others)
+    for text, *at in labels:
+        tried = []
+        for dx, dy, ha, va in PLACES:
+            label = axes.annotate(text, at, xytext=(dx, dy), textcoords="offset points",
+                                  fontsize=6.5, color=INK, ha=ha, va=va, zorder=5,
+                                  path_effects=[withStroke(linewidth=2.5, foreground="w")])
+            box = label.get_window_extent(renderer).padded(2)
+            crossed = sum(box.overlaps(b) for b in taken) + sum(
+                line.get_transform().transform_path(line.get_path()).intersects_bbox(box)
+                for line in axes.lines) + (box.x0 < axes.bbox.x0 or box.x1 > axes.bbox.x1)
+            tried.append((crossed, len(tried), box, label))
+        _, _, box, best = min(tried, key=lambda t: t[:2])
+        for *_, label in tried:
+            if label is not best:
+                label.remove()
+        taken.append(box)
+
+
 def _front(study, axes, runs, norm):
+    """(text, x, y) of what is to be written at the front."""
     front = [r for r in findings.pareto(study, runs, norm) if r.errors[norm.name] > 0]
     x = [findings.cost(study, r) for r in front]
     y = [100 * r.errors[norm.name] for r in front]
@@ -71,14 +103,12 @@ def _front(study, axes, runs, norm):
               solid_capstyle="round")
     axes.plot(x, y, "o", ms=9, mfc="none", mec=INK, mew=0.8, zorder=4)
     varied = study.order_axis or next(iter(study.axes))
-    shown = None
+    labels, shown = [], None
     for run, cost, error in zip(front, x, y):
-        if run.cell.label(varied) == shown:
-            continue  # another setting of the same
-        shown = run.cell.label(varied)
-        axes.annotate(_short(shown), (cost, error), xytext=(-6, -7),
-                      textcoords="offset points", fontsize=6.5, color=INK, ha="right",
-                      va="top")
+        if run.cell.label(varied) != shown:  # not another setting of the same
+            shown = run.cell.label(varied)
+            labels.append((_short(shown), cost, error))
+    return labels
 
 
 def _limits(axes, runs, study, norm):
@@ -102,7 +132,7 @@ def _panel(study, axes, runs, norm):
                   marker=MARKERS[number % len(MARKERS)], ms=4.5, color=colour, mew=0, lw=0.9,
                   zorder=3)
         ends.append((label, (x[-1], y[-1]), colour))
-    _front(study, axes, runs, norm)
+    labels = _front(study, axes, runs, norm)
     for target in study.targets:
         axes.axhline(100 * target, color=GREY, lw=0.6, ls=(0, (1, 2)), zorder=0)
         axes.text(0.005, 100 * target, percent(target), fontsize=7, color=GREY, va="bottom",
@@ -114,7 +144,7 @@ def _panel(study, axes, runs, norm):
         axis.set_minor_formatter(FuncFormatter(_plain) if narrow else NullFormatter())
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
-    return ends
+    return ends, labels
 
 
 def draw(study, runs, path):
@@ -137,7 +167,8 @@ def draw(study, runs, path):
                            f"grey steps, rings: Pareto front; numbers: {numbers}", loc="left", fontsize=8)
     figure.tight_layout(rect=(0, 0, 5.0 / width_in, 1))
     figure.canvas.draw()
-    for room, ends in panels:
+    for room, (ends, labels) in panels:
+        _place_labels(room, labels, [t.get_window_extent() for t in room.texts])
         _label_series(room, ends)
     figure.savefig(path, dpi=180)
     plt.close(figure)
