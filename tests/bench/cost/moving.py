@@ -98,7 +98,7 @@ def sheet(thickness_mm, viscosity):
     text = replaced((VALIDATION / "no_slip/sheet.yaml").read_text(),
                     ("0.185 mm]", f"{thickness_mm} mm]"),
                     ("viscosity: 1 mm2/s", f"viscosity: {viscosity} mm2/s"))
-    return Case(f"a sheet swung along its plane, {thickness_mm} mm thick, at {viscosity}", text,
+    return Case(f"a sheet swung along its plane, {thickness_mm} mm thick, {viscosity} mm2/s", text,
                 "sheet.fluid_force_x[N]", force_n(moved), "unsteady Stokes flow", "amplitude",
                 start_s=0.04)
 
