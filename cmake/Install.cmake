@@ -53,7 +53,7 @@ install(FILES ${magfsi_generated}/place.py DESTINATION ${MAGFSI_PYTHON_DIR}/magf
 # --- for programs in C++ ---
 # Their names there: magfsi::coupler has the scene and the coupled run, magfsi::lammps the styles.
 set(exported
-  magfsi_options:options magfsi_isa:isa magfsi_fluid:lbm magfsi_tables:tables
+  magfsi_options:options magfsi_isa:isa magfsi_surface:surface magfsi_fluid:lbm magfsi_tables:tables
   magfsi_structure:structure
   magfsi_structure_lammps:lammps magfsi_coupler:coupler_core magfsi_scene:scene
   magfsi_run_scene:run_scene magfsi_fluid_participant:fluid_participant
@@ -75,7 +75,7 @@ foreach(folder coupler structure fluid_lbm adapters/scene)
 endforeach()
 install(FILES adapters/run_scene.h adapters/structure_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
   COMPONENT dev)
-install(DIRECTORY cmake/isa cmake/grid DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi
+install(DIRECTORY cmake/isa cmake/grid cmake/surface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi
   COMPONENT dev FILES_MATCHING PATTERN "*.h")
 configure_package_config_file(cmake/install/magfsi-config.cmake.in
   ${magfsi_generated}/magfsi-config.cmake

@@ -76,6 +76,15 @@ SignedDistance of(const Brick& brick, const Vec3& point) {
     return of_faces<3>(out, outwards);
 }
 
+SignedDistance of(const Surface& surface, const Vec3& point) {
+    const TriangleSurface::Nearest nearest = surface.triangles->nearest(point);
+    Vec3 way = surface::minus(point, nearest.at_m);
+    const double distance = length(way);
+    if (distance == 0) return {0, nearest.normal};
+    const double side = surface.triangles->holds(point) ? -1 : 1;
+    return {side * distance, divided(way, side * distance)};
+}
+
 std::string words_for(const Ball& ball) {
     return fmt::format("ball {:.17g} {:.17g}", fmt::join(ball.centre_m, " "),
                        ball.radius_m);
@@ -92,6 +101,11 @@ std::string words_for(const Brick& brick) {
                        fmt::join(brick.high_m, " "));
 }
 
+std::string words_for(const Surface& surface) {
+    return fmt::format("surface {} {:.17g} {:.17g}", surface.file, surface.unit_m,
+                       fmt::join(surface.shift_m, " "));
+}
+
 double length_from(const std::string& word) {
     std::size_t read = 0;
     double value = NAN;
@@ -105,7 +119,25 @@ double length_from(const std::string& word) {
     return value;
 }
 
+int axis_from(const std::string& word) {
+    const std::string axes = "xyz";
+    const auto axis = word.size() == 1 ? axes.find(word) : std::string::npos;
+    if (axis == std::string::npos)
+        refuse("\"{}\" found as the axis of a rod, x, y or z is allowed", word);
+    return static_cast<int>(axis);
+}
+
 }  // namespace
+
+Surface read_surface(const std::string& file, double unit_m, const Vec3& shift_m) {
+    if (file.find_first_of(" \t\n\"';$&#") != std::string::npos)
+        refuse(
+            "is the STL file {}; with contact a path without blanks, quotes and ; $ & "
+            "# is needed",
+            file);
+    return {file, unit_m, shift_m,
+            std::make_shared<TriangleSurface>(file, unit_m, shift_m)};
+}
 
 SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m) {
     return std::visit([&](const auto& one) { return of(one, point_m); }, shape);
@@ -116,14 +148,19 @@ std::string shape_words(const SolidShape& shape) {
 }
 
 int shape_word_count(const std::string& name) {
-    return name == "ball" ? 5 : name == "rod" || name == "brick" ? 7 : 0;
+    return name == "ball"                     ? 5
+           : name == "surface"                ? 6
+           : name == "rod" || name == "brick" ? 7
+                                              : 0;
 }
 
 SolidShape parse_shape(const std::vector<std::string>& words) {
     const std::string name = words.empty() ? "" : words[0];
     if (static_cast<int>(words.size()) != std::max(1, shape_word_count(name)))
-        refuse("a shape of {} words found; \"ball\" has 5, \"rod\" and \"brick\" have 7",
-               words.size());
+        refuse(
+            "a shape of {} words found; \"ball\" has 5, \"surface\" 6, \"rod\" and "
+            "\"brick\" 7",
+            words.size());
     const auto place = [&](std::size_t from) {
         return Vec3{length_from(words[from]), length_from(words[from + 1]),
                     length_from(words[from + 2])};
@@ -139,13 +176,11 @@ SolidShape parse_shape(const std::vector<std::string>& words) {
             size(brick.high_m[d] - brick.low_m[d], "edge");
         return brick;
     }
-    if (name != "rod") refuse("\"{}\" found; shapes are ball, rod and brick", name);
-    Rod rod{place(1), size(length_from(words[4]), "radius"), 0, {}};
-    const std::string axes = "xyz";
-    const auto axis = words[5].size() == 1 ? axes.find(words[5]) : std::string::npos;
-    if (axis == std::string::npos)
-        refuse("\"{}\" found as the axis of a rod, x, y or z is allowed", words[5]);
-    rod.axis = static_cast<int>(axis);
+    if (name == "surface")
+        return read_surface(words[1], size(length_from(words[2]), "unit"), place(3));
+    if (name != "rod")
+        refuse("\"{}\" found; shapes are ball, rod, brick and surface", name);
+    Rod rod{place(1), size(length_from(words[4]), "radius"), axis_from(words[5]), {}};
     const double half = size(length_from(words[6]), "half length");
     if (std::isfinite(half)) rod.half_length_m = half;
     return rod;

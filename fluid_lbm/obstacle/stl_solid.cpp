@@ -2,147 +2,19 @@
 // Bodies bounded by the triangles of an STL file.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <unordered_map>
 
 #include "fluid_lbm/obstacle/solid.h"
-#include "fluid_lbm/refuse.h"
+#include "surface/triangles.h"
 
 namespace magfsi::fluid {
 
 namespace {
 
-using Triangle = std::array<Vec3, 3>;
-
-constexpr std::size_t header_bytes = 80, count_bytes = 4, triangle_bytes = 50;
-constexpr std::size_t normal_bytes = 12;
-
-template <class... What>
-[[noreturn]] void refuse_file(const std::filesystem::path& file, const What&... what) {
-    refuse("is the STL file ", file.string(), ", which ", what...);
-}
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) refuse_file(file, "cannot be opened");
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::uint32_t binary_count(const std::string& bytes) {
-    std::uint32_t count = 0;
-    if (bytes.size() >= header_bytes + count_bytes) {
-        std::memcpy(&count, bytes.data() + header_bytes, count_bytes);
-    }
-    return count;
-}
-
-bool is_binary(const std::string& bytes) {
-    return bytes.size() >= header_bytes + count_bytes &&
-           bytes.size() == header_bytes + count_bytes +
-                               triangle_bytes * std::size_t{binary_count(bytes)};
-}
-
-std::vector<Triangle> read_binary(const std::string& bytes) {
-    std::vector<Triangle> triangles(binary_count(bytes));
-    const char* at = bytes.data() + header_bytes + count_bytes;
-    for (Triangle& triangle : triangles) {
-        float corners[9];
-        std::memcpy(corners, at + normal_bytes, sizeof corners);
-        for (int i = 0; i < 9; ++i) triangle[i / 3][i % 3] = corners[i];
-        at += triangle_bytes;
-    }
-    return triangles;
-}
-
-std::vector<Triangle> read_ascii(const std::string& text,
-                                 const std::filesystem::path& file) {
-    std::istringstream in(text);
-    std::vector<Triangle> triangles;
-    std::string word;
-    int corner = 0;
-    while (in >> word) {
-        if (word == "endfacet" && corner != 0) {
-            refuse_file(file, "has a facet whose number of vertices is not 3");
-        }
-        if (word != "vertex") continue;
-        if (corner == 0) triangles.emplace_back();
-        Vec3& x = triangles.back()[corner];
-        if (!(in >> x[0] >> x[1] >> x[2])) {
-            refuse_file(file, "has a vertex that is not three numbers, after ",
-                        triangles.size() - 1, " whole triangles");
-        }
-        corner = (corner + 1) % 3;
-    }
-    if (corner != 0) refuse_file(file, "ends inside a triangle");
-    return triangles;
-}
-
-// ASCII or binary, whichever the size of the file says: some binary files begin with the
-// word "solid", too. Normals and attributes are ignored.
-std::vector<Triangle> read_stl(const std::filesystem::path& file) {
-    const std::string bytes = contents(file);
-    const bool binary = is_binary(bytes);
-    if (!binary && bytes.compare(0, 5, "solid") != 0) {
-        refuse_file(file, "has ", bytes.size(),
-                    " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + "
-                    "50 bytes per triangle of its count (binary)");
-    }
-    std::vector<Triangle> triangles =
-        binary ? read_binary(bytes) : read_ascii(bytes, file);
-    if (triangles.empty()) refuse_file(file, "has no triangle");
-    for (const Triangle& triangle : triangles) {
-        for (const Vec3& x : triangle) {
-            if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-                refuse_file(file, "has a vertex that is not finite");
-        }
-    }
-    return triangles;
-}
-
-Vec3 minus(const Vec3& a, const Vec3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vec3 cross_product(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vec3 normal(const Triangle& t) {
-    return cross_product(minus(t[1], t[0]), minus(t[2], t[0]));
-}
-
-// Whether the projection along x of the triangle covers (y, z): the parity of its edges
-// that lie at higher y on the line of constant z.
-bool covers(const Triangle& t, double y, double z) {
-    bool odd = false;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 *a = &t[i], *b = &t[(i + 1) % 3];
-        if (((*a)[2] > z) == ((*b)[2] > z)) continue;
-        if (*b < *a) std::swap(a, b);  // the same order in both triangles of the edge
-        const double along = (z - (*a)[2]) / ((*b)[2] - (*a)[2]);
-        if ((*a)[1] + along * ((*b)[1] - (*a)[1]) > y) odd = !odd;
-    }
-    return odd;
-}
-
-// x of the triangle's plane at (y, z); none for a triangle seen edge-on.
-std::optional<double> plane_at(const Triangle& t, double y, double z) {
-    const Vec3 n = normal(t);
-    if (n[0] == 0) return {};
-    return t[0][0] - (n[1] * (y - t[0][1]) + n[2] * (z - t[0][2])) / n[0];
-}
+using surface::cross_product, surface::dot, surface::minus, surface::normal,
+    surface::Triangle;
 
 // Fraction of the way from a to b where it meets the triangle (Moeller and Trumbore 1997,
 // with a margin so that no way slips between two triangles).
@@ -167,39 +39,12 @@ bool plane_meets_cube(const Triangle& t, const Vec3& n, const std::array<int, 3>
     return std::abs(dot(n, minus(centre, t[0]))) <= reach;
 }
 
-// Nearest float: what an STL file can tell apart.
-std::array<float, 3> key(const Vec3& x) {
-    return {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])};
-}
-
-// Every edge must be walked as often one way as the other.
-void check_closed(const std::vector<Triangle>& triangles,
-                  const std::filesystem::path& file) {
-    std::map<std::array<std::array<float, 3>, 2>, int> balance;
-    for (const Triangle& t : triangles) {
-        for (int i = 0; i < 3; ++i) {
-            const auto a = key(t[i]), b = key(t[(i + 1) % 3]);
-            if (a == b) continue;
-            if (a < b) ++balance[{a, b}];
-            if (b < a) --balance[{b, a}];
-        }
-    }
-    const auto open =
-        std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; });
-    if (open == 0) return;
-    refuse_file(file, "has ", open,
-                " edges that do not join two triangles of the same orientation; the "
-                "surface must be closed");
-}
-
-// In place: a point x of the file comes to shift + scale * x.
-Bounds place(std::vector<Triangle>& triangles, double scale, const Vec3& shift) {
+Bounds bounds_of(const std::vector<Triangle>& triangles) {
     constexpr double huge = std::numeric_limits<double>::max();
     Bounds bounds{{huge, huge, huge}, {-huge, -huge, -huge}};
-    for (Triangle& t : triangles) {
-        for (Vec3& corner : t) {
+    for (const Triangle& t : triangles) {
+        for (const Vec3& corner : t) {
             for (int a = 0; a < 3; ++a) {
-                corner[a] = shift[a] + scale * corner[a];
                 bounds.low[a] = std::min(bounds.low[a], corner[a]);
                 bounds.high[a] = std::max(bounds.high[a], corner[a]);
             }
@@ -210,15 +55,11 @@ Bounds place(std::vector<Triangle>& triangles, double scale, const Vec3& shift) 
 
 class TriangulatedSolid final : public Solid {
   public:
-    // A point x of the file comes to shift + scale * x. Throws std::invalid_argument if
-    // the surface is not closed.
-    TriangulatedSolid(const std::filesystem::path& file, double scale, const Vec3& shift);
+    explicit TriangulatedSolid(std::vector<Triangle> triangles);
 
     Bounds bounds() const override { return bounds_; }
 
-    // Both by the parity of crossings of the ray along x. Each edge is intersected in one
-    // order of its ends, so that triangles that share it agree and a ray through an edge
-    // or a vertex is counted once.
+    // Both by the parity of crossings of the ray along x.
     bool holds(const Vec3& point) const override;
     void mark_row(double y, double z, int x_begin, std::span<char> inside) const override;
 
@@ -245,11 +86,8 @@ std::size_t TriangulatedSolid::BinHash::operator()(const Bin& bin) const {
     return hash;
 }
 
-TriangulatedSolid::TriangulatedSolid(const std::filesystem::path& file, double scale,
-                                     const Vec3& shift)
-    : triangles_(read_stl(file)) {
-    check_closed(triangles_, file);
-    bounds_ = place(triangles_, scale, shift);
+TriangulatedSolid::TriangulatedSolid(std::vector<Triangle> triangles)
+    : triangles_(std::move(triangles)), bounds_(bounds_of(triangles_)) {
     sort_into_bins();
 }
 
@@ -279,10 +117,8 @@ std::vector<double> TriangulatedSolid::crossings(double y, double z) const {
     const auto column = columns_.find(
         {static_cast<int>(std::floor(y)), static_cast<int>(std::floor(z)), 0});
     if (column == columns_.end()) return all;
-    for (const int i : column->second) {
-        if (!covers(triangles_[i], y, z)) continue;
-        if (const auto x = plane_at(triangles_[i], y, z)) all.push_back(*x);
-    }
+    for (const int i : column->second)
+        if (const auto x = surface::crossing(triangles_[i], y, z)) all.push_back(*x);
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -330,17 +166,17 @@ double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
 
 }  // namespace
 
-std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m) {
-    need("scale", surface.unit_m);
-    return std::make_shared<TriangulatedSolid>(surface.file, surface.unit_m / spacing_m,
-                                               in_cells(surface.shift_m, spacing_m));
+std::shared_ptr<const Solid> make_stl_solid(const StlSurface& body, double spacing_m) {
+    need("scale", body.unit_m);
+    return std::make_shared<TriangulatedSolid>(surface::read_closed(
+        body.file, body.unit_m / spacing_m, in_cells(body.shift_m, spacing_m)));
 }
 
-StlExtent stl_extent(const StlSurface& surface) {
-    need("scale", surface.unit_m);
-    std::vector<Triangle> triangles = read_stl(surface.file);
-    check_closed(triangles, surface.file);
-    StlExtent out{place(triangles, surface.unit_m, surface.shift_m)};
+StlExtent stl_extent(const StlSurface& body) {
+    need("scale", body.unit_m);
+    const std::vector<Triangle> triangles =
+        surface::read_closed(body.file, body.unit_m, body.shift_m);
+    StlExtent out{bounds_of(triangles)};
     const Vec3& origin = out.bounds_m.low;
     for (const Triangle& t : triangles)
         out.volume_m3 += dot(minus(t[0], origin),

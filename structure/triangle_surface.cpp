@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "structure/triangle_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace magfsi::structure {
+namespace {
+
+using surface::cross_product, surface::dot, surface::minus, surface::Triangle;
+
+constexpr int most_in_a_leaf = 4;
+
+Vec3 along(const Vec3& from, double by, const Vec3& way) {
+    return {from[0] + by * way[0], from[1] + by * way[1], from[2] + by * way[2]};
+}
+
+double squared(const Vec3& v) {
+    return dot(v, v);
+}
+
+// Ericson, Real-Time Collision Detection (2005), 5.1.5: by the region of the triangle's
+// plane that the point lies over, a corner's, an edge's or the inside's.
+Vec3 nearest_on(const Triangle& t, const Vec3& x) {
+    const Vec3 ab = minus(t[1], t[0]), ac = minus(t[2], t[0]);
+    const Vec3 ax = minus(x, t[0]), bx = minus(x, t[1]), cx = minus(x, t[2]);
+    const double a1 = dot(ab, ax), a2 = dot(ac, ax);
+    if (a1 <= 0 && a2 <= 0) return t[0];
+    const double b1 = dot(ab, bx), b2 = dot(ac, bx);
+    if (b1 >= 0 && b2 <= b1) return t[1];
+    const double on_ab = a1 * b2 - b1 * a2;
+    if (on_ab <= 0 && a1 >= 0 && b1 <= 0) return along(t[0], a1 / (a1 - b1), ab);
+    const double c1 = dot(ab, cx), c2 = dot(ac, cx);
+    if (c2 >= 0 && c1 <= c2) return t[2];
+    const double on_ac = c1 * a2 - a1 * c2;
+    if (on_ac <= 0 && a2 >= 0 && c2 <= 0) return along(t[0], a2 / (a2 - c2), ac);
+    const double on_bc = b1 * c2 - c1 * b2, to_b = b2 - b1, to_c = c1 - c2;
+    if (on_bc <= 0 && to_b >= 0 && to_c >= 0)
+        return along(t[1], to_b / (to_b + to_c), minus(t[2], t[1]));
+    const double whole = on_ab + on_ac + on_bc;
+    return along(along(t[0], on_ac / whole, ab), on_ab / whole, ac);
+}
+
+}  // namespace
+
+TriangleSurface::TriangleSurface(const std::string& file, double unit_m,
+                                 const Vec3& shift_m)
+    : triangles_(surface::read_closed(file, unit_m, shift_m)) {
+    // One without area is the edge of its neighbours.
+    std::erase_if(triangles_,
+                  [](const Triangle& t) { return squared(surface::normal(t)) == 0; });
+    add_boxes(0, static_cast<int>(triangles_.size()));
+}
+
+int TriangleSurface::add_boxes(int first, int count) {
+    const auto number = boxes_.size();
+    boxes_.emplace_back();
+    Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    const auto begin = triangles_.begin() + first;
+    for (auto t = begin; t != begin + count; ++t) {
+        for (const Vec3& corner : *t) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                box.low_m[d] = std::min(box.low_m[d], corner[d]);
+                box.high_m[d] = std::max(box.high_m[d], corner[d]);
+            }
+        }
+    }
+    if (count <= most_in_a_leaf) {
+        box.first = first;
+        box.count = count;
+    } else {
+        const Vec3 edges = minus(box.high_m, box.low_m);
+        const auto d =
+            static_cast<std::size_t>(std::ranges::max_element(edges) - edges.begin());
+        const auto middle = [d](const Triangle& t) {
+            return t[0][d] + t[1][d] + t[2][d];
+        };
+        const int half = count / 2;
+        std::nth_element(
+            begin, begin + half, begin + count,
+            [&](const Triangle& a, const Triangle& b) { return middle(a) < middle(b); });
+        add_boxes(first, half);
+        box.right = add_boxes(first + half, count - half);
+    }
+    boxes_[number] = box;
+    return static_cast<int>(number);
+}
+
+template <class Visit>
+void TriangleSurface::visit_leaf(const Box& box, const Visit& visit) const {
+    for (int i = box.first; i < box.first + box.count; ++i)
+        visit(triangles_[static_cast<std::size_t>(i)]);
+}
+
+bool TriangleSurface::holds(const Vec3& x) const {
+    bool odd = false;
+    const auto look = [&](const auto& self, int number) -> void {
+        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        if (x[0] > box.high_m[0] || x[1] < box.low_m[1] || x[1] > box.high_m[1] ||
+            x[2] < box.low_m[2] || x[2] > box.high_m[2])
+            return;
+        visit_leaf(box, [&](const Triangle& t) {
+            const auto at = surface::crossing(t, x[1], x[2]);
+            if (at && *at > x[0]) odd = !odd;
+        });
+        if (box.count > 0) return;
+        self(self, number + 1);
+        self(self, box.right);
+    };
+    look(look, 0);
+    return odd;
+}
+
+TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
+    const auto squared_to = [&](int number) {
+        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        Vec3 way{};
+        for (std::size_t d = 0; d < 3; ++d)
+            way[d] = x[d] - std::clamp(x[d], box.low_m[d], box.high_m[d]);
+        return squared(way);
+    };
+    double least = INFINITY;
+    const Triangle* of = nullptr;
+    Nearest found;
+    const auto look = [&](const auto& self, int number) -> void {
+        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        visit_leaf(box, [&](const Triangle& t) {
+            const Vec3 at = nearest_on(t, x);
+            const double to = squared(minus(x, at));
+            if (!(to < least)) return;
+            least = to;
+            found.at_m = at;
+            of = &t;
+        });
+        if (box.count > 0) return;
+        int near = number + 1, far = box.right;
+        double to_near = squared_to(near), to_far = squared_to(far);
+        if (to_far < to_near) {
+            std::swap(near, far);
+            std::swap(to_near, to_far);
+        }
+        if (to_near < least) self(self, near);
+        if (to_far < least) self(self, far);
+    };
+    look(look, 0);
+    const Vec3 n = surface::normal(*of);
+    const double length = std::sqrt(squared(n));
+    for (std::size_t d = 0; d < 3; ++d) found.normal[d] = n[d] / length;
+    return found;
+}
+
+}  // namespace magfsi::structure
