@@ -82,8 +82,9 @@ EnergyTerms collect_terms(const StructureRun& run) {
     if (rubs) terms.lost_friction += engine.compute_vector("contact", 4);
     for (const structure::Wall& wall : run.input.walls) {
         terms.contact += engine.fix_scalar("wall_" + wall.name);
-        if (rubs && !wall.shape)
-            terms.lost_friction += engine.fix_vector("wall_" + wall.name, 8);
+        if (rubs)
+            terms.lost_friction +=
+                engine.fix_vector("wall_" + wall.name, wall.shape ? 1 : 8);
     }
     const auto* markers = run.coupling ? run.coupling->work() : nullptr;
     if (!markers) return terms;

@@ -23,6 +23,10 @@ namespace LAMMPS_NS {
 class LAMMPS;
 }
 
+namespace magfsi::structure {
+class KeepsPairs;
+}
+
 namespace magfsi::lammps {
 
 using bodies::NodalState;
@@ -98,6 +102,9 @@ class Engine final : public coupler::StructureSolver {
     // This rank's shares of the sums over time that fixes keep, and back.
     std::vector<double> fix_sums() const;
     void put_fix_sums(std::span<const double> sums);
+    // What the pair style remembers of pairs of nodes (structure/lammps/kept_pairs.h).
+    std::vector<double> pairs() const;
+    void put_pairs(std::span<const double> rows);
     // The same in memory and by local index, for a coupled step that is done again:
     // between the two, atoms keep their ranks and indices.
     void keep() override;
@@ -109,6 +116,7 @@ class Engine final : public coupler::StructureSolver {
   private:
     void evaluate_again();
     std::vector<double*> sums_in_fixes() const;
+    structure::KeepsPairs* keeper() const;
     int fix_number(const std::string& fix_id) const;
 
     MPI_Comm comm_;
@@ -118,7 +126,7 @@ class Engine final : public coupler::StructureSolver {
         std::int64_t step = 0;
         std::vector<double> position, velocity;  // of local and ghost atoms
         std::vector<double> force, of_fixes;     // of local atoms
-        std::vector<double> sums;
+        std::vector<double> sums, pairs;
     } kept_;
 };
 

@@ -14,6 +14,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "pair.h"
+#include "structure/lammps/kept_pairs.h"
 #include "update.h"
 
 namespace magfsi::lammps {
@@ -41,6 +42,19 @@ void copy_out(const double* from, int atoms, std::vector<double>& to) {
 }
 
 }  // namespace
+
+structure::KeepsPairs* Engine::keeper() const {
+    return dynamic_cast<structure::KeepsPairs*>(lammps_->force->pair);
+}
+
+std::vector<double> Engine::pairs() const {
+    const structure::KeepsPairs* keeps = keeper();
+    return keeps ? keeps->kept_pairs() : std::vector<double>{};
+}
+
+void Engine::put_pairs(std::span<const double> rows) {
+    if (structure::KeepsPairs* keeps = keeper()) keeps->put_pairs(rows);
+}
 
 std::size_t Engine::node_values() const {
     std::size_t values = motion_values;
@@ -145,6 +159,7 @@ void Engine::keep() {
         for (LAMMPS_NS::Fix* fix : fixes) at += fix->pack_exchange(i, at);
     }
     kept_.sums = fix_sums();
+    kept_.pairs = pairs();
 }
 
 void Engine::go_back() {
@@ -164,6 +179,7 @@ void Engine::go_back() {
     evaluate_again();
     std::ranges::copy(kept_.force, atom.f[0]);
     put_fix_sums(kept_.sums);
+    put_pairs(kept_.pairs);
 }
 
 }  // namespace magfsi::lammps

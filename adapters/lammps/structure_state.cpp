@@ -10,6 +10,7 @@
 #include "coupler/checkpoint/rank_rows.h"
 #include "coupler/checkpoint/state_file.h"
 #include "structure/lammps/field_program.h"
+#include "structure/lammps/kept_pairs.h"
 
 namespace magfsi::lammps {
 
@@ -94,6 +95,11 @@ void save_structure(const StructureRun& run, StateWriter* file) {
     const std::vector<double> nodes = engine.gather_nodes(run.atoms);
     if (file) file->table("nodes", nodes, {atoms, width});
     save_shares(comm, "sums", engine.fix_sums(), file);
+    const std::vector<double> pairs = engine.pairs();
+    if (file && !pairs.empty()) {
+        constexpr std::size_t row = structure::KeepsPairs::row_values;
+        file->table("pairs", pairs, {pairs.size() / row, row});
+    }
     if (run.coupling) save_markers(run, file);
     if (run.balance()) save_shares(comm, "balance", run.balance()->values(), file);
     if (file)
@@ -116,6 +122,7 @@ void restore_bodies(StructureRun& run, const StateReader& file) {
     engine.put_nodes(nodes);
     if (file.has("sums"))
         engine.put_fix_sums(share(file, "sums", run.session.world().local()));
+    engine.put_pairs(file.has("pairs") ? file.table("pairs") : std::vector<double>{});
     if (run.audit) run.audit->set(file.table("energy_audit"));
     if (const auto now = steered(run, file, "field")) set_field(run, *now);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sides of the fluid's box that push the surfaces of bodies back: planes, each with the
-// fix of the platform; and its obstacles, smooth shapes.
+// fix of the platform; and its obstacles, solid shapes.
 #include "atom.h"
 #include "error.h"
 
@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "structure/lammps/fix_magttice.h"
 #include "structure/lammps/names.h"
+#include "structure/lammps/sticking_fix.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/surface.h"
 #include "structure/platform.h"
@@ -20,61 +22,103 @@
 namespace magfsi::structure {
 namespace {
 
-// fix ID group magttice/solid SHAPE ... STIFFNESS: a shape that pushes the surfaces of
-// bodies back, in their nodes and in the middles of their quads, half of the area each: a
-// quad would dip into a ball between its nodes.
-class FixMagtticeSolid : public LAMMPS_NS::Fix {
+using namespace std::string_view_literals;
+constexpr auto word_friction = "friction"sv, word_lost = "lost_share"sv;
+constexpr double rounding = 1e-9;
+constexpr double at_rest[3] = {0, 0, 0};
+
+// fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU]: a shape that pushes the
+// surfaces of bodies back, in their nodes and in the middles of their quads, half of the
+// area each: a quad would dip into a ball between its nodes. Each feels the plane that
+// touches the shape at its nearest point.
+class FixMagtticeSolid : public StickingFix {
   public:
     FixMagtticeSolid(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
     int setmask() override {
         using namespace LAMMPS_NS::FixConst;
         return PRE_REVERSE | MIN_PRE_REVERSE | POST_NEIGHBOR | MIN_POST_NEIGHBOR;
     }
-    void init() override;
     void setup_post_neighbor() override { rebuild(); }
     void post_neighbor() override { rebuild(); }
     void min_post_neighbor() override { rebuild(); }
     // Before the reverse communication: middles have nodes of other ranks.
-    void setup_pre_reverse(int, int) override { push(); }
-    void pre_reverse(int, int) override { push(); }
-    void min_pre_reverse(int, int) override { push(); }
-    double compute_scalar() override;  // energy
+    void setup_pre_reverse(int, int) override { (this->*push_)(); }
+    void pre_reverse(int, int) override { (this->*push_)(); }
+    void min_pre_reverse(int, int) override { (this->*push_)(); }
+    double compute_scalar() override;     // energy
+    double compute_vector(int) override;  // lost to friction since the start
+    void* extract(const char* name, int& dimension) override;
 
   private:
     // A node four times, or the corners of a quad: atom IDs, then local indices.
     struct Point {
         std::array<int, 4> atom{};
         double area_m2 = 0;
+        // Where it was at the last look, and how far from there nothing can push it.
+        Vec3 seen_m{};
+        double clear_m = 0;
+        int stick = 0;  // which of those of the first atom
     };
+    void parse(int narg, char** arg);
+    int add_points();
     void rebuild();
+    template <bool rough>
     void push();
 
     std::optional<SolidShape> shape_;
-    double stiffness_pa_m_ = 0;
+    Platform plane_;  // stiffness and friction of all
+    void (FixMagtticeSolid::*push_)() = &FixMagtticeSolid::push<false>;
     std::vector<Point> all_, here_;
     double energy_j_ = 0;  // this rank's share, of the last forces
+    double slid_j_ = 0;    // likewise, since the start
 };
 
 FixMagtticeSolid::FixMagtticeSolid(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg) {
-    try {
-        shape_ = parse_shape({arg + 3, arg + std::max(3, narg - 1)});
-    } catch (const std::exception& cause) {
-        fail(*error, "fix {} magttice/solid: {}", id, cause.what());
+    : StickingFix(lammps, narg, arg) {
+    parse(narg, arg);
+    const int most = add_points();
+    if (all_.empty())
+        fail(*error,
+             "fix {} magttice/solid found no fix magttice before it, it needs one", id);
+    if (plane_.friction > 0) {
+        keep_sticks(most);
+        push_ = &FixMagtticeSolid::push<true>;
     }
-    stiffness_pa_m_ = number(arg[narg - 1], lmp);
-    if (!(stiffness_pa_m_ > 0))
-        fail(*error, "fix {} magttice/solid: stiffness {} found, it must be positive", id,
-             arg[narg - 1]);
     scalar_flag = 1;
     extscalar = 1;
+    vector_flag = 1;
+    size_vector = 1;
+    extvector = 1;
     global_freq = 1;
     energy_global_flag = 1;
     thermo_energy = 1;
 }
 
-void FixMagtticeSolid::init() {
-    all_.clear();
+void FixMagtticeSolid::parse(int narg, char** arg) {
+    const int stiffness = 3 + (narg > 3 ? shape_word_count(arg[3]) : 0);
+    try {
+        shape_ = parse_shape({arg + 3, arg + std::clamp(stiffness, 3, narg)});
+    } catch (const std::exception& cause) {
+        fail(*error, "fix {} magttice/solid: {}", id, cause.what());
+    }
+    const bool rough = narg == stiffness + 3 && arg[stiffness + 1] == word_friction;
+    if (narg != stiffness + 1 && !rough)
+        fail(*error,
+             "fix {} magttice/solid needs a shape, a stiffness and no more than "
+             "\"friction\" with one value",
+             id);
+    plane_.stiffness_pa_m = number(arg[stiffness], lmp);
+    if (rough) plane_.friction = number(arg[stiffness + 2], lmp);
+    if (!(plane_.stiffness_pa_m > 0) || !(plane_.friction >= 0))
+        fail(*error,
+             "fix {} magttice/solid: stiffness {} and friction {} found; one must be "
+             "positive, the other not negative",
+             id, arg[stiffness], rough ? arg[stiffness + 2] : "0");
+}
+
+// The most that have one atom as their first.
+int FixMagtticeSolid::add_points() {
+    int most = 1;
     for (const FixMagttice* body : bodies_of(*modify)) {
         Mesh mesh;
         mesh.nodes = body->nodes_m();
@@ -83,16 +127,22 @@ void FixMagtticeSolid::init() {
         const auto areas = surface_areas(mesh.nodes, mesh.elements);
         for (std::size_t n = 0; n < areas.size(); ++n) {
             if (areas[n] == 0) continue;
-            all_.push_back({{}, 0.5 * areas[n]});
+            all_.push_back({{}, 0.5 * areas[n], {}, 0, 0});
             all_.back().atom.fill(first + static_cast<int>(n));
         }
+        std::vector<int> of_node(mesh.nodes.size());
         for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-            all_.push_back({quad.node, 0.5 * quad_area(corners(mesh.nodes, quad.node))});
+            const int number = ++of_node[static_cast<std::size_t>(quad.node[0])];
+            most = std::max(most, number + 1);
+            all_.push_back({quad.node,
+                            0.5 * quad_area(corners(mesh.nodes, quad.node)),
+                            {},
+                            0,
+                            number});
             for (int& node : all_.back().atom) node += first;
         }
     }
-    if (all_.empty())
-        fail(*error, "fix {} magttice/solid found no fix magttice, it needs one", id);
+    return most;
 }
 
 void FixMagtticeSolid::rebuild() {
@@ -114,23 +164,47 @@ void FixMagtticeSolid::rebuild() {
     }
 }
 
+template <bool rough>
 void FixMagtticeSolid::push() {
     energy_j_ = 0;
     const double* const* const x = atom->x;
     double* const* const f = atom->f;
-    for (const Point& point : here_) {
+    for (Point& point : here_) {
         Vec3 place{};
         for (const int a : point.atom) {
             for (std::size_t d = 0; d < 3; ++d) place[d] += 0.25 * x[a][d];
         }
+        if (distance_m(place, point.seen_m) < point.clear_m) continue;
         const SignedDistance to = signed_distance(*shape_, place);
-        if (!(to.distance_m < 0)) continue;
-        const double force_n = -stiffness_pa_m_ * point.area_m2 * to.distance_m;
-        energy_j_ -= 0.5 * force_n * to.distance_m;
+        point.seen_m = place;
+        point.clear_m = std::max(0.0, (1 - rounding) * to.distance_m);
+        Platform plane = plane_;
+        plane.normal = to.normal;
+        for (std::size_t d = 0; d < 3; ++d)
+            plane.point_m[d] = place[d] - to.distance_m * to.normal[d];
+        PlatformContact contact;
+        if constexpr (rough)
+            contact = platform_contact(plane, point.area_m2, place.data(), at_rest, 0,
+                                       stick(point.atom[0], point.stick));
+        else
+            contact = frictionless_contact(plane, point.area_m2, place.data(), at_rest);
+        energy_j_ += contact.energy_j;
+        slid_j_ += contact.slid_j;
         for (const int a : point.atom) {
-            for (std::size_t d = 0; d < 3; ++d) f[a][d] += 0.25 * force_n * to.normal[d];
+            for (std::size_t d = 0; d < 3; ++d) f[a][d] += 0.25 * contact.force_n[d];
         }
     }
+}
+
+double FixMagtticeSolid::compute_vector(int) {
+    double all = 0;
+    MPI_Allreduce(&slid_j_, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    return all;
+}
+
+void* FixMagtticeSolid::extract(const char* name, int& dimension) {
+    dimension = 0;
+    return plane_.friction > 0 && name == word_lost ? &slid_j_ : nullptr;
 }
 
 double FixMagtticeSolid::compute_scalar() {
@@ -164,6 +238,8 @@ double shape_stiffness_pa_m(const LammpsInput& input) {
 void add_walls(Lines& lines, const LammpsInput& input) {
     const std::vector<std::string> bodies =
         lammps_names(input.bodies, input.motions.size());
+    const double mu = input.contact ? input.contact->friction : 0;
+    const std::string rough = mu > 0 ? fmt::format(" friction {:.17g}", mu) : "";
     for (const Wall& wall : input.walls) {
         std::string group = "all";
         if (wall.bodies.size() < bodies.size()) {
@@ -173,18 +249,16 @@ void add_walls(Lines& lines, const LammpsInput& input) {
             lines.push_back(line);
         }
         if (wall.shape) {
-            lines.push_back(fmt::format("fix wall_{} {} magttice/solid {} {:.17g}",
+            lines.push_back(fmt::format("fix wall_{} {} magttice/solid {} {:.17g}{}",
                                         wall.name, group, shape_words(*wall.shape),
-                                        shape_stiffness_pa_m(input)));
+                                        shape_stiffness_pa_m(input), rough));
             continue;
         }
         const Platform& plane = wall.plane;
         lines.push_back(
-            fmt::format("fix wall_{} {} magttice/platform {:.17g} {:.17g} {:.17g}",
+            fmt::format("fix wall_{} {} magttice/platform {:.17g} {:.17g} {:.17g}{}",
                         wall.name, group, fmt::join(plane.point_m, " "),
-                        fmt::join(plane.normal, " "), stiffness_pa_m(input)));
-        const double friction = input.contact ? input.contact->friction : 0;
-        if (friction > 0) lines.back() += fmt::format(" friction {:.17g}", friction);
+                        fmt::join(plane.normal, " "), stiffness_pa_m(input), rough));
     }
 }
 

@@ -94,6 +94,10 @@ class LammpsRun {
         return taken(lammps_extract_fix(lammps_.get(), id.c_str(), LMP_STYLE_GLOBAL,
                                         LMP_TYPE_VECTOR, entry, 0));
     }
+    double fix_scalar(const std::string& id) {
+        return taken(lammps_extract_fix(lammps_.get(), id.c_str(), LMP_STYLE_GLOBAL,
+                                        LMP_TYPE_SCALAR, 0, 0));
+    }
     double variable(const std::string& name) {
         return taken(lammps_extract_variable(lammps_.get(), name.c_str(), nullptr));
     }

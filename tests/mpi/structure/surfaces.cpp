@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "structure/lammps/effects/contact/contact_law.h"
-#include "structure/lammps/effects/platform/platform_law.h"
+#include "structure/lammps/platform_law.h"
 #include "structure/lammps/step_limit.h"
 #include "structure/platform.h"
 #include "tests/mpi/structure/lammps_run.h"

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include "structure/lammps/effects/contact/contact_law.h"
-#include "structure/lammps/effects/platform/platform_law.h"
 #include "structure/lammps/lattice_file.h"
+#include "structure/lammps/platform_law.h"
 #include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 
@@ -101,21 +102,97 @@ TEST(ContactLawOfNodes, IsThatOfSurfacesWhateverTheMesh) {
     EXPECT_EQ(contact_force(law, 1e-16, 2e-4).force_n, 0);
 }
 
-TEST(ContactLawOfNodes, FrictionIsCoulombsAboveTheSpeedAtWhichItsDragReachesIt) {
+constexpr double areas_m4 = 1e-16;
+
+ContactLaw rough_nodes() {
     ContactLaw law{2e-4, 1e9};
     law.friction = 0.3;
-    const double drag = friction_drag_kg_s(law, 1e-8, 1e-9, 1e-6);
-    // 6 A / (pi d^2) = 0.477 of 2.2, of a quarter of the mass in a step.
-    EXPECT_NEAR(drag, 0.25e-3 * 0.4775 / 2.2, 1e-8);
-    // Nodes closer than one another's area allows: no more than that quarter.
-    EXPECT_DOUBLE_EQ(friction_drag_kg_s(law, 1e-6, 1e-9, 1e-6), 0.25e-3);
-    const double normal_n = 1e-5;
-    const Vec3 fast = friction_force_n(law, normal_n, drag, {3, -4, 0});
-    EXPECT_NEAR(fast[0], -0.6 * 0.3 * normal_n, 1e-20);
-    EXPECT_NEAR(fast[1], 0.8 * 0.3 * normal_n, 1e-20);
-    EXPECT_DOUBLE_EQ(friction_force_n(law, normal_n, drag, {1e-3, 0, 0})[0],
-                     -drag * 1e-3);
-    EXPECT_EQ(friction_force_n(law, normal_n, drag, {})[0], 0);
+    return law;
+}
+
+double length(const Vec3& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
+
+TEST(ContactLawOfNodes, FrictionIsMinusTheGradientOfItsEnergyWhileItSticks) {
+    const ContactLaw law = rough_nodes();
+    StuckPair stuck;
+    pair_friction(law, areas_m4, {1e-5, 2e-5, 1.5e-4}, stuck);
+    Vec3 x{1.4e-5, 1.7e-5, 1.48e-4};
+    const Vec3 force = pair_friction(law, areas_m4, x, stuck).force_n;
+    const double most = law.friction * contact_force(law, areas_m4, length(x)).force_n;
+    EXPECT_GT(length(force), 0.01 * most);
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double h = 1e-9;
+        const auto energy_at = [&](double by) {
+            Vec3 there = x;
+            there[d] += by;
+            pair_friction(law, areas_m4, there, stuck);
+            return stuck_energy_j(law, areas_m4, stuck);
+        };
+        const double slope = (energy_at(h) - energy_at(-h)) / (2 * h);
+        // Central differences over 1e-9 of 1.5e-4 m, and rounding of the energy over h.
+        EXPECT_NEAR(-slope, force[d],
+                    1e-9 * length(force) + 1e-15 * length(force) * 1e-4 / h);
+    }
+}
+
+TEST(ContactLawOfNodes, FrictionIsCoulombsAndASecondLookChangesNothing) {
+    const ContactLaw law = rough_nodes();
+    StuckPair stuck;
+    EXPECT_EQ(pair_friction(law, areas_m4, {0, 0, 1.5e-4}, stuck).force_n, (Vec3{}));
+    const Vec3 far{5e-5, 0, 1.5e-4};
+    const double most = law.friction * contact_force(law, areas_m4, length(far)).force_n;
+    const PairFriction slid = pair_friction(law, areas_m4, far, stuck);
+    EXPECT_NEAR(length(slid.force_n) / most, 1, 1e-12);
+    // Against the motion, across the line between the nodes.
+    EXPECT_LT(slid.force_n[0], 0);
+    EXPECT_NEAR(slid.force_n[0] * far[0] + slid.force_n[2] * far[2], 0,
+                1e-12 * most * 1e-4);
+    EXPECT_GT(slid.lost_j, 0);
+    const PairFriction again = pair_friction(law, areas_m4, far, stuck);
+    for (std::size_t d = 0; d < 3; ++d)
+        EXPECT_NEAR(again.force_n[d], slid.force_n[d], 1e-12 * most);
+    EXPECT_NEAR(again.lost_j, 0, 1e-12 * slid.lost_j);
+    // Out of reach it lets go, and what the spring had is lost.
+    const double had = stuck_energy_j(law, areas_m4, stuck);
+    const PairFriction off = pair_friction(law, areas_m4, {0, 0, 2.1e-4}, stuck);
+    EXPECT_EQ(off.force_n, (Vec3{}));
+    EXPECT_EQ(off.lost_j, had);
+    EXPECT_FALSE(stuck.held);
+    EXPECT_EQ(stuck_energy_j(law, areas_m4, stuck), 0);
+}
+
+// Round and back on a crooked way, pressed and relieved, steps small and large.
+TEST(ContactLawOfNodes, WhatFrictionTakesIsWhatItHasAndWhatIsLost) {
+    const ContactLaw law = rough_nodes();
+    double last_error = 0;
+    for (const int steps : {1600, 6400, 25600}) {
+        StuckPair stuck;
+        Vec3 x{0, 0, 1.6e-4};
+        Vec3 force = pair_friction(law, areas_m4, x, stuck).force_n;
+        double work = 0, lost = 0;
+        for (int i = 1; i <= steps; ++i) {
+            const double t = 2 * std::numbers::pi * i / steps;
+            const Vec3 next{4e-5 * std::sin(2 * t), 3e-5 * (1 - std::cos(3 * t)),
+                            1.6e-4 - 3e-5 * (1 - std::cos(t))};
+            const PairFriction now = pair_friction(law, areas_m4, next, stuck);
+            EXPECT_GE(now.lost_j, 0);
+            for (std::size_t d = 0; d < 3; ++d)
+                work -= 0.5 * (force[d] + now.force_n[d]) * (next[d] - x[d]);
+            lost += now.lost_j;
+            force = now.force_n;
+            x = next;
+        }
+        const double error = std::abs(stuck_energy_j(law, areas_m4, stuck) + lost - work);
+        EXPECT_GT(lost, 0.5 * work);
+        // Where it slips the direction of a step's force is known to first order.
+        EXPECT_LT(error, 0.4 / steps * work);
+        if (last_error > 0) {
+            EXPECT_LT(error, 0.4 * last_error);
+        }
+        last_error = error;
+    }
 }
 
 class LatticeFileTest : public ::testing::Test {

@@ -11,27 +11,60 @@
 
 namespace magfsi::structure {
 
+namespace {
+
+double spring_n_m(const ContactLaw& law, double areas_m4) {
+    return 6 * law.stiffness_pa_m * areas_m4 /
+           (std::numbers::pi * law.distance_m * law.distance_m);
+}
+
+}  // namespace
+
 ContactForce contact_force(const ContactLaw& law, double areas_m4, double distance_m) {
     const double approach = law.distance_m - distance_m;
     if (!(approach > 0) || distance_m == 0) return {};
-    const double spring = 6 * law.stiffness_pa_m * areas_m4 /
-                          (std::numbers::pi * law.distance_m * law.distance_m);
+    const double spring = spring_n_m(law, areas_m4);
     return {spring * approach, 0.5 * spring * approach * approach};
 }
 
-double friction_drag_kg_s(const ContactLaw& law, double area_m2, double mass_kg,
-                          double dt_s) {
-    const double coarse =
-        6 * area_m2 / (std::numbers::pi * law.distance_m * law.distance_m);
-    return 0.25 * mass_kg / dt_s * coarse / std::max(2.2, coarse);
+double stuck_energy_j(const ContactLaw& law, double areas_m4, const StuckPair& stuck) {
+    return 0.5 * spring_n_m(law, areas_m4) * stuck.slip_m * stuck.slip_m;
 }
 
-Vec3 friction_force_n(const ContactLaw& law, double normal_n, double drag_kg_s,
-                      const Vec3& past_m_s) {
-    const double speed = std::hypot(past_m_s[0], past_m_s[1], past_m_s[2]);
-    if (speed == 0) return {};
-    const double drag = std::min(law.friction * normal_n / speed, drag_kg_s);
-    return {-drag * past_m_s[0], -drag * past_m_s[1], -drag * past_m_s[2]};
+PairFriction pair_friction(const ContactLaw& law, double areas_m4, const Vec3& apart_m,
+                           StuckPair& stuck) {
+    PairFriction out;
+    const double r = std::hypot(apart_m[0], apart_m[1], apart_m[2]);
+    const double normal_n = contact_force(law, areas_m4, r).force_n;
+    if (normal_n == 0) {
+        if (stuck.held) out.lost_j = stuck_energy_j(law, areas_m4, stuck);
+        stuck = {};
+        return out;
+    }
+    if (!stuck.held) stuck = {apart_m, 0, true};
+    double along = 0;  // s.n
+    for (std::size_t d = 0; d < 3; ++d) along += stuck.apart_m[d] * apart_m[d] / r;
+    Vec3 across{};
+    for (std::size_t d = 0; d < 3; ++d)
+        across[d] = stuck.apart_m[d] - along * apart_m[d] / r;
+    const double slip = std::hypot(across[0], across[1], across[2]);
+    const double spring = spring_n_m(law, areas_m4);
+    const double most_n = law.friction * normal_n;
+    if (slip == 0 || (along > 0 && spring * along / r * slip <= most_n)) {
+        for (std::size_t d = 0; d < 3; ++d)
+            out.force_n[d] = spring * along / r * across[d];
+        stuck.slip_m = slip;
+        return out;
+    }
+    along = std::max(along, r);
+    const double kept = most_n / spring * r / along;
+    for (std::size_t d = 0; d < 3; ++d) {
+        out.force_n[d] = most_n * across[d] / slip;
+        stuck.apart_m[d] = along * apart_m[d] / r + kept * across[d] / slip;
+    }
+    out.lost_j = std::max(0.0, 0.5 * spring * (slip - kept) * (stuck.slip_m + kept));
+    stuck.slip_m = kept;
+    return out;
 }
 
 double contact_distance_m(const std::vector<Body>& bodies) {
@@ -68,7 +101,8 @@ double contact_spring_pa_m(const Body& body, const ContactLaw& law) {
     const double largest = *std::ranges::max_element(area);
     const double coarse =
         6 * largest / (std::numbers::pi * law.distance_m * law.distance_m);
-    return 2 * std::max(2.2, coarse) * law.stiffness_pa_m;
+    const double fine = law.friction > 0 ? 5.4 : 2.2;
+    return 2 * std::max(fine, coarse) * law.stiffness_pa_m;
 }
 
 ContactLaw contact_law(const LammpsInput& input) {

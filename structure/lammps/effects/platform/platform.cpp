@@ -12,8 +12,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "structure/lammps/effect.h"
-#include "structure/lammps/effects/platform/platform_law.h"
+#include "structure/lammps/sticking_fix.h"
 #include "structure/platform.h"
 
 namespace magfsi::structure {
@@ -22,7 +21,7 @@ namespace {
 // ID group style, then point, normal and stiffness.
 constexpr int first_keyword = 10;
 
-class FixMagtticePlatform : public LAMMPS_NS::Fix {
+class FixMagtticePlatform : public StickingFix {
   public:
     FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
     ~FixMagtticePlatform() override;
@@ -40,18 +39,6 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     double compute_scalar() override;       // energy of the springs
     double compute_vector(int i) override;  // see the documentation
     void* extract(const char* name, int& dimension) override;
-
-    // The stick points go with their atoms, over ranks and restarts.
-    void grow_arrays(int count) override;
-    void copy_arrays(int from, int to, int deleted) override;
-    void set_arrays(int atom_index) override;
-    int pack_exchange(int i, double* buffer) override;
-    int unpack_exchange(int i, double* buffer) override;
-    int pack_restart(int i, double* buffer) override;
-    void unpack_restart(int i, int nth) override;
-    int size_restart(int i) override;
-    int maxsize_restart() override;
-    double memory_usage() override;
 
   private:
     struct PressedNode {
@@ -72,7 +59,6 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
     void (FixMagtticePlatform::*add_forces_)(double) = nullptr;
     std::vector<SurfaceNode> node_;     // by atom ID
     std::vector<PressedNode> surface_;  // of this rank and the group
-    std::vector<StickPoint> stick_;     // by local atom
 
     // This rank's share, of the last evaluation.
     double normal_n_ = 0, energy_j_ = 0, smallest_gap_m_ = 0;
@@ -81,7 +67,7 @@ class FixMagtticePlatform : public LAMMPS_NS::Fix {
 };
 
 FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
-    : Fix(lammps, narg, arg) {
+    : StickingFix(lammps, narg, arg) {
     if (narg < first_keyword) {
         fail(*error,
              "fix {} magttice/platform needs a point, a normal and a stiffness: seven "
@@ -94,14 +80,10 @@ FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, ch
     if (platform_.friction > 0)
         add_forces_ = &FixMagtticePlatform::add_forces_with_friction;
     declare_output();
-    FixMagtticePlatform::grow_arrays(atom->nmax);
-    atom->add_callback(LAMMPS_NS::Atom::GROW);
-    atom->add_callback(LAMMPS_NS::Atom::RESTART);
+    keep_sticks(1);
 }
 
 FixMagtticePlatform::~FixMagtticePlatform() {
-    atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
-    atom->delete_callback(id, LAMMPS_NS::Atom::RESTART);
     delete[] extlist;
 }
 
@@ -150,7 +132,6 @@ void FixMagtticePlatform::declare_output() {
     global_freq = 1;
     energy_global_flag = 1;
     thermo_energy = 1;
-    restart_peratom = 1;
 }
 
 void FixMagtticePlatform::post_force(int) {
@@ -214,23 +195,8 @@ void FixMagtticePlatform::add_frictionless_forces(double) {
 
 void FixMagtticePlatform::add_forces_with_friction(double dt_s) {
     add_forces([&](const PressedNode& node, const double* x, const double* v) {
-        return platform_contact(platform_, node.area_m2, x, v, dt_s,
-                                stick_[static_cast<std::size_t>(node.atom)]);
+        return platform_contact(platform_, node.area_m2, x, v, dt_s, stick(node.atom, 0));
     });
-}
-
-// Outputs, and the stick points that the fix keeps with the atoms.
-
-constexpr int stick_values = 4;
-
-int pack(const StickPoint& stick, double* buffer) {
-    for (int d = 0; d < 3; ++d) buffer[d] = stick.at_m[static_cast<std::size_t>(d)];
-    buffer[3] = stick.held ? 1 : 0;
-    return stick_values;
-}
-
-StickPoint unpack(const double* buffer) {
-    return {{buffer[0], buffer[1], buffer[2]}, buffer[3] != 0};
 }
 
 double FixMagtticePlatform::compute_scalar() {
@@ -261,52 +227,6 @@ double FixMagtticePlatform::compute_vector(int i) {
 void* FixMagtticePlatform::extract(const char* name, int& dimension) {
     dimension = 0;
     return std::strcmp(name, "lost_share") == 0 ? &slid_j_ : nullptr;
-}
-
-void FixMagtticePlatform::grow_arrays(int count) {
-    stick_.resize(static_cast<std::size_t>(count));
-}
-
-void FixMagtticePlatform::copy_arrays(int from, int to, int) {
-    stick_[static_cast<std::size_t>(to)] = stick_[static_cast<std::size_t>(from)];
-}
-
-void FixMagtticePlatform::set_arrays(int atom_index) {
-    stick_[static_cast<std::size_t>(atom_index)] = {};
-}
-
-int FixMagtticePlatform::pack_exchange(int i, double* buffer) {
-    return pack(stick_[static_cast<std::size_t>(i)], buffer);
-}
-
-int FixMagtticePlatform::unpack_exchange(int i, double* buffer) {
-    stick_[static_cast<std::size_t>(i)] = unpack(buffer);
-    return stick_values;
-}
-
-// LAMMPS expects the number of values in the first one.
-int FixMagtticePlatform::pack_restart(int i, double* buffer) {
-    buffer[0] = stick_values + 1;
-    return 1 + pack(stick_[static_cast<std::size_t>(i)], buffer + 1);
-}
-
-void FixMagtticePlatform::unpack_restart(int i, int nth) {
-    const double* values = atom->extra[i];
-    for (int skipped = 0; skipped < nth; ++skipped) values += static_cast<int>(*values);
-    stick_[static_cast<std::size_t>(i)] = unpack(values + 1);
-}
-
-int FixMagtticePlatform::size_restart(int) {
-    return stick_values + 1;
-}
-
-int FixMagtticePlatform::maxsize_restart() {
-    return stick_values + 1;
-}
-
-double FixMagtticePlatform::memory_usage() {
-    return static_cast<double>(stick_.size() * sizeof(StickPoint) +
-                               surface_.size() * sizeof(PressedNode));
 }
 
 void add_platform(Lines& lines, const LammpsInput& input) {

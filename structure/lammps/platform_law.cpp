@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "structure/lammps/effects/platform/platform_law.h"
+#include "structure/lammps/platform_law.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "structure/lammps/effects/contact/contact_pair.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "neighbor.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+#include "structure/mesh/near_pairs.h"
+
+namespace magfsi::structure {
+
+PairMagtticeContact::PairMagtticeContact(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
+    single_enable = 0;
+    one_coeff = 1;
+    no_virial_fdotr_compute = 1;
+}
+
+PairMagtticeContact::~PairMagtticeContact() {
+    if (allocated == 0) return;
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+}
+
+void PairMagtticeContact::settings(int narg, char** arg) {
+    law_ = {};
+    bool known = narg >= 2 && narg % 2 == 0;
+    for (int i = 2; known && i < narg; i += 2) {
+        const std::string keyword = arg[i];
+        known = keyword == "excluded" || keyword == "friction";
+        (keyword == "friction" ? law_.friction : law_.excluded) = number(arg[i + 1], lmp);
+    }
+    if (!known || !(law_.friction >= 0)) {
+        fail(*error,
+             "pair_style magttice/contact takes a distance, a stiffness and no other "
+             "keyword than \"excluded\" or \"friction\", each with one value");
+    }
+    law_.distance_m = number(arg[0], lmp);
+    law_.stiffness_pa_m = number(arg[1], lmp);
+    if (!(law_.distance_m > 0) || !(law_.stiffness_pa_m > 0) || !(law_.excluded >= 1)) {
+        fail(*error,
+             "pair_style magttice/contact: distance {} and stiffness {} found; both must "
+             "be positive, and \"excluded\" at least 1, or bodies at rest would feel "
+             "themselves",
+             arg[0], arg[1]);
+    }
+}
+
+void PairMagtticeContact::coeff(int narg, char** arg) {
+    if (narg != 2 || std::strcmp(arg[0], "*") != 0 || std::strcmp(arg[1], "*") != 0) {
+        fail(*error, "pair_style magttice/contact needs the command: pair_coeff * *");
+    }
+    if (allocated == 0) {
+        const int types = atom->ntypes;
+        memory->create(setflag, types + 1, types + 1, "pair:setflag");
+        memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+        for (int i = 1; i <= types; ++i) std::fill_n(setflag[i], types + 1, 1);
+        allocated = 1;
+    }
+}
+
+void PairMagtticeContact::init_style() {
+    if (force->newton_pair == 0) {
+        fail(*error, "pair_style magttice/contact needs the command: newton on");
+    }
+    node_ = surface_nodes(*modify);
+    if (node_.empty()) {
+        fail(*error,
+             "pair_style magttice/contact found no fix magttice, it needs the surface of "
+             "at least one");
+    }
+    surface_.clear();
+    for (std::size_t id = 0; id < node_.size(); ++id)
+        if (node_[id].area_m2 > 0) surface_.push_back(static_cast<int>(id));
+    x_.resize(surface_.size());
+    renewed_ = false;
+}
+
+double PairMagtticeContact::init_one(int, int) {
+    return law_.distance_m;
+}
+
+bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b) const {
+    if (a.body != b.body) return true;
+    return distance_m(a.at_rest_m, b.at_rest_m) >= law_.excluded * law_.distance_m;
+}
+
+// Nodes that may touch are listed within the distance and half of it, and again when one
+// has moved a quarter of the distance, or atoms have changed places. The same on all
+// ranks.
+bool PairMagtticeContact::outdated() const {
+    int moved = !renewed_ || neighbor->ago == 0 ? 1 : 0;
+    const double most = 0.25 * law_.distance_m;
+    for (std::size_t i = 0; moved == 0 && i < owned_.size(); ++i) {
+        const double* x = atom->x[owned_[i]];
+        const Vec3& then = renewed_at_m_[own_number_[i]];
+        const double way[3] = {x[0] - then[0], x[1] - then[1], x[2] - then[2]};
+        if (way[0] * way[0] + way[1] * way[1] + way[2] * way[2] > most * most) moved = 1;
+    }
+    if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_INT, MPI_MAX, world);
+    return moved != 0;
+}
+
+void PairMagtticeContact::renew() {
+    owned_.clear();
+    own_number_.clear();
+    for (std::size_t n = 0; n < surface_.size(); ++n) {
+        const int i = atom->map(surface_[n]);
+        if (i < 0 || i >= atom->nlocal) continue;
+        owned_.push_back(i);
+        own_number_.push_back(n);
+    }
+    std::vector<std::size_t> all(surface_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    gather(all);
+    renewed_at_m_ = x_;
+    if (remembered_.empty()) remembered_ = kept_pairs();
+    collect_candidates();
+    put_back(std::exchange(remembered_, {}));
+    renewed_ = true;
+}
+
+// The present places of these on every rank.
+void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
+    constexpr std::size_t width = 4;
+    std::vector<double> mine;
+    for (const std::size_t n : numbers) {
+        const int i = atom->map(surface_[n]);
+        if (i < 0 || i >= atom->nlocal) continue;
+        std::copy_n(atom->x[i], 3, x_[n].begin());
+        if (comm->nprocs == 1) continue;
+        mine.push_back(static_cast<double>(n));
+        mine.insert(mine.end(), atom->x[i], atom->x[i] + 3);
+    }
+    if (comm->nprocs == 1) return;
+    auto count = static_cast<int>(mine.size());
+    std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), first(counts.size());
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+    std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
+    std::vector<double> all(width * numbers.size());
+    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(),
+                   first.data(), MPI_DOUBLE, world);
+    for (std::size_t at = 0; at < all.size(); at += width)
+        std::copy_n(all.data() + at + 1, 3,
+                    x_[static_cast<std::size_t>(all[at])].begin());
+}
+
+// In the order of their numbers, so that forces are summed in the same order on any
+// ranks, and after a restart.
+void PairMagtticeContact::collect_candidates() {
+    const double reach = 1.5 * law_.distance_m;
+    const auto own = [this](std::size_t n) {
+        const int i = atom->map(surface_[n]);
+        return i < atom->nlocal ? i : -1;
+    };
+    candidates_.clear();
+    watched_.clear();
+    NearPairs(x_, reach).visit([&](std::size_t i, std::size_t j) {
+        if (!(distance_m(x_[i], x_[j]) < reach)) return;
+        const auto [a, b] = std::minmax(i, j);
+        const SurfaceNode& node_a = node_[static_cast<std::size_t>(surface_[a])];
+        const SurfaceNode& node_b = node_[static_cast<std::size_t>(surface_[b])];
+        if (!may_touch(node_a, node_b)) return;
+        candidates_.push_back({a, b, node_a.area_m2 * node_b.area_m2, own(a), own(b)});
+        watched_.insert(watched_.end(), {a, b});
+    });
+    std::ranges::sort(candidates_, {}, numbers_of);
+    std::ranges::sort(watched_);
+    watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+}
+
+double PairMagtticeContact::squared(const Vec3& v) {
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+// From the second node to the first.
+Vec3 PairMagtticeContact::apart_m(const Candidate& pair) const {
+    const Vec3 &a = x_[pair.a], &b = x_[pair.b];
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+bool PairMagtticeContact::in_reach(const Vec3& apart) const {
+    const double r2 = squared(apart);
+    return r2 < law_.distance_m * law_.distance_m && r2 != 0;
+}
+
+// act(candidate, apart, distance) of each pair that touches.
+template <class Act>
+void PairMagtticeContact::each_contact(const Act& act) const {
+    for (const Candidate& pair : candidates_) {
+        const Vec3 apart = apart_m(pair);
+        if (!in_reach(apart)) continue;
+        act(pair, apart, std::sqrt(squared(apart)));
+    }
+}
+
+// Each rank puts the force on the nodes that it owns; energy and virial belong to the
+// first node's.
+void PairMagtticeContact::compute(int eflag, int vflag) {
+    ev_init(eflag, vflag);
+    if (outdated())
+        renew();
+    else if (!watched_.empty())
+        gather(watched_);
+    double* const* const f = atom->f;
+    each_contact([&](const Candidate& pair, const Vec3& apart, double distance) {
+        const ContactForce contact = contact_force(law_, pair.areas_m4, distance);
+        const double factor = contact.force_n / distance;
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (pair.atom_a >= 0) f[pair.atom_a][d] += factor * apart[d];
+            if (pair.atom_b >= 0) f[pair.atom_b][d] -= factor * apart[d];
+        }
+        if (pair.atom_a < 0) return;
+        if (eflag_global != 0) eng_vdwl += contact.energy_j;
+        if (vflag_global == 0) return;
+        constexpr int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
+        for (std::size_t q = 0; q < 6; ++q)
+            virial[q] += factor * apart[static_cast<std::size_t>(first[q])] *
+                         apart[static_cast<std::size_t>(second[q])];
+    });
+    if (law_.friction > 0) add_friction(eflag_global != 0);
+}
+
+// Every rank has all pairs and drags the same ones along. Energy and losses belong to the
+// first node's.
+void PairMagtticeContact::add_friction(bool energy) {
+    double* const* const f = atom->f;
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+        const Candidate& pair = candidates_[c];
+        StuckPair& stuck = stuck_[c];
+        const Vec3 apart = apart_m(pair);
+        if (!stuck.held && !in_reach(apart)) continue;
+        const PairFriction rubbing = pair_friction(law_, pair.areas_m4, apart, stuck);
+        for (std::size_t d = 0; d < 3; ++d) {
+            if (pair.atom_a >= 0) f[pair.atom_a][d] += rubbing.force_n[d];
+            if (pair.atom_b >= 0) f[pair.atom_b][d] -= rubbing.force_n[d];
+        }
+        if (pair.atom_a < 0) continue;
+        slid_j_ += rubbing.lost_j;
+        if (energy) eng_vdwl += stuck_energy_j(law_, pair.areas_m4, stuck);
+    }
+}
+
+std::vector<double> PairMagtticeContact::kept_pairs() const {
+    std::vector<double> rows;
+    for (std::size_t c = 0; c < stuck_.size(); ++c) {
+        if (!stuck_[c].held) continue;
+        rows.push_back(static_cast<double>(candidates_[c].a));
+        rows.push_back(static_cast<double>(candidates_[c].b));
+        rows.insert(rows.end(), stuck_[c].apart_m.begin(), stuck_[c].apart_m.end());
+        rows.push_back(stuck_[c].slip_m);
+    }
+    return rows;
+}
+
+void PairMagtticeContact::put_pairs(std::span<const double> rows) {
+    if (put_back(rows)) return;
+    remembered_.assign(rows.begin(), rows.end());
+    renewed_ = false;
+}
+
+// Whether all of them are candidates.
+bool PairMagtticeContact::put_back(std::span<const double> rows) {
+    stuck_.assign(law_.friction > 0 ? candidates_.size() : 0, {});
+    if (stuck_.empty()) return rows.empty();
+    bool all = true;
+    for (std::size_t at = 0; at < rows.size(); at += row_values) {
+        const auto numbers = std::pair(static_cast<std::size_t>(rows[at]),
+                                       static_cast<std::size_t>(rows[at + 1]));
+        const auto found = std::ranges::lower_bound(candidates_, numbers, {}, numbers_of);
+        if (found == candidates_.end() || numbers_of(*found) != numbers) {
+            all = false;
+            continue;
+        }
+        StuckPair& stuck = stuck_[static_cast<std::size_t>(found - candidates_.begin())];
+        std::copy_n(rows.data() + at + 2, 3, stuck.apart_m.begin());
+        stuck.slip_m = rows[at + 5];
+        stuck.held = true;
+    }
+    return all;
+}
+
+// Settings come again with the script; what sticks does not.
+void PairMagtticeContact::write_restart(FILE* file) {
+    const std::vector<double> rows = kept_pairs();
+    const auto count = static_cast<int>(rows.size());
+    fwrite(&count, sizeof count, 1, file);
+    fwrite(rows.data(), sizeof(double), rows.size(), file);
+}
+
+void PairMagtticeContact::read_restart(FILE* file) {
+    int count = 0;
+    if (comm->me == 0)
+        LAMMPS_NS::utils::sfread(FLERR, &count, sizeof count, 1, file, nullptr, error);
+    MPI_Bcast(&count, 1, MPI_INT, 0, world);
+    remembered_.resize(static_cast<std::size_t>(count));
+    if (comm->me == 0)
+        LAMMPS_NS::utils::sfread(FLERR, remembered_.data(), sizeof(double),
+                                 remembered_.size(), file, nullptr, error);
+    MPI_Bcast(remembered_.data(), count, MPI_DOUBLE, 0, world);
+}
+
+void* PairMagtticeContact::extract(const char* name, int& dimension) {
+    dimension = 0;
+    return law_.friction > 0 && std::strcmp(name, "lost_share") == 0 ? &slid_j_ : nullptr;
+}
+
+PairMagtticeContact::State PairMagtticeContact::state() {
+    if (outdated())
+        renew();
+    else
+        gather(watched_);
+    State out;
+    out.slid_j = slid_j_;
+    out.smallest_m = INFINITY;
+    for (const Candidate& pair : candidates_)
+        out.smallest_m = std::min(out.smallest_m, distance_m(x_[pair.a], x_[pair.b]));
+    each_contact([&](const Candidate& pair, const Vec3&, double distance) {
+        if (pair.atom_a < 0) return;
+        out.touching += 1;
+        out.energy_j += contact_force(law_, pair.areas_m4, distance).energy_j;
+    });
+    for (std::size_t c = 0; c < stuck_.size(); ++c)
+        if (candidates_[c].atom_a >= 0)
+            out.energy_j += stuck_energy_j(law_, candidates_[c].areas_m4, stuck_[c]);
+    return out;
+}
+
+}  // namespace magfsi::structure
