@@ -145,8 +145,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
             made.free.push_back(
                 !holds_body[point.body] ||
                 !comes_within(made, place_of(point.at, start_m), spacing_m_));
-        const bool has_distance = !std::holds_alternative<scene::StlSurface>(shape.shape);
-        for (const bool held : holds_body) made.pushed.push_back(has_distance && !held);
+        for (const bool held : holds_body) made.pushed.push_back(!held);
         obstacles_.push_back(std::move(made));
     }
 }

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "adapters/bodies/fluid_inside.h"
@@ -17,14 +19,24 @@ namespace magfsi::lammps {
 
 namespace {
 
-// Of those shapes that have a distance; a surface of triangles pushes nobody.
-std::optional<structure::SolidShape> shape_of(const scene::Obstacle& obstacle) {
+// Read once, however often a program asks for its input.
+structure::SolidShape surface_of(const scene::StlSurface& stl) {
+    using Key = std::tuple<std::string, double, scene::Vec3>;
+    static std::map<Key, structure::Surface> known;
+    const Key key{stl.file, stl.unit_m, stl.shift_m};
+    const auto found = known.find(key);
+    if (found != known.end()) return found->second;
+    return known[key] = structure::read_surface(stl.file, stl.unit_m, stl.shift_m);
+}
+
+structure::SolidShape shape_of(const scene::Obstacle& obstacle) {
+    if (const auto* stl = std::get_if<scene::StlSurface>(&obstacle.shape))
+        return surface_of(*stl);
     if (const auto* ball = std::get_if<scene::Sphere>(&obstacle.shape))
         return structure::Ball{ball->centre_m, 0.5 * ball->diameter_m};
     if (const auto* block = std::get_if<scene::Block>(&obstacle.shape))
         return structure::Brick{block->low_m, block->high_m};
-    const auto* rod = std::get_if<scene::Cylinder>(&obstacle.shape);
-    if (!rod) return {};
+    const auto* rod = &std::get<scene::Cylinder>(obstacle.shape);
     std::optional<double> half_m;
     if (rod->length_m) half_m = 0.5 * *rod->length_m;
     return structure::Rod{rod->centre_m, 0.5 * rod->diameter_m, rod->axis, half_m};
@@ -50,7 +62,7 @@ void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scen
     for (std::size_t o = 0; o < scene.fluid->obstacles.size(); ++o) {
         structure::Wall wall{fmt::format("obstacle_{}", o + 1), {}, {}, {}};
         wall.shape = shape_of(scene.fluid->obstacles[o]);
-        for (std::size_t b = 0; wall.shape && b < bodies.size(); ++b) {
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
             // As the look for overlaps has it.
             const double deep_m = 0.05 * scene.fluid->finest_spacing_m();
             if (!starts_in(*wall.shape, start_m[b], deep_m)) wall.bodies.push_back(b);

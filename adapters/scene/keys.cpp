@@ -164,8 +164,7 @@ void keys(Io& io, Scene& scene) {
     io(key("damping", "Drag on every node of the bodies."), scene.damping);
     io(key("platform", "Plane that bodies cannot pass and may leave freely."), scene.platform);
     io(key("contact", "Between the surfaces of bodies, and of a body with itself; in a fluid also "
-           "with the sides of its box that are not periodic, and with its obstacles but those of STL "
-           "files."),
+           "with the sides of its box that are not periodic, and with its obstacles."),
        scene.contact);
     io(key("fluid", "Viscous fluid in a box with its lowest corner at the origin."),
        scene.fluid);

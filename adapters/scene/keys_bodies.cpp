@@ -317,7 +317,7 @@ void keys(Io& io, ContactLaw& contact) {
            .above(0).optional(),
        contact.stiffness_pa_m);
     io(key("friction", "Coulomb's coefficient between bodies, and in a fluid with the sides of its "
-           "box; without it, none.").above(0).at_most(10).optional(),
+           "box and its obstacles; without it, none.").above(0).at_most(10).optional(),
        contact.friction);
 }
 

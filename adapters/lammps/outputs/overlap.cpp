@@ -113,13 +113,17 @@ void Overlap::tell_near(const structure::Meetings& bodies,
             "is not resolved",
             run_.session.clock().step(), what, at[0] * 1e3, at[1] * 1e3, at[2] * 1e3));
     };
+    // What contact holds apart rests on it.
+    const bool held = run_.scene.contact.has_value();
     for (const auto& m : bodies.near)
-        tell(fmt::format("{} comes within half a cell of {}", body(m.body[0]),
-                         pair(m.body)),
-             m.at_m);
+        if (!held)
+            tell(fmt::format("{} comes within half a cell of {}", body(m.body[0]),
+                             pair(m.body)),
+                 m.at_m);
     for (const auto& m : solids.near)
-        tell(fmt::format("{} comes within half a cell of {}", body(m.body), m.what),
-             m.at_m);
+        if (!held || !m.yields_to_contact)
+            tell(fmt::format("{} comes within half a cell of {}", body(m.body), m.what),
+                 m.at_m);
 }
 
 void Overlap::stop(const std::string& what, const structure::Vec3& at_m,

@@ -55,6 +55,8 @@ class InAFluid(unittest.TestCase):
             run = self.balls({"coupling.scheme": scheme,
                               "coupling.immersed_boundary.strength": str(strength)}, ranks)
             probes = self.check(run, scheme)
+            # What contact holds apart may rest on it.
+            self.assertNotIn("comes within", (run.folder / "run.log").read_text())
             # With the sound of the impacts counted, not even rounding is gained.
             self.assertLess(run.summary()["energy_audit"]["gained"], 1e-9, scheme)
             low, high = (probes[f"{name}.com_z[m]"][-1] for name in ("lower", "upper"))
@@ -104,11 +106,18 @@ class InAFluid(unittest.TestCase):
         self.assertEqual((whole.folder / "probes.csv").read_bytes(),
                          (folder / "probes.csv").read_bytes())
 
-    # tan(15 deg) is 0.268.
     def test_block_slips_above_its_angle_of_friction_and_stays_below(self):
+        self.slips_and_stays({})
+
+    def test_block_on_an_obstacle_likewise(self):
+        self.slips_and_stays({"bodies.block.initial.position": "[1.75 mm, 2 mm, 0.875 mm]", "fluid.obstacles":
+                              "{slab: {box: [[0.25 mm, 0.5 mm, -1 mm], [5.75 mm, 3.5 mm, 0.5 mm]]}}"})
+
+    # tan(15 deg) is 0.268.
+    def slips_and_stays(self, where):
         weight_n = 2000 * 2.25e-9 * 9.81  # less buoyancy
         for friction, slips in ((0.25, True), (0.3, False)):
-            run = testing.good_run(HERE / "incline.yaml", {"contact.friction": str(friction)})
+            run = testing.good_run(HERE / "incline.yaml", {"contact.friction": str(friction), **where})
             probes, audit = run.probes(), run.summary()["energy_audit"]
             way = probes["block.com_x[m]"][-1] - probes["block.com_x[m]"][0]
             lost = probes["audit.lost_friction[J]"][-1]
