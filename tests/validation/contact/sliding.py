@@ -59,6 +59,22 @@ class Sliding(unittest.TestCase):
         testing.report(f"friction 0.3, hopping: {creep:.2g} m/s, {audit}")
         self.assertLess(abs(creep), 5e-4)
 
+    # The springs are in the checkpoint: without them the block would go on sliding a little.
+    def test_goes_on_over_a_restart_and_on_other_ranks(self):
+        rough = {"contact.friction": "0.3", "time.end": "20 ms"}
+        whole = testing.good_run(SLIDE, rough, "structure=1")
+        folder = Path(testing.new_folder())
+        testing.good_run(SLIDE, {**rough, "time.end": "10 ms", "checkpoint.every": "10 ms"}, "structure=1",
+                         folder=folder)
+        testing.finish(testing.start(
+            [testing.BIN / "magfsi", "run", SLIDE, "--out", folder, "--restart", "latest", "--ranks", "structure=1",
+             *testing.overrides({**rough, "checkpoint.every": "10 ms"})]), 0, folder, 600)
+        self.assertEqual((whole.folder / "probes.csv").read_bytes(), (folder / "probes.csv").read_bytes())
+        divided = testing.good_run(SLIDE, {**rough, "time.end": "10 ms"}, "structure=2").probes()
+        alone = {c: v[:len(divided["t[s]"])] for c, v in whole.probes().items()}
+        # Hops make a hundred thousand times as much of a rounding.
+        self.assertLess(testing.difference(alone, divided, "block.com_x[m]"), 1e-9)
+
 
 if __name__ == "__main__":
     unittest.main()
