@@ -66,6 +66,18 @@ double kinetic_energy_j(const BodySample& body) {
     return energy;
 }
 
+// About the centre of mass.
+Vec3 fluid_torque_n_m(const BodySample& body) {
+    const Vec3 c = mass_weighted_mean(body, body.nodes.position_m);
+    const Vec3& f = body.loads.fluid_force_n;
+    Vec3 torque = body.loads.fluid_torque_n_m;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const std::size_t e = (d + 1) % 3, g = (d + 2) % 3;
+        torque[d] -= c[e] * f[g] - c[g] * f[e];
+    }
+    return torque;
+}
+
 double max_displacement_m(const BodySample& body) {
     double largest = 0;
     for (std::size_t i = 0; i < body.count; ++i) {
@@ -143,6 +155,10 @@ const BodyProbe& body_probe(scene::BodyQuantity quantity) {
          {"fluid_force_x[N]", "fluid_force_y[N]", "fluid_force_z[N]"},
          Load::fluid_force,
          [](Body b) { return row_of(b.loads.fluid_force_n); }},
+        {Q::fluid_torque,
+         {"fluid_torque_x[N m]", "fluid_torque_y[N m]", "fluid_torque_z[N m]"},
+         Load::fluid_torque,
+         [](Body b) { return row_of(fluid_torque_n_m(b)); }},
         {Q::reaction_force, {}, Load::support, nullptr},  // add_reactions
         {Q::magnetic_load, {}, Load::none, nullptr},      // add_magnetic_load
         {Q::energy,
@@ -181,7 +197,8 @@ std::vector<double> node_shares(const std::vector<bool>& elements,
 bool needs(const scene::Scene& scene, Load load) {
     if (!scene.probes) return false;
     return std::ranges::any_of(scene.probes->bodies, [load](auto quantity) {
-        return body_probe(quantity).needs == load;
+        const Load its = body_probe(quantity).needs;
+        return its == load || (its == Load::fluid_torque && load == Load::fluid_force);
     });
 }
 

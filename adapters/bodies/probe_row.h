@@ -19,9 +19,10 @@ struct BodyLoads {
     double energy_elastic_j = 0;
     double work_magnetic_j = 0;
     std::vector<Vec3> support_n{};  // by clamps, rollers and motions on each node
+    Vec3 fluid_torque_n_m{};        // about the origin; with it the force
 };
-enum class Load { none, fluid_force, energies, support };
-// Whether a probe of the scene needs it.
+enum class Load { none, fluid_force, fluid_torque, energies, support };
+// Whether a probe of the scene needs it; the torque needs the force as well.
 bool needs(const scene::Scene& scene, Load load);
 
 // Which elements have their centre in the part's box. Throws std::invalid_argument where

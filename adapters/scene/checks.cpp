@@ -160,6 +160,8 @@ void check_probes(const Scene& scene, const Marks& marks) {
                  "obstacles", "add fluid.obstacles");
     require_with(!asks(probes.bodies, BodyQuantity::fluid_force) || fluid,
                  marks.value({"probes", "bodies"}), "the probe fluid_force", "a fluid");
+    require_with(!asks(probes.bodies, BodyQuantity::fluid_torque) || fluid,
+                 marks.value({"probes", "bodies"}), "the probe fluid_torque", "a fluid");
     const bool held = std::ranges::any_of(scene.bodies, [](const Body& body) {
         return !body.clamps.empty() || !body.rollers.empty() ||
                !body.prescribed_motion.empty();

@@ -179,14 +179,15 @@ enum class BodyQuantity {
     shape,
     max_displacement,
     fluid_force,
+    fluid_torque,
     reaction_force,
     energy,
     magnetic_load
 };
 constexpr auto words_of(BodyQuantity) {
     return std::to_array<std::string_view>({"com", "speed", "shape", "max_displacement",
-                                            "fluid_force", "reaction_force", "energy",
-                                            "magnetic_load"});
+                                            "fluid_force", "fluid_torque",
+                                            "reaction_force", "energy", "magnetic_load"});
 }
 enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed, obstacle_force };
 constexpr auto words_of(FluidQuantity) {

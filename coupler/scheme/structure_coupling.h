@@ -89,6 +89,8 @@ class StructureCoupling {
     // the parts. Collective.
     std::vector<Vec3> force_on_bodies();
     std::vector<Vec3> force_on_parts();
+    // Likewise of the torque on each body about the origin of space [N m].
+    std::vector<Vec3> torque_on_bodies();
 
     // Null unless the run measures them.
     BalanceRecord* balance() const { return balance_.get(); }

@@ -63,6 +63,11 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
         const auto forces = run_.coupling->force_on_bodies();
         for (std::size_t b = 0; b < loads.size(); ++b) loads[b].fluid_force_n = forces[b];
     }
+    if (run_.coupling && needs(run_.scene, bodies::Load::fluid_torque)) {
+        const auto torques = run_.coupling->torque_on_bodies();
+        for (std::size_t b = 0; b < loads.size(); ++b)
+            loads[b].fluid_torque_n_m = torques[b];
+    }
     if (needs(run_.scene, bodies::Load::energies)) {
         for (std::size_t b = 0; b < loads.size(); ++b) {
             loads[b].energy_elastic_j = run_.engine->fix_vector(run_.fix_ids[b], 1);

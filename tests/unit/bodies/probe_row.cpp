@@ -72,6 +72,18 @@ TEST(ProbeRow, of_a_body) {
     EXPECT_EQ(row.values[15], 7);
 }
 
+// Forces through a point r have the torque r x F about the origin, (r - c) x F about c.
+TEST(ProbeRow, of_the_fluids_torque_is_about_the_centre_of_mass) {
+    auto scene = robots({"robot"});
+    scene.probes->bodies = {Q::com, Q::fluid_torque};
+    const Row row = row_of(scene);
+    ASSERT_EQ(row.columns[3], "robot.fluid_torque_x[N m]");
+    const double* c = row.values.data();
+    EXPECT_NEAR(row.values[3], -(c[1] * 5 - c[2] * 4), 1e-15);
+    EXPECT_NEAR(row.values[4], -(c[2] * 3 - c[0] * 5), 1e-15);
+    EXPECT_NEAR(row.values[5], -(c[0] * 4 - c[1] * 3), 1e-15);
+}
+
 TEST(ProbeRow, of_a_point_after_all_bodies) {
     auto scene = robots({"robot", "twin"});
     scene.probes->bodies = {Q::max_displacement};

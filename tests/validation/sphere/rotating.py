@@ -43,7 +43,7 @@ def lags(share, mesh, end_s):
         behind.append(omega * time - turned)
     testing.report(f"{share} of the step-out frequency: behind by {math.degrees(behind[-1]):.2f} degrees "
                    f"at {t[-1]:.0f} s, {math.degrees(behind[2 * len(t) // 3]):.2f} at two thirds of that")
-    return t, behind
+    return t, behind, p
 
 
 class SteppingOut(unittest.TestCase):
@@ -54,15 +54,19 @@ class SteppingOut(unittest.TestCase):
     def test_follows_below(self):
         # What is left of the start falls as exp(-omega_c cos(lag) t).
         for share, end_s in (0.5, 5), (0.95, 10):
-            t, behind = lags(share, self.mesh, end_s)
+            t, behind, p = lags(share, self.mesh, end_s)
             late = [b for b, time in zip(behind, t) if time > 2 / 3 * t[-1]]
             self.assertLess(max(late) - min(late), 0.01)
             # Within 5 % of the drag: at 0.95 the sine may reach one.
             if share == 0.5:
+                # Once it turns evenly the fluid's torque is the field's, but for what is left of the start.
+                field, drag = (p[f"ball.{name}_torque_y[N m]"][-1] for name in ("magnetic", "fluid"))
+                testing.report(f"torque of the field {field:.6g} N m, of the fluid {drag:.6g}")
+                self.assertAlmostEqual(drag / field, -1, delta=0.01)
                 self.assertAlmostEqual(math.sin(behind[-1]), share, delta=0.05 * share)
 
     def test_falls_behind_above(self):
-        _, behind = lags(1.05, self.mesh, 20)
+        _, behind, _ = lags(1.05, self.mesh, 20)
         # It passes the bottleneck at 90 degrees, after which it is drawn to the next turn.
         self.assertGreater(behind[-1], math.pi)
 
