@@ -130,7 +130,8 @@ def settling(name, spacing_mm, forcing):
     text += f"coupling: {{immersed_boundary: {{forcing: {forcing}}}}}\n"
     # Their speeds scatter by 2 %.
     return Case(f"a ball that settles, {name}, {15 / spacing_mm:.3g} cells across, {forcing}",
-                text, "ball.speed_z[m/s]", -1e-3 * speed * reached, "experiment", "peak", 0.02)
+                text, "ball.speed_z[m/s]", -1e-3 * speed * reached, "experiment", "peak", 0.02,
+                budget_s=120)
 
 
 def settlings():
