@@ -107,9 +107,9 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
         mine.placed_index.push_back(static_cast<int>(&p - placed.data()));
     }
     mine.gravity_m_s2 = bodies::to_gravity(scene).value_or(coupler::Vec3{});
-    mine.slip_leak =
-        coupler::slip_leak({scene.fluid->viscosity_m2_s, scene.fluid->expected_speed_m_s,
-                            grid.spacing_m, clock.step_s()});
+    mine.slip_rates =
+        coupler::slip_rates({scene.fluid->viscosity_m2_s, scene.fluid->expected_speed_m_s,
+                             grid.spacing_m, clock.step_s()});
     mine.measures_work = scene.probes && scene.probes->energy_audit;
     // With the probe rows, or a hundred times in a run without.
     mine.steps_between_slip_samples =

@@ -46,10 +46,7 @@ constexpr double least_row_sum = 0.25;
 
 constexpr double no_slip_strength = 0.75;  // s
 
-// With a gain of 0.5 balls that move diverge at relaxation times above 1.1.
-constexpr double slip_gain = 0.25;
-
-// What the leak depends on: the fluid's viscosity and the largest speed that the run
+// What gain and leak depend on: the fluid's viscosity and the largest speed that the run
 // should resolve (0: not known), on the grid at the bodies.
 struct SlipScale {
     double viscosity_m2_s = 0;
@@ -58,35 +55,47 @@ struct SlipScale {
     double coupled_step_s = 0;
 };
 
-// The leak, a part a step. Steady forces leave the slip leak / gain (r f - g), where f
-// falls with the step while the velocity that a force F of one marker alone holds up does
-// not: F / (rho h (nu + c u h)) from viscosity and from the flow past it. So that the
-// same forces are let go at any step, the leak is their ratio,
-//   leak = 0.002 / (nu dt / h^2 + 2 u dt / h).
+struct SlipRates {
+    double gain, leak;  // parts a step
+};
+
+// The gain is 1/4, and falls with the viscosity nu dt / h^2 beyond 0.1, a relaxation time
+// of 0.8: with 1/4 a ball of 9 spacings that settles diverges at 1.19, with 1/2 one of 6
+// spacings from 1.16 on.
+//
+// Steady forces leave the slip leak / gain (r f - g), where f falls with the step while
+// the velocity that a force F of one marker alone holds up does not:
+// F / (rho h (nu + c u h)) from viscosity and from the flow past it. So that the same
+// forces are let go at any step, leak over gain is their ratio,
+//   leak / gain = 0.008 / (nu dt / h^2 + 2 u dt / h).
 // With a constant leak of 0.02 the flow past held balls fell by 1.5 % with every halving
-// of the step, towards balls 0.1 h larger than theirs. The factor 2 makes it 0.02 for
-// sheets at the usual speed of 0.05 h a step. It is never less: with 0.005 a ball that
-// settles at a relaxation time of 1.4 diverges. Nor more than the gain, from where on the
-// memory holds nothing more.
-inline double slip_leak(const SlipScale& scale) {
+// of the step, towards balls 0.1 h larger than theirs. The factor 2 makes the leak 0.02
+// for sheets at the usual speed of 0.05 h a step. The speed alone makes it no less, and
+// where it is as large as the gain the memory holds nothing more.
+inline SlipRates slip_rates(const SlipScale& scale) {
+    constexpr double most_gain = 0.25, fully_gains_until = 0.1;
     constexpr double usual_speed = 0.05;  // h a step
     const double per_step = scale.coupled_step_s / scale.spacing_m;
     const double speed = scale.speed_m_s > 0 ? scale.speed_m_s * per_step : usual_speed;
     const double viscous = scale.viscosity_m2_s * per_step / scale.spacing_m;
-    return std::clamp(0.002 / (viscous + 2 * speed), 0.02, slip_gain);
+    const double ruling = std::max(fully_gains_until, viscous);
+    const double gain = most_gain * fully_gains_until / ruling;
+    const double of_gain = std::clamp(0.008 / (viscous + 2 * speed), 0.008 / ruling, 1.0);
+    return {gain, of_gain * gain};
 }
 
 class SlipMemory {
   public:
-    SlipMemory(std::size_t markers, double leak) : memory_(markers), leak_(leak) {}
+    SlipMemory(std::size_t markers, const SlipRates& rates)
+        : memory_(markers), rates_(rates) {}
 
     // After a step: the markers' mean velocities, what passed, and r f - g [m/s].
     void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed,
              std::span<const Vec3> uneven) {
         for (std::size_t m = 0; m < memory_.size(); ++m) {
             for (std::size_t d = 0; d < 3; ++d)
-                memory_[m][d] += slip_gain * (mean_velocity[m][d] - passed[m][d]) -
-                                 leak_ * uneven[m][d];
+                memory_[m][d] += rates_.gain * (mean_velocity[m][d] - passed[m][d]) -
+                                 rates_.leak * uneven[m][d];
         }
     }
 
@@ -103,7 +112,7 @@ class SlipMemory {
 
   private:
     std::vector<Vec3> memory_;
-    double leak_;
+    SlipRates rates_;
 };
 
 }  // namespace magfsi::coupler

@@ -40,7 +40,7 @@ struct BodyMarkers {
     std::vector<double> off_nodes_kg;
     bool carries_layers = false;  // markers of any rank have a volume beyond their body
     bool measures_work = false;   // for the energy audit
-    double slip_leak = 0;         // without slip (no_slip.h)
+    SlipRates slip_rates{};       // without slip (no_slip.h)
     std::int64_t steps_between_slip_samples = 1;
 };
 
@@ -145,7 +145,7 @@ class StructureCoupling {
 
     // Of forcing no_slip, from step to step.
     struct NoSlip {
-        NoSlip(std::span<const Marker> markers, double leak);
+        NoSlip(std::span<const Marker> markers, const SlipRates& rates);
         std::vector<double> volume_m3;
         NoSlipAnswer answer;
         SlipMemory memory;

@@ -18,7 +18,7 @@ using namespace testing;
 // Without the memory half of the slip would be left here.
 TEST(SlipMemory, removes_a_steady_slip) {
     const std::vector<Vec3> body{{1, 0, 0}}, fluid{{0, 0, 0}}, even{{0, 0, 0}};
-    SlipMemory memory(1, 0.02);
+    SlipMemory memory(1, {0.25, 0.02});
     double passed = 0;
     for (int step = 0; step < 400; ++step) {
         // A fluid of which half a felt slip is left, whatever it does.
@@ -106,7 +106,7 @@ TEST_F(SheetOfTwo, gives_it_without_lag) {
 // Two markers at one place that pull against each other.
 TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
     const std::vector<Vec3> rest(2);
-    SlipMemory memory(2, 0.02);
+    SlipMemory memory(2, {0.25, 0.02});
     memory.values()[0] = {1, 0, 0};
     memory.values()[1] = {-1, 0, 0};
     for (int step = 0; step < 2000; ++step) {
@@ -118,16 +118,27 @@ TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
     EXPECT_LT(std::abs(memory.values()[0][0]), 1e-9);
 }
 
-// Leak times force (which goes with the step) stays where viscosity and speed do.
-TEST(SlipLeak, lets_go_of_the_same_forces_at_any_step) {
-    const auto leak = [](double step_s, double speed_m_s) {
-        return slip_leak({1e-6, speed_m_s, 1e-4, step_s});
+// Leak over gain times force (which goes with the step) stays where viscosity and speed
+// do.
+TEST(SlipRates, let_go_of_the_same_forces_at_any_step) {
+    const auto rates = [](double step_s, double speed_m_s) {
+        return slip_rates({1e-6, speed_m_s, 1e-4, step_s});
+    };
+    const auto of_gain = [&](double step_s, double speed_m_s) {
+        const SlipRates found = rates(step_s, speed_m_s);
+        return found.leak / found.gain;
     };
     for (const double speed_m_s : {1e-4, 2e-3})
-        EXPECT_NEAR(leak(2e-4, speed_m_s), 2 * leak(4e-4, speed_m_s), 1e-12);
-    EXPECT_EQ(leak(1e-7, 1e-4), slip_gain);
+        EXPECT_NEAR(of_gain(2e-4, speed_m_s), 2 * of_gain(4e-4, speed_m_s), 1e-12);
+    for (const double step_s : {1e-3, 2e-3})  // relaxation times of 0.8 and 1.1
+        EXPECT_NEAR(of_gain(step_s, 1e-5), 2 * of_gain(2 * step_s, 1e-5), 1e-12);
+    EXPECT_EQ(rates(1e-7, 1e-4).leak, 0.25);
     // At the usual speed of 0.05 h a step, which is taken where none is given, and above.
-    for (const double speed_m_s : {0.5, 0.0, 2.0}) EXPECT_EQ(leak(1e-5, speed_m_s), 0.02);
+    for (const double speed_m_s : {0.5, 0.0, 2.0}) {
+        EXPECT_EQ(rates(1e-5, speed_m_s).gain, 0.25);
+        EXPECT_EQ(rates(1e-5, speed_m_s).leak, 0.02);
+    }
+    EXPECT_NEAR(rates(2e-3, 1e-5).gain, 0.125, 1e-12);
 }
 
 }  // namespace
