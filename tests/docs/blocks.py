@@ -96,7 +96,7 @@ def cells(scene):
     number = 1
     for length in fluid["box"]:
         number *= length / fluid["spacing"]
-    return number * (8 if "refinement" in fluid else 1)
+    return number * (2 if "refinement" in fluid else 1)  # patches hold less than that
 
 
 def coarsened(scene):
