@@ -2,6 +2,7 @@
 # The fluid by our own lattice Boltzmann solver.
 add_library(magfsi_lbm_scene STATIC
   lbm/explain.cpp
+  lbm/lattice_values.cpp
   lbm/scene_to_fluid.cpp)
 target_link_libraries(magfsi_lbm_scene
   PUBLIC magfsi_scene magfsi_fluid PRIVATE magfsi_bodies fmt::fmt)
