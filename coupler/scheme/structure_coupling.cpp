@@ -52,16 +52,6 @@ std::vector<Vec3> mean(std::span<const Vec3> a, std::span<const Vec3> b) {
     return all;
 }
 
-std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
-                  MPI_SUM, comm);
-    return sum;
-}
-
-void add_to(Vec3& sum, const Vec3& force) {
-    for (std::size_t d = 0; d < 3; ++d) sum[d] += force[d];
-}
-
 PenaltyScale penalty_scale(const Session& session) {
     const RunPlan& plan = session.plan();
     PenaltyScale scale{plan.coupling->immersed_boundary.strength,
@@ -388,49 +378,6 @@ std::vector<double> StructureCoupling::carried_numbers() const {
 
 void StructureCoupling::make_room(std::span<const double> numbers) {
     fixed_point_->acceleration().make_room(numbers, 3 * force_.markers().size());
-}
-
-Vec3 StructureCoupling::force_on(std::size_t marker) const {
-    const double step_s = session_.clock().step_s();
-    const Vec3 velocity = at_marker(force_.markers()[marker], solver_.velocities());
-    Vec3 force = force_.constant_force()[marker];
-    for (std::size_t d = 0; d < 3; ++d) {
-        const double acceleration = (velocity[d] - start_velocity_[marker][d]) / step_s -
-                                    markers_.gravity_m_s2[d];
-        force[d] += markers_.off_nodes_kg[marker] * acceleration -
-                    force_.impulse()[marker][d] / step_s;
-    }
-    return force;
-}
-
-std::vector<Vec3> StructureCoupling::force_on_bodies() {
-    solver_.renew_ghost_velocities();
-    std::vector<Vec3> sum(markers_.bodies);
-    for (std::size_t m = 0; m < force_.markers().size(); ++m)
-        add_to(sum[static_cast<std::size_t>(force_.markers()[m].body)], force_on(m));
-    return over_ranks(std::move(sum), session_.world().local());
-}
-
-std::vector<Vec3> StructureCoupling::torque_on_bodies() {
-    solver_.renew_ghost_velocities();
-    std::vector<Vec3> sum(markers_.bodies);
-    for (std::size_t m = 0; m < force_.markers().size(); ++m) {
-        const Marker& marker = force_.markers()[m];
-        const Vec3 f = force_on(m), x = at_marker(marker, solver_.positions());
-        add_to(sum[static_cast<std::size_t>(marker.body)],
-               {x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2],
-                x[0] * f[1] - x[1] * f[0]});
-    }
-    return over_ranks(std::move(sum), session_.world().local());
-}
-
-std::vector<Vec3> StructureCoupling::force_on_parts() {
-    solver_.renew_ghost_velocities();
-    std::vector<Vec3> sum(markers_.parts.size());
-    for (std::size_t p = 0; p < sum.size(); ++p) {
-        for (const std::size_t m : markers_.parts[p]) add_to(sum[p], force_on(m));
-    }
-    return over_ranks(std::move(sum), session_.world().local());
 }
 
 const output::IterationSummary* StructureCoupling::iterations() const {
