@@ -26,7 +26,7 @@ class StickingFix : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   protected:
-    // Once, when the fix is made: so many an atom.
+    // Once, when the fix is made, and only where something can stick: so many an atom.
     void keep_sticks(int each);
     StickPoint& stick(int atom_index, int number) {
         return sticks_[static_cast<std::size_t>(each_ * atom_index + number)];

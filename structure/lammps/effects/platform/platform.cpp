@@ -77,10 +77,11 @@ FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, ch
     parse_plane(arg);
     parse_keywords(narg, arg);
     add_forces_ = &FixMagtticePlatform::add_frictionless_forces;
-    if (platform_.friction > 0)
+    if (platform_.friction > 0) {
         add_forces_ = &FixMagtticePlatform::add_forces_with_friction;
+        keep_sticks(1);
+    }
     declare_output();
-    keep_sticks(1);
 }
 
 FixMagtticePlatform::~FixMagtticePlatform() {
