@@ -4,11 +4,10 @@ the box ends with the name of both; with `overlap: allow` it goes on; what only 
 warned of."""
 
 import json
-import struct
 import unittest
 from pathlib import Path
 
-from magfsi import testing
+from magfsi import surfaces, testing
 
 QUIET = {"magnetic_field": "null", "bodies.robot.magnetization": "null", "gravity": "null"}
 EXIT_DIVERGED = 3
@@ -30,17 +29,6 @@ ONTO_PLATE = {**driven("[0 m, 0 m, -1 mm]"), "bodies.plate": PLATE}
 # The strip's free end is bent by the field, through the clamped one.
 CURLS = {"time.end": "12 ms", "gravity": "null",
          "magnetic_field.constant": "{magnitude: 60 mT, direction: 230 deg}"}
-
-
-def cube_stl(file, low, high):
-    """The twelve triangles of a box in m, binary."""
-    corner = [[(low, high)[i >> a & 1][a] for a in range(3)] for i in range(8)]
-    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-    triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
-    data = bytes(80) + struct.pack("<I", len(triangles))
-    for triangle in triangles:
-        data += struct.pack("<12f", 0, 0, 0, *(x for i in triangle for x in corner[i])) + bytes(2)
-    file.write_bytes(data)
 
 
 class Overlap(unittest.TestCase):
@@ -73,7 +61,7 @@ class Overlap(unittest.TestCase):
 
     def test_with_an_obstacle_from_a_file(self):
         file = Path(testing.new_folder()) / "cube.stl"
-        cube_stl(file, [3.6e-3, 1.6e-3, 2.5e-3], [4.4e-3, 2.4e-3, 3.4e-3])
+        surfaces.write_stl(file, surfaces.block([3.6e-3, 1.6e-3, 2.5e-3], [4.4e-3, 2.4e-3, 3.4e-3]))
         self.ends({**driven("[0 m, 0 m, -1 mm]"),
                    "fluid.obstacles": f"{{cube: {{stl: {{file: {file}, unit: 1 m}}}}}}"},
                   "body 'robot' passes into the obstacle 'cube'")

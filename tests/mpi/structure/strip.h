@@ -43,6 +43,19 @@ inline LammpsInput bare_strip() {
     return input;
 }
 
+// Two across each other, the upper so high, which can touch.
+inline LammpsInput crossed_strips(double height_m) {
+    LammpsInput input = bare_strip();
+    input.bodies.push_back(input.bodies[0]);
+    input.bodies[1].name = "upper";
+    input.placements.resize(2);
+    input.placements[0].position_m = Vec3{0, 0, 0};
+    input.placements[1].position_m = Vec3{0.2e-3, 0.1e-3, height_m};
+    input.placements[1].rotation = PlaneRotation{{0, 1}, 1.2};
+    input.contact = ContactLaw{};
+    return input;
+}
+
 // Without load, from the V of 5 mT.
 inline LammpsInput released_strip() {
     LammpsInput input = bare_strip();

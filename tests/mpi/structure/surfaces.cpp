@@ -28,14 +28,7 @@ double platform_step_limit_s(const LammpsInput& input) {
 
 // Two sheets across each other, 0.4 mm apart.
 LammpsInput crossed_sheets() {
-    LammpsInput input = test::bare_strip();
-    input.bodies.push_back(input.bodies[0]);
-    input.bodies[1].name = "upper";
-    input.placements.resize(2);
-    input.placements[0].position_m = Vec3{0, 0, 0};
-    input.placements[1].position_m = Vec3{0.2e-3, 0.1e-3, 0.585e-3};
-    input.placements[1].rotation = PlaneRotation{{0, 1}, 1.2};
-    input.contact = ContactLaw{};
+    LammpsInput input = test::crossed_strips(0.585e-3);
     input.time_step_s = 0.9 * contact_step_limit_s(input);
     return input;
 }

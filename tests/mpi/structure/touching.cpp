@@ -20,14 +20,7 @@ void take_stable_step(LammpsInput& input) {
 
 // The upper of two crossed sheets falls obliquely on the lower.
 LammpsInput rubbing_sheets() {
-    LammpsInput input = test::bare_strip();
-    input.bodies.push_back(input.bodies[0]);
-    input.bodies[1].name = "upper";
-    input.placements.resize(2);
-    input.placements[0].position_m = Vec3{0, 0, 0};
-    input.placements[1].position_m = Vec3{0.2e-3, 0.1e-3, 0.385e-3};
-    input.placements[1].rotation = PlaneRotation{{0, 1}, 1.2};
-    input.contact = ContactLaw{};
+    LammpsInput input = test::crossed_strips(0.385e-3);
     input.contact->friction = 0.5;
     take_stable_step(input);
     return input;

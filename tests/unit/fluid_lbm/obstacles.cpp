@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "fluid_lbm/obstacle/solid.h"
+#include "tests/support/stl_surfaces.h"
 #include "tests/unit/fluid_lbm/lattice_fluid.h"
 
 namespace magfsi::fluid {
@@ -161,18 +162,6 @@ std::vector<Triangle> block_surface(const Vec3& lo, const Vec3& hi) {
 
 class StlFile : public testing::Test {
   protected:
-    void write_ascii(const std::vector<Triangle>& triangles) {
-        std::ofstream out(path_);
-        out << "solid part\n";
-        for (const Triangle& t : triangles) {
-            out << "facet normal 0 0 0\nouter loop\n";
-            for (const auto& x : t)
-                out << "vertex " << x[0] << " " << x[1] << " " << x[2] << "\n";
-            out << "endloop\nendfacet\n";
-        }
-        out << "endsolid part\n";
-    }
-
     void write_binary(const std::vector<Triangle>& triangles) {
         std::ofstream out(path_, std::ios::binary);
         char header[80] = "solid, though it is binary";
@@ -241,7 +230,7 @@ void expect_same_as_block(const std::filesystem::path& file) {
 }
 
 TEST_F(StlFile, AsciiIsTheBlock) {
-    write_ascii(in_file_units(block_surface({2, 3, 1}, {7, 8, 6})));
+    magfsi::test::write_stl(path_, in_file_units(block_surface({2, 3, 1}, {7, 8, 6})));
     expect_same_as_block(path_);
 }
 
@@ -253,7 +242,7 @@ TEST_F(StlFile, BinaryIsTheBlock) {
 TEST_F(StlFile, OpenSurfaceIsRefused) {
     auto triangles = block_surface({2, 3, 1}, {7, 8, 6});
     triangles.pop_back();
-    write_ascii(triangles);
+    magfsi::test::write_stl(path_, triangles);
     refuses("has 3 edges that do not join two triangles");
 }
 

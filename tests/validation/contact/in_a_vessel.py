@@ -1,47 +1,27 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bodies that touch surfaces of triangles in a fluid: a robot in a vessel, a ball on a brick."""
 import math
-import struct
 import sys
 import unittest
 from pathlib import Path
 
-from magfsi import testing
+from magfsi import surfaces, testing
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "failure"), str(HERE.parent / "sphere")]
 import ball_mesh  # noqa: E402
-from overlap import EXIT_DIVERGED, cube_stl  # noqa: E402
+from overlap import EXIT_DIVERGED  # noqa: E402
 
 RADIUS = 1.2  # of the vessel, mm
 SIDES = 64
-
-
-def vessel_stl(file):
-    """A block with a hole along x whose corners lie on the circle, longer than the box [mm]."""
-    begin, end, half_width = -1, 7, 1.8
-    ring = [(math.cos(a), math.sin(a)) for a in (2 * math.pi * k / SIDES for k in range(SIDES))]
-    inner = [(RADIUS * y, RADIUS * z) for y, z in ring]
-    outer = [(half_width * y / max(abs(y), abs(z)), half_width * z / max(abs(y), abs(z))) for y, z in ring]
-    triangles = []
-    for k in range(SIDES):
-        i, j, o, p = inner[k - 1], inner[k], outer[k - 1], outer[k]
-        for a, b, c, d in (((end, *i), (begin, *i), (begin, *j), (end, *j)),
-                           ((begin, *o), (end, *o), (end, *p), (begin, *p)),
-                           ((end, *i), (end, *j), (end, *p), (end, *o)),
-                           ((begin, *i), (begin, *o), (begin, *p), (begin, *j))):
-            triangles += [(a, b, c), (a, c, d)]
-    data = bytes(80) + struct.pack("<I", len(triangles))
-    for triangle in triangles:
-        data += struct.pack("<12f", 0, 0, 0, *(x for corner in triangle for x in corner)) + bytes(2)
-    file.write_bytes(data)
 
 
 class InAVessel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = Path(testing.new_folder())
-        vessel_stl(folder / "vessel.stl")
+        # A block whose hole has its corners on the circle, longer than the box.
+        surfaces.write_stl(folder / "vessel.stl", surfaces.block_with_hole(RADIUS, 1.8, (-1, 7), SIDES))
         cls.scene, cls.balls = folder / "vessel.yaml", folder / "balls.yaml"
         cls.scene.write_text((HERE / "vessel.yaml").read_text())
         cls.balls.write_text((HERE / "balls.yaml").read_text())
@@ -84,7 +64,7 @@ class InAVessel(unittest.TestCase):
 
     def test_a_brick_of_triangles_is_the_brick(self):
         file = self.balls.parent / "brick.stl"
-        cube_stl(file, [1, 1, 0], [3, 3, 2])
+        surfaces.write_stl(file, surfaces.block([1, 1, 0], [3, 3, 2]))
         alone = {"bodies.lower": "null", "time.end": "20 ms"}
         box, stl = (testing.good_run(self.balls, {**alone, "fluid.obstacles": f"{{post: {{{shape}}}}}"}).probes()
                     for shape in ("box: [[1 mm, 1 mm, 0 mm], [3 mm, 3 mm, 2 mm]]",

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from vtk.util.numpy_support import vtk_to_numpy
 
-from magfsi import plotting, testing
+from magfsi import plotting, surfaces, testing
 
 RADIUS, DRIVING = 0.5e-3, 0.5  # m, m/s2
 AT_REST, INFINITE, TIME, EXPONENT = 4e-6, 0.4e-6, 0.2, 0.4
@@ -37,31 +37,8 @@ SPEEDS = np.append(np.cumsum(STEPS[::-1])[::-1], 0)  # at RADII
 def write_pipe(file, half_width, length):
     """A block with a round hole along z, from end to end of the box and beyond."""
     sides = 240
-    # The polygon that has the circle's area.
-    hole = RADIUS * math.sqrt(2 * math.pi / sides / math.sin(2 * math.pi / sides))
-    angles = [2 * math.pi * k / sides for k in range(sides)]
-    inner = [(hole * math.cos(a), hole * math.sin(a)) for a in angles]
-    outer = [(x / max(abs(x), abs(y)) * half_width, y / max(abs(x), abs(y)) * half_width)
-             for x, y in inner]
-    bottom, top = -0.5 * length, 1.5 * length
-    with open(file, "w") as out:
-        print("solid pipe", file=out)
-
-        def quad(*corners):
-            for chosen in (0, 1, 2), (0, 2, 3):
-                print("facet normal 0 0 0\nouter loop", file=out)
-                for i in chosen:
-                    print("vertex", *(f"{c:.9g}" for c in corners[i]), file=out)
-                print("endloop\nendfacet", file=out)
-
-        for k in range(sides):
-            i, j = inner[k], inner[(k + 1) % sides]
-            o, p = outer[k], outer[(k + 1) % sides]
-            quad((*i, bottom), (*i, top), (*j, top), (*j, bottom))
-            quad((*o, bottom), (*p, bottom), (*p, top), (*o, top))
-            quad((*i, top), (*o, top), (*p, top), (*j, top))
-            quad((*i, bottom), (*j, bottom), (*p, bottom), (*o, bottom))
-        print("endsolid pipe", file=out)
+    surfaces.write_stl(file, ([(y, z, x) for x, y, z in triangle] for triangle in surfaces.block_with_hole(
+        surfaces.same_area(RADIUS, sides), half_width, (-0.5 * length, 1.5 * length), sides)))
 
 
 def error(cells):

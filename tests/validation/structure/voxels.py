@@ -4,11 +4,10 @@ whose surface the cubes can only step along comes near with the square of the nu
 
 import math
 import re
-import struct
 import unittest
 from pathlib import Path
 
-from magfsi import testing
+from magfsi import surfaces, testing
 
 SIZE_MM, EDGE_MM = (6, 1.5, 0.75), 0.375
 SHEAR_PA, LAME_PA, DENSITY, GRAVITY = 33e3, 660e3, 1860, 0.05
@@ -35,20 +34,10 @@ gravity: {acceleration: 9.81 m/s2, direction: [0, 0, -1]}
 fluid: {box: [2.4 mm, 2.4 mm, 2.4 mm], spacing: 0.1 mm, density: 1000 kg/m3, viscosity: 1 mm2/s, expected_speed: 0.02 m/s}
 probes: {every: 1 ms, bodies: [speed]}
 """
-CORNERS = [[i >> a & 1 for a in range(3)] for i in range(8)]
-QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-
-
-def stl(file, triangles):
-    data = bytes(80) + struct.pack("<I", len(triangles))
-    for triangle in triangles:
-        data += struct.pack("<12f", 0, 0, 0, *(x for point in triangle for x in point)) + bytes(2)
-    file.write_bytes(data)
 
 
 def block(size, low=(0, 0, 0)):
-    corner = [[low[a] + bit * size[a] for a, bit in enumerate(bits)] for bits in CORNERS]
-    return [[corner[i] for i in t] for a, b, c, d in QUADS for t in ((a, b, c), (a, c, d))]
+    return surfaces.block(low, [x + edge for x, edge in zip(low, size)])
 
 
 def rolled(triangles, angle):
@@ -82,7 +71,7 @@ class Voxels(unittest.TestCase):
         return self.run_with(mesh, **loads).probes()["bar.max_displacement[m]"][-1]
 
     def from_file(self, triangles, spacing, unit="1 mm"):
-        stl(self.folder / "robot.stl", triangles)
+        surfaces.write_stl(self.folder / "robot.stl", triangles)
         return f"voxels: {{file: robot.stl, spacing: {spacing}, unit: {unit}}}"
 
     def test_bends_as_the_box(self):
