@@ -46,8 +46,8 @@ double kinetic_energy_j(const BodySample& body) {
 
 // About the centre of mass.
 Vec3 fluid_torque_n_m(const BodySample& body) {
-    const Vec3 moment = cross(mass_weighted_mean(body, body.nodes.position_m),
-                              body.loads.fluid_force_n);
+    const Vec3 moment =
+        cross(mass_weighted_mean(body, body.nodes.position_m), body.loads.fluid_force_n);
     Vec3 torque = body.loads.fluid_torque_n_m;
     for (std::size_t d = 0; d < 3; ++d) torque[d] -= moment[d];
     return torque;

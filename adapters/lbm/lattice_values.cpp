@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace magfsi::lbm {
 
 namespace {

@@ -15,8 +15,7 @@ struct LatticeValues {
     double quickest_1_s = 0, quickest_m2_s = 0;  // largest rate of shear, viscosity there
 };
 
-LatticeValues lattice_values(const scene::Fluid& fluid,
-                             const fluid::FluidConfig& config);
+LatticeValues lattice_values(const scene::Fluid& fluid, const fluid::FluidConfig& config);
 
 std::string table(const scene::Fluid& fluid, const LatticeValues& v);
 

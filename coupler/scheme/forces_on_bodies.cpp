@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the fluid does to bodies and to parts of them, for probes: sums over their markers.
+// What the fluid does to bodies and to parts of them, for probes: sums over their
+// markers.
 #include "coupler/scheme/structure_coupling.h"
 
 namespace magfsi::coupler {
