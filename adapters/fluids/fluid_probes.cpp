@@ -46,9 +46,9 @@ struct Column {
 };
 using Columns = std::vector<Column>;
 
-// One column for the whole fluid. A new quantity is an entry here, a word of
-// scene::FluidQuantity and, where it is none of the totals, a case in quantity() of the
-// solvers that have it.
+// One column for the whole fluid. A new quantity is an entry here (a vector: a line in
+// columns_of), a word of scene::FluidQuantity and, where it is none of the totals, a case
+// in quantity() of the solvers that have it.
 struct Quantity {
     FluidQuantity quantity;
     const char* column;
@@ -133,6 +133,9 @@ Columns columns_of(const scene::Scene& scene) {
     if (!scene.probes) return columns;
     for (const FluidQuantity wanted : scene.probes->fluid) {
         if (wanted == FluidQuantity::obstacle_force) add_forces(columns, *scene.fluid);
+        if (wanted == FluidQuantity::momentum)
+            add_vector(columns, "momentum", "kg m/s",
+                       [](Sample& s) { return s.totals().momentum_kg_m_s; });
         for (const Quantity& q : quantities)
             if (q.quantity == wanted) columns.push_back({q.column, q.value});
     }
@@ -166,7 +169,9 @@ std::vector<double> fluid_values(const scene::Scene& scene, FluidSolver& fluid) 
 
 std::vector<std::string> interface_columns(const scene::Scene& scene) {
     if (!scene.probes || !scene.probes->interface_balance) return {};
-    return {"interface.momentum_mismatch[1]", "interface.power_mismatch[1]"};
+    return {"interface.momentum_mismatch[1]", "interface.power_mismatch[1]",
+            "interface.impulse_x[N s]", "interface.impulse_y[N s]",
+            "interface.impulse_z[N s]"};
 }
 
 }  // namespace magfsi::fluids

@@ -13,7 +13,8 @@ namespace magfsi::fluids {
 // None for a scene without a fluid or its probes.
 std::vector<std::string> fluid_columns(const scene::Scene& scene);
 
-// Of probes.interface_balance: mismatch of what both sides gave and received.
+// Of probes.interface_balance: mismatch of what both sides gave and received, and the
+// impulse that the fluid received since the last row.
 std::vector<std::string> interface_columns(const scene::Scene& scene);
 
 // Of the present step, one for each column. Collective.

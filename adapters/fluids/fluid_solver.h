@@ -17,6 +17,7 @@ namespace magfsi::fluids {
 
 struct FluidTotals {  // over all ranks, without the insides of obstacles
     double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
+    scene::Vec3 momentum_kg_m_s{};
     double sound_energy_j = 0;  // 0 where the solver has no sound
 };
 

@@ -78,7 +78,8 @@ std::string LbmFluid::headline() const {
 
 fluids::FluidTotals LbmFluid::totals() {
     const fluid::Totals all = fluid_.totals();
-    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s, all.sound_energy_j};
+    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s, all.momentum_kg_m_s,
+            all.sound_energy_j};
 }
 
 double LbmFluid::quantity(scene::FluidQuantity quantity) {

@@ -94,7 +94,8 @@ std::string RefinedLbm::headline() const {
 
 fluids::FluidTotals RefinedLbm::totals() {
     const fluid::Totals all = fluid_.totals();
-    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s, all.sound_energy_j};
+    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s, all.momentum_kg_m_s,
+            all.sound_energy_j};
 }
 
 double RefinedLbm::quantity(scene::FluidQuantity quantity) {

@@ -38,13 +38,14 @@ double volume(const Widths& width_m, std::size_t cell) {
 
 FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
                    std::span<const double> vorticity) {
-    enum { space, energy, enstrophy, count };
+    enum { space, x, y, z, energy, enstrophy, count };
     std::array<double, count> sum{};
     double most = 0;
     for (std::size_t cell = 0; cell < cell_count(width_m); ++cell) {
         const double v = volume(width_m, cell);
         const double e = half_square(velocity + 3 * cell);
         sum[space] += v;
+        for (std::size_t d = 0; d < 3; ++d) sum[x + d] += v * velocity[3 * cell + d];
         sum[energy] += v * e;
         most = std::fmax(most, e);
         if (!vorticity.empty())
@@ -52,7 +53,11 @@ FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
     }
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), count, MPI_DOUBLE, MPI_SUM, comm);
     MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
-    return {sum[space], sum[energy], sum[enstrophy] / sum[space], std::sqrt(2 * most)};
+    return {sum[space],
+            {sum[x], sum[y], sum[z]},
+            sum[energy],
+            sum[enstrophy] / sum[space],
+            std::sqrt(2 * most)};
 }
 
 FastestCell fastest_cell(std::size_t cells, const double* velocity) {

@@ -23,8 +23,9 @@ double volume(const Widths& width_m, std::size_t cell);
 
 struct FlowSums {
     double volume_m3 = 0;
-    double half_square_m5_s2 = 0;  // integral of u^2 / 2
-    double enstrophy_1_s2 = 0;     // mean of |curl u|^2 / 2
+    std::array<double, 3> flow_m4_s{};  // integral of u
+    double half_square_m5_s2 = 0;       // integral of u^2 / 2
+    double enstrophy_1_s2 = 0;          // mean of |curl u|^2 / 2
     double max_speed_m_s = 0;
 };
 

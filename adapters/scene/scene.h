@@ -189,10 +189,17 @@ constexpr auto words_of(BodyQuantity) {
                                             "fluid_force", "fluid_torque",
                                             "reaction_force", "energy", "magnetic_load"});
 }
-enum class FluidQuantity { kinetic_energy, enstrophy, mass, max_speed, obstacle_force };
+enum class FluidQuantity {
+    kinetic_energy,
+    enstrophy,
+    mass,
+    momentum,
+    max_speed,
+    obstacle_force
+};
 constexpr auto words_of(FluidQuantity) {
-    return std::to_array<std::string_view>(
-        {"kinetic_energy", "enstrophy", "mass", "max_speed", "obstacle_force"});
+    return std::to_array<std::string_view>({"kinetic_energy", "enstrophy", "mass",
+                                            "momentum", "max_speed", "obstacle_force"});
 }
 
 struct PointProbe {

@@ -72,6 +72,13 @@ Mismatch worst_mismatch(std::span<const double> given, std::span<const double> r
     return worst;
 }
 
+Vec3 impulse_of(std::span<const double> steps) {
+    Vec3 sum{};
+    for (std::size_t at = 0; at + balance_values <= steps.size(); at += balance_values)
+        for (std::size_t d = 0; d < 3; ++d) sum[d] += steps[at + d];
+    return sum;
+}
+
 MarkerWork::MarkerWork(std::size_t markers)
     : works_(markers),
       last_fluid_force_(markers),

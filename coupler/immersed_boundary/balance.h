@@ -52,6 +52,9 @@ struct Mismatch {
 // nothing was given, and where a number is not finite.
 Mismatch worst_mismatch(std::span<const double> given, std::span<const double> received);
 
+// The impulse of all those steps [N s].
+Vec3 impulse_of(std::span<const double> steps);
+
 // Work that the immersed boundary does on the body, marker by marker. Exists only with
 // probes.energy_audit.
 class MarkerWork {

@@ -52,6 +52,32 @@ class Coupled(unittest.TestCase):
     def test_implicit_on_several_ranks(self):
         self.compare({"coupling.scheme": "implicit"}, "structure=2,fluid=2")
 
+    def momentum_lost(self, settings):
+        """Along x and z, where the robot pushes: the largest part of the impulse given that the
+        fluid of a periodic box does not have."""
+        sides = ", ".join(f"{axis}_{end}: periodic" for axis in "xyz" for end in ("min", "max"))
+        run = testing.good_run(testing.SMALL, {
+            **DRAGGED, **settings, "fluid.boundaries": f"{{{sides}}}",
+            "probes.fluid": "[momentum]"}, "structure=1,fluid=1")
+        probes = run.probes()
+        lost = []
+        for axis in "xz":
+            momentum = np.array(probes[f"momentum_{axis}[kg m/s]"])
+            given = np.cumsum(probes[f"interface.impulse_{axis}[N s]"])
+            error = (momentum - momentum[0]) - (given - given[0])
+            lost.append(np.max(np.abs(error)) / np.ptp(given))
+        testing.report(f"momentum lost along x and z: {lost[0]:.1e}, {lost[1]:.1e} of that given")
+        return lost
+
+    def test_momentum_across_levels(self):
+        # A uniform grid keeps what it is given to rounding. A refined one keeps mass, not momentum:
+        # the interpolation between levels is of second order. The bounds are three times what was
+        # measured (0.065 and 0.6 %).
+        self.assertLess(max(self.momentum_lost(FINE)), 1e-12)
+        along_x, along_z = self.momentum_lost(REFINED)
+        self.assertLess(along_x, 0.002)
+        self.assertLess(along_z, 0.018)
+
     def see_one_picture(self, run):
         """The levels' visible cells fill the box once."""
         volume = 0

@@ -125,9 +125,11 @@ FluidEnergy Probes::add_partner_values(std::vector<double>& row) {
     FluidEnergy last;
     if (run_.audit) last = {*(of_fluid.end() - 2), of_fluid.back()};
     if (!run_.balance()) return last;
-    const auto mismatch = coupler::worst_mismatch(given, all.subspan(fluid_values));
-    row.push_back(mismatch.momentum);
-    row.push_back(mismatch.power);
+    const auto received = all.subspan(fluid_values);
+    const auto mismatch = coupler::worst_mismatch(given, received);
+    const auto impulse = coupler::impulse_of(received);
+    row.insert(row.end(), {mismatch.momentum, mismatch.power});
+    row.insert(row.end(), impulse.begin(), impulse.end());
     return last;
 }
 

@@ -301,8 +301,10 @@ TEST(ProbeColumns, of_the_fluid) {
     EXPECT_EQ(
         fluids::fluid_columns(scene),
         (Names{"kinetic_energy[J]", "enstrophy[1/s^2]", "mass[kg]", "max_speed[m/s]"}));
-    scene.probes->fluid = {Q::max_speed, Q::mass};
-    EXPECT_EQ(fluids::fluid_columns(scene), (Names{"max_speed[m/s]", "mass[kg]"}));
+    scene.probes->fluid = {Q::max_speed, Q::mass, Q::momentum};
+    EXPECT_EQ(fluids::fluid_columns(scene),
+              (Names{"max_speed[m/s]", "mass[kg]", "momentum_x[kg m/s]",
+                     "momentum_y[kg m/s]", "momentum_z[kg m/s]"}));
 }
 
 TEST(ProbeColumns, of_a_plane) {
@@ -321,7 +323,9 @@ TEST(ProbeColumns, of_the_interface_only_when_asked_for) {
     EXPECT_TRUE(fluids::interface_columns(scene).empty());
     scene.probes->interface_balance = true;
     EXPECT_EQ(fluids::interface_columns(scene),
-              (Names{"interface.momentum_mismatch[1]", "interface.power_mismatch[1]"}));
+              (Names{"interface.momentum_mismatch[1]", "interface.power_mismatch[1]",
+                     "interface.impulse_x[N s]", "interface.impulse_y[N s]",
+                     "interface.impulse_z[N s]"}));
 }
 
 TEST(ProbeColumns, the_fluids_share_of_the_energy_comes_last_of_its_columns) {
