@@ -95,8 +95,8 @@ void keys(Io& io, Probes& probes) {
     io(key("integrals", "Integrals by name, over a plane of the fluid or a part of a body.")
            .optional(), probes.integrals);
     io(key("fluid", "Columns for the fluid.").optional(), probes.fluid);
-    io(key("interface_balance", "Momentum and power given and received, and the impulse to the fluid, in columns.")
-           .by_default(), probes.interface_balance);
+    io(key("interface_balance", "Momentum and power given and received, and the impulse to the "
+           "fluid, in columns.").by_default(), probes.interface_balance);
     io(key("energy_audit", "Energies, works and losses of all bodies and what the fluid has "
            "of them, in columns, with the residual.").by_default(), probes.energy_audit);
 }
