@@ -84,7 +84,8 @@ def _place_labels(axes, labels, others):
                                   path_effects=[withStroke(linewidth=2.5, foreground="w")])
             box = label.get_window_extent(renderer).padded(2)
             crossed = sum(box.overlaps(b) for b in taken) + sum(
-                line.get_transform().transform_path(line.get_path()).intersects_bbox(box)
+                line.get_transform().transform_path(line.get_path())
+                .intersects_bbox(box, filled=False)
                 for line in axes.lines) + (box.x0 < axes.bbox.x0 or box.x1 > axes.bbox.x1)
             tried.append((crossed, len(tried), box, label))
         _, _, box, best = min(tried, key=lambda t: t[:2])
