@@ -12,6 +12,7 @@
 #include "adapters/magfsi/explain.h"
 #include "adapters/magfsi/job.h"
 #include "adapters/magfsi/retries.h"
+#include "adapters/magfsi/run_checks.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/reader.h"
@@ -29,8 +30,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-constexpr const char* python = "/usr/bin/python3";
 
 fs::path program(const std::string& name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
@@ -85,80 +84,6 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     if (scene.control && !options.replay.contains("structure"))
         programs.push_back({"controller", 1, {python, "-P", "-m", "magfsi.controller"}});
     return programs;
-}
-
-void need_controller() {
-    const auto imports = [](const std::string& package) {
-        const std::string command =
-            fmt::format("{} -P -c 'import {}' 2>/dev/null", python, package);
-        return std::system(command.c_str()) == 0;
-    };
-    if (!imports("mpi4py"))
-        throw std::invalid_argument(
-            "control: needs the Python package mpi4py (Debian: apt install "
-            "python3-mpi4py)");
-    if (!imports("magfsi.controller"))
-        throw std::invalid_argument(
-            "control: needs the launcher ./magfsi, which knows the Python package");
-}
-
-void check_exchange(const scene::Scene& scene, const RunOptions& options,
-                    const fs::path& out) {
-    const bool replays = !options.replay.empty();
-    if (!replays && !options.record) return;
-    const char* option = replays ? "--replay" : "--record";
-    if (scene.checkpoint && scene.checkpoint->retry()) {
-        throw std::invalid_argument(
-            fmt::format("{}: a run with checkpoint.on_divergence: retry may change its "
-                        "step; take stop",
-                        option));
-    }
-    if (!scene.fluid || scene.bodies.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "{}: the scene has no {}; only a body in a fluid exchanges anything", option,
-            scene.fluid ? "bodies" : "fluid"));
-    }
-    for (const auto& [role, record] : options.replay) {
-        std::error_code none;  // false where one of them is not there
-        if (fs::equivalent(record.parent_path(), out, none)) {
-            throw std::invalid_argument(
-                fmt::format("--replay: the run folder {} is the recorded run's; give "
-                            "another with --out",
-                            out.string()));
-        }
-    }
-}
-
-void check_structure_program(const scene::Scene& scene, const RunOptions& options) {
-    const fs::path& program = options.structure;
-    if (scene.has_own_structure() == program.empty()) {
-        throw std::invalid_argument(
-            program.empty() ? "--structure: missing; the scene's structure is a program "
-                              "of your own, which only the command line may name"
-                            : "--structure: found beside bodies of the scene; allowed "
-                              "with coupling.structure: own");
-    }
-    std::error_code none;
-    if (!program.empty() &&
-        (!fs::is_regular_file(program, none) || access(program.c_str(), X_OK) != 0)) {
-        throw std::invalid_argument(
-            fmt::format("--structure: found '{}'; allowed is a file that can be executed",
-                        program.string()));
-    }
-}
-
-// Where the scene's folder is the present one, its author may have put a link in the
-// place of the run folder.
-void check_default_out(const scene::Scene& scene, const fs::path& out) {
-    std::error_code none;  // false where one of them is not there
-    if (!fs::equivalent(scene.folder / ".", ".", none)) return;
-    for (const fs::path& path : {out.parent_path(), out}) {
-        if (fs::is_symlink(fs::symlink_status(path, none)))
-            throw std::invalid_argument(
-                fmt::format("{} beside the scene is a link to {}; if it is yours, name "
-                            "the run folder with --out",
-                            path.string(), fs::read_symlink(path).string()));
-    }
 }
 
 Json read_summary(const fs::path& out) {
