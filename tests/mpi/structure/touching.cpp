@@ -155,14 +155,17 @@ struct Files : test::SharedScript {
 TEST(Solid, BrickOfTrianglesIsTheBrick) {
     Files files;
     const Brick brick{{1.3e-3, 0.3e-3, -0.5e-3}, {2.1e-3, 1.1e-3, -0.05e-3}};
-    double drift = 0, ignored = 0;
-    const auto smooth = thrown_on(brick, 20, drift);
-    const auto found =
-        thrown_on(files.surface(magfsi::test::brick_surface(brick.low_m, brick.high_m)),
-                  20, ignored);
+    const auto triangles =
+        files.surface(magfsi::test::brick_surface(brick.low_m, brick.high_m));
+    double drift = 0;
+    thrown_on(brick, 20, drift);
     EXPECT_LT(drift, 0.01);
-    // Rounding, 1e-19 m a step, grown while the sheet wraps itself about the brick.
-    EXPECT_LT(test::largest_difference(smooth, found), 1e-12 * 3.7e-3);
+    // Rounding, 1e-19 m a step, over the 300 steps in which the sheet lands: 2e-17 m, and
+    // a margin of 20. While it wraps itself about the brick afterwards, rounding grows by
+    // a factor of three to six in every 50 steps, on other processors by another one.
+    EXPECT_LT(test::largest_difference(thrown_on(brick, 12, drift),
+                                       thrown_on(triangles, 12, drift)),
+              1e-13 * 3.7e-3);
 }
 
 TEST(Solid, BallOfTrianglesConvergesToTheBall) {
