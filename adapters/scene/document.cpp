@@ -79,7 +79,9 @@ class Builder : public YAML::EventHandler {
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (++documents_ == 2)
             refuse(origin(mark), "a second document", "one scene a file",
-                   "remove the line \"---\"");
+                   "remove the line \"---\" or, where there is none, the text before the "
+                   "first "
+                   "key");
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -222,16 +224,18 @@ Node* Node::find(std::string_view name) {
 
 Node parse_document(const std::string& text, const Origin& whole) {
     check_encoding(text, whole);
+    Builder builder(whole);
     try {
-        YAML::LoadAll(text);  // faults of syntax are told first
+        YAML::Load(text);  // faults of syntax are told first
+        std::istringstream stream(text);
+        YAML::Parser parser(stream);
+        // yaml-cpp takes what it cannot read, such as "!a, b", for empty documents
+        // without end; the second one is refused.
+        while (parser.HandleNextDocument(builder)) {
+        }
     } catch (const YAML::Exception& error) {
         refuse(at(error.mark, whole), fmt::format("no valid YAML ({})", error.msg),
                "YAML: \"key: value\" with indentation by spaces");
-    }
-    Builder builder(whole);
-    std::istringstream stream(text);
-    YAML::Parser parser(stream);
-    while (parser.HandleNextDocument(builder)) {
     }
     Node root = builder.take();
     if (root.type == Node::Type::null && root.origin.source.empty()) root.origin = whole;
