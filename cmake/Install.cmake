@@ -75,7 +75,7 @@ foreach(folder coupler structure fluid_lbm adapters/scene)
 endforeach()
 install(FILES adapters/run_scene.h adapters/structure_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
   COMPONENT dev)
-install(DIRECTORY cmake/isa cmake/grid cmake/surface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi
+install(DIRECTORY cmake/isa cmake/grid cmake/surface cmake/words DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi
   COMPONENT dev FILES_MATCHING PATTERN "*.h")
 configure_package_config_file(cmake/install/magfsi-config.cmake.in
   ${magfsi_generated}/magfsi-config.cmake

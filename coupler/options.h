@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "words/name_of.h"
+
 namespace magfsi::coupler {
 
 // Regularised delta functions (immersed_boundary/marker_stencil.h).
@@ -107,14 +109,5 @@ struct Coupling {
     OverlapRule overlap = OverlapRule::stop;
     ImmersedBoundary immersed_boundary;
 };
-
-// The word of a value.
-template <class E>
-requires requires(E value) {
-    words_of(value);
-}
-constexpr std::string_view name_of(E value) {
-    return words_of(value)[static_cast<std::size_t>(value)];
-}
 
 }  // namespace magfsi::coupler

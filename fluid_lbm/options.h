@@ -15,6 +15,7 @@
 
 #include "fluid_lbm/obstacle/shapes.h"
 #include "fluid_lbm/rheology.h"
+#include "words/name_of.h"
 
 namespace magfsi::fluid {
 
@@ -132,14 +133,5 @@ struct Options {
     std::vector<Obstacle> obstacles;
     std::optional<Vec3> body_force_n_m3;
 };
-
-// The word of a value.
-template <class E>
-requires requires(E value) {
-    words_of(value);
-}
-constexpr std::string_view name_of(E value) {
-    return words_of(value)[static_cast<std::size_t>(value)];
-}
 
 }  // namespace magfsi::fluid

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "structure/formula.h"
+#include "words/name_of.h"
 
 namespace magfsi::structure {
 
@@ -322,14 +323,5 @@ struct ContactLaw {
     double excluded = 2;
     double friction = 0;  // Coulomb's coefficient mu; 0: smooth
 };
-
-// The word of a value.
-template <class E>
-requires requires(E value) {
-    words_of(value);
-}
-constexpr std::string_view name_of(E value) {
-    return words_of(value)[static_cast<std::size_t>(value)];
-}
 
 }  // namespace magfsi::structure

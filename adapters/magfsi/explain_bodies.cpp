@@ -284,7 +284,7 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
         text += explain_inertia(scene, solid);
         text += fmt::format("    {} markers, forcing {}\n",
                             bodies::place_markers(scene, number).size(),
-                            coupler::name_of(*scene.coupling->immersed_boundary.forcing));
+                            name_of(*scene.coupling->immersed_boundary.forcing));
         text += explain_layer(scene, number);
     }
     return text;

@@ -72,7 +72,7 @@ coupler::RecordReader open_record(const scene::Scene& scene,
         throw std::invalid_argument(fmt::format(
             "--replay: the record is of forcing: {0}, this run of {1}; add --set "
             "coupling.immersed_boundary.forcing={0}",
-            coupler::name_of(header.forcing), coupler::name_of(*forcing)));
+            name_of(header.forcing), name_of(*forcing)));
     }
     check_steps(header, record.entries(), session.clock());
     const auto wanted = fluids::fluid_columns(scene).size();

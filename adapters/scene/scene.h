@@ -38,8 +38,9 @@ using fluid::Cylinder, fluid::Disc, fluid::Inlet, fluid::InletCourse;
 using fluid::InletFormula, fluid::InletProfile, fluid::InletTable, fluid::InletWave;
 using fluid::Obstacle;
 using fluid::Sphere, fluid::StlSurface;
+using magfsi::name_of;
 
-// The words of an enumeration, in its order, and that of a value.
+// The words of an enumeration, in its order.
 template <class E>
 inline constexpr auto names = words_of(E{});
 
@@ -47,9 +48,6 @@ inline constexpr std::array axis_names = std::to_array<std::string_view>({"x", "
 // A plane names its first and its second axis; angles run from the first to the second.
 inline constexpr std::array plane_names =
     std::to_array<std::string_view>({"xy", "xz", "yz", "yx", "zx", "zy"});
-inline constexpr auto name_of = [](auto value) {
-    return std::string_view(words_of(value)[static_cast<std::size_t>(value)]);
-};
 
 // Time is then the parameter of a path of loads, and each probe row an equilibrium.
 enum class EquilibriumMethod { newton, dynamics };

@@ -35,7 +35,7 @@ struct Options {
 template <class E>
 std::map<std::string, E> by_name(std::initializer_list<E> values) {
     std::map<std::string, E> names;
-    for (const E value : values) names.emplace(fluid::name_of(value), value);
+    for (const E value : values) names.emplace(name_of(value), value);
     return names;
 }
 
@@ -61,8 +61,8 @@ nlohmann::json to_json(const Spread& s) {
 }
 
 nlohmann::json to_json(const Result& r) {
-    return {{"collision", fluid::name_of(r.variant.collision)},
-            {"precision", fluid::name_of(r.variant.precision)},
+    return {{"collision", name_of(r.variant.collision)},
+            {"precision", name_of(r.variant.precision)},
             {"forced_share", r.variant.forced_share},
             {"mlups", to_json(r.mlups)},
             {"copy_gb_s", to_json(r.copy_gb_s)},
@@ -74,7 +74,7 @@ void print(const Result& r) {
     fmt::print(
         "{:22} {:13} {:6.3f} {:8.1f} [{:6.1f} {:6.1f}] {:9.1f} {:8.3f} [{:.3f} "
         "{:.3f}] {:8.3f}\n",
-        fluid::name_of(r.variant.collision), fluid::name_of(r.variant.precision),
+        name_of(r.variant.collision), name_of(r.variant.precision),
         r.variant.forced_share, r.mlups.median, r.mlups.low, r.mlups.high,
         r.copy_gb_s.median, r.share_of_limit.median, r.share_of_limit.low,
         r.share_of_limit.high, r.exchange_share.median);
