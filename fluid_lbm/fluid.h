@@ -20,11 +20,9 @@ using magfsi::CellRow;  // inside the owned box
 constexpr int populations_per_cell = 19;
 
 struct Totals {  // over all ranks, without the insides of obstacles
-    double mass_kg = 0;
+    double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
     Vec3 momentum_kg_m_s{};
-    double kinetic_energy_j = 0;
     double sound_energy_j = 0;  // of its compression: sum of p^2 / (2 rho c_s^2)
-    double max_speed_m_s = 0;
 };
 
 struct Enstrophy {

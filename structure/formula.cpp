@@ -3,6 +3,7 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -64,6 +65,22 @@ Compiled& compiled(const std::string& si) {
     }
 }
 
+// By differences of five points: to 1e-6 of an oscillation of 1 kHz. Formulas need no
+// value before time 0, so that the start has that of 20 us later.
+constexpr double apart_s = 1e-5;
+
+std::array<double, 3> difference(const std::array<Formula, 3>& place_m, double time_s,
+                                 const std::array<double, 5>& weight, double scale) {
+    std::array<double, 3> sum{};
+    const double middle_s = std::max(time_s, 2 * apart_s);
+    for (int i = -2; i <= 2; ++i) {
+        const auto there = value_at(place_m, middle_s + i * apart_s);
+        for (std::size_t d = 0; d < 3; ++d)
+            sum[d] += weight[static_cast<std::size_t>(i + 2)] * there[d] / scale;
+    }
+    return sum;
+}
+
 }  // namespace
 
 double value_or_nan(const std::string& si, double time_s) {
@@ -86,6 +103,21 @@ std::array<double, 3> value_at(const std::array<Formula, 3>& component, double t
     std::array<double, 3> out{};
     for (std::size_t d = 0; d < 3; ++d) out[d] = value_at(component[d].si, time_s);
     return out;
+}
+
+std::array<double, 3> displacement(const std::array<Formula, 3>& place_m, double time_s) {
+    auto out = value_at(place_m, time_s);
+    const auto start = value_at(place_m, 0);
+    for (std::size_t d = 0; d < 3; ++d) out[d] -= start[d];
+    return out;
+}
+
+std::array<double, 3> velocity(const std::array<Formula, 3>& place_m, double time_s) {
+    return difference(place_m, time_s, {1, -8, 0, 8, -1}, 12 * apart_s);
+}
+
+std::array<double, 3> acceleration(const std::array<Formula, 3>& place_m, double time_s) {
+    return difference(place_m, time_s, {-1, 16, -30, 16, -1}, 12 * apart_s * apart_s);
 }
 
 }  // namespace magfsi::structure

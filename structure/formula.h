@@ -20,7 +20,13 @@ double value_at(const std::string& si, double time_s);
 
 std::array<double, 3> value_at(const std::array<Formula, 3>& component, double time_s);
 
-// Likewise, but NaN and infinity come back as they are.
+// Of a motion by formulas: from where it is at time 0 [m], and its first and second
+// derivative by time [m/s, m/s2].
+std::array<double, 3> displacement(const std::array<Formula, 3>& place_m, double time_s);
+std::array<double, 3> velocity(const std::array<Formula, 3>& place_m, double time_s);
+std::array<double, 3> acceleration(const std::array<Formula, 3>& place_m, double time_s);
+
+// As value_at of one, but NaN and infinity come back as they are.
 double value_or_nan(const std::string& si, double time_s);
 
 // How such a value is called: "not a number" or "infinite".

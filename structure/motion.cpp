@@ -8,7 +8,6 @@
 #include <numbers>
 #include <set>
 
-#include "structure/formula_motion.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -58,6 +57,16 @@ Vec3 acceleration(const DisplacementRamp& r, double time_s) {
 
 Vec3 way(const DisplacementRamp& r) {
     return r.displacement_m;
+}
+
+Vec3 displacement(const FormulaMotion& f, double time_s) {
+    return displacement(f.component_m, time_s);
+}
+Vec3 velocity(const FormulaMotion& f, double time_s) {
+    return velocity(f.component_m, time_s);
+}
+Vec3 acceleration(const FormulaMotion& f, double time_s) {
+    return acceleration(f.component_m, time_s);
 }
 
 // Along an axis on which it may move.

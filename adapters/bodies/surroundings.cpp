@@ -3,8 +3,8 @@
 
 #include "adapters/bodies/scene_to_body.h"
 #include "structure/lammps/field_program.h"
+#include "structure/lammps/platform_law.h"
 #include "structure/motion.h"
-#include "structure/platform.h"
 
 namespace magfsi::bodies {
 

@@ -15,12 +15,7 @@
 
 namespace magfsi::fluids {
 
-struct FluidTotals {  // over all ranks, without the insides of obstacles
-    double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
-    scene::Vec3 momentum_kg_m_s{};
-    double sound_energy_j = 0;  // 0 where the solver has no sound
-};
-
+using FluidTotals = fluid::Totals;  // without sound where the solver has none
 using fluid::PlaneFlow;
 
 // Cells of one size, in their own global indices.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -13,12 +14,24 @@
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/probe_row.h"
 #include "adapters/bodies/scene_to_body.h"
-#include "structure/lammps/step_limit.h"
+#include "structure/lattice/stable_step.h"
 
 namespace magfsi::lammps {
 
 namespace {
 
+// The surfaces that contact knows. An obstacle of another shape is refused with contact.
+structure::SolidShape surface_of(const scene::Sphere& ball) {
+    return structure::Ball{ball.centre_m, 0.5 * ball.diameter_m};
+}
+structure::SolidShape surface_of(const scene::Block& block) {
+    return structure::Brick{block.low_m, block.high_m};
+}
+structure::SolidShape surface_of(const scene::Cylinder& rod) {
+    std::optional<double> half_m;
+    if (rod.length_m) half_m = 0.5 * *rod.length_m;
+    return structure::Rod{rod.centre_m, 0.5 * rod.diameter_m, rod.axis, half_m};
+}
 // Read once, however often a program asks for its input.
 structure::SolidShape surface_of(const scene::StlSurface& stl) {
     using Key = std::tuple<std::string, double, scene::Vec3>;
@@ -29,17 +42,19 @@ structure::SolidShape surface_of(const scene::StlSurface& stl) {
     return known[key] = structure::read_surface(stl.file, stl.unit_m, stl.shift_m);
 }
 
-structure::SolidShape shape_of(const scene::Obstacle& obstacle) {
-    if (const auto* stl = std::get_if<scene::StlSurface>(&obstacle.shape))
-        return surface_of(*stl);
-    if (const auto* ball = std::get_if<scene::Sphere>(&obstacle.shape))
-        return structure::Ball{ball->centre_m, 0.5 * ball->diameter_m};
-    if (const auto* block = std::get_if<scene::Block>(&obstacle.shape))
-        return structure::Brick{block->low_m, block->high_m};
-    const auto* rod = &std::get<scene::Cylinder>(obstacle.shape);
-    std::optional<double> half_m;
-    if (rod->length_m) half_m = 0.5 * *rod->length_m;
-    return structure::Rod{rod->centre_m, 0.5 * rod->diameter_m, rod->axis, half_m};
+structure::SolidShape surface_of(const scene::Obstacle& obstacle) {
+    return std::visit(
+        [&](const auto& shape) -> structure::SolidShape {
+            if constexpr (requires { surface_of(shape); })
+                return surface_of(shape);
+            else
+                throw std::invalid_argument(
+                    fmt::format("contact: bodies cannot touch obstacles of the shape of "
+                                "'{}'; leave out contact, or take a sphere, a cylinder, "
+                                "a box or an STL surface",
+                                obstacle.name));
+        },
+        obstacle.shape);
 }
 
 // Whether a body starts in a shape, which then holds it.
@@ -61,7 +76,7 @@ void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scen
     }
     for (std::size_t o = 0; o < scene.fluid->obstacles.size(); ++o) {
         structure::Wall wall{fmt::format("obstacle_{}", o + 1), {}, {}, {}};
-        wall.shape = shape_of(scene.fluid->obstacles[o]);
+        wall.shape = surface_of(scene.fluid->obstacles[o]);
         for (std::size_t b = 0; b < bodies.size(); ++b) {
             // As the look for overlaps has it.
             const double deep_m = 0.05 * scene.fluid->finest_spacing_m();

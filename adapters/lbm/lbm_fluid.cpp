@@ -76,12 +76,6 @@ std::string LbmFluid::headline() const {
         name(choose_instruction_set()));
 }
 
-fluids::FluidTotals LbmFluid::totals() {
-    const fluid::Totals all = fluid_.totals();
-    return {all.kinetic_energy_j, all.mass_kg, all.max_speed_m_s, all.momentum_kg_m_s,
-            all.sound_energy_j};
-}
-
 double LbmFluid::quantity(scene::FluidQuantity quantity) {
     if (quantity == scene::FluidQuantity::enstrophy) return fluid_.enstrophy_1_s2();
     throw std::logic_error("no probe of the lattice-Boltzmann fluid");

@@ -31,7 +31,7 @@ class LbmFluid final : public fluids::FluidSolver {
     void go_back() override { fluid_.go_back(); }
 
     std::string headline() const override;
-    fluids::FluidTotals totals() override;
+    fluids::FluidTotals totals() override { return fluid_.totals(); }
     double quantity(scene::FluidQuantity quantity) override;
     std::vector<scene::Vec3> obstacle_forces() override {
         return fluid_.obstacle_forces();

@@ -11,7 +11,6 @@
 #include <span>
 
 #include "adapters/scene/field.h"
-#include "structure/formula_motion.h"
 
 namespace magfsi::scene {
 
@@ -345,7 +344,8 @@ double largest_speed_m_s(const PrescribedMotion& motion, double end_s) {
     const auto& formula = std::get<FormulaMotion>(motion.course);
     double largest = 0;
     for (int i = 0; i <= 1000; ++i)
-        largest = std::max(largest, length(velocity(formula, end_s * i / 1000)));
+        largest =
+            std::max(largest, length(velocity(formula.component_m, end_s * i / 1000)));
     return largest;
 }
 

@@ -123,9 +123,8 @@ StructureCoupling::NoSlip::NoSlip(std::span<const Marker> markers, const SlipRat
     for (const Marker& m : markers) volume_m3.push_back(m.volume_m3);
 }
 
-void StructureCoupling::send(const Occasion& when, std::span<const Vec3> impulse) {
-    exchange_.send(when, before_m_, impulse, now_m_,
-                   no_slip_ ? no_slip_->volume_m3 : std::span<const double>());
+std::span<const double> StructureCoupling::volumes_m3() const {
+    return no_slip_ ? no_slip_->volume_m3 : std::span<const double>();
 }
 
 void StructureCoupling::receive(const Occasion& when, std::span<Vec3> velocity) {
@@ -135,10 +134,11 @@ void StructureCoupling::receive(const Occasion& when, std::span<Vec3> velocity) 
 void StructureCoupling::begin() {
     now_m_ = marker_positions();
     if (session_.restart() && !under_way_.empty()) {
-        send(-1, under_way_);
+        exchange_.send(-1, before_m_, under_way_, now_m_, volumes_m3());
     } else {
         before_m_ = now_m_;
-        send(-1, std::vector<Vec3>(now_m_.size()));
+        const std::vector<Vec3> none(now_m_.size());
+        exchange_.send(-1, before_m_, none, now_m_, volumes_m3());
     }
     if (session_.restart()) {
         // The checkpoint has them already, to the last bit.
@@ -241,7 +241,8 @@ void StructureCoupling::send_impulses() {
         layer_->add(force_.impulse(), velocity, solver_.positions());
         if (work_) work_->add_given(layer_->given(), force_.impulse(), velocity);
     }
-    send({session_.clock().step(), iteration()}, given());
+    exchange_.send({session_.clock().step(), iteration()}, before_m_, given(), now_m_,
+                   volumes_m3());
 }
 
 StructureCoupling::Exchanged StructureCoupling::exchanged() const {

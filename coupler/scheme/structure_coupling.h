@@ -125,7 +125,7 @@ class StructureCoupling {
     void check_convergence();
     void accept_answer();
 
-    void send(const Occasion& when, std::span<const Vec3> impulse);
+    std::span<const double> volumes_m3() const;  // none but in forcing no_slip
     void receive(const Occasion& when, std::span<Vec3> velocity);
     // The velocity of the fluid that markers feel.
     void hold(std::span<const Vec3> fluid_velocity);

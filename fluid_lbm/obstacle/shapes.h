@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The shapes of obstacles, as users choose them: SI, coordinates from the box's lowest
-// corner. A new one is a struct here that says where it is, its place in ObstacleShape,
-// and its keys in adapters/scene/keys_fluid.cpp.
+// corner. A new one is a struct here that says what it holds and how it is moved, its
+// place in ObstacleShape, and its keys in adapters/scene/keys_fluid.cpp.
 #pragma once
 
 #include <algorithm>
@@ -33,6 +33,10 @@ inline void need(const char* what, double size_m) {
     if (!(size_m > 0)) refuse("has the ", what, " ", size_m, " m; it must be above 0");
 }
 
+inline void move_point(Vec3& point_m, const Vec3& by_m) {
+    for (std::size_t a = 0; a < 3; ++a) point_m[a] += by_m[a];
+}
+
 inline Vec3 in_cells(const Vec3& metres, double spacing_m) {
     return {metres[0] / spacing_m, metres[1] / spacing_m, metres[2] / spacing_m};
 }
@@ -41,6 +45,7 @@ struct Sphere {
     Vec3 centre_m{};
     double diameter_m = 0;
 
+    void move(const Vec3& by_m) { move_point(centre_m, by_m); }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& /*box_cells*/) const {
         need("diameter", diameter_m);
         const Vec3 centre = in_cells(centre_m, spacing_m);
@@ -65,6 +70,7 @@ struct Cylinder {
     int axis = 2;
     std::optional<double> length_m;  // absent: through the box
 
+    void move(const Vec3& by_m) { move_point(centre_m, by_m); }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& box_cells) const {
         need("diameter", diameter_m);
         if (length_m) need("length", *length_m);
@@ -98,6 +104,10 @@ struct Cylinder {
 struct Block {
     Vec3 low_m{}, high_m{};  // opposite corners
 
+    void move(const Vec3& by_m) {
+        move_point(low_m, by_m);
+        move_point(high_m, by_m);
+    }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& /*box_cells*/) const {
         constexpr const char* lengths[3] = {"length along x", "length along y",
                                             "length along z"};
@@ -120,22 +130,19 @@ struct StlSurface {
     std::string file;
     double unit_m = 1;  // length of the file's unit
     Vec3 shift_m{};
+
+    void move(const Vec3& by_m) { move_point(shift_m, by_m); }
 };
 
 using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
 
 // The same shape in coordinates that begin at a place of the old ones.
 inline ObstacleShape seen_from(const Vec3& origin_m, ObstacleShape shape) {
-    const auto move = [&](Vec3& point_m) {
-        for (std::size_t a = 0; a < 3; ++a) point_m[a] -= origin_m[a];
-    };
-    if (auto* sphere = std::get_if<Sphere>(&shape)) move(sphere->centre_m);
-    if (auto* cylinder = std::get_if<Cylinder>(&shape)) move(cylinder->centre_m);
-    if (auto* block = std::get_if<Block>(&shape)) {
-        move(block->low_m);
-        move(block->high_m);
-    }
-    if (auto* surface = std::get_if<StlSurface>(&shape)) move(surface->shift_m);
+    std::visit(
+        [&](auto& one) {
+            one.move({-origin_m[0], -origin_m[1], -origin_m[2]});
+        },
+        shape);
     return shape;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/refuse.h"
+
 namespace magfsi::structure {
 namespace {
 
@@ -74,6 +76,26 @@ PlatformContact platform_contact(const Platform& platform, double area_m2,
     const Vec3 v{v_m_s[0], v_m_s[1], v_m_s[2]};
     if (!stick.held) stick = touched(x, v, out.gap_m, -dot(v, platform.normal), dt_s);
     add_friction(platform, area_m2, x, stick, out);
+    return out;
+}
+
+double platform_stiffness_pa_m(const Material& material, double thickness_m) {
+    if (!(thickness_m > 0)) {
+        refuse("thickness of {:g} m found, it must be positive", thickness_m);
+    }
+    return 0.5 * (material.lame_lambda_pa + 2 * material.shear_modulus_pa) / thickness_m;
+}
+
+Platform with_stiffness(const Platform& platform, std::span<const Body> bodies) {
+    Platform out = platform;
+    if (out.stiffness_pa_m > 0) return out;
+    for (const Body& body : bodies) {
+        const double thickness_m = std::ranges::min(bounds(body.mesh.nodes).extent_m());
+        for (const Material& material : used_materials(body)) {
+            out.stiffness_pa_m = std::max(out.stiffness_pa_m,
+                                          platform_stiffness_pa_m(material, thickness_m));
+        }
+    }
     return out;
 }
 

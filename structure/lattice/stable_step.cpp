@@ -7,6 +7,8 @@
 
 #include "structure/lattice/element.h"
 #include "structure/lattice/inertia.h"
+#include "structure/lattice/lattice.h"
+#include "structure/mesh/surface.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
@@ -134,6 +136,21 @@ double stable_elastic_step_s(Body body) {
     body.material.viscosity_pa_s = 0;
     for (Material& material : body.other_materials) material.viscosity_pa_s = 0;
     return stable_step_s(body);
+}
+
+double step_limit_s(const Body& body, double stiffness_pa_m) {
+    const double own = stable_step_s(body);
+    const double frequency = 2 / stable_elastic_step_s(body);
+    // From the definition of the body's own step.
+    const double damping = 2 / own - 0.5 * own * frequency * frequency;
+    const auto area = surface_areas(body.mesh.nodes, body.mesh.elements);
+    const auto mass = build_lattice(body).node_mass_kg;
+    double largest = 0;
+    for (std::size_t a = 0; a < area.size(); ++a) {
+        largest = std::max(largest, stiffness_pa_m * area[a] / mass[a]);
+    }
+    const double squared = frequency * frequency + largest;
+    return 4 / (std::sqrt(damping * damping + 4 * squared) + damping);
 }
 
 CurrentStep::CurrentStep(const Body& body) {

@@ -72,11 +72,9 @@ def output(name, *files, absent=None, alone=(), coupled=()):
 
 BOTH = (STRUCTURE, FLUID)
 EFFECTS = {
-    "viscosity": of_structure("viscosity", "structure/lattice/viscosity.*",
-                              **{"bodies.strip.material.viscosity": "null"}),
+    "viscosity": of_structure("viscosity", **{"bodies.strip.material.viscosity": "null"}),
     "magnetic_field": of_structure("magnetic_field", magnetic_field="null"),
-    "field_gradient": of_structure("field_gradient", "structure/magnetics/field_gradient.*",
-                                   **{"magnetic_field.gradient": "null"}),
+    "field_gradient": of_structure("field_gradient", **{"magnetic_field.gradient": "null"}),
     "field_sources": of_structure("field_sources"),
     "dipoles": of_structure("dipoles"),
     "gravity": of_structure("gravity", gravity="null"),
@@ -102,7 +100,7 @@ EFFECTS = {
                                alone=[STRUCTURE], coupled=[STRUCTURE]),
     "fluid_fields": output("fluid_fields", alone=[FLUID], coupled=[FLUID]),
     "checkpoint": output("checkpoint", "coupler/checkpoint/checkpoints.*",
-                         "coupler/checkpoint/stop_agreement.*", alone=BOTH, coupled=BOTH),
+                         alone=BOTH, coupled=BOTH),
 }
 
 

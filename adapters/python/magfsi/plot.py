@@ -10,7 +10,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi import plotting, runs
-from magfsi.report import data, fields, packing, shapes
+from magfsi.report import data, fields, shapes
 
 INSTANTS = 7
 COLUMNS = 3
@@ -59,7 +59,7 @@ def views(folder):
         return [], None, None
     if not stored:
         return [], None, None
-    chosen = [stored[i] for i in packing.spread(len(stored), INSTANTS)]
+    chosen = [stored[i] for i in fields.spread(len(stored), INSTANTS)]
     grid = plotting.read_grid(chosen[0][1])
     faces, elements, nodes = fields.surface(grid)
     bodies = grid.GetCellData().GetArray("body")

@@ -13,10 +13,10 @@
 
 #include "structure/lammps/fix_magttice.h"
 #include "structure/lammps/names.h"
+#include "structure/lammps/platform_law.h"
 #include "structure/lammps/sticking_fix.h"
 #include "structure/mesh/body_points.h"
 #include "structure/mesh/surface.h"
-#include "structure/platform.h"
 #include "structure/solid_shape.h"
 
 namespace magfsi::structure {

@@ -8,8 +8,7 @@
 
 #include "structure/lammps/effects/contact/contact_law.h"
 #include "structure/lammps/platform_law.h"
-#include "structure/lammps/step_limit.h"
-#include "structure/platform.h"
+#include "structure/lattice/stable_step.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 

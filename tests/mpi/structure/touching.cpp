@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "structure/lammps/step_limit.h"
 #include "structure/lattice/lattice.h"
+#include "structure/lattice/stable_step.h"
 #include "tests/mpi/structure/lammps_run.h"
 #include "tests/mpi/structure/strip.h"
 #include "tests/support/stl_surfaces.h"

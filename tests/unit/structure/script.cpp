@@ -9,10 +9,9 @@
 #include "structure/lammps/field_program.h"
 #include "structure/lammps/names.h"
 #include "structure/lammps/placement.h"
-#include "structure/lammps/step_limit.h"
+#include "structure/lammps/platform_law.h"
 #include "structure/lattice/stable_step.h"
 #include "structure/magnetics/magnetization.h"
-#include "structure/platform.h"
 #include "tests/support/checks.h"
 #include "tests/unit/structure/elements.h"
 

@@ -192,7 +192,8 @@ def vortices(file, levels=None):
 
 
 def solid(shape, box):
-    """The source of an obstacle of the scene; None for a surface whose file is gone."""
+    """The source of an obstacle of the scene; None for a surface whose file is gone, and for a
+    shape that is not drawn."""
     kind, of = next(iter(shape.items()))
     if kind == "sphere":
         source = vtk.vtkSphereSource()
@@ -221,7 +222,7 @@ def solid(shape, box):
         moved.SetInputConnection(source.GetOutputPort())
         moved.SetTransform(turn)
         return moved
-    return stl(of)
+    return stl(of) if kind == "stl" else None
 
 
 def stl(of):

@@ -7,7 +7,7 @@ import numpy as np
 
 from magfsi import runs
 from magfsi.report import fields, shapes, waits
-from magfsi.report.packing import packed, spread
+from magfsi.report.fields import packed, spread
 
 # A page of more cannot be sent by mail or opened at once.
 LARGEST_PAGE = 20e6

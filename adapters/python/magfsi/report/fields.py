@@ -1,16 +1,27 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bodies and flow of a run folder at each instant, as the page holds them."""
+import base64
+
 import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 from magfsi import runs
 from magfsi.plotting import read_grid
-from magfsi.report.packing import packed, spread
 
 MOST_SIDE = 160  # pixels of a slice
 MOST_SLICES = 60
 AXES = "xyz"
+
+
+def packed(array, kind):
+    """Numbers as text that a page holds."""
+    return base64.b64encode(np.ascontiguousarray(array, kind).tobytes()).decode()
+
+
+def spread(count, most):
+    """Indices of at most so many of them, first and last among them."""
+    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, most))})
 
 
 def stored_frames(folder, collection):

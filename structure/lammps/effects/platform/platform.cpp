@@ -12,8 +12,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "structure/lammps/platform_law.h"
 #include "structure/lammps/sticking_fix.h"
-#include "structure/platform.h"
 
 namespace magfsi::structure {
 namespace {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Courses of inlets: read from files, checked, and made what the fluid calls.
+// Courses over time: rows in CSV files become part of the scene, and of its hash; those
+// of inlets are checked and made what the fluid calls.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "adapters/scene/checks.h"
+#include "adapters/scene/effective.h"
 #include "structure/formula.h"
 #include "structure/table_file.h"
 #include "structure/table_rows.h"
@@ -16,26 +21,54 @@ namespace magfsi::scene {
 
 namespace {
 
+using structure::ColumnKind;
+namespace units = structure::units;
+
+constexpr ColumnKind field_columns[] = {{"t", units::time},
+                                        {"Bx", units::flux_density},
+                                        {"By", units::flux_density},
+                                        {"Bz", units::flux_density}};
 constexpr structure::ColumnUnit plain[] = {{""}, {"1"}};
-constexpr structure::ColumnKind course_columns[] = {{"t", structure::units::time},
-                                                    {"factor", plain}};
+constexpr ColumnKind inlet_columns[] = {{"t", units::time}, {"factor", plain}};
+
+// The table's columns, all of which are needed.
+std::vector<std::vector<double>> read_columns(auto& table, const char* what,
+                                              std::span<const ColumnKind> columns,
+                                              const std::filesystem::path& folder,
+                                              const Origin& where) {
+    table.file = (folder / table.file).string();
+    require_regular_file(table.file, where);
+    std::vector<std::string_view> names;
+    for (const ColumnKind& column : columns) names.push_back(column.name);
+    try {
+        auto values = structure::read_table(what, table.file, columns, names);
+        table.source = std::exchange(table.file, {});
+        return values;
+    } catch (const std::invalid_argument& fault) {
+        refuse(where, fmt::format("a fault in the {}", fault.what()),
+               fmt::format("a header with {} and rows of finite numbers",
+                           fmt::join(names, ", ")));
+    }
+}
+
+void read_law(FieldLaw& law, const std::filesystem::path& folder, const Origin& where) {
+    auto* table = std::get_if<VectorTable>(&law);
+    if (!table || table->file.empty()) return;
+    require(table->time_s.empty() && table->vector_t.empty(), where,
+            "file beside time or vector", "either a file or rows in the scene");
+    const auto values = read_columns(*table, "field table", field_columns, folder, where);
+    table->time_s = values[0];
+    for (std::size_t row = 0; row < values[0].size(); ++row)
+        table->vector_t.push_back({values[1][row], values[2][row], values[3][row]});
+}
 
 void read_rows(InletTable& table, const std::filesystem::path& folder,
                const Origin& where) {
     require(table.time_s.empty() && table.factor.empty(), where,
             "file beside time or factor", "either a file or rows in the scene");
-    table.file = (folder / table.file).string();
-    require_regular_file(table.file, where);
-    try {
-        auto values = structure::read_table("course of an inlet", table.file,
-                                            course_columns, {"t", "factor"});
-        table.time_s = std::move(values[0]);
-        table.factor = std::move(values[1]);
-    } catch (const std::invalid_argument& fault) {
-        refuse(where, fmt::format("a fault in the {}", fault.what()),
-               "a header with t, factor and rows of finite numbers");
-    }
-    table.source = std::exchange(table.file, {});
+    auto values = read_columns(table, "course of an inlet", inlet_columns, folder, where);
+    table.time_s = std::move(values[0]);
+    table.factor = std::move(values[1]);
 }
 
 void check(const InletTable& table, const Origin& where) {
@@ -82,6 +115,18 @@ double peak(const InletCourse& course, double end_s, const Origin& where) {
 }
 
 }  // namespace
+
+void read_field_files(Scene& scene, const Marks& marks) {
+    if (!scene.magnetic_field) return;
+    MagneticField& field = *scene.magnetic_field;
+    if (field.uniform)
+        read_law(field.course, scene.folder,
+                 marks.value({"magnetic_field", "vector_table", "file"}));
+    for (std::size_t i = 0; i < field.plus.size(); ++i)
+        read_law(field.plus[i].law, scene.folder,
+                 marks.value({"magnetic_field", "plus", std::to_string(i), "vector_table",
+                              "file"}));
+}
 
 void complete_inlets(Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
