@@ -30,7 +30,7 @@ bool StopAgreement::decide(std::int64_t step, bool last) {
     stopping_ = asked != 0;
     // The fluid asks once a step, and not for what comes after its last.
     if (world_.root() && world_.coupled() && !last) {
-        wait_all({&sending_, 1}, timeout_s_, "receiver of the word to go on");
+        wait_all({&sending_, 1}, timeout_s_, "receiver of the message to continue");
         note_ = {step, asked};
         MPI_Isend(note_.data(), 2, MPI_INT64_T, 0, stop_tag, world_.partner(), &sending_);
     }
@@ -42,7 +42,7 @@ bool StopAgreement::receive_decision() {
     if (world_.root() && begun_) {
         MPI_Request request;
         MPI_Irecv(note_.data(), 2, MPI_INT64_T, 0, stop_tag, world_.partner(), &request);
-        wait_all({&request, 1}, timeout_s_, "word of the structure to go on");
+        wait_all({&request, 1}, timeout_s_, "message of the structure to continue");
         stop = note_[1];
     }
     begun_ = true;

@@ -158,7 +158,7 @@ void StructureExchange::let_follow(std::int64_t step, std::span<const Vec3> poin
     Messages in(1, std::vector<double>(6 * grid_.owned_by_rank.size()));
     receive_from(world_, {0}, place_tag, in, sending,
                  step < 0 ? no_timeout_s : timeout_s_,
-                 fmt::format("place of the fluid's grid at step {}", step));
+                 fmt::format("position of the fluid's grid at step {}", step));
     const double* at = in.front().data();
     for (CellBox& box : grid_.owned_by_rank) {
         for (int* corner : {box.lo.data(), box.hi.data()}) {
@@ -276,7 +276,7 @@ void FluidExchange::follow(std::int64_t step, bool stays) {
     std::vector<MPI_Request> sending;
     receive_from(world_, all, place_tag, in, sending,
                  step < 0 ? no_timeout_s : timeout_s_,
-                 fmt::format("place of the bodies at step {}", step));
+                 fmt::format("position of the bodies at step {}", step));
     std::array<Vec3, 2> around{get(in.front().data()), get(in.front().data() + 3)};
     for (const auto& box : in) {
         for (std::size_t d = 0; d < 3; ++d) {
@@ -292,7 +292,7 @@ void FluidExchange::follow(std::int64_t step, bool stays) {
         boxes.insert(boxes.end(), box.hi.begin(), box.hi.end());
     }
     for (const int rank : all) start_send(world_, rank, place_tag, boxes, sending);
-    wait_all(sending, timeout_s_, "receiver of the grid's place");
+    wait_all(sending, timeout_s_, "receiver of the grid's position");
 }
 
 const MarkerBatch& FluidExchange::receive(const Occasion& when, bool stays) {
