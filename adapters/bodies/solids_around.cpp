@@ -159,19 +159,19 @@ bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
     return !is_deep(outside, x, distance_m);
 }
 
-void SolidsAround::note(const SolidMeeting& meeting, double gap_m,
-                        SolidMeetings& found) const {
+void SolidsAround::note(const SolidProximity& proximity, double gap_m,
+                        SolidProximities& found) const {
     found.apart_m = std::min(found.apart_m, std::max(0.0, gap_m));
-    if (gap_m < -deep_m_ && !found.inside) found.inside = meeting;
+    if (gap_m < -deep_m_ && !found.inside) found.inside = proximity;
     if (!(gap_m < near_m_)) return;
-    const bool known = std::ranges::any_of(found.near, [&](const SolidMeeting& m) {
-        return m.body == meeting.body && m.what == meeting.what;
+    const bool known = std::ranges::any_of(found.near, [&](const SolidProximity& m) {
+        return m.body == proximity.body && m.what == proximity.what;
     });
-    if (!known) found.near.push_back(meeting);
+    if (!known) found.near.push_back(proximity);
 }
 
-SolidMeetings SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) const {
-    SolidMeetings found;
+SolidProximities SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) const {
+    SolidProximities found;
     found.apart_m = reach_m;
     for (std::size_t p = 0; p < points_.size(); ++p) {
         const Point& point = points_[p];

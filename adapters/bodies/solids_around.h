@@ -22,7 +22,7 @@ class Solid;
 namespace magfsi::bodies {
 
 // A body and what it touches.
-struct SolidMeeting {
+struct SolidProximity {
     std::size_t body = 0;
     int element = -1;  // of the surface
     std::string what;  // "the wall z_min", "the obstacle 'post'"
@@ -30,9 +30,9 @@ struct SolidMeeting {
     bool yields_to_contact = false;  // the key contact keeps bodies out of it
 };
 
-struct SolidMeetings {
-    std::optional<SolidMeeting> inside;  // the first that is found
-    std::vector<SolidMeeting> near;      // once for each body and what it is near to
+struct SolidProximities {
+    std::optional<SolidProximity> inside;  // the first that is found
+    std::vector<SolidProximity> near;      // once for each body and what it is near to
     double apart_m = 0;  // all others are at least so far away, as far as is looked
 };
 
@@ -48,7 +48,7 @@ class SolidsAround {
                  std::span<const structure::Vec3> start_m, double near_m, double deep_m);
 
     // reach_m: how far is looked at most.
-    SolidMeetings find(std::span<const structure::Vec3> nodes_m, double reach_m) const;
+    SolidProximities find(std::span<const structure::Vec3> nodes_m, double reach_m) const;
 
   private:
     struct Point {
@@ -77,7 +77,8 @@ class SolidsAround {
                        std::span<const structure::Vec3> start_m);
     bool comes_within(const Obstacle& obstacle, const structure::Vec3& x,
                       double distance_m) const;
-    void note(const SolidMeeting& meeting, double gap_m, SolidMeetings& found) const;
+    void note(const SolidProximity& proximity, double gap_m,
+              SolidProximities& found) const;
 
     double spacing_m_, near_m_, deep_m_;
     std::vector<Point> points_;

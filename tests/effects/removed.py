@@ -90,7 +90,7 @@ EFFECTS = {
     "free_slip": of_fluid("free_slip"),
     "velocity_inlet": of_fluid("velocity_inlet"),
     "pressure_outlet": of_fluid("pressure_outlet"),
-    "overlap": output("overlap", "structure/mesh/meetings.*", "adapters/bodies/solids_around.*",
+    "overlap": output("overlap", "structure/mesh/proximity.*", "adapters/bodies/solids_around.*",
                       absent={"coupling.overlap": "allow"}, coupled=[STRUCTURE]),
     "record": output("record", "coupler/exchange/exchange_record.*", coupled=[STRUCTURE]),
     "probes": [*output("probes", alone=[FLUID]),

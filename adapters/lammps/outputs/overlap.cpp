@@ -10,7 +10,7 @@
 #include "adapters/bodies/solids_around.h"
 #include "adapters/lammps/structure_run.h"
 #include "coupler/participants/errors.h"
-#include "structure/mesh/meetings.h"
+#include "structure/mesh/proximity.h"
 
 namespace magfsi::lammps {
 
@@ -35,13 +35,13 @@ class Overlap : public coupler::Output {
   private:
     // Of the root.
     struct Finders {
-        structure::MeetingFinder bodies;
+        structure::ProximityFinder bodies;
         bodies::SolidsAround around;
     };
     void look();  // collective
     std::int64_t look_at(const NodalState& nodes);
-    void tell_near(const structure::Meetings& bodies,
-                   const bodies::SolidMeetings& solids);
+    void tell_near(const structure::Proximities& bodies,
+                   const bodies::SolidProximities& solids);
     std::string body(std::size_t number) const {
         return fmt::format("body '{}'", run_.input.bodies[number].name);
     }
@@ -64,7 +64,7 @@ Overlap::Overlap(StructureRun& run)
     std::vector<const structure::Mesh*> meshes;
     for (const auto& body : run.input.bodies) meshes.push_back(&body.mesh);
     finders_ = std::make_unique<Finders>(
-        Finders{structure::MeetingFinder(meshes, near_cells * spacing_m_),
+        Finders{structure::ProximityFinder(meshes, near_cells * spacing_m_),
                 bodies::SolidsAround(run.scene, run.input.bodies, run.start.position_m,
                                      near_cells * spacing_m_, deep_cells * spacing_m_)});
 }
@@ -104,8 +104,8 @@ std::int64_t Overlap::look_at(const NodalState& nodes) {
     return std::max<std::int64_t>(1, static_cast<std::int64_t>(0.5 * apart / travel));
 }
 
-void Overlap::tell_near(const structure::Meetings& bodies,
-                        const bodies::SolidMeetings& solids) {
+void Overlap::tell_near(const structure::Proximities& bodies,
+                        const bodies::SolidProximities& solids) {
     const auto tell = [&](const std::string& what, const structure::Vec3& at) {
         if (!told_.insert(what).second) return;
         run_.session.log(fmt::format(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "structure/mesh/meetings.h"
+#include "structure/mesh/proximity.h"
 #include "structure/mesh/near_pairs.h"
 
 namespace magfsi::structure {
@@ -81,8 +81,8 @@ Corners4 corners_of(const std::array<int, 4>& node, std::span<const Vec3> nodes_
 
 }  // namespace
 
-MeetingFinder::Ball MeetingFinder::ball_around(const Patch& patch,
-                                               std::span<const Vec3> nodes_m) {
+ProximityFinder::Ball ProximityFinder::ball_around(const Patch& patch,
+                                                   std::span<const Vec3> nodes_m) {
     const Corners4 corners = corners_of(patch.node, nodes_m);
     Ball out;
     for (const Vec3& x : corners)
@@ -92,7 +92,7 @@ MeetingFinder::Ball MeetingFinder::ball_around(const Patch& patch,
     return out;
 }
 
-MeetingFinder::MeetingFinder(std::span<const Mesh* const> bodies, double near_m)
+ProximityFinder::ProximityFinder(std::span<const Mesh* const> bodies, double near_m)
     : near_m_(near_m) {
     int first_node = 0;
     double largest = 0;
@@ -114,36 +114,36 @@ MeetingFinder::MeetingFinder(std::span<const Mesh* const> bodies, double near_m)
     reach_m_ = std::max(2 * largest, near_m);
 }
 
-bool MeetingFinder::are_neighbours(const Patch& a, const Patch& b) const {
+bool ProximityFinder::are_neighbours(const Patch& a, const Patch& b) const {
     if (a.body != b.body) return false;
     return distance_m(a.rest.centre_m, b.rest.centre_m) <=
            2 * (a.rest.radius_m + b.rest.radius_m);
 }
 
 // gap_m: a lower bound, of the balls around the two.
-void MeetingFinder::look_at(const Patch& a, const Patch& b, double gap_m,
-                            std::span<const Vec3> nodes_m, Meetings& found) const {
+void ProximityFinder::look_at(const Patch& a, const Patch& b, double gap_m,
+                              std::span<const Vec3> nodes_m, Proximities& found) const {
     const Corners4 of_a = corners_of(a.node, nodes_m), of_b = corners_of(b.node, nodes_m);
-    Meeting meeting{{a.body, b.body}, {a.element, b.element}, of_a[0], gap_m};
+    Proximity proximity{{a.body, b.body}, {a.element, b.element}, of_a[0], gap_m};
     auto at = gap_m < 0 ? piercing(of_a, of_b) : std::nullopt;
     if (gap_m < 0 && !at) at = piercing(of_b, of_a);
     if (at) {
-        meeting.at_m = *at;
-        meeting.gap_m = 0;
-        if (!found.crossing) found.crossing = meeting;
+        proximity.at_m = *at;
+        proximity.gap_m = 0;
+        if (!found.crossing) found.crossing = proximity;
     } else if (gap_m < near_m_) {
-        meeting.gap_m = std::min(corner_gap_m(of_a, of_b), corner_gap_m(of_b, of_a));
+        proximity.gap_m = std::min(corner_gap_m(of_a, of_b), corner_gap_m(of_b, of_a));
     }
-    found.apart_m = std::min(found.apart_m, meeting.gap_m);
-    if (!(meeting.gap_m < near_m_)) return;
-    const auto known = std::ranges::find(found.near, meeting.body, &Meeting::body);
+    found.apart_m = std::min(found.apart_m, proximity.gap_m);
+    if (!(proximity.gap_m < near_m_)) return;
+    const auto known = std::ranges::find(found.near, proximity.body, &Proximity::body);
     if (known == found.near.end())
-        found.near.push_back(meeting);
-    else if (meeting.gap_m < known->gap_m)
-        *known = meeting;
+        found.near.push_back(proximity);
+    else if (proximity.gap_m < known->gap_m)
+        *known = proximity;
 }
 
-Meetings MeetingFinder::find(std::span<const Vec3> nodes_m) const {
+Proximities ProximityFinder::find(std::span<const Vec3> nodes_m) const {
     std::vector<Vec3> centres;
     std::vector<double> radii;
     double largest = 0;
@@ -153,7 +153,7 @@ Meetings MeetingFinder::find(std::span<const Vec3> nodes_m) const {
         radii.push_back(ball.radius_m);
         largest = std::max(largest, ball.radius_m);
     }
-    Meetings found;
+    Proximities found;
     found.apart_m = reach_m_;
     NearPairs(centres, 2 * largest + reach_m_).visit([&](std::size_t i, std::size_t j) {
         const double reach = radii[i] + radii[j] + reach_m_;

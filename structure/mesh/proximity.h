@@ -12,16 +12,16 @@
 
 namespace magfsi::structure {
 
-struct Meeting {
+struct Proximity {
     std::array<std::size_t, 2> body{};
     std::array<int, 2> element{};  // of that body
     Vec3 at_m{};
     double gap_m = 0;  // 0 where surfaces pass through each other
 };
 
-struct Meetings {
-    std::optional<Meeting> crossing;  // the first that is found
-    std::vector<Meeting> near;        // of each pair of bodies the nearest
+struct Proximities {
+    std::optional<Proximity> crossing;  // the first that is found
+    std::vector<Proximity> near;        // of each pair of bodies the nearest
     double apart_m =
         0;  // all that could meet is at least so far apart, as far as is looked
 };
@@ -30,13 +30,13 @@ struct Meetings {
 // cannot meet: a quadrilateral looks at those that are further away than twice the sum of
 // both radii. They count as near where they have come closer than half of that distance,
 // so that a thin sheet's two sides do not.
-class MeetingFinder {
+class ProximityFinder {
   public:
     // bodies: undeformed. near_m: what is closer is reported.
-    MeetingFinder(std::span<const Mesh* const> bodies, double near_m);
+    ProximityFinder(std::span<const Mesh* const> bodies, double near_m);
 
     // nodes_m: of all bodies, one after the other.
-    Meetings find(std::span<const Vec3> nodes_m) const;
+    Proximities find(std::span<const Vec3> nodes_m) const;
 
     // Of elements' edges on the surfaces at rest.
     double shortest_edge_m() const { return shortest_edge_m_; }
@@ -56,7 +56,7 @@ class MeetingFinder {
     static Ball ball_around(const Patch& patch, std::span<const Vec3> nodes_m);
     bool are_neighbours(const Patch& a, const Patch& b) const;
     void look_at(const Patch& a, const Patch& b, double gap_m,
-                 std::span<const Vec3> nodes_m, Meetings& found) const;
+                 std::span<const Vec3> nodes_m, Proximities& found) const;
 
     std::vector<Patch> patches_;
     double near_m_ = 0;

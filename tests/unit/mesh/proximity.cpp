@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Surfaces that come near each other or pass through each other.
-#include "structure/mesh/meetings.h"
+#include "structure/mesh/proximity.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ constexpr double near_m = 1e-4;
 const Mesh strip = box_mesh({{4e-3, 1e-3, 0.2e-3}, {40, 4, 1}});
 const Mesh plate = box_mesh({{1e-3, 1e-3, 0.2e-3}, {5, 5, 2}});
 
-Meetings meet(const std::vector<const Mesh*>& bodies, const std::vector<Vec3>& nodes) {
-    return MeetingFinder(bodies, near_m).find(nodes);
+Proximities meet(const std::vector<const Mesh*>& bodies, const std::vector<Vec3>& nodes) {
+    return ProximityFinder(bodies, near_m).find(nodes);
 }
 
 // Rolled up about y: radius_m at the start, more by rise_m with every turn.
@@ -42,7 +42,7 @@ std::vector<Vec3> with_moved_copy(const Vec3& by_m, double turn = 0) {
     return nodes;
 }
 
-TEST(Meetings, BodiesAtRestMeetNothing) {
+TEST(Proximity, BodiesAtRestMeetNothing) {
     for (const Mesh* mesh : {&strip, &plate}) {
         const auto found = meet({mesh}, mesh->nodes);
         EXPECT_FALSE(found.crossing);
@@ -51,7 +51,7 @@ TEST(Meetings, BodiesAtRestMeetNothing) {
     }
 }
 
-TEST(Meetings, ARollMeetsItselfWhereItsTurnsAreCloserThanItIsThick) {
+TEST(Proximity, ARollMeetsItselfWhereItsTurnsAreCloserThanItIsThick) {
     // 1.27 turns of a strip 0.2 mm thick.
     for (const double rise : {0.15e-3, 0.1e-3, 0.0}) {
         const auto found = meet({&strip}, rolled(0.5e-3, rise));
@@ -63,13 +63,13 @@ TEST(Meetings, ARollMeetsItselfWhereItsTurnsAreCloserThanItIsThick) {
     EXPECT_TRUE(clear.near.empty());
 }
 
-TEST(Meetings, ABentStripThatStaysOpenMeetsNothing) {
+TEST(Proximity, ABentStripThatStaysOpenMeetsNothing) {
     // Nearly a ring, its ends ten thicknesses apart, and one as tight as it can be bent.
     EXPECT_TRUE(meet({&strip}, rolled(1e-3, 0)).near.empty());
     EXPECT_FALSE(meet({&strip}, rolled(0.75e-3, 0)).crossing);
 }
 
-TEST(Meetings, TheGapOfTwoPlatesIsTheirDistance) {
+TEST(Proximity, TheGapOfTwoPlatesIsTheirDistance) {
     for (const double gap : {0.9e-4, 0.3e-4, 0.01e-4}) {
         const auto found =
             meet({&plate, &plate}, with_moved_copy({0.33e-4, 0.21e-4, 0.2e-3 + gap}));
@@ -85,12 +85,12 @@ TEST(Meetings, TheGapOfTwoPlatesIsTheirDistance) {
     EXPECT_GE(far.apart_m, near_m);
 }
 
-TEST(Meetings, WhatTouchesDoesNotCross) {
+TEST(Proximity, WhatTouchesDoesNotCross) {
     EXPECT_FALSE(meet({&plate, &plate}, with_moved_copy({0, 0, 0.2e-3})).crossing);
     EXPECT_FALSE(meet({&plate, &plate}, with_moved_copy({1e-3, 0, 0})).crossing);
 }
 
-TEST(Meetings, PlatesThatGoThroughEachOtherCross) {
+TEST(Proximity, PlatesThatGoThroughEachOtherCross) {
     // Flat into flat, crosswise, with a corner, and an edge between nodes.
     for (const Vec3& by : {Vec3{0.03e-3, 0.05e-3, 0.19e-3}, Vec3{0.9e-3, 0.93e-3, 0.1e-3},
                            Vec3{0.99e-3, 0.99e-3, 0.19e-3}}) {
@@ -107,7 +107,7 @@ TEST(Meetings, PlatesThatGoThroughEachOtherCross) {
 
 // A look may not miss what lies between two of them: the surfaces of a plate that falls
 // through another cross from the first touch to the last.
-TEST(Meetings, AFallThroughAPlateIsSeenAllTheWay) {
+TEST(Proximity, AFallThroughAPlateIsSeenAllTheWay) {
     for (double z = 0.399e-3; z > 0.001e-3; z -= 0.01e-3) {
         const auto found =
             meet({&plate, &plate}, with_moved_copy({0.41e-3, 0.43e-3, z - 0.2e-3}));
