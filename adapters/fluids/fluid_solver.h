@@ -20,10 +20,11 @@ using fluid::PlaneFlow;
 
 // Cells of one size, in their own global indices.
 struct FieldCells {
+    std::string name;  // goes into those of files; empty, or "_level1"
     double spacing_m = 0;
     std::vector<coupler::CellBox> owned_by_rank;  // some may be empty
     // Of those, the ones that a finer level has instead.
-    std::optional<coupler::CellBox> hidden;
+    std::vector<coupler::CellBox> hidden;
 };
 
 class FluidSolver : public coupler::GridFluid {
@@ -39,12 +40,15 @@ class FluidSolver : public coupler::GridFluid {
     virtual std::vector<scene::Vec3> obstacle_forces() { return {}; }
     virtual PlaneFlow plane_flow(int /*axis*/, double /*at_m*/) { return {}; }
 
-    // The cells of fields in files, by level: one, of grid(), but in a refined grid.
+    // The cells of fields in files: grid()'s, or those of each patch of a refined grid.
     virtual std::vector<FieldCells> field_cells() const {
-        return {{grid().spacing_m, grid().owned_by_rank, {}}};
+        FieldCells all{"", grid().spacing_m, {}, {}};
+        for (const auto& boxes : grid().owned_by_rank)
+            all.owned_by_rank.push_back(boxes.front());
+        return {all};
     }
-    // Of this rank's cells of a level, x fastest: 3 values a cell, density 1. Collective.
-    virtual void field(scene::FluidField field, std::size_t level,
+    // Of this rank's cells of a patch, x fastest: 3 values a cell, density 1. Collective.
+    virtual void field(scene::FluidField field, std::size_t patch,
                        std::span<float> out) = 0;
 
     // Throws coupler::Diverged.

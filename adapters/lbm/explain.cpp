@@ -159,15 +159,18 @@ double populations_bytes(const fluid::FluidConfig& config, fluid::Storage storag
 FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
                          std::span<const fluid::Vec3> markers_m) {
     const auto levels = level_configs(scene);
-    const auto& config = levels.front();
+    const auto& config = levels.front().front();
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];
     const auto storage = fluid::storage_of(config.precision);
     const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
     FluidMemory memory;
-    for (std::size_t l = 1; l < levels.size(); ++l)
-        memory.held.emplace_back(fmt::format("level {}", l),
-                                 populations_bytes(levels[l], storage, ranks));
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+        double bytes = 0;
+        for (const fluid::FluidConfig& patch : levels[l])
+            bytes += populations_bytes(patch, storage, ranks);
+        memory.held.emplace_back(fmt::format("level {}", l), bytes);
+    }
     double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
@@ -222,16 +225,20 @@ std::string refinement(const scene::Scene& scene) {
     const auto levels = level_configs(scene);
     std::string text;
     for (std::size_t l = 1; l < levels.size(); ++l) {
-        const fluid::FluidConfig& c = levels[l];
+        const fluid::FluidConfig& c = levels[l].front();
+        std::string patches;
+        for (const fluid::FluidConfig& patch : levels[l])
+            patches += fmt::format("{}{} x {} x {}", patches.empty() ? "" : " and ",
+                                   patch.cells[0], patch.cells[1], patch.cells[2]);
         text += fmt::format(
-            "  level {}: {} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
-            "relaxation time {:.5g}, {}\n",
-            l, c.cells[0], c.cells[1], c.cells[2], c.spacing_m * 1e3, c.time_step_s * 1e6,
-            fluid::relaxation_time(c), name_of(fluid::choose_collision(c)));
+            "  level {}: {} cells of {:.4g} mm, step {:.4g} us, relaxation time {:.5g}, "
+            "{}\n",
+            l, patches, c.spacing_m * 1e3, c.time_step_s * 1e6, fluid::relaxation_time(c),
+            name_of(fluid::choose_collision(c)));
     }
     const double updated = updated_cells(levels);
     double uniform = 1;
-    for (const int cells : levels.front().cells)
+    for (const int cells : levels.front().front().cells)
         uniform *= std::ldexp(cells, static_cast<int>(levels.size()) - 1);
     return text + fmt::format(
                       "  {:.0f} cells are updated in a coupled step; a grid as fine "

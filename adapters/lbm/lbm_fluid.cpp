@@ -62,7 +62,8 @@ LbmFluid::LbmFluid(MPI_Comm comm, fluid::Fluid& fluid) : comm_(comm), fluid_(flu
     grid_.spacing_m = config.spacing_m;
     grid_.cells = config.cells;
     grid_.periodic = fluid::periodic_axes(config);
-    grid_.owned_by_rank = fluid.owned_by_rank();
+    for (const fluid::CellBox& box : fluid.owned_by_rank())
+        grid_.owned_by_rank.push_back({box});
     grid_.solid = fluid.solid_rows();
 }
 

@@ -15,13 +15,19 @@ namespace magfsi::lbm {
 
 namespace {
 
-// Of a checkpoint: populations of each level; the box of the level below that each finer
-// level covers, six numbers; what keeps the mass.
+// Of a checkpoint: populations of each patch; the box of the level below that each
+// covers, six numbers, nest by nest; what keeps the mass.
 constexpr const char* places_table = "patches";
 constexpr const char* mass_table = "mass_owed";
 
-std::string table_of(int level) {
-    return level == 0 ? "populations" : fmt::format("populations_{}", level);
+std::string suffix(const std::string& word, int level, int nest) {
+    if (level == 0) return "";
+    return nest == 0 ? fmt::format("_{}{}", word, level)
+                     : fmt::format("_{}{}_nest{}", word, level, nest + 1);
+}
+
+std::string table_of(int level, int nest) {
+    return "populations" + suffix("", level, nest);
 }
 
 std::int64_t cells_in(const fluid::Fluid& fluid) {
@@ -29,30 +35,36 @@ std::int64_t cells_in(const fluid::Fluid& fluid) {
     return static_cast<std::int64_t>(n[0]) * n[1] * n[2];
 }
 
-std::vector<double> numbers_of(const std::vector<fluid::LevelPlace>& places) {
+std::vector<double> numbers_of(const std::vector<fluid::NestPlaces>& nests) {
     std::vector<double> numbers;
-    for (const fluid::LevelPlace& place : places) {
-        const fluid::CellBox box = place.covered();
-        numbers.insert(numbers.end(), box.lo.begin(), box.lo.end());
-        numbers.insert(numbers.end(), box.hi.begin(), box.hi.end());
+    for (const fluid::NestPlaces& nest : nests) {
+        for (const fluid::LevelPlace& place : nest) {
+            const fluid::CellBox box = place.covered();
+            numbers.insert(numbers.end(), box.lo.begin(), box.lo.end());
+            numbers.insert(numbers.end(), box.hi.begin(), box.hi.end());
+        }
     }
     return numbers;
 }
 
-std::vector<fluid::LevelPlace> places_of(const std::vector<double>& numbers,
-                                         const fluid::FluidConfig& coarse) {
-    const auto periodic = fluid::periodic_axes(coarse);
-    fluid::LevelPlace below = fluid::coarsest_place(coarse.cells, periodic);
-    std::vector<fluid::LevelPlace> places;
+std::vector<fluid::NestPlaces> places_of(const std::vector<double>& numbers,
+                                         const fluid::RefinedConfig& config) {
+    const auto periodic = fluid::periodic_axes(config.coarse);
+    const auto levels = static_cast<std::size_t>(config.rule.levels);
+    std::vector<fluid::NestPlaces> nests;
     for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
         fluid::CellBox box;
         for (std::size_t d = 0; d < 3; ++d) {
             box.lo[d] = static_cast<int>(numbers[i + d]);
             box.hi[d] = static_cast<int>(numbers[i + 3 + d]);
         }
-        places.push_back(below = fluid::finer_place(below, periodic, box));
+        if (nests.empty() || nests.back().size() == levels) nests.emplace_back();
+        const fluid::LevelPlace below =
+            nests.back().empty() ? fluid::coarsest_place(config.coarse.cells, periodic)
+                                 : nests.back().back();
+        nests.back().push_back(fluid::finer_place(below, periodic, box));
     }
-    return places;
+    return nests;
 }
 
 }  // namespace
@@ -70,18 +82,25 @@ RefinedLbm::RefinedLbm(MPI_Comm comm, fluid::RefinedFluid& fluid,
     grid_.renewal = renewal;
 }
 
-void RefinedLbm::follow(const std::array<scene::Vec3, 2>& around_m) {
+void RefinedLbm::follow(const std::vector<std::array<scene::Vec3, 2>>& bodies_m) {
     try {
-        if (fluid_.follow(around_m)) grid_.owned_by_rank = fluid_.owned_by_rank();
+        if (fluid_.follow(bodies_m)) grid_.owned_by_rank = fluid_.owned_by_rank();
     } catch (const std::invalid_argument& fault) {
         throw coupler::Diverged(fault.what());
     }
 }
 
+std::vector<RefinedLbm::Patch> RefinedLbm::patches() const {
+    std::vector<Patch> all{{0, 0}};
+    for (int l = 1; l < fluid_.levels(); ++l)
+        for (int nest = 0; nest < fluid_.nests(); ++nest) all.push_back({l, nest});
+    return all;
+}
+
 std::string RefinedLbm::headline() const {
     std::string text;
-    for (int l = 0; l < fluid_.levels(); ++l) {
-        const fluid::FluidConfig& c = fluid_.level(l).config();
+    for (const auto [l, nest] : patches()) {
+        const fluid::FluidConfig& c = fluid_.level(l, nest).config();
         text += fmt::format(
             "{}{} x {} x {} cells of {:.4g} mm, step {:.4g} us, "
             "relaxation time {:.5g}, {}",
@@ -105,25 +124,25 @@ double RefinedLbm::quantity(scene::FluidQuantity quantity) {
 
 std::vector<fluids::FieldCells> RefinedLbm::field_cells() const {
     std::vector<fluids::FieldCells> all;
-    for (int l = 0; l < fluid_.levels(); ++l) {
-        fluids::FieldCells cells{fluid_.level(l).config().spacing_m, {}, {}};
-        cells.owned_by_rank = fluid_.inside_by_rank(l);
-        if (l + 1 < fluid_.levels()) cells.hidden = fluid_.place(l + 1).covered();
+    for (const auto [l, nest] : patches()) {
+        fluids::FieldCells cells{suffix("level", l, nest),
+                                 fluid_.level(l, nest).config().spacing_m,
+                                 fluid_.inside_by_rank(l, nest), fluid_.covered(l, nest)};
         all.push_back(std::move(cells));
     }
     return all;
 }
 
-void RefinedLbm::field(scene::FluidField field, std::size_t level, std::span<float> out) {
-    const int l = static_cast<int>(level);
+void RefinedLbm::field(scene::FluidField field, std::size_t patch, std::span<float> out) {
+    const auto [l, nest] = patches()[patch];
     if (l == 0) fluid_.cover_all();
-    const fluid::Fluid& fluid = fluid_.level(l);
+    const fluid::Fluid& fluid = fluid_.level(l, nest);
     int rank = 0;
     MPI_Comm_rank(comm_, &rank);
     const fluid::CellBox inside =
-        fluid_.inside_by_rank(l)[static_cast<std::size_t>(rank)];
+        fluid_.inside_by_rank(l, nest)[static_cast<std::size_t>(rank)];
     const fluid::CellBox own = fluid.owned();
-    const auto& first = fluid_.place(l).stored.lo;
+    const auto& first = fluid_.place(l, nest).stored.lo;
     const auto components = static_cast<std::size_t>(scene::components_of(field));
     std::array<std::size_t, 3> n{};
     for (std::size_t d = 0; d < 3; ++d)
@@ -154,8 +173,9 @@ output::FluidSummary RefinedLbm::summary() const {
     output::FluidSummary summary;
     const int finest = fluid_.levels() - 1;
     double cells = 0;
-    for (int l = 0; l <= finest; ++l)
-        cells += std::ldexp(static_cast<double>(cells_in(fluid_.level(l))), l - finest);
+    for (const auto [l, nest] : patches())
+        cells +=
+            std::ldexp(static_cast<double>(cells_in(fluid_.level(l, nest))), l - finest);
     summary.cells = static_cast<std::int64_t>(cells);
     summary.relaxation_time = fluid::relaxation_time(config);
     summary.spacing_m = config.spacing_m;
@@ -165,30 +185,30 @@ output::FluidSummary RefinedLbm::summary() const {
 }
 
 void RefinedLbm::save(coupler::StateWriter* file) {
-    const auto places = numbers_of(fluid_.finer_places());
+    const auto places = numbers_of(fluid_.places());
     const auto mass = fluid_.kept_mass();
     if (file) {
         file->table(places_table, places, {places.size() / 6, 6});
         file->table(mass_table, mass, {mass.size()});
     }
-    for (int l = 0; l < fluid_.levels(); ++l)
-        lbm::save(comm_, fluid_.level(l), table_of(l), file);
+    for (const auto [l, nest] : patches())
+        lbm::save(comm_, fluid_.level(l, nest), table_of(l, nest), file);
 }
 
 void RefinedLbm::restore(const coupler::StateReader& file) {
     const int finest = fluid_.levels() - 1;
-    if (!file.has(places_table) ||
-        file.shape(places_table)[0] != static_cast<std::size_t>(finest))
+    if (!file.has(places_table) || !file.has(table_of(finest, 0)) ||
+        file.has(table_of(finest + 1, 0)))
         throw coupler::StateFault(
             fmt::format("--restart: the checkpoint has no grid of {} finer levels, as "
                         "fluid.refinement asks for",
                         finest));
     const std::int64_t steps = steps_in_one(fluid_.level(finest), file);
     fluid_.restore(file.header().step * steps,
-                   places_of(file.table(places_table), fluid_.config().coarse),
+                   places_of(file.table(places_table), fluid_.config()),
                    file.has(mass_table) ? file.table(mass_table) : std::vector<double>());
-    for (int l = 0; l <= finest; ++l)
-        lbm::restore(fluid_.level(l), table_of(l), steps, file);
+    for (const auto [l, nest] : patches())
+        lbm::restore(fluid_.level(l, nest), table_of(l, nest), steps, file);
     grid_.owned_by_rank = fluid_.owned_by_rank();
 }
 

@@ -26,7 +26,7 @@ class RefinedLbm final : public fluids::FluidSolver {
     void advance() override { fluid_.step(); }
     void keep() override { fluid_.keep(); }
     void go_back() override { fluid_.go_back(); }
-    void follow(const std::array<scene::Vec3, 2>& around_m) override;
+    void follow(const std::vector<std::array<scene::Vec3, 2>>& bodies_m) override;
 
     std::string headline() const override;
     fluids::FluidTotals totals() override;
@@ -38,7 +38,7 @@ class RefinedLbm final : public fluids::FluidSolver {
         return fluid_.plane_flow(axis, at_m);
     }
     std::vector<fluids::FieldCells> field_cells() const override;
-    void field(scene::FluidField field, std::size_t level, std::span<float> out) override;
+    void field(scene::FluidField field, std::size_t patch, std::span<float> out) override;
     void check_divergence() override;
     output::FluidSummary summary() const override;
     double waited_for_neighbours_s() const override {
@@ -48,6 +48,11 @@ class RefinedLbm final : public fluids::FluidSolver {
     void restore(const coupler::StateReader& file) override;
 
   private:
+    struct Patch {
+        int level = 0, nest = 0;
+    };
+    std::vector<Patch> patches() const;  // level by level
+
     MPI_Comm comm_;
     fluid::RefinedFluid& fluid_;
     coupler::Grid grid_;

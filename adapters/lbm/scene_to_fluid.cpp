@@ -74,12 +74,13 @@ fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled
     return config;
 }
 
-std::array<fluid::Vec3, 2> refined_part_m(const scene::Scene& scene) {
-    if (scene.fluid->refinement->box_m) return *scene.fluid->refinement->box_m;
+std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene) {
+    if (scene.fluid->refinement->box_m) return {*scene.fluid->refinement->box_m};
     constexpr double most = std::numeric_limits<double>::max();
-    std::array<fluid::Vec3, 2> part{fluid::Vec3{most, most, most},
-                                    fluid::Vec3{-most, -most, -most}};
+    std::vector<fluid::BodyBox> parts;
     for (const scene::Body& body : scene.bodies) {
+        fluid::BodyBox& part = parts.emplace_back(fluid::BodyBox{
+            fluid::Vec3{most, most, most}, fluid::Vec3{-most, -most, -most}});
         structure::Placement placement = body.initial;
         placement.relaxed.reset();
         for (const auto& node :
@@ -90,31 +91,41 @@ std::array<fluid::Vec3, 2> refined_part_m(const scene::Scene& scene) {
             }
         }
     }
-    return part;
+    return parts;
 }
 
-std::vector<fluid::FluidConfig> level_configs(const scene::Scene& scene) {
+LevelConfigs level_configs(const scene::Scene& scene) {
     const double step_s = *scene::coupled_step_s(scene);
-    std::vector<fluid::FluidConfig> levels{to_config(scene, step_s)};
+    LevelConfigs levels{{to_config(scene, step_s)}};
     if (!scene.fluid->refinement) return levels;
     const fluid::RefinedConfig config = to_refined_config(scene, step_s);
-    const auto places =
-        fluid::place_levels(config.coarse, config.rule, refined_part_m(scene), nullptr);
-    for (const fluid::LevelPlace& place : *places) {
-        levels.push_back(
-            fluid::config_at(config.coarse, place, static_cast<int>(levels.size())));
-        if (config.rule.follows && config.obstacle_forces)
-            fluid::refuse_cut_obstacles(levels.back(), fluid::make_solids(levels.back()),
-                                        place);
+    levels.resize(1 + static_cast<std::size_t>(config.rule.levels));
+    const auto nests =
+        fluid::place_nests(config.coarse, config.rule, refined_parts_m(scene), nullptr);
+    for (const fluid::NestPlaces& nest : *nests) {
+        for (std::size_t i = 0; i < nest.size(); ++i) {
+            auto& level = levels[i + 1];
+            level.push_back(
+                fluid::config_at(config.coarse, nest[i], static_cast<int>(i) + 1));
+            if (config.rule.follows && config.obstacle_forces)
+                fluid::refuse_cut_obstacles(level.back(),
+                                            fluid::make_solids(level.back()), nest[i]);
+        }
     }
     return levels;
 }
 
-double updated_cells(const std::vector<fluid::FluidConfig>& levels) {
+double cells_of(const std::vector<fluid::FluidConfig>& level) {
+    double cells = 0;
+    for (const fluid::FluidConfig& grid : level)
+        cells += static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
+    return cells;
+}
+
+double updated_cells(const LevelConfigs& levels) {
     double cells = 0, per_step = std::ldexp(2, -static_cast<int>(levels.size()));
-    for (const fluid::FluidConfig& level : levels) {
-        const auto& n = level.cells;
-        cells += per_step * n[0] * n[1] * n[2];
+    for (const auto& level : levels) {
+        cells += per_step * cells_of(level);
         per_step *= 2;
     }
     return cells;

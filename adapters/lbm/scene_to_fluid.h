@@ -13,14 +13,16 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s);
 
 // Of a scene with fluid.refinement.
 fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled_step_s);
-// Lower and upper corner of what the finest level is to be around: the given box, or the
-// bodies where they start (before they relax).
-std::array<fluid::Vec3, 2> refined_part_m(const scene::Scene& scene);
+// What the finest level is to be around: the given box, or each body where it starts
+// (before it relaxes).
+std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene);
 
-// What each level has at the start: one, or with fluid.refinement the finer ones behind
-// it.
-std::vector<fluid::FluidConfig> level_configs(const scene::Scene& scene);
+// The grids of each level at the start: one, or with fluid.refinement the finer levels'
+// patches behind it.
+using LevelConfigs = std::vector<std::vector<fluid::FluidConfig>>;
+LevelConfigs level_configs(const scene::Scene& scene);
+double cells_of(const std::vector<fluid::FluidConfig>& level);
 // Cells that a coupled step updates, in the mean.
-double updated_cells(const std::vector<fluid::FluidConfig>& levels);
+double updated_cells(const LevelConfigs& levels);
 
 }  // namespace magfsi::lbm

@@ -162,10 +162,8 @@ void check_memory(const scene::Scene& scene) {
     for (const double length : scene.fluid->box_m)
         cells *= length / scene.fluid->spacing_m;
     if (scene.fluid->refinement) {
-        for (const fluid::FluidConfig& level : lbm::level_configs(scene)) {
-            const auto& n = level.cells;
-            cells += static_cast<double>(n[0]) * n[1] * n[2];
-        }
+        cells = 0;
+        for (const auto& level : lbm::level_configs(scene)) cells += lbm::cells_of(level);
     }
     if (cells * bytes_a_cell <= there) return;
     throw std::invalid_argument(fmt::format(

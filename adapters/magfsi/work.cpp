@@ -60,9 +60,9 @@ constexpr double finer_cell_cost = 3.2;
 // What the lattice does to each cell in each step.
 void add_lattice(const scene::Scene& scene, FluidWork& work) {
     const auto levels = lbm::level_configs(scene);
-    const auto& config = levels.front();
+    const fluid::FluidConfig& config = levels.front().front();
     const double coarse =
-        std::ldexp(lbm::updated_cells({config}), 1 - static_cast<int>(levels.size()));
+        std::ldexp(lbm::cells_of(levels.front()), 1 - static_cast<int>(levels.size()));
     work.cells = coarse + finer_cell_cost * (lbm::updated_cells(levels) - coarse);
     work.wall_cells = wall_cells(config);
     const fluid::Collision collision = fluid::choose_collision(config);

@@ -208,7 +208,7 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
     }
     const auto components = static_cast<std::size_t>(scene::components_of(field));
     const coupler::CellBox& box =
-        grid_.owned_by_rank[static_cast<std::size_t>(mesh_.rank)];
+        grid_.owned_by_rank[static_cast<std::size_t>(mesh_.rank)].front();
     float* to = out.data();
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         for (int y = box.lo[1]; y < box.hi[1]; ++y) {

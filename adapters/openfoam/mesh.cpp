@@ -147,7 +147,7 @@ coupler::Grid to_grid(const scene::Fluid& fluid, const BoxMesh& mesh) {
         };
         box.lo[axis] = index(mesh.first_cell[r]);
         box.hi[axis] = index(mesh.first_cell[r + 1]);
-        grid.owned_by_rank.push_back(box);
+        grid.owned_by_rank.push_back({box});
     }
     return grid;
 }

@@ -73,7 +73,7 @@ class Player {
           exchange_(session.world(), session.timeout_s(), record_.header().forcing),
           difference_(session, "m") {
         coupler::Grid grid = record_.header().grid;
-        grid.owned_by_rank = {{{0, 0, 0}, grid.cells}};
+        grid.owned_by_rank = {{{{0, 0, 0}, grid.cells}}};
         grid.follows = false;
         grid.renewal = {};
         coupler::swap_text(session.world(), coupler::to_text(grid), coupler::no_timeout_s,

@@ -10,6 +10,7 @@ namespace magfsi {
 // Half-open box.
 struct CellBox {
     std::array<int, 3> lo{}, hi{};
+    bool operator==(const CellBox&) const = default;
 };
 
 // Cells x_begin <= x < x_end of one row along x.

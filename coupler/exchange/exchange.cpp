@@ -29,17 +29,19 @@ std::string in_words(const Occasion& when) {
     return fmt::format("step {}, iteration {}", when.step, when.iteration);
 }
 
-// Nothing, for no points.
-std::array<Vec3, 2> box_around(std::span<const Vec3> points_m) {
+using Box = std::array<Vec3, 2>;
+
+// Around nothing.
+constexpr Box no_box() {
     constexpr double most = std::numeric_limits<double>::max();
-    std::array<Vec3, 2> box{Vec3{most, most, most}, Vec3{-most, -most, -most}};
-    for (const Vec3& point : points_m) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            box[0][d] = std::min(box[0][d], point[d]);
-            box[1][d] = std::max(box[1][d], point[d]);
-        }
+    return {Vec3{most, most, most}, Vec3{-most, -most, -most}};
+}
+
+void widen(Box& box, const Vec3& low, const Vec3& high) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        box[0][d] = std::min(box[0][d], low[d]);
+        box[1][d] = std::max(box[1][d], high[d]);
     }
-    return box;
 }
 
 // Numbers of markers to and from every rank of the partner.
@@ -58,8 +60,8 @@ void start_send(const World& world, int rank, int tag, const std::vector<double>
               world.partner(), &sending.emplace_back());
 }
 
-// Receives a message from each of the ranks into its place in `in`, which has its size,
-// and completes what is being sent.
+// Receives a message from each of the ranks into its place in `in`, which has its size or
+// gets that of what comes, and completes what is being sent.
 void receive_from(const World& world, const std::vector<int>& ranks, int tag,
                   Messages& in, std::vector<MPI_Request>& sending, double timeout_s,
                   const std::string& what) {
@@ -67,11 +69,41 @@ void receive_from(const World& world, const std::vector<int>& ranks, int tag,
     std::vector<MPI_Request> requests(sending);
     for (const int rank : ranks) {
         auto& message = in[static_cast<std::size_t>(rank)];
+        if (message.empty()) {
+            MPI_Status status;
+            int numbers = 0;
+            MPI_Probe(rank, tag, world.partner(), &status);
+            MPI_Get_count(&status, MPI_DOUBLE, &numbers);
+            message.resize(static_cast<std::size_t>(numbers));
+        }
         MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
                   world.partner(), &requests.emplace_back());
     }
     wait_all(requests, timeout_s, what);
     sending.clear();
+}
+
+// The boxes of each rank of a grid, as numbers: how many, then six for each.
+std::vector<double> to_numbers(const std::vector<std::vector<CellBox>>& by_rank) {
+    std::vector<double> numbers;
+    for (const auto& boxes : by_rank) {
+        numbers.push_back(static_cast<double>(boxes.size()));
+        for (const CellBox& box : boxes) {
+            numbers.insert(numbers.end(), box.lo.begin(), box.lo.end());
+            numbers.insert(numbers.end(), box.hi.begin(), box.hi.end());
+        }
+    }
+    return numbers;
+}
+
+void from_numbers(const double* number, std::vector<std::vector<CellBox>>& by_rank) {
+    for (auto& boxes : by_rank) {
+        boxes.resize(static_cast<std::size_t>(*number++));
+        for (CellBox& box : boxes) {
+            for (int& low : box.lo) low = static_cast<int>(*number++);
+            for (int& high : box.hi) high = static_cast<int>(*number++);
+        }
+    }
 }
 
 // What forcing no_slip says besides: its numbers of the i-th marker of a message.
@@ -136,12 +168,15 @@ void check_header(std::span<const double> message, const Occasion& when,
 }
 
 StructureExchange::StructureExchange(const World& world, Grid grid, Kernel kernel,
-                                     double timeout_s, Forcing forcing)
+                                     double timeout_s, Forcing forcing,
+                                     std::size_t bodies, std::vector<int> body_of)
     : world_(world),
       grid_(std::move(grid)),
       kernel_(kernel),
       timeout_s_(timeout_s),
       forcing_(forcing),
+      bodies_(bodies),
+      body_of_(std::move(body_of)),
       out_(static_cast<std::size_t>(world.partner_size())),
       in_(out_.size()) {}
 
@@ -150,21 +185,20 @@ StructureExchange::~StructureExchange() {
 }
 
 void StructureExchange::let_follow(std::int64_t step, std::span<const Vec3> points_m) {
-    const std::array<Vec3, 2> mine = box_around(points_m);
+    std::vector<Box> mine(bodies_, no_box());
+    for (std::size_t m = 0; m < points_m.size(); ++m) {
+        const auto body = static_cast<std::size_t>(body_of_.empty() ? 0 : body_of_[m]);
+        widen(mine[body], points_m[m], points_m[m]);
+    }
     std::vector<MPI_Request> sending;
     for (int f = 0; f < world_.partner_size(); ++f)
-        MPI_Isend(mine.front().data(), 6, MPI_DOUBLE, f, place_tag, world_.partner(),
-                  &sending.emplace_back());
-    Messages in(1, std::vector<double>(6 * grid_.owned_by_rank.size()));
+        MPI_Isend(mine.front().front().data(), static_cast<int>(6 * mine.size()),
+                  MPI_DOUBLE, f, place_tag, world_.partner(), &sending.emplace_back());
+    Messages in(1);
     receive_from(world_, {0}, place_tag, in, sending,
                  step < 0 ? no_timeout_s : timeout_s_,
                  fmt::format("position of the fluid's grid at step {}", step));
-    const double* at = in.front().data();
-    for (CellBox& box : grid_.owned_by_rank) {
-        for (int* corner : {box.lo.data(), box.hi.data()}) {
-            for (std::size_t d = 0; d < 3; ++d) corner[d] = static_cast<int>(*at++);
-        }
-    }
+    from_numbers(in.front().data(), grid_.owned_by_rank);
 }
 
 void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m) {
@@ -272,25 +306,22 @@ void FluidExchange::renew(std::int64_t step) {
 void FluidExchange::follow(std::int64_t step, bool stays) {
     std::vector<int> all(count_.size());
     std::iota(all.begin(), all.end(), 0);
-    Messages in(count_.size(), std::vector<double>(6));
+    Messages in(count_.size());
     std::vector<MPI_Request> sending;
     receive_from(world_, all, place_tag, in, sending,
                  step < 0 ? no_timeout_s : timeout_s_,
                  fmt::format("position of the bodies at step {}", step));
-    std::array<Vec3, 2> around{get(in.front().data()), get(in.front().data() + 3)};
-    for (const auto& box : in) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            around[0][d] = std::min(around[0][d], box[d]);
-            around[1][d] = std::max(around[1][d], box[3 + d]);
-        }
+    std::vector<Box> bodies(in.front().size() / 6, no_box());
+    for (const auto& message : in) {
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            widen(bodies[b], get(message.data() + 6 * b),
+                  get(message.data() + 6 * b + 3));
     }
-    if (!stays) follower_->follow(around);
+    // Some bodies may have no markers.
+    std::erase_if(bodies, [](const Box& box) { return box[0][0] > box[1][0]; });
+    if (!stays) follower_->follow(bodies);
     if (world_.rank() != 0) return;
-    std::vector<double> boxes;
-    for (const CellBox& box : follower_->grid().owned_by_rank) {
-        boxes.insert(boxes.end(), box.lo.begin(), box.lo.end());
-        boxes.insert(boxes.end(), box.hi.begin(), box.hi.end());
-    }
+    const std::vector<double> boxes = to_numbers(follower_->grid().owned_by_rank);
     for (const int rank : all) start_send(world_, rank, place_tag, boxes, sending);
     wait_all(sending, timeout_s_, "receiver of the grid's position");
 }

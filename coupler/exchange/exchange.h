@@ -86,8 +86,10 @@ void check_margin(const Grid& grid, std::span<const Vec3> then_m,
 // The structure rank's end.
 class StructureExchange {
   public:
+    // body_of: of each marker, of so many bodies in all; without it there is one.
     StructureExchange(const World& world, Grid grid, Kernel kernel, double timeout_s,
-                      Forcing forcing = Forcing::penalty);
+                      Forcing forcing = Forcing::penalty, std::size_t bodies = 1,
+                      std::vector<int> body_of = {});
 
     // When an exception ends the run, messages still under way are kept.
     ~StructureExchange();
@@ -119,6 +121,8 @@ class StructureExchange {
     Kernel kernel_;
     double timeout_s_;
     Forcing forcing_;
+    std::size_t bodies_;
+    std::vector<int> body_of_;
     std::vector<std::vector<int>> table_;  // by fluid rank
     std::vector<int> partners_;            // fluid ranks that have any
     std::vector<Vec3> renewed_at_;

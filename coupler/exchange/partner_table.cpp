@@ -2,6 +2,7 @@
 // Which fluid ranks a marker can reach until the table is renewed.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupler/exchange/exchange.h"
@@ -41,8 +42,11 @@ std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
     for (const Vec3& point : points_m) marker_stencil(grid, kernel, point);
     std::vector<std::vector<int>> table(grid.owned_by_rank.size());
     for (std::size_t rank = 0; rank < table.size(); ++rank) {
+        const std::vector<CellBox>& boxes = grid.owned_by_rank[rank];
         for (std::size_t m = 0; m < points_m.size(); ++m) {
-            if (may_touch(grid, kernel, grid.owned_by_rank[rank], points_m[m]))
+            if (std::ranges::any_of(boxes, [&](const CellBox& box) {
+                    return may_touch(grid, kernel, box, points_m[m]);
+                }))
                 table[rank].push_back(static_cast<int>(m));
         }
     }

@@ -12,7 +12,7 @@ namespace magfsi::coupler {
 double condition_number(const Grid& grid, Kernel kernel, std::span<const Vec3> points_m,
                         std::span<const double> volume_m3) {
     constexpr int turns = 50;
-    TouchedRows rows(grid, {{0, 0, 0}, grid.cells}, kernel);
+    TouchedRows rows(grid, {CellBox{{0, 0, 0}, grid.cells}}, kernel);
     rows.place(points_m);
     std::vector<double> cells(3 * rows.cells());
     std::vector<Vec3> marker(points_m.size());

@@ -17,15 +17,19 @@ namespace {
 }  // namespace
 
 std::string to_text(const Grid& grid) {
-    nlohmann::json boxes = nlohmann::json::array();
-    for (const CellBox& box : grid.owned_by_rank) boxes.push_back({box.lo, box.hi});
+    nlohmann::json ranks = nlohmann::json::array();
+    for (const auto& boxes : grid.owned_by_rank) {
+        nlohmann::json of_rank = nlohmann::json::array();
+        for (const CellBox& box : boxes) of_rank.push_back({box.lo, box.hi});
+        ranks.push_back(of_rank);
+    }
     nlohmann::json solid = nlohmann::json::array();
     for (const GridRow& r : grid.solid) solid.push_back({r.y, r.z, r.x_begin, r.x_end});
     return nlohmann::json{
         {"spacing_m", grid.spacing_m},
         {"cells", grid.cells},
         {"periodic", grid.periodic},
-        {"owned_by_rank", boxes},
+        {"boxes_by_rank", ranks},
         {"follows", grid.follows},
         {"renewal", {grid.renewal.every, grid.renewal.ahead, grid.renewal.margin_cells}},
         {"solid", solid}}
@@ -38,8 +42,16 @@ Grid grid_from_text(const std::string& text) {
     grid.spacing_m = json.at("spacing_m");
     grid.cells = json.at("cells");
     grid.periodic = json.at("periodic");
-    for (const auto& box : json.at("owned_by_rank"))
-        grid.owned_by_rank.push_back({box.at(0), box.at(1)});
+    if (json.contains("boxes_by_rank")) {
+        for (const auto& boxes : json.at("boxes_by_rank")) {
+            grid.owned_by_rank.emplace_back();
+            for (const auto& box : boxes)
+                grid.owned_by_rank.back().push_back({box.at(0), box.at(1)});
+        }
+    } else {  // older records
+        for (const auto& box : json.at("owned_by_rank"))
+            grid.owned_by_rank.push_back({{box.at(0), box.at(1)}});
+    }
     if (json.contains("follows")) {  // not in older records
         grid.follows = json.at("follows");
         const auto& renewal = json.at("renewal");

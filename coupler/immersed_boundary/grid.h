@@ -36,9 +36,10 @@ struct Grid {
     double spacing_m = 0;
     std::array<int, 3> cells{};
     std::array<bool, 3> periodic{};
-    // In a grid that follows the bodies, of the part around them, and beyond periodic
-    // sides where it crosses them.
-    std::vector<CellBox> owned_by_rank;
+    // Boxes of each rank, further from each other than a kernel is wide: one, but in a
+    // grid that follows the bodies one for each part of it around them, and beyond
+    // periodic sides where it crosses them. None is empty.
+    std::vector<std::vector<CellBox>> owned_by_rank;
     bool follows = false;
     Renewal renewal{};
     std::vector<GridRow> solid{};  // cells without fluid, of all ranks
@@ -68,9 +69,9 @@ class GridFluid {
     // One coupled step.
     virtual void advance() = 0;
 
-    // Where grid().follows: before a renewal, with the box [m] around all markers. The
-    // grid's boxes may be others afterwards. Collective.
-    virtual void follow(const std::array<Vec3, 2>& /*around_m*/) {}
+    // Where grid().follows: before a renewal, with a box [m] around the markers of each
+    // body. The grid's boxes may be others afterwards. Collective.
+    virtual void follow(const std::vector<std::array<Vec3, 2>>& /*bodies_m*/) {}
 
     // For schemes that repeat a step: keep() notes the state between two steps, in
     // memory; go_back() returns to it from the step's end, as often as is wanted. Between

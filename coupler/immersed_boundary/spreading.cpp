@@ -16,15 +16,30 @@ bool same_cells(const MarkerStencil& a, const MarkerStencil& b) {
 
 }  // namespace
 
-TouchedRows::TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel)
-    : grid_(&grid), box_(box), kernel_(kernel), solid_(grid) {
-    const auto rows = static_cast<std::size_t>(box.hi[1] - box.lo[1]) *
-                      static_cast<std::size_t>(box.hi[2] - box.lo[2]);
-    row_of_.assign(rows, -1);
+TouchedRows::TouchedRows(const Grid& grid, const std::vector<CellBox>& boxes,
+                         Kernel kernel)
+    : grid_(&grid), kernel_(kernel), solid_(grid) {
+    int slots = 0;
+    for (const CellBox& box : boxes) {
+        parts_.push_back({box, slots});
+        slots += (box.hi[1] - box.lo[1]) * (box.hi[2] - box.lo[2]);
+    }
+    row_of_.assign(static_cast<std::size_t>(slots), -1);
 }
 
-int TouchedRows::slot(int y, int z) const {
-    return (z - box_.lo[2]) * (box_.hi[1] - box_.lo[1]) + (y - box_.lo[1]);
+int TouchedRows::part_of(const MarkerStencil& stencil) const {
+    if (parts_.size() == 1) return 0;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const CellBox& box = parts_[p].box;
+        bool meets = true;
+        for (std::size_t d = 0; d < 3 && meets; ++d) {
+            meets = false;
+            for (int i = 0; i < stencil[d].count && !meets; ++i)
+                meets = from_box(box, stencil[d].first + i, d) < box.hi[d];
+        }
+        if (meets) return static_cast<int>(p);
+    }
+    return no_part;
 }
 
 // Visits the marker's cells that this rank owns and that hold fluid, as runs along x that
@@ -33,24 +48,26 @@ template <typename Visit>
 void TouchedRows::for_each_run(std::size_t marker, Visit&& visit) const {
     const auto& [sx, sy, sz] = stencils_[marker];
     const double share = share_[marker];
-    if (share == 0) return;
+    if (share == 0 || part_of_[marker] == no_part) return;
+    const Part& mine = part(marker);
+    const CellBox& box = mine.box;
     Runs runs;
-    const std::size_t pieces = runs_along_x(sx, runs);
+    const std::size_t pieces = runs_along_x(box, sx, runs);
     for (int k = 0; k < sz.count; ++k) {
-        const int z = from_box(sz.first + k, 2);
-        if (z < box_.lo[2] || z >= box_.hi[2]) continue;
+        const int z = from_box(box, sz.first + k, 2);
+        if (z < box.lo[2] || z >= box.hi[2]) continue;
         for (int j = 0; j < sy.count; ++j) {
-            const int y = from_box(sy.first + j, 1);
-            if (y < box_.lo[1] || y >= box_.hi[1]) continue;
+            const int y = from_box(box, sy.first + j, 1);
+            if (y < box.lo[1] || y >= box.hi[1]) continue;
             const double wyz = sy.weight[static_cast<std::size_t>(j)] *
                                sz.weight[static_cast<std::size_t>(k)] / share;
             for (std::size_t p = 0; p < pieces; ++p) {
                 if (share == 1) {
-                    visit(slot(y, z), runs[p], wyz);
+                    visit(mine.slot(y, z), runs[p], wyz);
                     continue;
                 }
                 without_solid(y, z, runs[p],
-                              [&](const Run& part) { visit(slot(y, z), part, wyz); });
+                              [&](const Run& run) { visit(mine.slot(y, z), run, wyz); });
             }
         }
     }
@@ -67,11 +84,12 @@ void TouchedRows::without_solid(int y, int z, const Run& run, Visit&& visit) con
 }
 
 // A periodic side cuts a stencil; in what order they come decides about rounding.
-std::size_t TouchedRows::runs_along_x(const Stencil1D& sx, Runs& runs) const {
+std::size_t TouchedRows::runs_along_x(const CellBox& box, const Stencil1D& sx,
+                                      Runs& runs) const {
     std::size_t pieces = 0;
     for (int i = 0; i < sx.count; ++i) {
-        const int x = from_box(sx.first + i, 0);
-        if (x < box_.lo[0] || x >= box_.hi[0]) continue;
+        const int x = from_box(box, sx.first + i, 0);
+        if (x < box.lo[0] || x >= box.hi[0]) continue;
         if (pieces > 0 && x == runs[pieces - 1].x + runs[pieces - 1].cells) {
             ++runs[pieces - 1].cells;
         } else {
@@ -81,11 +99,13 @@ std::size_t TouchedRows::runs_along_x(const Stencil1D& sx, Runs& runs) const {
     return pieces;
 }
 
-void TouchedRows::widen(int y, int z, int x_begin, int x_end) {
-    int& row = row_of_[static_cast<std::size_t>(slot(y, z))];
+void TouchedRows::widen(const Part& part, int y, int z, int x_begin, int x_end) {
+    const int slot = part.slot(y, z);
+    int& row = row_of_[static_cast<std::size_t>(slot)];
     if (row < 0) {
         row = static_cast<int>(rows_.size());
         rows_.push_back({y, z, x_begin, x_end});
+        slot_of_.push_back(slot);
         return;
     }
     GridRow& r = rows_[static_cast<std::size_t>(row)];
@@ -95,23 +115,26 @@ void TouchedRows::widen(int y, int z, int x_begin, int x_end) {
 
 void TouchedRows::widen_by(std::size_t marker) {
     if (plain_[marker]) {
-        const MarkerStencil& s = stencils_[marker];
         // Neighbours touch the same cells more often than not.
-        if (marker > 0 && plain_[marker - 1] && same_cells(s, stencils_[marker - 1]))
+        if (marker > 0 && plain_[marker - 1] &&
+            same_cells(stencils_[marker], stencils_[marker - 1]))
             return;
-        return widen_plain(s);
+        return widen_plain(marker);
     }
-    const int ny = box_.hi[1] - box_.lo[1];
     for_each_run(marker, [&](int at, const Run& run, double) {
-        widen(box_.lo[1] + at % ny, box_.lo[2] + at / ny, run.x, run.x + run.cells);
+        const Part& mine = part(marker);
+        const int ny = mine.box.hi[1] - mine.box.lo[1], in_box = at - mine.first_slot;
+        widen(mine, mine.box.lo[1] + in_box % ny, mine.box.lo[2] + in_box / ny, run.x,
+              run.x + run.cells);
     });
 }
 
-void TouchedRows::widen_plain(const MarkerStencil& stencil) {
-    const auto& [sx, sy, sz] = stencil;
+void TouchedRows::widen_plain(std::size_t marker) {
+    const auto& [sx, sy, sz] = stencils_[marker];
+    const Part& mine = part(marker);
     for (int z = sz.first; z < sz.first + sz.count; ++z) {
         for (int y = sy.first; y < sy.first + sy.count; ++y)
-            widen(y, z, sx.first, sx.first + sx.count);
+            widen(mine, y, z, sx.first, sx.first + sx.count);
     }
 }
 
@@ -119,7 +142,8 @@ template <bool BesideSolid>
 void TouchedRows::place_each() {
     for (std::size_t m = 0; m < points_m_.size(); ++m) {
         set_stencil(stencils_[m], *grid_, kernel_, points_m_[m]);
-        plain_[m] = is_plain(stencils_[m]);
+        part_of_[m] = part_of(stencils_[m]);
+        plain_[m] = is_plain(m);
         if constexpr (BesideSolid) {
             share_[m] = solid_.fluid_share(stencils_[m]);
             plain_[m] = plain_[m] && share_[m] == 1;
@@ -128,23 +152,27 @@ void TouchedRows::place_each() {
     }
 }
 
-bool TouchedRows::is_plain(const MarkerStencil& stencil) const {
+bool TouchedRows::is_plain(std::size_t marker) const {
+    if (part_of_[marker] == no_part) return false;
+    const CellBox& box = part(marker).box;
     for (std::size_t d = 0; d < 3; ++d) {
-        const Stencil1D& s = stencil[d];
-        if (s.count != support(kernel_) || s.first < box_.lo[d] ||
-            s.first + s.count > box_.hi[d])
+        const Stencil1D& s = stencils_[marker][d];
+        if (s.count != support(kernel_) || s.first < box.lo[d] ||
+            s.first + s.count > box.hi[d])
             return false;
     }
     return true;
 }
 
 void TouchedRows::place(std::span<const Vec3> points_m) {
-    for (const GridRow& r : rows_) row_of_[static_cast<std::size_t>(slot(r.y, r.z))] = -1;
+    for (const int slot : slot_of_) row_of_[static_cast<std::size_t>(slot)] = -1;
     rows_.clear();
+    slot_of_.clear();
     points_m_.assign(points_m.begin(), points_m.end());
     stencils_.resize(points_m.size());
     share_.resize(points_m.size(), 1);
     plain_.resize(points_m.size());
+    part_of_.resize(points_m.size());
     if (solid_.any())
         place_each<true>();
     else
@@ -181,11 +209,12 @@ void TouchedRows::with_support(Use&& use) const {
 
 // Sums over y and z first, all cells and components along x side by side.
 template <int Cells>
-Vec3 TouchedRows::read_plain(const MarkerStencil& stencil, const double* velocity) const {
-    const auto& [sx, sy, sz] = stencil;
+Vec3 TouchedRows::read_plain(std::size_t marker, const double* velocity) const {
+    const auto& [sx, sy, sz] = stencils_[marker];
+    const Part& mine = part(marker);
     std::array<double, 3 * Cells> line{};
     for (std::size_t k = 0; k < Cells; ++k) {
-        const int first = slot(sy.first, sz.first + static_cast<int>(k));
+        const int first = mine.slot(sy.first, sz.first + static_cast<int>(k));
         for (std::size_t j = 0; j < Cells; ++j) {
             const double weight = sy.weight[j] * sz.weight[k];
             const double* u =
@@ -200,14 +229,15 @@ Vec3 TouchedRows::read_plain(const MarkerStencil& stencil, const double* velocit
 }
 
 template <int Cells>
-void TouchedRows::add_plain(const MarkerStencil& stencil, const Vec3& force,
+void TouchedRows::add_plain(std::size_t marker, const Vec3& force,
                             double* density) const {
-    const auto& [sx, sy, sz] = stencil;
+    const auto& [sx, sy, sz] = stencils_[marker];
+    const Part& mine = part(marker);
     std::array<double, 3 * Cells> line;
     for (std::size_t i = 0; i < line.size(); ++i)
         line[i] = sx.weight[i / 3] * force[i % 3];
     for (std::size_t k = 0; k < Cells; ++k) {
-        const int first = slot(sy.first, sz.first + static_cast<int>(k));
+        const int first = mine.slot(sy.first, sz.first + static_cast<int>(k));
         for (std::size_t j = 0; j < Cells; ++j) {
             const double weight = sy.weight[j] * sz.weight[k];
             double* f = density + first_value(first + static_cast<int>(j), sx.first);
@@ -221,7 +251,7 @@ void TouchedRows::interpolate(std::span<const double> velocity,
     with_support([&](auto cells) {
         for (std::size_t m = 0; m < stencils_.size(); ++m) {
             if (plain_[m]) {
-                markers[m] = read_plain<cells()>(stencils_[m], velocity.data());
+                markers[m] = read_plain<cells()>(m, velocity.data());
                 continue;
             }
             Vec3 sum{};
@@ -246,7 +276,7 @@ void TouchedRows::spread(std::span<const Vec3> impulse, double duration_s,
             Vec3 force = impulse[m];
             for (double& f : force) f = f / duration_s * per_volume;
             if (plain_[m]) {
-                add_plain<cells()>(stencils_[m], force, density.data());
+                add_plain<cells()>(m, force, density.data());
                 continue;
             }
             for_each_run(m, [&](int at, const Run& run, double wyz) {
@@ -264,7 +294,7 @@ void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> v
                              double factor, std::span<double> to) const {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const GridRow& mine = rows_[r];
-        const int at = other.row_of_[static_cast<std::size_t>(slot(mine.y, mine.z))];
+        const int at = other.row_of_[static_cast<std::size_t>(slot_of_[r])];
         if (at < 0) continue;
         const auto o = static_cast<std::size_t>(at);
         const GridRow& theirs = other.rows_[o];
@@ -278,7 +308,7 @@ void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> v
     }
 }
 
-FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
+FluidSide::FluidSide(GridFluid& fluid, const std::vector<CellBox>& owned, Kernel kernel,
                      double coupled_step_s, Forcing forcing)
     : fluid_(fluid),
       owned_(owned),
@@ -288,11 +318,11 @@ FluidSide::FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
       spread_rows_(fluid.grid(), owned, kernel),
       sample_rows_(fluid.grid(), owned, kernel) {}
 
-bool FluidSide::own(const CellBox& box) {
-    if (box.lo == owned_.lo && box.hi == owned_.hi) return false;
-    owned_ = box;
-    spread_rows_ = TouchedRows(fluid_.grid(), box, kernel_);
-    sample_rows_ = TouchedRows(fluid_.grid(), box, kernel_);
+bool FluidSide::own(const std::vector<CellBox>& boxes) {
+    if (boxes == owned_) return false;
+    owned_ = boxes;
+    spread_rows_ = TouchedRows(fluid_.grid(), boxes, kernel_);
+    sample_rows_ = TouchedRows(fluid_.grid(), boxes, kernel_);
     return true;
 }
 

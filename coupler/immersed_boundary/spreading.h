@@ -17,9 +17,9 @@ namespace magfsi::coupler {
 // The rows of one rank's cells that markers touch.
 class TouchedRows {
   public:
-    // box: the cells of this rank; markers may reach beyond it, what lies there is left
-    // to the rank that owns it.
-    TouchedRows(const Grid& grid, const CellBox& box, Kernel kernel);
+    // boxes: the cells of this rank (Grid::owned_by_rank); markers may reach beyond them,
+    // what lies there is left to the rank that owns it.
+    TouchedRows(const Grid& grid, const std::vector<CellBox>& boxes, Kernel kernel);
 
     // Sets the markers by their positions [m].
     void place(std::span<const Vec3> points_m);
@@ -38,7 +38,8 @@ class TouchedRows {
                 std::span<double> density) const;
 
     // to[cell] += factor * values[cell] in the cells that these rows share with `other`,
-    // to which the values belong: three a cell, row after row. Both are of the same box.
+    // to which the values belong: three a cell, row after row. Both are of the same
+    // boxes.
     void add_shared(const TouchedRows& other, std::span<const double> values,
                     double factor, std::span<double> to) const;
 
@@ -48,6 +49,15 @@ class TouchedRows {
         const double* weight = nullptr;  // of each cell, along x
     };
     using Runs = std::array<Run, max_support>;  // as many in a box of one cell
+    struct Part {
+        CellBox box;
+        int first_slot = 0;
+        int slot(int y, int z) const {
+            return first_slot + (z - box.lo[2]) * (box.hi[1] - box.lo[1]) +
+                   (y - box.lo[1]);
+        }
+    };
+    static constexpr int no_part = -1;
     template <typename Visit>
     void for_each_run(std::size_t marker, Visit&& visit) const;
     template <typename Visit>
@@ -55,50 +65,55 @@ class TouchedRows {
     // With the markers' shares in the fluid where there are solid cells.
     template <bool BesideSolid>
     void place_each();
+    // The part of which a marker touches cells; with one alone, that.
+    int part_of(const MarkerStencil& stencil) const;
+    const Part& part(std::size_t marker) const {
+        return parts_[static_cast<std::size_t>(part_of_[marker])];
+    }
     // Whether the marker touches kernel_ cells along each axis, all of them of this rank,
     // one beside the other.
-    bool is_plain(const MarkerStencil& stencil) const;
+    bool is_plain(std::size_t marker) const;
     template <typename Use>
     void with_support(Use&& use) const;
     template <int Cells>
-    Vec3 read_plain(const MarkerStencil& stencil, const double* velocity) const;
+    Vec3 read_plain(std::size_t marker, const double* velocity) const;
     template <int Cells>
-    void add_plain(const MarkerStencil& stencil, const Vec3& force,
-                   double* density) const;
-    std::size_t runs_along_x(const Stencil1D& sx, Runs& runs) const;
-    // A cell's index from the box's lowest on, across periodic sides.
-    int from_box(int index, std::size_t axis) const {
-        return box_.lo[axis] + wrapped(index - box_.lo[axis], grid_->cells[axis]);
+    void add_plain(std::size_t marker, const Vec3& force, double* density) const;
+    std::size_t runs_along_x(const CellBox& box, const Stencil1D& sx, Runs& runs) const;
+    // A cell's index from a box's lowest on, across periodic sides.
+    int from_box(const CellBox& box, int index, std::size_t axis) const {
+        return box.lo[axis] + wrapped(index - box.lo[axis], grid_->cells[axis]);
     }
     std::size_t first_value(int at, int x) const;
-    int slot(int y, int z) const;
-    void widen(int y, int z, int x_begin, int x_end);
+    void widen(const Part& part, int y, int z, int x_begin, int x_end);
     void widen_by(std::size_t marker);
-    void widen_plain(const MarkerStencil& stencil);
+    void widen_plain(std::size_t marker);
 
     const Grid* grid_;
-    CellBox box_;
+    std::vector<Part> parts_;
     Kernel kernel_;
     SolidCells solid_;
     std::vector<Vec3> points_m_;
     std::vector<MarkerStencil> stencils_;
     std::vector<double> share_;  // of each marker's weights in the fluid
     std::vector<char> plain_;    // of each marker
+    std::vector<int> part_of_;   // of each marker
     std::vector<GridRow> rows_;
+    std::vector<int> slot_of_;            // of each row
     std::vector<std::ptrdiff_t> origin_;  // of each row: number of its cell x = 0
-    std::vector<int> row_of_;             // (y, z) -> row, -1: not touched
+    std::vector<int> row_of_;             // slot of (y, z) -> row, -1: not touched
     std::size_t cells_ = 0;
 };
 
 // The fluid rank's half of the immersed boundary: spreads impulses, samples velocities.
 class FluidSide {
   public:
-    FluidSide(GridFluid& fluid, const CellBox& owned, Kernel kernel,
+    FluidSide(GridFluid& fluid, const std::vector<CellBox>& owned, Kernel kernel,
               double coupled_step_s, Forcing forcing = Forcing::penalty);
 
     // The cells of this rank, where the fluid's grid may have moved. True if it has: then
     // nothing is placed.
-    bool own(const CellBox& box);
+    bool own(const std::vector<CellBox>& boxes);
 
     // Gives the impulses [N s] of a step to the fluid as forces over that step. more:
     // besides those of the last spread, at the same points.
@@ -140,7 +155,7 @@ class FluidSide {
     std::span<const Vec3> interpolate(std::size_t markers);
 
     GridFluid& fluid_;
-    CellBox owned_;
+    std::vector<CellBox> owned_;
     Kernel kernel_;
     double coupled_step_s_;
     Forcing forcing_;

@@ -60,6 +60,12 @@ PenaltyScale penalty_scale(const Session& session) {
     return scale;
 }
 
+std::vector<int> bodies_of(std::span<const Marker> markers) {
+    std::vector<int> bodies;
+    for (const Marker& marker : markers) bodies.push_back(marker.body);
+    return bodies;
+}
+
 }  // namespace
 
 StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
@@ -71,7 +77,8 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
       markers_(std::move(markers)),
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
       exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
-                session.timeout_s(), options_.immersed_boundary.forcing.value()),
+                session.timeout_s(), options_.immersed_boundary.forcing.value(),
+                markers_.bodies, bodies_of(force_.markers())),
       slip_(std::move(markers_.areas)) {
     const std::size_t count = force_.markers().size();
     if (options_.immersed_boundary.iterations > 1) {

@@ -32,6 +32,28 @@ inline CellBox shifted(const CellBox& box, const std::array<int, 3>& by) {
     return moved;
 }
 
+inline CellBox grown(CellBox box, int by) {
+    for (int d = 0; d < 3; ++d) {
+        box.lo[d] -= by;
+        box.hi[d] += by;
+    }
+    return box;
+}
+
+inline int floor_half(int value) {
+    return value >= 0 ? value / 2 : -((1 - value) / 2);
+}
+
+// In cells twice as large: those that have a part of it.
+inline CellBox halved(const CellBox& box) {
+    CellBox half;
+    for (int d = 0; d < 3; ++d) {
+        half.lo[d] = floor_half(box.lo[d]);
+        half.hi[d] = floor_half(box.hi[d] + 1);
+    }
+    return half;
+}
+
 inline bool contains(const CellBox& outer, const CellBox& inner) {
     for (int d = 0; d < 3; ++d) {
         if (inner.lo[d] < outer.lo[d] || inner.hi[d] > outer.hi[d]) return false;

@@ -60,14 +60,15 @@ struct RefinedFluid::Levels {
     }
 
     Level coarsest;
-    std::vector<std::unique_ptr<FinerLevel>> finer;
+    std::vector<Nest> nests;
 
-    Level& at(int number) {
-        return number == 0 ? coarsest
-                           : finer[static_cast<std::size_t>(number - 1)]->level;
+    // Level 0 is the same in all nests.
+    Level& at(int number, int nest) {
+        return number == 0 ? coarsest : above(number - 1, nest).level;
     }
-    Level& finest() { return finer.back()->level; }
-    FinerLevel& above(int number) { return *finer[static_cast<std::size_t>(number)]; }
+    FinerLevel& above(int number, int nest) {
+        return *nests[static_cast<std::size_t>(nest)][static_cast<std::size_t>(number)];
+    }
 };
 
 }  // namespace magfsi::fluid

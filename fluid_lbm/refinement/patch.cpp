@@ -12,90 +12,6 @@ namespace magfsi::fluid {
 
 namespace {
 
-int floor_half(int value) {
-    return value >= 0 ? value / 2 : -((1 - value) / 2);
-}
-
-CellBox grown(CellBox box, int by) {
-    for (int d = 0; d < 3; ++d) {
-        box.lo[d] -= by;
-        box.hi[d] += by;
-    }
-    return box;
-}
-
-// The bodies' cells on a grid.
-CellBox cells_around(const std::array<Vec3, 2>& bodies_m, double spacing_m) {
-    CellBox box;
-    for (int d = 0; d < 3; ++d) {
-        box.lo[d] = static_cast<int>(std::floor(bodies_m[0][d] / spacing_m));
-        box.hi[d] = static_cast<int>(std::floor(bodies_m[1][d] / spacing_m)) + 1;
-    }
-    return box;
-}
-
-// A box that leaves the bodies room to move. Its size stays as it was while it is large
-// enough and not much too large: a patch that only moves keeps its memory.
-CellBox roomy(const CellBox& least, int slack_cells, const CellBox* before) {
-    CellBox box = grown(least, slack_cells);
-    if (!before) return box;
-    for (int d = 0; d < 3; ++d) {
-        const int wanted = box.hi[d] - box.lo[d], was = before->hi[d] - before->lo[d];
-        const int need = least.hi[d] - least.lo[d];
-        const int size = was > need + 1 && was <= wanted + 2 * slack_cells ? was : wanted;
-        box.lo[d] -= floor_half(size - wanted);
-        box.hi[d] = box.lo[d] + size;
-    }
-    return box;
-}
-
-// With their middle in the box along periodic axes.
-std::array<Vec3, 2> within_a_period(std::array<Vec3, 2> bodies_m,
-                                    const FluidConfig& coarse) {
-    const auto periodic = periodic_axes(coarse);
-    for (int d = 0; d < 3; ++d) {
-        if (!periodic[d]) continue;
-        const double length_m = coarse.cells[d] * coarse.spacing_m;
-        const double middle_m = (bodies_m[0][d] + bodies_m[1][d]) / 2;
-        for (Vec3& corner : bodies_m)
-            corner[d] -= length_m * std::floor(middle_m / length_m);
-    }
-    return bodies_m;
-}
-
-// needed: cells of the level below the finest. Beyond walls nothing is.
-bool still_inside(const LevelPlace& finest, const std::array<bool, 3>& periodic,
-                  CellBox needed) {
-    std::array<int, 3> period{};
-    const CellBox covered = finest.covered();
-    for (int d = 0; d < 3; ++d) {
-        const int cells = finest.domain[d] / 2;
-        if (finest.period[d] > 0) {
-            needed.lo[d] = covered.lo[d];
-            needed.hi[d] = covered.hi[d];
-        } else if (periodic[d]) {
-            period[d] = cells;
-        } else {
-            needed.lo[d] = std::max(needed.lo[d], 0);
-            needed.hi[d] = std::min(needed.hi[d], cells);
-        }
-    }
-    bool inside = false;
-    for_each_image(period, [&](const std::array<int, 3>& image) {
-        inside = inside || contains(covered, shifted(needed, image));
-    });
-    return inside;
-}
-
-CellBox halved(const CellBox& box) {
-    CellBox half;
-    for (int d = 0; d < 3; ++d) {
-        half.lo[d] = floor_half(box.lo[d]);
-        half.hi[d] = floor_half(box.hi[d] + 1);
-    }
-    return half;
-}
-
 // Where a patch's side cuts an obstacle or the cells beside it [cells]; null where none
 // does. bounds: in the patch's stored cells.
 std::optional<Vec3> cut_at(const LevelPlace& place, const Bounds& bounds) {
@@ -153,35 +69,6 @@ LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& perio
         place.stored.hi[d] = place.inside.hi[d] + (high_ring ? ring_cells : 0);
     }
     return place;
-}
-
-std::optional<std::vector<LevelPlace>> place_levels(
-    const FluidConfig& coarse, const PatchRule& rule, const std::array<Vec3, 2>& bodies_m,
-    const std::vector<LevelPlace>* before) {
-    const int levels = rule.levels;
-    const auto periodic = periodic_axes(coarse);
-    // From the finest outwards, each in cells of the level below it.
-    std::vector<CellBox> boxes(static_cast<std::size_t>(levels));
-    const double spacing_m = std::ldexp(coarse.spacing_m, -(levels - 1));
-    const CellBox least = grown(
-        cells_around(within_a_period(bodies_m, coarse), spacing_m), rule.margin_cells);
-    if (before && still_inside(before->back(), periodic, least)) return {};
-    for (int level = levels; level >= 1; --level) {
-        const auto l = static_cast<std::size_t>(level - 1);
-        const CellBox was = before ? (*before)[l].covered() : CellBox{};
-        const CellBox inner =
-            level == levels ? least : grown(halved(boxes[l + 1]), around_cells);
-        boxes[l] = level == levels
-                       ? roomy(inner, rule.slack_cells, before ? &was : nullptr)
-                       : inner;
-    }
-    std::vector<LevelPlace> places;
-    LevelPlace below = coarsest_place(coarse.cells, periodic);
-    for (const CellBox& box : boxes) {
-        below = finer_place(below, periodic, box);
-        places.push_back(below);
-    }
-    return places;
 }
 
 FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int level) {

@@ -25,14 +25,6 @@ constexpr int band_cells = 1;
 // Cells of a level around what the next finer one covers: what stencils need.
 constexpr int around_cells = apart_cells;
 
-// How patches lie around bodies, in cells of the finest level but one.
-struct PatchRule {
-    int levels = 1;        // finer ones
-    int margin_cells = 0;  // between bodies and the sides of the finest patch, at least
-    int slack_cells = 1;   // besides, before it follows
-    bool follows = true;   // else it stays, and bodies have to
-};
-
 // A level's place: all in global indices of its own cells, from the corner of the whole
 // box on.
 struct LevelPlace {
@@ -44,6 +36,7 @@ struct LevelPlace {
 
     // Of the level below.
     CellBox covered() const;
+    bool operator==(const LevelPlace&) const = default;
 };
 
 // cells, periodic: of the whole box.
@@ -54,12 +47,6 @@ LevelPlace coarsest_place(const std::array<int, 3>& cells,
 // sides covers the whole axis. Where it crosses a periodic side its indices go on beyond.
 LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& periodic,
                        CellBox covered);
-
-// The places of all finer levels, for bodies in a box [m]. before: where they are now,
-// null at first; absent result: they may stay.
-std::optional<std::vector<LevelPlace>> place_levels(
-    const FluidConfig& coarse, const PatchRule& rule, const std::array<Vec3, 2>& bodies_m,
-    const std::vector<LevelPlace>* before);
 
 // What solves a level: level 0 as it is, others as a box of their stored cells. Throws
 // std::invalid_argument where an inlet or an outlet would be a side of the patch.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A fluid with finer patches over its uniform grid (refinement/patch.h). One step is one
-// of the finest level; a level steps in every second step of the next finer one. Forces
-// act in cells of the finest level alone.
+// A fluid with nests of finer patches over its uniform grid (refinement/nests.h). One
+// step is one of the finest level; a level steps in every second step of the next finer
+// one. Forces act in cells of the finest level alone.
 //
 //   before the steps 0, 2, 4, ... of a level  its ring is filled from the level below,
 //                                             which then takes its own step
@@ -12,9 +12,11 @@
 #pragma once
 
 #include "fluid_lbm/fluid.h"
-#include "fluid_lbm/refinement/patch.h"
+#include "fluid_lbm/refinement/nests.h"
 
 namespace magfsi::fluid {
+
+struct FinerLevel;
 
 struct RefinedConfig {
     FluidConfig coarse;  // its time step: 2^levels steps
@@ -25,23 +27,28 @@ struct RefinedConfig {
 
 class RefinedFluid {
   public:
-    // Patches around bodies in that box [m]. Throws std::invalid_argument on a
+    // Patches around bodies in those boxes. Throws std::invalid_argument on a
     // configuration that cannot run.
     RefinedFluid(MPI_Comm comm, const RefinedConfig& config,
-                 const std::array<Vec3, 2>& bodies_m);
+                 const std::vector<BodyBox>& bodies_m);
     ~RefinedFluid();
     RefinedFluid(const RefinedFluid&) = delete;
     RefinedFluid& operator=(const RefinedFluid&) = delete;
 
     const RefinedConfig& config() const { return config_; }
-    int levels() const;  // with level 0
-    const Fluid& level(int number) const;
-    const LevelPlace& place(int number) const;
-    std::vector<LevelPlace> finer_places() const;
+    int levels() const { return 1 + config_.rule.levels; }  // with level 0
+    int nests() const;
+    // Level 0 is the same in all nests.
+    const Fluid& level(int number, int nest = 0) const;
+    const LevelPlace& place(int number, int nest = 0) const;
+    std::vector<NestPlaces> places() const;
 
-    // Cells of the finest level that each rank solves: the patch, without its ring.
-    std::vector<CellBox> owned_by_rank() const { return inside_by_rank(levels() - 1); }
-    std::vector<CellBox> inside_by_rank(int level) const;
+    // Cells of the finest level that each rank solves: boxes in the patches, without
+    // their rings.
+    std::vector<std::vector<CellBox>> owned_by_rank() const;
+    std::vector<CellBox> inside_by_rank(int level, int nest = 0) const;
+    // Cells of a patch, or of level 0, that finer patches have instead.
+    std::vector<CellBox> covered(int level, int nest) const;
     // As of Fluid, in those cells.
     void velocity(std::span<const CellRow> rows, std::span<double> out) const;
     void set_force(std::span<const CellRow> rows, std::span<const double> force);
@@ -51,10 +58,10 @@ class RefinedFluid {
     double waited_for_neighbours_s() const;
     std::optional<Divergence> diverged() const;
 
-    // Moves and resizes the patches if the bodies in that box [m] come near their sides.
-    // Only between steps after which all levels stand at one time. True if it did.
-    // Collective.
-    bool follow(const std::array<Vec3, 2>& bodies_m);
+    // Moves and resizes the nests whose bodies, in boxes in the same order as before,
+    // come near their sides. Only between steps after which all levels stand at one time.
+    // True if it did. Collective.
+    bool follow(const std::vector<BodyBox>& bodies_m);
     bool levels_are_level() const;  // all stand at one time
     std::int64_t moves() const { return moves_; }
     // From step to step levels are given only those covered cells that they need; now
@@ -79,21 +86,31 @@ class RefinedFluid {
     // middle of a step of level 0 a part of the mass is each rank's own.
     std::int64_t steps_done() const { return steps_done_; }
     std::vector<double> kept_mass() const;
-    void restore(std::int64_t steps, const std::vector<LevelPlace>& finer,
+    void restore(std::int64_t steps, const std::vector<NestPlaces>& places,
                  const std::vector<double>& kept_mass);
-    Fluid& level(int number);
+    Fluid& level(int number, int nest = 0);
 
   private:
     struct Levels;
+    using Nest = std::vector<std::unique_ptr<FinerLevel>>;  // level 1 first
+    // use(level, nest): each patch once, level 0 first.
+    template <class Use>
+    void for_each_patch(Use&& use) const {
+        use(0, 0);
+        for (int nest = 0; nest < nests(); ++nest)
+            for (int l = 1; l < levels(); ++l) use(l, nest);
+    }
     void begin_step();
-    void step_level(int number);
+    void step_level(int number, int nest);
     void end_step();
     double excess_of_finer() const;
     void count_links_once();
-    void add_pushes(int number, double sign);
+    void add_pushes(int number, int nest, double sign);
+    int nest_with(const CellRow& row) const;
     // Boxes of a level where no finer one is, in its fluid's indices.
-    std::vector<CellBox> counted_of(int level) const;
-    void regrid(const std::vector<LevelPlace>& places);
+    std::vector<CellBox> counted_of(int level, int nest) const;
+    void regrid(const std::vector<NestPlaces>& places);
+    void add_nest(const NestPlaces& places, const std::vector<Nest>& old, bool first);
     int steps_in_one(int level) const { return 1 << (levels() - 1 - level); }
 
     MPI_Comm comm_;

@@ -7,14 +7,28 @@
 
 namespace magfsi::fluid {
 
-std::vector<CellBox> RefinedFluid::counted_of(int number) const {
-    const Level& level = levels_->at(number);
-    std::vector<CellBox> parts{level.place.inside};
-    if (number + 1 < levels())
-        for_each_image(level.place.period, [&](const std::array<int, 3>& image) {
-            parts = without(parts,
-                            shifted(levels_->above(number).level.place.covered(), image));
+std::vector<CellBox> RefinedFluid::covered(int number, int nest) const {
+    const LevelPlace& here = place(number, nest);
+    std::vector<CellBox> boxes;
+    const auto add = [&](const LevelPlace& finer) {
+        for_each_image(here.period, [&](const std::array<int, 3>& image) {
+            const CellBox box = shared(shifted(finer.covered(), image), here.inside);
+            if (!is_empty(box)) boxes.push_back(box);
         });
+    };
+    if (number + 1 == levels()) return boxes;
+    if (number > 0) {
+        add(place(number + 1, nest));
+        return boxes;
+    }
+    for (int n = 0; n < nests(); ++n) add(place(1, n));
+    return boxes;
+}
+
+std::vector<CellBox> RefinedFluid::counted_of(int number, int nest) const {
+    const Level& level = levels_->at(number, nest);
+    std::vector<CellBox> parts{level.place.inside};
+    for (const CellBox& box : covered(number, nest)) parts = without(parts, box);
     for (CellBox& part : parts) {
         for (int d = 0; d < 3; ++d) {
             part.lo[d] -= level.place.stored.lo[d];
@@ -26,31 +40,32 @@ std::vector<CellBox> RefinedFluid::counted_of(int number) const {
 
 Totals RefinedFluid::totals() const {
     Totals all;
-    for (int l = 0; l < levels(); ++l) {
-        const Totals of_level = level(l).totals(counted_of(l));
-        all.mass_kg += of_level.mass_kg;
+    for_each_patch([&](int l, int nest) {
+        const Totals part = level(l, nest).totals(counted_of(l, nest));
+        all.mass_kg += part.mass_kg;
         for (std::size_t a = 0; a < 3; ++a)
-            all.momentum_kg_m_s[a] += of_level.momentum_kg_m_s[a];
-        all.kinetic_energy_j += of_level.kinetic_energy_j;
-        all.sound_energy_j += of_level.sound_energy_j;
-        all.max_speed_m_s = std::max(all.max_speed_m_s, of_level.max_speed_m_s);
-    }
+            all.momentum_kg_m_s[a] += part.momentum_kg_m_s[a];
+        all.kinetic_energy_j += part.kinetic_energy_j;
+        all.sound_energy_j += part.sound_energy_j;
+        all.max_speed_m_s = std::max(all.max_speed_m_s, part.max_speed_m_s);
+    });
     return all;
 }
 
 double RefinedFluid::enstrophy_1_s2() const {
     Enstrophy all;
-    for (int l = 0; l < levels(); ++l) {
-        const Enstrophy of_level = level(l).enstrophy(counted_of(l));
-        all.integral_m3_s2 += of_level.integral_m3_s2;
-        all.volume_m3 += of_level.volume_m3;
-    }
+    for_each_patch([&](int l, int nest) {
+        const Enstrophy part = level(l, nest).enstrophy(counted_of(l, nest));
+        all.integral_m3_s2 += part.integral_m3_s2;
+        all.volume_m3 += part.volume_m3;
+    });
     return all.integral_m3_s2 / all.volume_m3;
 }
 
 double RefinedFluid::waited_for_neighbours_s() const {
     double all = 0;
-    for (int l = 0; l < levels(); ++l) all += level(l).waited_for_neighbours_s();
+    for_each_patch(
+        [&](int l, int nest) { all += level(l, nest).waited_for_neighbours_s(); });
     return all;
 }
 
@@ -58,9 +73,9 @@ double RefinedFluid::waited_for_neighbours_s() const {
 void RefinedFluid::count_links_once() {
     pushed_n_.resize(levels_->coarsest.solids.size());
     if (pushed_n_.empty()) return;
-    for (int l = 0; l < levels(); ++l) {
-        Level& level = levels_->at(l);
-        std::vector<CellBox> parts = counted_of(l);
+    for_each_patch([&](int l, int nest) {
+        Level& level = levels_->at(l, nest);
+        std::vector<CellBox> parts = counted_of(l, nest);
         const auto& low = level.state().owned().lo;
         level.fluid.state().obstacles->count_only([&, low](const Cell& local) {
             return std::ranges::any_of(parts, [&](const CellBox& part) {
@@ -72,12 +87,12 @@ void RefinedFluid::count_links_once() {
                 return inside;
             });
         });
-    }
+    });
 }
 
 // What a level's last step adds to the mean over a step of level 0.
-void RefinedFluid::add_pushes(int number, double sign) {
-    const Fluid::State& s = level(number).state();
+void RefinedFluid::add_pushes(int number, int nest, double sign) {
+    const Fluid::State& s = level(number, nest).state();
     const double dx = s.config.spacing_m;
     const double unit = sign * s.unit.force_n_m3() * dx * dx * dx / (1 << number);
     for (std::size_t i = 0; i < pushed_n_.size(); ++i) {
@@ -115,18 +130,20 @@ std::vector<Vec3> RefinedFluid::obstacle_forces() const {
 }
 
 std::optional<Divergence> RefinedFluid::diverged() const {
-    for (int l = levels() - 1; l >= 0; --l) {
-        std::optional<Divergence> found = level(l).diverged();
-        if (!found) continue;
-        const double h_m = level(l).config().spacing_m;
+    std::optional<Divergence> first;
+    for_each_patch([&](int l, int nest) {
+        if (first && first->level >= l) return;
+        std::optional<Divergence> found = level(l, nest).diverged();
+        if (!found) return;
+        const double h_m = level(l, nest).config().spacing_m;
         for (std::size_t d = 0; d < 3; ++d) {
-            found->cell[d] += place(l).stored.lo[d];
+            found->cell[d] += place(l, nest).stored.lo[d];
             found->position_m[d] = (found->cell[d] + 0.5) * h_m;
         }
         found->level = l;
-        return found;
-    }
-    return {};
+        first = found;
+    });
+    return first;
 }
 
 }  // namespace magfsi::fluid

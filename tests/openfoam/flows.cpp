@@ -115,7 +115,7 @@ double speed_across(std::size_t axis) {
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     const coupler::CellBox& own =
-        fluid.grid().owned_by_rank[static_cast<std::size_t>(rank)];
+        fluid.grid().owned_by_rank[static_cast<std::size_t>(rank)].front();
     std::vector<coupler::GridRow> rows;
     std::vector<double> force;
     for (int z = own.lo[2]; z < own.hi[2]; ++z)

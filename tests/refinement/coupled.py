@@ -47,7 +47,8 @@ class Coupled(unittest.TestCase):
 
     def test_serial(self):
         refined = self.compare({}, "structure=1,fluid=1")
-        self.see_one_picture(refined)
+        self.see_one_picture(refined, ("fluid_000003.pvti", "fluid_000003_level1.pvti"),
+                             14e-3 * 4e-3 * 8e-3)
 
     def test_implicit_on_several_ranks(self):
         self.compare({"coupling.scheme": "implicit"}, "structure=2,fluid=2")
@@ -78,10 +79,10 @@ class Coupled(unittest.TestCase):
         self.assertLess(along_x, 0.002)
         self.assertLess(along_z, 0.018)
 
-    def see_one_picture(self, run):
-        """The levels' visible cells fill the box once."""
+    def see_one_picture(self, run, files, box_m3):
+        """The visible cells of all patches fill the box once."""
         volume = 0
-        for name in ("fluid_000003.pvti", "fluid_000003_level1.pvti"):
+        for name in files:
             reader = vtk.vtkXMLPImageDataReader()
             reader.SetFileName(str(run.folder / "fields" / name))
             reader.Update()
@@ -91,7 +92,33 @@ class Coupled(unittest.TestCase):
             if hidden:
                 cells -= np.count_nonzero(vtk_to_numpy(hidden))
             volume += cells * np.prod(image.GetSpacing())
-        self.assertAlmostEqual(volume / (14e-3 * 4e-3 * 8e-3), 1, places=9)
+        self.assertAlmostEqual(volume / box_m3, 1, places=9)
+
+    # A nest of patches for each; they share one from 4 ms on.
+    def test_two_bodies_that_come_near_each_other(self):
+        settings = {**testing.SECOND, "time.end": "6 ms"}
+        ranks = "structure=1,fluid=2"
+        fine = testing.good_run(testing.SMALL, {**settings, **FINE}, ranks)
+        refined = testing.good_run(
+            testing.SMALL, {**settings, "fluid.refinement": "{levels: 1}",
+                            "output.fluid.every": "3 ms"}, ranks)
+        fields = refined.folder / "fields"
+        self.assertEqual(
+            [(fields / f"fluid_{i:06d}_level1_nest2.pvti").exists() for i in range(3)],
+            [True, True, False])
+        a, b = fine.probes(), refined.probes()
+        # Three times what was measured (0.01, 0.08, 0.09 and 0.1 %).
+        for name, bound in (("robot.mid_rise[m]", 3e-4), ("robot.com_z[m]", 2.5e-3),
+                            ("second.mid_rise[m]", 2.5e-3), ("kinetic_energy[J]", 3e-3)):
+            fine_values, values = np.array(a[name]), np.array(b[name])
+            worst = np.max(np.abs(values - fine_values)) / np.ptp(fine_values)
+            testing.report(f"{name}: {100 * worst:.3f} % of its change")
+            self.assertLess(worst, bound, name)
+        np.testing.assert_allclose(b["mass[kg]"], b["mass[kg]"][0], rtol=1e-13)
+        for number, names in (("000000", ("", "_level1", "_level1_nest2")),
+                              ("000002", ("", "_level1"))):
+            self.see_one_picture(refined, [f"fluid_{number}{name}.pvti" for name in names],
+                                 20e-3 * 4e-3 * 8e-3)
 
     # Two and three levels, all around a robot that starts elsewhere than the scene says.
     def test_more_levels_without_slip(self):

@@ -78,6 +78,10 @@ class SameBytes(unittest.TestCase):
     # Patches stand where they stood; checkpoints come after whole steps of all levels.
     def test_swimmer_in_a_refined_grid(self):
         self.same(testing.SMALL, REFINED, "1.375 ms", "structure=2,fluid=3")
+
+    def test_two_bodies_with_a_patch_each(self):
+        self.same(testing.SMALL, {**REFINED, **testing.SECOND}, "1.375 ms",
+                  "structure=2,fluid=3")
         self.same(testing.SMALL, {**REFINED, "coupling.scheme": "implicit",
                                   "fluid.refinement": "{levels: 2}"}, "1.375 ms",
                   "structure=1,fluid=1")

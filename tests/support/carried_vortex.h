@@ -42,10 +42,10 @@ struct CarriedVortex {
     }
 
     // The middle half of the box, moved along x.
-    std::array<Vec3, 2> middle(double moved) const {
+    std::vector<BodyBox> middle(double moved) const {
         const double quarter = cells / 4.0, inset = 2 + 1e-6;
-        return {Vec3{quarter + inset + moved, quarter + inset, 0.1},
-                Vec3{3 * quarter - inset + moved, 3 * quarter - inset, 0.9}};
+        return {{Vec3{quarter + inset + moved, quarter + inset, 0.1},
+                 Vec3{3 * quarter - inset + moved, 3 * quarter - inset, 0.9}}};
     }
     RefinedConfig refined(int levels) const {
         return {.coarse = config(), .rule = {.levels = levels}};

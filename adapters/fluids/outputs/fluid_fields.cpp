@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "adapters/fluids/fluid_run.h"
@@ -20,7 +21,7 @@ output::FieldType type_of(scene::FluidField field) {
 }
 
 // fluid.pvd and its files: one .vti a rank, one .pvti an instant; in a refined grid for
-// each of its levels, which are the parts of one picture: where a finer level is, cells
+// each of its patches, which are the parts of one picture: where a finer one is, cells
 // are marked as hidden.
 class FluidFields : public coupler::Output {
   public:
@@ -34,18 +35,17 @@ class FluidFields : public coupler::Output {
 
   private:
     void write();  // collective
-    void write_level(std::int64_t number, std::size_t level, const FieldCells& cells);
-    void write_index(std::int64_t number, std::size_t level, const FieldCells& cells);
-    static std::string level_name(std::size_t level) {
-        return level == 0 ? "" : fmt::format("_level{}", level);
+    void write_patch(std::int64_t number, std::size_t patch, const FieldCells& cells);
+    void write_index(std::int64_t number, const FieldCells& cells);
+    std::string start_of(std::int64_t number) const {
+        return fmt::format("fluid_{:06d}", number);
     }
-    std::filesystem::path whole(std::int64_t number, std::size_t level = 0) const {
-        return folder_ / fmt::format("fluid_{:06d}{}.pvti", number, level_name(level));
+    std::filesystem::path whole(std::int64_t number, const FieldCells& cells) const {
+        return folder_ / (start_of(number) + cells.name + ".pvti");
     }
-    std::filesystem::path piece(std::int64_t number, std::size_t level,
+    std::filesystem::path piece(std::int64_t number, const FieldCells& cells,
                                 std::size_t rank) const {
-        return folder_ /
-               fmt::format("fluid_{:06d}{}_{}.vti", number, level_name(level), rank);
+        return folder_ / fmt::format("{}{}_{}.vti", start_of(number), cells.name, rank);
     }
 
     const coupler::Session& session_;
@@ -54,6 +54,7 @@ class FluidFields : public coupler::Output {
     std::int64_t every_;
     std::filesystem::path folder_;
     std::unique_ptr<output::PvdSeries> series_;  // on the root
+    int part_ = 0;                               // of one picture
 };
 
 FluidFields::FluidFields(FluidRun& run)
@@ -65,26 +66,29 @@ FluidFields::FluidFields(FluidRun& run)
     if (session_.world().rank() != 0) return;
     series_ = std::make_unique<output::PvdSeries>(session_.out() / "fluid.pvd");
     if (!session_.restart()) return;
-    // The series again up to the present step.
+    // The series again up to the present step, whatever patches there were.
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+        if (entry.path().extension() == ".pvti") files.insert(entry.path());
     const coupler::Clock& clock = session_.clock();
-    const std::size_t levels = fluid_.field_cells().size();
     for (std::int64_t step = 0; step <= clock.step(); step += every_) {
-        for (std::size_t level = 0; level < levels; ++level) {
-            const auto file = whole(step / every_, level);
-            if (std::filesystem::exists(file))
-                series_->add(clock.time_s(step), file, static_cast<int>(level));
+        int part = 0;
+        for (const auto& file : files) {
+            if (file.filename().string().starts_with(start_of(step / every_)))
+                series_->add(clock.time_s(step), file, part++);
         }
     }
 }
 
 void FluidFields::write() {
     const std::int64_t number = session_.clock().step() / every_;
-    const std::vector<FieldCells> levels = fluid_.field_cells();
-    for (std::size_t level = 0; level < levels.size(); ++level)
-        write_level(number, level, levels[level]);
+    const std::vector<FieldCells> patches = fluid_.field_cells();
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+        write_patch(number, patch, patches[patch]);
     MPI_Barrier(session_.world().local());
-    for (std::size_t level = 0; series_ && level < levels.size(); ++level)
-        write_index(number, level, levels[level]);
+    part_ = 0;
+    for (std::size_t patch = 0; series_ && patch < patches.size(); ++patch)
+        write_index(number, patches[patch]);
 }
 
 output::ImageGrid image_of(const FieldCells& cells) {
@@ -93,24 +97,28 @@ output::ImageGrid image_of(const FieldCells& cells) {
 
 // One flag a cell of the box, x fastest.
 std::vector<std::uint8_t> hidden_in(const coupler::CellBox& box,
-                                    const coupler::CellBox& hidden) {
-    std::vector<std::uint8_t> flags;
-    const auto within = [&](int d, int i) {
-        return i >= hidden.lo[static_cast<std::size_t>(d)] &&
-               i < hidden.hi[static_cast<std::size_t>(d)];
-    };
-    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
-        for (int y = box.lo[1]; y < box.hi[1]; ++y) {
-            for (int x = box.lo[0]; x < box.hi[0]; ++x)
-                flags.push_back(within(0, x) && within(1, y) && within(2, z)
-                                    ? output::hidden_cell
-                                    : 0);
+                                    const std::vector<coupler::CellBox>& hidden) {
+    const std::array<int, 3> n{box.hi[0] - box.lo[0], box.hi[1] - box.lo[1],
+                               box.hi[2] - box.lo[2]};
+    std::vector<std::uint8_t> flags(output::CellExtent{box.lo, box.hi}.cells(), 0);
+    for (const coupler::CellBox& part : hidden) {
+        std::array<int, 3> lo{}, hi{};  // of the part in the box
+        for (std::size_t d = 0; d < 3; ++d) {
+            lo[d] = std::max(part.lo[d], box.lo[d]) - box.lo[d];
+            hi[d] = std::min(part.hi[d], box.hi[d]) - box.lo[d];
+        }
+        for (int z = lo[2]; z < hi[2]; ++z) {
+            for (int y = lo[1]; y < hi[1]; ++y) {
+                const auto row = flags.begin() + (std::ptrdiff_t{z} * n[1] + y) * n[0];
+                if (hi[0] > lo[0])
+                    std::fill(row + lo[0], row + hi[0], output::hidden_cell);
+            }
         }
     }
     return flags;
 }
 
-void FluidFields::write_level(std::int64_t number, std::size_t level,
+void FluidFields::write_patch(std::int64_t number, std::size_t patch,
                               const FieldCells& cells) {
     const auto rank = static_cast<std::size_t>(session_.world().rank());
     const coupler::CellBox& box = cells.owned_by_rank[rank];
@@ -120,20 +128,19 @@ void FluidFields::write_level(std::int64_t number, std::size_t level,
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const output::FieldType type = type_of(fields_[i]);
         values[i].resize(extent.cells() * static_cast<std::size_t>(type.components));
-        fluid_.field(fields_[i], level, values[i]);
+        fluid_.field(fields_[i], patch, values[i]);
         fields.push_back({type.name, type.components, std::span<const float>(values[i])});
     }
     std::vector<std::uint8_t> flags;
-    if (cells.hidden) {
-        flags = hidden_in(box, *cells.hidden);
+    if (!cells.hidden.empty()) {
+        flags = hidden_in(box, cells.hidden);
         fields.push_back({output::ghost_cells, 1, std::span<const std::uint8_t>(flags)});
     }
     if (extent.cells() > 0)
-        output::write_vti(piece(number, level, rank), image_of(cells), extent, fields);
+        output::write_vti(piece(number, cells, rank), image_of(cells), extent, fields);
 }
 
-void FluidFields::write_index(std::int64_t number, std::size_t level,
-                              const FieldCells& cells) {
+void FluidFields::write_index(std::int64_t number, const FieldCells& cells) {
     std::vector<output::ImagePiece> pieces;
     output::CellExtent all;
     for (std::size_t r = 0; r < cells.owned_by_rank.size(); ++r) {
@@ -145,14 +152,14 @@ void FluidFields::write_index(std::int64_t number, std::size_t level,
             all.lo[d] = std::min(all.lo[d], box.lo[d]);
             all.hi[d] = std::max(all.hi[d], box.hi[d]);
         }
-        pieces.push_back({piece(number, level, r), extent});
+        pieces.push_back({piece(number, cells, r), extent});
     }
     std::vector<output::FieldType> types;
     for (const scene::FluidField field : fields_) types.push_back(type_of(field));
-    if (cells.hidden) types.push_back({.name = output::ghost_cells, .uint8 = true});
-    output::write_pvti(whole(number, level), image_of(cells), all, pieces, types);
-    series_->add(session_.clock().time_s(), whole(number, level),
-                 static_cast<int>(level));
+    if (!cells.hidden.empty())
+        types.push_back({.name = output::ghost_cells, .uint8 = true});
+    output::write_pvti(whole(number, cells), image_of(cells), all, pieces, types);
+    series_->add(session_.clock().time_s(), whole(number, cells), part_++);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class ArrayFluid final : public GridFluid {
     // Starts from an analytic field of order 1 m/s in the cells of this rank.
     ArrayFluid(const Grid& grid, int rank)
         : grid_(grid),
-          box_(grid.owned_by_rank[static_cast<std::size_t>(rank)]),
+          box_(grid.owned_by_rank[static_cast<std::size_t>(rank)].front()),
           velocity_(grid),
           force_(grid) {
         for (int z = box_.lo[2]; z < box_.hi[2]; ++z)

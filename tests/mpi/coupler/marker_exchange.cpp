@@ -189,7 +189,8 @@ std::vector<double> places(const Grid& grid, std::size_t axis) {
     const double n = cells[axis];
     std::vector<double> at{0, 0.25, 0.5, n - 0.5, n};
     if (grid.periodic[axis]) at.insert(at.end(), {-0.4, n + 1.5});
-    for (const CellBox& box : grid.owned_by_rank) {
+    for (const std::vector<CellBox>& boxes : grid.owned_by_rank) {
+        const CellBox& box = boxes.front();
         const double border = box.lo[axis];
         if (border == 0) continue;
         at.insert(at.end(),

@@ -1,91 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A refined grid is the same on any number of ranks, keeps its mass, and goes on from a
 // state that was put back; places of patches.
+#include "tests/mpi/fluid_lbm/stirred_box.h"
 #include "tests/support/carried_vortex.h"
-#include "tests/unit/fluid_lbm/lattice_fluid.h"
 
 namespace magfsi::fluid {
 namespace {
-
-// A box with walls, in which a body circles.
-RefinedConfig stirred_box(int levels, Precision precision = Precision::double_) {
-    RefinedConfig config;
-    config.coarse = lattice_fluid({28, 26, 24}, 0.52, Collision::recursive_regularized);
-    for (int axis = 0; axis < 3; ++axis) set_walls(config.coarse, axis);
-    config.coarse.initial_velocity = [](const Vec3& x) {
-        return Vec3{0.03 * std::sin(x[1] / 3), 0.03 * std::cos(x[2] / 4), 0.02};
-    };
-    config.coarse.precision = precision;
-    config.rule = {.levels = levels, .margin_cells = 1};
-    return config;
-}
-
-std::array<Vec3, 2> body_at(double time) {
-    const double x = 13 + 4 * std::sin(time / 7), y = 12 + 4 * std::cos(time / 7);
-    return {Vec3{x - 1.5, y - 1.2, 10}, Vec3{x + 1.5, y + 1.2, 12}};
-}
-
-// Pushes in cells of the patch at the body, then steps.
-void push_and_step(RefinedFluid& fluid, MPI_Comm comm, double time) {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    const CellBox own = fluid.owned_by_rank()[static_cast<std::size_t>(rank)];
-    const double h = fluid.level(fluid.levels() - 1).config().spacing_m;
-    const auto body = body_at(time);
-    std::vector<CellRow> rows;
-    for (int z = own.lo[2]; z < own.hi[2]; ++z) {
-        for (int y = own.lo[1]; y < own.hi[1]; ++y) {
-            if (z * h < body[0][2] || z * h > body[1][2]) continue;
-            if (y * h < body[0][1] || y * h > body[1][1]) continue;
-            const int x = static_cast<int>(body[0][0] / h);
-            if (x >= own.lo[0] && x + 2 <= own.hi[0]) rows.push_back({y, z, x, x + 2});
-        }
-    }
-    std::vector<double> force(6 * rows.size(), 1e-4);
-    fluid.set_force(rows, force);
-    fluid.step();
-}
-
-void run(RefinedFluid& fluid, MPI_Comm comm, int first, int last) {
-    const int steps = 1 << (fluid.levels() - 1);
-    for (int i = first; i < last; ++i) {
-        if (fluid.levels_are_level()) fluid.follow(body_at(i / steps));
-        push_and_step(fluid, comm, i / steps);
-    }
-}
-
-// All populations of this rank's cells of a level; those of a fluid on one rank in the
-// same cells.
-std::vector<double> populations_in(const Fluid& fluid, const CellBox& box) {
-    std::vector<double> values;
-    const auto nx = static_cast<std::size_t>(fluid.config().cells[0]);
-    const CellBox own = fluid.owned();
-    std::vector<double> plane(populations_per_cell * nx *
-                              static_cast<std::size_t>(own.hi[1] - own.lo[1]));
-    for (int z = box.lo[2]; z < box.hi[2]; ++z) {
-        fluid.populations(z, plane);
-        const auto row = static_cast<std::ptrdiff_t>(populations_per_cell * nx);
-        values.insert(values.end(), plane.begin() + (box.lo[1] - own.lo[1]) * row,
-                      plane.begin() + (box.hi[1] - own.lo[1]) * row);
-    }
-    return values;
-}
-
-void expect_same(const RefinedFluid& a, const RefinedFluid& b, double within) {
-    ASSERT_EQ(a.levels(), b.levels());
-    for (int l = 0; l < a.levels(); ++l) {
-        ASSERT_EQ(a.place(l).stored.lo, b.place(l).stored.lo);
-        ASSERT_EQ(a.place(l).stored.hi, b.place(l).stored.hi);
-        const CellBox own = a.level(l).owned();
-        const auto mine = populations_in(a.level(l), own);
-        const auto theirs = populations_in(b.level(l), own);
-        ASSERT_EQ(mine.size(), theirs.size());
-        double largest = 0;
-        for (std::size_t i = 0; i < mine.size(); ++i)
-            largest = std::max(largest, std::abs(mine[i] - theirs[i]));
-        EXPECT_LE(largest, within) << "level " << l;
-    }
-}
 
 class Levels : public testing::TestWithParam<int> {};
 
@@ -123,7 +43,7 @@ TEST(Refinement, KeepsTheMassOfAPeriodicBoxThatAPatchCovers) {
     for (auto& side : config.coarse.boundaries) side.kind = BoundaryKind::periodic;
     const auto around = [](int i) {
         const double x = 7 + 2 * std::sin(i / 7.0);
-        return std::array{Vec3{x - 2, 5, 5}, Vec3{x + 2, 9, 9}};
+        return std::vector<BodyBox>{{Vec3{x - 2, 5, 5}, Vec3{x + 2, 9, 9}}};
     };
     RefinedFluid fluid(MPI_COMM_WORLD, config, around(0));
     const double mass = fluid.totals().mass_kg;
@@ -159,18 +79,8 @@ TEST_P(Levels, GoOnFromAStateThatIsPutBack) {
         RefinedFluid whole(MPI_COMM_WORLD, config, body_at(0));
         run(whole, MPI_COMM_WORLD, 0, middle);
         RefinedFluid part(MPI_COMM_WORLD, config, body_at(0));
-        part.restore(whole.steps_done(), whole.finer_places(), whole.kept_mass());
-        for (int l = 0; l < whole.levels(); ++l) {
-            const CellBox own = whole.level(l).owned();
-            std::vector<double> plane(
-                populations_per_cell *
-                static_cast<std::size_t>(whole.level(l).config().cells[0]) *
-                static_cast<std::size_t>(own.hi[1] - own.lo[1]));
-            for (int z = own.lo[2]; z < own.hi[2]; ++z) {
-                whole.level(l).populations(z, plane);
-                part.level(l).set_populations(z, plane);
-            }
-        }
+        part.restore(whole.steps_done(), whole.places(), whole.kept_mass());
+        copy_populations(whole, part);
         run(whole, MPI_COMM_WORLD, middle, 2 * middle);
         run(part, MPI_COMM_WORLD, middle, 2 * middle);
         expect_same(whole, part, 0);
@@ -184,12 +94,12 @@ TEST_P(Levels, TakeAStepAgain) {
     RefinedFluid once(MPI_COMM_WORLD, config, body_at(0));
     RefinedFluid again(MPI_COMM_WORLD, config, body_at(0));
     for (int i = 0; i < 5 << GetParam(); ++i) {
-        push_and_step(once, MPI_COMM_WORLD, 0);
+        push_and_step(once, MPI_COMM_WORLD, body_at(0));
         again.keep();
         again.set_force({}, {});
-        push_and_step(again, MPI_COMM_WORLD, 0);
+        push_and_step(again, MPI_COMM_WORLD, body_at(0));
         again.go_back();
-        push_and_step(again, MPI_COMM_WORLD, 0);
+        push_and_step(again, MPI_COMM_WORLD, body_at(0));
     }
     expect_same(once, again, 1e-16);
 }
@@ -210,11 +120,11 @@ TEST(Refinement, IsCloseInSinglePrecision) {
 TEST(Patches, LieAroundTheBodiesAndWithinEachOther) {
     const FluidConfig config = stirred_box(1).coarse;
     for (int levels = 1; levels <= 3; ++levels) {
-        const auto places = place_levels(config, {.levels = levels, .margin_cells = 1},
-                                         body_at(0), nullptr);
+        const auto places = place_nests(config, {.levels = levels, .margin_cells = 1},
+                                        body_at(0), nullptr);
         ASSERT_TRUE(places);
         const LevelPlace* below = nullptr;
-        for (const LevelPlace& place : *places) {
+        for (const LevelPlace& place : places->front()) {
             for (int d = 0; d < 3 && below; ++d) {
                 const CellBox covered = place.covered();
                 EXPECT_TRUE(covered.lo[d] == 0 ||
@@ -225,8 +135,8 @@ TEST(Patches, LieAroundTheBodiesAndWithinEachOther) {
             below = &place;
         }
         // Who stays near needs no other places.
-        EXPECT_FALSE(place_levels(config, {.levels = levels, .margin_cells = 1},
-                                  body_at(0.1), &*places));
+        EXPECT_FALSE(place_nests(config, {.levels = levels, .margin_cells = 1},
+                                 body_at(0.1), &*places));
     }
 }
 
@@ -235,7 +145,7 @@ TEST(Patches, AreRefusedAtInlets) {
     config.coarse = channel({40, 20, 20}, 0.6, 0, 0.01, BoundaryKind::no_slip);
     expect_refused(
         [&] {
-            RefinedFluid(MPI_COMM_WORLD, config, {Vec3{2, 8, 8}, Vec3{6, 12, 12}});
+            RefinedFluid(MPI_COMM_WORLD, config, {{Vec3{2, 8, 8}, Vec3{6, 12, 12}}});
         },
         "reaches the velocity_inlet at x_min");
 }

@@ -26,7 +26,7 @@ bool holds(const CellBox& box, const std::array<int, 3>& cell) {
 
 std::size_t owner(const Grid& grid, const std::array<int, 3>& cell) {
     std::size_t rank = 0;
-    while (!holds(grid.owned_by_rank[rank], cell)) ++rank;
+    while (!holds(grid.owned_by_rank[rank].front(), cell)) ++rank;
     return rank;
 }
 
@@ -195,8 +195,7 @@ TEST(GridText, reads_back_unchanged) {
         EXPECT_EQ(back.solid[0].x_end, 11);
         ASSERT_EQ(back.owned_by_rank.size(), 6u);
         for (std::size_t rank = 0; rank < 6; ++rank) {
-            EXPECT_EQ(back.owned_by_rank[rank].lo, grid.owned_by_rank[rank].lo);
-            EXPECT_EQ(back.owned_by_rank[rank].hi, grid.owned_by_rank[rank].hi);
+            EXPECT_EQ(back.owned_by_rank[rank], grid.owned_by_rank[rank]);
         }
     }
 }

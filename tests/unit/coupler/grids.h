@@ -50,7 +50,7 @@ inline Grid cut_grid(std::array<int, 3> cells, std::array<bool, 3> periodic,
                     box.lo[d] = cells[d] * at[d] / pieces[d];
                     box.hi[d] = cells[d] * (at[d] + 1) / pieces[d];
                 }
-                grid.owned_by_rank.push_back(box);
+                grid.owned_by_rank.push_back({box});
             }
     return grid;
 }

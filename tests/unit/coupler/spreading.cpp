@@ -155,8 +155,8 @@ Sums sums(const Grid& grid, Kernel kernel) {
     for (double& u : field.values()) u = random.between(-1, 1);
 
     Sums total{std::vector<Vec3>(cloud_size), CellField(grid)};
-    for (const CellBox& box : grid.owned_by_rank) {
-        TouchedRows rows(grid, box, kernel);
+    for (const std::vector<CellBox>& boxes : grid.owned_by_rank) {
+        TouchedRows rows(grid, boxes, kernel);
         rows.place(points);
         std::vector<Vec3> share(cloud_size);
         rows.interpolate(field.read(rows.rows()), share);
@@ -199,8 +199,9 @@ INSTANTIATE_TEST_SUITE_P(Cuts, SharesAddUp,
 TEST(TouchedRows, are_unique_and_inside_the_box) {
     const Grid grid = cut_grid({12, 10, 8}, {true, true, false}, {2, 3, 2});
     for (const Kernel kernel : all_kernels) {
-        for (const CellBox& box : grid.owned_by_rank) {
-            TouchedRows rows(grid, box, kernel);
+        for (const std::vector<CellBox>& boxes : grid.owned_by_rank) {
+            const CellBox& box = boxes.front();
+            TouchedRows rows(grid, boxes, kernel);
             Random random(9);
             for (int turn = 0; turn < 3; ++turn) {  // place() must forget the rows before
                 rows.place(random.points(grid, 60));

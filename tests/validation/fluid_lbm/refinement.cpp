@@ -157,7 +157,7 @@ TEST(Refinement, TellsVelocitiesWithTheirBodyForce) {
         return Vec3{speed * std::sin(wave * x[1]), 0, 0};
     };
     RefinedFluid fluid(MPI_COMM_WORLD, {.coarse = config, .rule = {.slack_cells = 0}},
-                       {Vec3{5, 9, 5}, Vec3{11, 23, 11}});
+                       {{Vec3{5, 9, 5}, Vec3{11, 23, 11}}});
     for (int i = 0; i < 2 * steps; ++i) fluid.step();
     const LevelPlace& place = fluid.place(1);
     const double decay = std::exp(-config.viscosity_m2_s * wave * wave * steps);
@@ -193,7 +193,7 @@ double poiseuille_error(int cells) {
     const double quarter = height / 4;
     RefinedFluid fluid(
         MPI_COMM_WORLD, {.coarse = config, .rule = {.slack_cells = 0, .follows = false}},
-        {Vec3{quarter, 0, quarter}, Vec3{3 * quarter, 2 * quarter, 3 * quarter}});
+        {{Vec3{quarter, 0, quarter}, Vec3{3 * quarter, 2 * quarter, 3 * quarter}}});
     // Half of the slowest wave's time: what was wrong at the start has gone.
     const int steps = static_cast<int>(height * height / (20 * viscosity));
     for (int i = 0; i < 2 * steps; ++i) fluid.step();
@@ -239,7 +239,7 @@ TEST(Refinement, LetsSoundThrough) {
     };
     Fluid uniform(MPI_COMM_WORLD, config);
     RefinedFluid refined(MPI_COMM_WORLD, {.coarse = config, .rule = {}},
-                         {Vec3{100, 0.1, 0.1}, Vec3{130, 0.9, 0.9}});
+                         {{Vec3{100, 0.1, 0.1}, Vec3{130, 0.9, 0.9}}});
     for (int i = 0; i < steps; ++i) {
         uniform.step();
         refined.step();
@@ -275,12 +275,12 @@ class Ball : public testing::Test {
         for (int i = 0; i < fineness * steps; ++i) fluid.step();
         return fluid.obstacle_forces()[0][0];
     }
-    static double refined(const std::array<Vec3, 2>& box_m, int levels) {
+    static double refined(const BodyBox& box_m, int levels) {
         RefinedFluid fluid(
             MPI_COMM_WORLD,
             {.coarse = config(1),
              .rule = {.levels = levels, .slack_cells = 0, .follows = false}},
-            box_m);
+            {box_m});
         for (int i = 0; i < steps << levels; ++i) fluid.step();
         return fluid.obstacle_forces()[0][0];
     }
@@ -302,8 +302,8 @@ TEST_F(Ball, HasTheDragOfTheFineGrid) {
 // Where a patch that follows cuts it, the force on an obstacle is not known well enough:
 // named, for whoever reads forces. For others it goes on, with what it had before a move.
 TEST_F(Ball, IsNotCutByAPatchThatFollowsIfItsForceIsRead) {
-    const std::array<Vec3, 2> behind{Vec3{20, 6, 6}, Vec3{26, 12, 12}},
-        across{Vec3{14, 6, 6}, Vec3{20, 12, 12}};
+    const std::vector<BodyBox> behind{{Vec3{20, 6, 6}, Vec3{26, 12, 12}}},
+        across{{Vec3{14, 6, 6}, Vec3{20, 12, 12}}};
     RefinedConfig config{
         .coarse = Ball::config(1), .rule = {.slack_cells = 0}, .obstacle_forces = true};
     RefinedFluid fluid(MPI_COMM_WORLD, config, behind);

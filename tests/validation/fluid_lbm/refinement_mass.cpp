@@ -18,14 +18,15 @@ TEST(Refinement, KeepsTheMassOver100000Steps) {
     config.rule.slack_cells = 0;
     const auto body = [](int step) {
         const double x = 9 + 1.5 * std::sin(step / 60.0), y = 8 + std::cos(step / 60.0);
-        return std::array{Vec3{x - 1.4, y - 1.4, 6}, Vec3{x + 1.4, y + 1.4, 8}};
+        return std::vector<BodyBox>{
+            {Vec3{x - 1.4, y - 1.4, 6}, Vec3{x + 1.4, y + 1.4, 8}}};
     };
     RefinedFluid fluid(MPI_COMM_WORLD, config, body(0));
     const double mass = fluid.totals().mass_kg;
     double worst = 0, fastest = 0;
     for (int step = 0; step < 100000; ++step) {
         if (fluid.levels_are_level()) fluid.follow(body(step));
-        const int x = static_cast<int>(2 * body(step)[0][0]), y = 15, z = 14;
+        const int x = static_cast<int>(2 * body(step)[0][0][0]), y = 15, z = 14;
         const std::vector rows{CellRow{y, z, x, x + 4}, CellRow{y + 1, z, x, x + 4}};
         fluid.set_force(rows, std::vector(24, step % 400 < 200 ? 1e-3 : -1e-3));
         fluid.step();

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fluid_lbm/refinement/nests.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fluid_lbm/refinement/boxes.h"
+
+namespace magfsi::fluid {
+
+namespace {
+
+// The bodies' cells on a grid.
+CellBox cells_around(const BodyBox& bodies_m, double spacing_m) {
+    CellBox box;
+    for (int d = 0; d < 3; ++d) {
+        box.lo[d] = static_cast<int>(std::floor(bodies_m[0][d] / spacing_m));
+        box.hi[d] = static_cast<int>(std::floor(bodies_m[1][d] / spacing_m)) + 1;
+    }
+    return box;
+}
+
+// A box that leaves the bodies room to move. Its size stays as it was while it is large
+// enough and not much too large: a patch that only moves keeps its memory.
+CellBox roomy(const CellBox& least, int slack_cells, const CellBox* before) {
+    CellBox box = grown(least, slack_cells);
+    if (!before) return box;
+    for (int d = 0; d < 3; ++d) {
+        const int wanted = box.hi[d] - box.lo[d], was = before->hi[d] - before->lo[d];
+        const int need = least.hi[d] - least.lo[d];
+        const int size = was > need + 1 && was <= wanted + 2 * slack_cells ? was : wanted;
+        box.lo[d] -= floor_half(size - wanted);
+        box.hi[d] = box.lo[d] + size;
+    }
+    return box;
+}
+
+// The sides along periodic axes moved by whole periods, so that the middle comes within
+// half of one of that place.
+BodyBox brought_near(BodyBox box, const Vec3& place_m, const FluidConfig& coarse) {
+    const auto periodic = periodic_axes(coarse);
+    for (int d = 0; d < 3; ++d) {
+        if (!periodic[d]) continue;
+        const double length_m = coarse.cells[d] * coarse.spacing_m;
+        const double away_m = (box[0][d] + box[1][d]) / 2 - place_m[d];
+        for (Vec3& corner : box)
+            corner[d] -= length_m * std::floor(away_m / length_m + 0.5);
+    }
+    return box;
+}
+
+Vec3 middle_of(const FluidConfig& coarse) {
+    Vec3 middle_m;
+    for (std::size_t d = 0; d < 3; ++d)
+        middle_m[d] = coarse.cells[d] * coarse.spacing_m / 2;
+    return middle_m;
+}
+
+// needed: cells of the level below the finest. Beyond walls nothing is.
+bool still_inside(const LevelPlace& finest, const std::array<bool, 3>& periodic,
+                  CellBox needed) {
+    std::array<int, 3> period{};
+    const CellBox covered = finest.covered();
+    for (int d = 0; d < 3; ++d) {
+        const int cells = finest.domain[d] / 2;
+        if (finest.period[d] > 0) {
+            needed.lo[d] = covered.lo[d];
+            needed.hi[d] = covered.hi[d];
+        } else if (periodic[d]) {
+            period[d] = cells;
+        } else {
+            needed.lo[d] = std::max(needed.lo[d], 0);
+            needed.hi[d] = std::min(needed.hi[d], cells);
+        }
+    }
+    bool inside = false;
+    for_each_image(period, [&](const std::array<int, 3>& image) {
+        inside = inside || contains(covered, shifted(needed, image));
+    });
+    return inside;
+}
+
+// Bodies and the nest around them.
+struct Group {
+    std::vector<std::size_t> bodies;
+    NestPlaces places;
+};
+
+class Placement {
+  public:
+    Placement(const FluidConfig& coarse, const PatchRule& rule,
+              const std::vector<BodyBox>& bodies_m, const std::vector<NestPlaces>* before)
+        : coarse_(coarse),
+          rule_(rule),
+          periodic_(periodic_axes(coarse)),
+          bodies_m_(bodies_m) {
+        if (before) before_ = *before;
+        members_.resize(before_.size());
+        for (std::size_t b = 0; b < bodies_m.size(); ++b) {
+            home_.push_back(home_of(b));
+            if (home_[b] < before_.size()) members_[home_[b]].push_back(b);
+        }
+    }
+
+    // Each nest holds its bodies, and each body has one.
+    bool all_stay() const {
+        for (std::size_t b = 0; b < home_.size(); ++b)
+            if (home_[b] >= before_.size() || !holds(home_[b], b)) return false;
+        return true;
+    }
+
+    std::vector<NestPlaces> places() const {
+        std::vector<Group> groups;
+        for (std::size_t b = 0; b < home_.size(); ++b) {
+            if (!stays(home_[b])) {
+                groups.push_back({{b}, nest_around({b})});
+            } else if (members_[home_[b]].front() == b) {
+                groups.push_back({members_[home_[b]], before_[home_[b]]});
+            }
+        }
+        while (merge_two(groups)) {
+        }
+        std::vector<NestPlaces> all;
+        for (Group& group : groups) all.push_back(std::move(group.places));
+        return all;
+    }
+
+  private:
+    double finest_but_one_m() const {
+        return std::ldexp(coarse_.spacing_m, -(rule_.levels - 1));
+    }
+    BodyBox around(const std::vector<std::size_t>& bodies) const {
+        BodyBox all =
+            brought_near(bodies_m_[bodies.front()], middle_of(coarse_), coarse_);
+        for (const std::size_t b : bodies) {
+            Vec3 middle_m;
+            for (std::size_t d = 0; d < 3; ++d) middle_m[d] = (all[0][d] + all[1][d]) / 2;
+            const BodyBox near = brought_near(bodies_m_[b], middle_m, coarse_);
+            for (std::size_t d = 0; d < 3; ++d) {
+                all[0][d] = std::min(all[0][d], near[0][d]);
+                all[1][d] = std::max(all[1][d], near[1][d]);
+            }
+        }
+        return brought_near(all, middle_of(coarse_), coarse_);
+    }
+    CellBox least_box(const std::vector<std::size_t>& bodies) const {
+        return grown(cells_around(around(bodies), finest_but_one_m()),
+                     rule_.margin_cells);
+    }
+    bool holds(std::size_t nest, std::size_t body) const {
+        return still_inside(before_[nest].back(), periodic_, least_box({body}));
+    }
+    // The nest that a body is in, though it may have come near its sides; before_.size()
+    // without one.
+    std::size_t home_of(std::size_t body) const {
+        const CellBox least = least_box({body});
+        for (std::size_t nest = 0; nest < before_.size(); ++nest) {
+            const LevelPlace& finest = before_[nest].back();
+            std::array<int, 3> period{};
+            for (std::size_t d = 0; d < 3; ++d)
+                period[d] = periodic_[d] ? finest.domain[d] / 2 : 0;
+            bool in = false;
+            for_each_image(period, [&](const std::array<int, 3>& image) {
+                in = in || !is_empty(shared(finest.covered(), shifted(least, image)));
+            });
+            if (in) return nest;
+        }
+        return before_.size();
+    }
+    bool stays(std::size_t nest) const {
+        return nest < before_.size() && std::ranges::all_of(members_[nest], [&](auto b) {
+                   return holds(nest, b);
+               });
+    }
+
+    // From the finest level outwards, each box in cells of the level below it.
+    NestPlaces nest_around(const std::vector<std::size_t>& bodies) const {
+        const auto levels = static_cast<std::size_t>(rule_.levels);
+        std::vector<CellBox> boxes(levels);
+        const std::size_t home = home_[bodies.front()];
+        const bool was = home < before_.size() && members_[home] == bodies;
+        const CellBox old = was ? before_[home].back().covered() : CellBox{};
+        boxes[levels - 1] =
+            roomy(least_box(bodies), rule_.slack_cells, was ? &old : nullptr);
+        for (std::size_t l = levels - 1; l > 0; --l)
+            boxes[l - 1] = grown(halved(boxes[l]), around_cells);
+        NestPlaces places;
+        LevelPlace below = coarsest_place(coarse_.cells, periodic_);
+        for (const CellBox& box : boxes) {
+            below = finer_place(below, periodic_, box);
+            places.push_back(below);
+        }
+        return places;
+    }
+
+    bool are_near(const NestPlaces& a, const NestPlaces& b) const {
+        const CellBox reach = grown(a.front().covered(), between_nests_cells);
+        const auto period = coarsest_place(coarse_.cells, periodic_).period;
+        bool near = false;
+        for_each_image(period, [&](const std::array<int, 3>& image) {
+            near = near || !is_empty(shared(reach, shifted(b.front().covered(), image)));
+        });
+        return near;
+    }
+
+    bool merge_two(std::vector<Group>& groups) const {
+        for (std::size_t i = 0; i < groups.size(); ++i) {
+            for (std::size_t j = i + 1; j < groups.size(); ++j) {
+                if (!are_near(groups[i].places, groups[j].places)) continue;
+                auto& bodies = groups[i].bodies;
+                bodies.insert(bodies.end(), groups[j].bodies.begin(),
+                              groups[j].bodies.end());
+                std::ranges::sort(bodies);
+                groups[i].places = nest_around(bodies);
+                groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(j));
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const FluidConfig& coarse_;
+    const PatchRule& rule_;
+    std::array<bool, 3> periodic_;
+    const std::vector<BodyBox>& bodies_m_;
+    std::vector<NestPlaces> before_;
+    std::vector<std::size_t> home_;                  // nest of each body
+    std::vector<std::vector<std::size_t>> members_;  // bodies of each nest
+};
+
+}  // namespace
+
+std::optional<std::vector<NestPlaces>> place_nests(
+    const FluidConfig& coarse, const PatchRule& rule,
+    const std::vector<BodyBox>& bodies_m, const std::vector<NestPlaces>* before) {
+    const Placement placement(coarse, rule, bodies_m, before);
+    if (before && placement.all_stay()) return {};
+    return placement.places();
+}
+
+}  // namespace magfsi::fluid
