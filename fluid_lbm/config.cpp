@@ -78,7 +78,7 @@ std::string collision_reason(const FluidConfig& config) {
     std::ostringstream text;
     text.precision(4);
     text << name_of(chosen);
-    if (chosen == Collision::trt || chosen == Collision::recursive_mrt) {
+    if (chosen != Collision::bgk && chosen != Collision::recursive_regularized) {
         text << " (magic number " << choose_magic_number(config) << ", odd rate "
              << odd_rate(config) << ")";
     }
@@ -93,6 +93,9 @@ std::string collision_reason(const FluidConfig& config) {
         text << "relaxation time " << tau << " is below " << trt_from
              << ", and a wall moves: regularised collision fails where it meets a "
                 "resting one";
+    } else if (chosen == Collision::recursive_odd) {
+        text << "relaxation time " << tau << " is below " << trt_from
+             << ", and walls of obstacles lie where they should";
     } else if (chosen == Collision::recursive_mrt) {
         text << "relaxation time " << tau << " is below " << trt_from
              << ", and the layers at bodies without slip do not depend on its time step";

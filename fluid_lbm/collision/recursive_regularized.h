@@ -8,6 +8,13 @@
 //                          1 for modes of third order is a magic number of
 //                          (tau - 1/2) / 2, which falls with the time step: so does the
 //                          layer of fluid that walls and immersed bodies carry along.
+//   recursive_odd          keeps three of them, the differences below. Through these goes
+//                          three quarters of what a shear flow along an axis couples to
+//                          (the flux of n_xy along y has 2/3 n_xy = 1/2 + 1/6 by
+//                          difference and sum), so that its walls feel a magic number of
+//                          (3 Lambda + (tau - 1/2) / 2) / 4, Lambda that of the
+//                          differences. The rest decays as above. (Rates apart for them
+//                          and for the sums: d'Humieres et al. 2002, their m and q.)
 //   recursive_mrt          keeps them: the deviation of odd third-order moments from the
 //                          recursion relaxes with the magic number's rate, the even modes
 //                          of fourth order with fourth_rate(). Walls and bodies then do
@@ -34,6 +41,7 @@ struct Recursive {
                                       const Rates<V>& rates, CellCheck<V>& check);
 };
 using RecursiveRegularized = Recursive<Collision::recursive_regularized>;
+using RecursiveOdd = Recursive<Collision::recursive_odd>;
 using RecursiveMrt = Recursive<Collision::recursive_mrt>;
 
 // The third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz;
@@ -71,15 +79,14 @@ struct Ghosts {
     V xy, xz, yz;
 };
 
-// Those of populations before the collision; j: their momentum; n: the viscous stress,
-// before relaxation.
+// Of third order, of populations before the collision; j: their momentum; n: the viscous
+// stress, before relaxation.
 template <class V, class Real>
-MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecond<V>& all,
-                               const V (&u)[3], const Symmetric<V>& ruu,
-                               const Symmetric<V>& n, const Rates<V>& rates) {
+MAGFSI_INLINE ThirdOrder<V> third_ghosts(const LaneCells<V, Real>& f, const V (&j)[3],
+                                         const V (&u)[3], const Symmetric<V>& ruu,
+                                         const Symmetric<V>& n) {
     const SumDifference<V> a = pair_of<7>(f), b = pair_of<9>(f), c = pair_of<11>(f),
                            d = pair_of<13>(f), e = pair_of<15>(f), g = pair_of<17>(f);
-    const V(&j)[3] = all.low.j;
     const V third = V{} + constant<V>(d3q19::cs2);
     const V jx = third * j[0], jy = third * j[1], jz = third * j[2];
     const V xyy = a.difference + b.difference - jx,
@@ -89,22 +96,35 @@ MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecon
     const V yzz = e.difference + g.difference - jy,
             yyz = e.difference - g.difference - jz;
     const ThirdOrder<V> r = third_order(u, ruu, n);
+    return {{xzz + xyy - r.sum[0], xxy + yzz - r.sum[1], yyz + xxz - r.sum[2]},
+            {xzz - xyy - r.difference[0], xxy - yzz - r.difference[1],
+             yyz - xxz - r.difference[2]}};
+}
+
+// All of them.
+template <class V, class Real>
+MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecond<V>& all,
+                               const V (&u)[3], const Symmetric<V>& ruu,
+                               const Symmetric<V>& n, const Rates<V>& rates) {
     const V odd = 1.0 - rates.odd;
     Ghosts<V> kept;
-    kept.third = {
-        {odd * (xzz + xyy - r.sum[0]), odd * (xxy + yzz - r.sum[1]),
-         odd * (yyz + xxz - r.sum[2])},
-        {odd * (xzz - xyy - r.difference[0]), odd * (xxy - yzz - r.difference[1]),
-         odd * (yyz - xxz - r.difference[2])}};
+    kept.third = third_ghosts(f, all.low.j, u, ruu, n);
+    for (int i = 0; i < 3; ++i) {
+        kept.third.sum[i] *= odd;
+        kept.third.difference[i] *= odd;
+    }
+    const V ab = pair_of<7>(f).sum + pair_of<9>(f).sum,
+            cd = pair_of<11>(f).sum + pair_of<13>(f).sum,
+            eg = pair_of<15>(f).sum + pair_of<17>(f).sum;
     // Of each diagonal plane the sum of its four populations, less what the second-order
     // moments give it.
     const Symmetric<V>& p = all.second;
     const V trace = p.xx + p.yy + p.zz, excess = all.low.excess;
     const V keep = 1.0 - rates.fourth, ninth = V{} + constant<V>(1.0 / 9);
     const V base = -0.5 * excess - 1.5 * trace;
-    kept.xy = keep * (a.sum + b.sum - ninth * (base + 4.5 * (p.xx + p.yy)));
-    kept.xz = keep * (c.sum + d.sum - ninth * (base + 4.5 * (p.xx + p.zz)));
-    kept.yz = keep * (e.sum + g.sum - ninth * (base + 4.5 * (p.yy + p.zz)));
+    kept.xy = keep * (ab - ninth * (base + 4.5 * (p.xx + p.yy)));
+    kept.xz = keep * (cd - ninth * (base + 4.5 * (p.xx + p.zz)));
+    kept.yz = keep * (eg - ninth * (base + 4.5 * (p.yy + p.zz)));
     return kept;
 }
 
@@ -218,6 +238,11 @@ MAGFSI_INLINE void Recursive<Kind>::collide(const LaneCells<V, Real>& f,
         add(t, kept.third);
         rebuild(f, m.excess, m.j, add(second, left), t, fourth_order(kept));
     } else {
+        if constexpr (Kind == Collision::recursive_odd) {
+            const ThirdOrder<V> kept = third_ghosts(f, all.low.j, u, ruu, n);
+            for (int i = 0; i < 3; ++i)
+                t.difference[i] += (1.0 - rates.odd) * kept.difference[i];
+        }
         rebuild(f, m.excess, m.j, add(second, left), t, NoFourthOrder{});
     }
 }

@@ -37,6 +37,24 @@ TEST(CollisionChoice, FollowsMovingWalls) {
     EXPECT_EQ(choose_collision(config), Collision::trt);
 }
 
+TEST(CollisionChoice, FollowsObstacles) {
+    FluidConfig config = lattice_fluid({20, 20, 20}, 0.52, Collision::automatic);
+    config.obstacles = {{"ball", Sphere{{10, 10, 10}, 8}}};
+    EXPECT_EQ(choose_collision(config), Collision::recursive_odd);
+    EXPECT_DOUBLE_EQ(choose_magic_number(config), 0.25 - 0.02 / 6);
+    // Where the grid resolves little: less, and at last what drops these modes too.
+    config.expected_speed_m_s = 120 * config.viscosity_m2_s;
+    EXPECT_DOUBLE_EQ(choose_magic_number(config), (0.25 - 0.02 / 6) / 4);
+    config.expected_speed_m_s = 6000 * config.viscosity_m2_s;
+    EXPECT_NEAR(choose_magic_number(config), 0.01, 1e-12);
+    EXPECT_NEAR(odd_rate(config), 1, 1e-12);
+    config.smagorinsky_constant = 0.1;
+    EXPECT_EQ(choose_collision(config), Collision::recursive_regularized);
+    config.smagorinsky_constant = 0;
+    config.holds_no_slip = true;
+    EXPECT_EQ(choose_collision(config), Collision::recursive_mrt);
+}
+
 TEST(CollisionChoice, KeepsTheOddRateFromVanishing) {
     const auto odd = [](double tau) {
         const auto config = lattice_fluid({4, 4, 4}, tau, Collision::trt);

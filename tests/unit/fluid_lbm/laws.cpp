@@ -232,13 +232,16 @@ TEST_P(GalileanInvariance, OfAShearWave) {
     // falls by 3 U^2 = 0.75 %, times an exponent of 0.83. The recursive third order
     // restores it for this flow up to dispersion, of order (k dx)^4.
     const bool recursive = GetParam() == Collision::recursive_regularized ||
+                           GetParam() == Collision::recursive_odd ||
                            GetParam() == Collision::recursive_mrt;
     EXPECT_NEAR(carried[0] / rest[0], 1, recursive ? 1e-3 : 0.008);
     // Two relaxation times: advection is exact to third order only for Lambda = 1/12; at
     // 3/16 the wave is shifted by (3/16 - 1/12) k^3 a cell and terms of higher order:
     // 0.025 over 32 cells in the lowest.
+    // Three of six modes with 1/4: of the same kind, seen 0.007.
     const bool trt = GetParam() == Collision::trt;
-    EXPECT_NEAR(carried[1] / rest[0], 0, trt ? 0.03 : 1e-3);
+    const bool odd = GetParam() == Collision::recursive_odd;
+    EXPECT_NEAR(carried[1] / rest[0], 0, trt ? 0.03 : odd ? 0.01 : 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, GalileanInvariance, every_collision);
