@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A swimmer beats for many periods: no mass of fluid drifts away, no energy grows."""
+"""A swimmer beats for many periods, and two side by side in each other's wake: no mass of fluid
+drifts away, no energy grows."""
 
 import sys
 import unittest
@@ -21,11 +22,20 @@ def beat(periods, spacing, sides):
         "probes.energy_audit": "true"}, limit_s=3000)
 
 
+# Their middles 3.4 mm apart, more than twice their width, in a box twice as wide as that of one.
+TWO = {**ENDLESS, "fluid.box": "[8 mm, 8 mm, 8 mm]",
+       "bodies.robot.initial.position": "[4.1 mm, 2.3 mm, 4 mm]",
+       "bodies.second": "{mesh: {box: {size: [3.7 mm, 1.5 mm, 0.185 mm], elements: [10, 4, 1]}}, "
+                        "element: assumed_strain, material: {shear_modulus: 33 kPa, "
+                        "lame_lambda: 660 kPa, density: 1860 kg/m3}, magnetization: {harmonic: "
+                        "{amplitude: 62 kA/m, wavelength: 3.7 mm, phase: 45 deg, along: x, into: z}}, "
+                        "initial: {position: [4.1 mm, 5.7 mm, 4 mm]}}"}
+
+
 class ManyPeriods(unittest.TestCase):
-    def test_mass_stays_and_energy_does_not_grow(self):
-        periods, spacing, sides = (100, "0.25 mm", ENDLESS) if LONG else (6, "0.5 mm", {})
-        run = beat(periods, spacing, sides)
-        probes, audit = run.probes(), run.summary()["energy_audit"]
+    def stays(self, periods, run):
+        probes, summary = run.probes(), run.summary()
+        audit = summary["energy_audit"]
         testing.report(f"{periods} periods: {audit}")
         mass = probes["mass[kg]"]
         drift = abs(mass[-1] / mass[0] - 1)
@@ -33,14 +43,33 @@ class ManyPeriods(unittest.TestCase):
         self.assertLess(drift, 1e-11)
         self.assertLess(audit["residual"], 0.01)
         self.assertLess(audit["gained"], 0.01)
-        # Of the whole, the most in any of the last periods against those before.
+        # Of the whole, the most in any of the last periods against those before. One that meets its
+        # own wake, or another's, does not beat alike in each: 1.08 after fifty periods.
         rows = PERIOD_MS // 2
         whole = [sum(parts) for parts in zip(probes["audit.kinetic[J]"], probes["audit.elastic[J]"],
                                              probes["audit.fluid_kinetic[J]"])]
         peaks = [max(whole[p * rows:(p + 1) * rows]) for p in range(1, periods)]
         half = len(peaks) // 2
-        testing.report(f"peaks {peaks[0]:.3g} ... {peaks[-1]:.3g} J, mass drifts by {drift:.1e}")
-        self.assertLess(max(peaks[half:]), 1.1 * max(peaks[:half]))
+        later = max(peaks[half:]) / max(peaks[:half])
+        boundary = summary["immersed_boundary"]
+        testing.report(f"peaks {peaks[0]:.3g} ... {peaks[-1]:.3g} J, later ones {later:.3f} of the "
+                       f"first, mass drifts by {drift:.1e}; {boundary}")
+        self.assertLess(later, 1.1)
+        return boundary
+
+    def test_mass_stays_and_energy_does_not_grow(self):
+        periods, spacing, sides = (100, "0.25 mm", ENDLESS) if LONG else (6, "0.5 mm", {})
+        self.stays(periods, beat(periods, spacing, sides))
+
+    def test_two_swimmers(self):
+        # Three periods tell that it runs; twelve that neither drives the other. They draw near, and
+        # in the nineteenth the run ends where one would pass through the other.
+        periods, spacing = (12, "0.25 mm") if LONG else (3, "0.5 mm")
+        boundary = self.stays(periods, beat(periods, spacing, TWO))
+        if LONG:  # at 0.5 mm the strip is three cells wide
+            # Warned of from 5 % on; seen 1.0 and 0.7 %.
+            self.assertLess(boundary["no_slip_error"], 0.03)
+            self.assertLess(boundary["leakage"], 0.015)
 
 
 if __name__ == "__main__":
