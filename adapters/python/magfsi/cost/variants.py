@@ -2,8 +2,10 @@
 """Which runs to make of a scene: a star about a coarse setting, whose arms each refine one
 parameter, and runs that refine all, so that all together fit a budget by the cost model."""
 import math
+import os
 import statistics
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
 from magfsi import runs
@@ -124,6 +126,17 @@ class Scene:
         found.sizes = numerical.sizes(self.facts, facts, setting)
         return found
 
+    def variants(self, wanted, length=None):
+        """Of each (setting, part) its variant, or the CannotRun it ends with. A large mesh takes
+        seconds to explain: as many at once as there are processors."""
+        def one(setting_and_part):
+            try:
+                return self.variant(*setting_and_part, length)
+            except CannotRun as error:
+                return error
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            return list(pool.map(one, wanted))
+
     def own_setting(self):
         return {p.name: 1 for p in self.parameters}
 
@@ -196,14 +209,16 @@ def star(scene, coarser):
     if len(arms) > (2 if "spacing" in arms else 1):
         settings.append((middle if "spacing" in arms else finest, "all finer"))
     settings.append((scene.own_setting(), "present"))
-    out = []
+    different = []
     for setting, part in settings:
-        if all(v.setting != setting for v in out):
-            try:
-                out.append(scene.variant(setting, part))
-            except CannotRun:
-                if part in ("centre", "present"):
-                    raise
+        if all(setting != other for other, _ in different):
+            different.append((setting, part))
+    out = []
+    for (setting, _), found in zip(different, scene.variants(different)):
+        if not isinstance(found, CannotRun):
+            out.append(found)
+        elif setting in (centre, scene.own_setting()):
+            raise found
     return out
 
 
@@ -256,7 +271,9 @@ def plan(scene, budget_s):
                     continue
                 if found:
                     if length < whole:
-                        found = [scene.variant(v.setting, v.part, length) for v in found]
+                        found = scene.variants([(v.setting, v.part) for v in found], length)
+                        if cannot := next((v for v in found if isinstance(v, CannotRun)), None):
+                            raise cannot
                     return sorted(found, key=lambda v: seconds(v.facts)), length, words
     if cannot:
         raise cannot
