@@ -95,7 +95,7 @@ std::string collision_reason(const FluidConfig& config) {
                 "resting one";
     } else if (chosen == Collision::recursive_odd) {
         text << "relaxation time " << tau << " is below " << trt_from
-             << ", and walls of obstacles lie where they should";
+             << ", and straight walls of obstacles lie exactly half way";
     } else if (chosen == Collision::recursive_mrt) {
         text << "relaxation time " << tau << " is below " << trt_from
              << ", and the layers at bodies without slip do not depend on its time step";

@@ -111,10 +111,8 @@ void RestFinder::find(double time_s) {
     }
     throw coupler::Diverged(fmt::format(
         "the bodies did not come to rest within {} steps under the loads of {:.6g} s: "
-        "the largest nodal force is {:.3g} of the largest load, {:.3g} is required; take "
-        "a "
-        "a "
-        "larger time.equilibrium.tolerance or another damping.rate",
+        "the largest nodal force is {:.3g} of the largest load, {:.3g} is required; "
+        "take a larger time.equilibrium.tolerance or another damping.rate",
         max_steps_, time_s, ratio, tolerance));
 }
 

@@ -79,9 +79,8 @@ class Builder : public YAML::EventHandler {
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (++documents_ == 2)
             refuse(origin(mark), "a second document", "one scene a file",
-                   "remove the line \"---\" or, where there is none, the text before the "
-                   "first "
-                   "key");
+                   "remove the line \"---\" or, where there is none, the text before "
+                   "the first key");
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
