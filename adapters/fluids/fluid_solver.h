@@ -2,7 +2,6 @@
 // What a fluid participant asks of its solver beyond the coupling's GridFluid.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

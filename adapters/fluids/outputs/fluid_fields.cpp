@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "adapters/fluids/fluid_run.h"
@@ -36,16 +38,15 @@ class FluidFields : public coupler::Output {
   private:
     void write();  // collective
     void write_patch(std::int64_t number, std::size_t patch, const FieldCells& cells);
-    void write_index(std::int64_t number, const FieldCells& cells);
-    std::string start_of(std::int64_t number) const {
-        return fmt::format("fluid_{:06d}", number);
-    }
+    void write_index(std::int64_t number, std::size_t patch, const FieldCells& cells);
+    static constexpr std::string_view start = "fluid_";
     std::filesystem::path whole(std::int64_t number, const FieldCells& cells) const {
-        return folder_ / (start_of(number) + cells.name + ".pvti");
+        return folder_ / fmt::format("{}{:06d}{}.pvti", start, number, cells.name);
     }
     std::filesystem::path piece(std::int64_t number, const FieldCells& cells,
                                 std::size_t rank) const {
-        return folder_ / fmt::format("{}{}_{}.vti", start_of(number), cells.name, rank);
+        return folder_ /
+               fmt::format("{}{:06d}{}_{}.vti", start, number, cells.name, rank);
     }
 
     const coupler::Session& session_;
@@ -54,7 +55,8 @@ class FluidFields : public coupler::Output {
     std::int64_t every_;
     std::filesystem::path folder_;
     std::unique_ptr<output::PvdSeries> series_;  // on the root
-    int part_ = 0;                               // of one picture
+    // By number of the instant: what the run has left before a restart.
+    std::map<std::int64_t, std::set<std::filesystem::path>> left_;
 };
 
 FluidFields::FluidFields(FluidRun& run)
@@ -66,17 +68,17 @@ FluidFields::FluidFields(FluidRun& run)
     if (session_.world().rank() != 0) return;
     series_ = std::make_unique<output::PvdSeries>(session_.out() / "fluid.pvd");
     if (!session_.restart()) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(start) && entry.path().extension() == ".pvti")
+            left_[std::stoll(name.substr(start.size()))].insert(entry.path());
+    }
     // The series again up to the present step, whatever patches there were.
-    std::set<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
-        if (entry.path().extension() == ".pvti") files.insert(entry.path());
     const coupler::Clock& clock = session_.clock();
     for (std::int64_t step = 0; step <= clock.step(); step += every_) {
         int part = 0;
-        for (const auto& file : files) {
-            if (file.filename().string().starts_with(start_of(step / every_)))
-                series_->add(clock.time_s(step), file, part++);
-        }
+        for (const auto& file : left_[step / every_])
+            series_->add(clock.time_s(step), file, part++);
     }
 }
 
@@ -86,9 +88,13 @@ void FluidFields::write() {
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
         write_patch(number, patch, patches[patch]);
     MPI_Barrier(session_.world().local());
-    part_ = 0;
-    for (std::size_t patch = 0; series_ && patch < patches.size(); ++patch)
-        write_index(number, patches[patch]);
+    if (!series_) return;
+    // Another nest of patches may have been there.
+    if (const auto left = left_.extract(number)) {
+        for (const auto& file : left.mapped()) std::filesystem::remove(file);
+    }
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+        write_index(number, patch, patches[patch]);
 }
 
 output::ImageGrid image_of(const FieldCells& cells) {
@@ -140,7 +146,8 @@ void FluidFields::write_patch(std::int64_t number, std::size_t patch,
         output::write_vti(piece(number, cells, rank), image_of(cells), extent, fields);
 }
 
-void FluidFields::write_index(std::int64_t number, const FieldCells& cells) {
+void FluidFields::write_index(std::int64_t number, std::size_t patch,
+                              const FieldCells& cells) {
     std::vector<output::ImagePiece> pieces;
     output::CellExtent all;
     for (std::size_t r = 0; r < cells.owned_by_rank.size(); ++r) {
@@ -159,7 +166,8 @@ void FluidFields::write_index(std::int64_t number, const FieldCells& cells) {
     if (!cells.hidden.empty())
         types.push_back({.name = output::ghost_cells, .uint8 = true});
     output::write_pvti(whole(number, cells), image_of(cells), all, pieces, types);
-    series_->add(session_.clock().time_s(), whole(number, cells), part_++);
+    series_->add(session_.clock().time_s(), whole(number, cells),
+                 static_cast<int>(patch));
 }
 
 }  // namespace
