@@ -4,9 +4,11 @@
 // schema and reference page follow from it.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "adapters/scene/document.h"
@@ -109,6 +111,24 @@ struct Field {
 Field key(std::string_view name, std::string_view doc);
 // A number with a unit.
 Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc);
+
+// --- members that keys are stored in
+// ----------------------------------------------------
+
+template <class E>
+concept Named = std::is_enum_v<E>;
+template <class T>
+concept HasName = requires(T item) {
+    item.name;
+};
+
+// Integers that stand for words: "x" and "xz".
+struct AxisRef {
+    int& axis;
+};
+struct PlaneRef {
+    std::array<int, 2>& axes;
+};
 
 bool is_leaf(const Field& field);
 
