@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <utility>
+#include "coupler/immersed_boundary/fluid_side.h"
 
-#include "coupler/immersed_boundary/spreading.h"
+#include <utility>
 
 namespace magfsi::coupler {
 

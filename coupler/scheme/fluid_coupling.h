@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "coupler/exchange/exchange.h"
-#include "coupler/immersed_boundary/spreading.h"
+#include "coupler/immersed_boundary/fluid_side.h"
 #include "coupler/participants/session.h"
 #include "coupler/step/task_list.h"
 

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "coupler/immersed_boundary/fluid_side.h"
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/immersed_boundary/spreading.h"
 #include "tests/unit/coupler/grids.h"
 
 namespace magfsi::coupler::testing {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include "coupler/exchange/exchange.h"
-#include "coupler/immersed_boundary/spreading.h"
+#include "coupler/immersed_boundary/fluid_side.h"
 #include "coupler/participants/handshake.h"
 #include "coupler/participants/world.h"
 #include "tests/mpi/coupler/array_fluid.h"

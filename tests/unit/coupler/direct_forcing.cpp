@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "coupler/immersed_boundary/direct_forcing.h"
-#include "coupler/immersed_boundary/spreading.h"
+#include "coupler/immersed_boundary/fluid_side.h"
 #include "tests/mpi/coupler/array_fluid.h"
 
 namespace magfsi::coupler {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "coupler/immersed_boundary/spreading.h"
+#include "coupler/immersed_boundary/fluid_side.h"
 #include "tests/mpi/coupler/array_fluid.h"
 #include "tests/unit/coupler/grids.h"
 
@@ -251,6 +251,47 @@ TEST(TouchedRows, a_marker_across_the_periodic_x_side_reaches_both_ends) {
                 1e-14 * quarter);
     EXPECT_NEAR(density.values()[density.index(0, 5, 5)], 0.3 * quarter, 1e-14 * quarter);
     EXPECT_EQ(density.values()[density.index(6, 5, 5)], 0);
+}
+
+// Boxes far from each other, one of them across a periodic side: as two ranks with one
+// each, to the bit, and a marker between them has nothing.
+TEST(TouchedRows, of_several_boxes_are_those_of_each) {
+    const Grid grid = cut_grid({40, 12, 10}, {true, true, true});
+    const CellBox one{{-5, 0, 0}, {6, 12, 10}}, other{{18, 2, 1}, {30, 11, 9}};
+    for (const Kernel kernel : all_kernels) {
+        TouchedRows both(grid, {one, other}, kernel);
+        TouchedRows each[] = {{grid, {one}, kernel}, {grid, {other}, kernel}};
+        Random random(11);
+        std::vector<Vec3> points;
+        for (const double middle : {0.5, 24.5, 11.5}) {  // the last between them
+            for (int i = 0; i < 30; ++i)
+                points.push_back({grid.spacing_m * (middle + random.between(-1.5, 1.5)),
+                                  grid.spacing_m * random.between(4, 8),
+                                  grid.spacing_m * random.between(4, 6)});
+        }
+        const std::vector<Vec3> impulse = random.vectors(points.size(), 1);
+        both.place(points);
+        std::vector<double> density(3 * both.cells()), expected;
+        both.spread(impulse, 1, density);
+        std::vector<Vec3> felt(points.size()), sum(points.size());
+        both.interpolate(density, felt);
+        for (TouchedRows& rows : each) {
+            rows.place(points);
+            std::vector<double> part(3 * rows.cells());
+            rows.spread(impulse, 1, part);
+            std::vector<Vec3> share(points.size());
+            rows.interpolate(part, share);
+            for (std::size_t m = 0; m < share.size(); ++m)
+                for (std::size_t d = 0; d < 3; ++d) sum[m][d] += share[m][d];
+            expected.insert(expected.end(), part.begin(), part.end());
+        }
+        EXPECT_EQ(density,
+                  expected);  // markers of one box come before those of the other
+        EXPECT_EQ(felt, sum);
+        EXPECT_NE(felt.front(), Vec3{});
+        EXPECT_NE(felt[30], Vec3{});
+        EXPECT_EQ(felt.back(), Vec3{});
+    }
 }
 
 TEST(TouchedRows, no_marker_no_row) {
