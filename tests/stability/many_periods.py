@@ -25,10 +25,8 @@ def beat(periods, spacing, sides):
 # Their middles 3.4 mm apart, more than twice their width, in a box twice as wide as that of one.
 TWO = {**ENDLESS, "fluid.box": "[8 mm, 8 mm, 8 mm]",
        "bodies.robot.initial.position": "[4.1 mm, 2.3 mm, 4 mm]",
-       "bodies.second": "{mesh: {box: {size: [3.7 mm, 1.5 mm, 0.185 mm], elements: [10, 4, 1]}}, "
-                        "element: assumed_strain, material: {shear_modulus: 33 kPa, "
-                        "lame_lambda: 660 kPa, density: 1860 kg/m3}, magnetization: {harmonic: "
-                        "{amplitude: 62 kA/m, wavelength: 3.7 mm, phase: 45 deg, along: x, into: z}}, "
+       "bodies.second": f"{{{testing.STRIP}, magnetization: {{harmonic: {{amplitude: 62 kA/m, "
+                        "wavelength: 3.7 mm, phase: 45 deg, along: x, into: z}}, "
                         "initial: {position: [4.1 mm, 5.7 mm, 4 mm]}}"}
 
 

@@ -51,32 +51,12 @@ TEST_P(Nests, MergeAndPartOnAnyRanksAndKeepTheMass) {
 
 // With two nests and with one, before and in the middle of steps of the coarser levels.
 TEST_P(Nests, GoOnFromAStateThatIsPutBack) {
-    for (const int middle : {3 * steps_in_one_, 11 * steps_in_one_ + 1}) {
-        RefinedFluid whole(MPI_COMM_WORLD, config_, visit(0));
-        run(whole, MPI_COMM_WORLD, 0, middle, visit);
-        EXPECT_EQ(whole.nests(), middle < 10 * steps_in_one_ ? 2 : 1);
-        RefinedFluid part(MPI_COMM_WORLD, config_, visit(0));
-        part.restore(whole.steps_done(), whole.places(), whole.kept_mass());
-        copy_populations(whole, part);
-        run(whole, MPI_COMM_WORLD, middle, middle + 4 * steps_in_one_, visit);
-        run(part, MPI_COMM_WORLD, middle, middle + 4 * steps_in_one_, visit);
-        expect_same(whole, part, 0);
-    }
+    for (const int middle : {3 * steps_in_one_, 11 * steps_in_one_ + 1})
+        expect_it_goes_on(config_, visit, middle, middle + 4 * steps_in_one_);
 }
 
-// As with one nest: what keeps the mass rounds twice.
 TEST_P(Nests, TakeAStepAgain) {
-    RefinedFluid once(MPI_COMM_WORLD, config_, visit(0));
-    RefinedFluid again(MPI_COMM_WORLD, config_, visit(0));
-    for (int i = 0; i < 3 * steps_in_one_; ++i) {
-        push_and_step(once, MPI_COMM_WORLD, visit(0));
-        again.keep();
-        again.set_force({}, {});
-        push_and_step(again, MPI_COMM_WORLD, visit(0));
-        again.go_back();
-        push_and_step(again, MPI_COMM_WORLD, visit(0));
-    }
-    expect_same(once, again, 1e-16);
+    expect_steps_taken_again(config_, visit(0), 3 * steps_in_one_);
 }
 
 INSTANTIATE_TEST_SUITE_P(OneToTwo, Nests, testing::Values(1, 2));

@@ -74,34 +74,12 @@ TEST_P(Levels, AreTheSameOnAnyRanksAtAnObstacle) {
 
 // Before and in the middle of steps of the coarser levels.
 TEST_P(Levels, GoOnFromAStateThatIsPutBack) {
-    const RefinedConfig config = stirred_box(GetParam());
-    for (const int middle : {16 << GetParam(), (16 << GetParam()) + 1}) {
-        RefinedFluid whole(MPI_COMM_WORLD, config, body_at(0));
-        run(whole, MPI_COMM_WORLD, 0, middle);
-        RefinedFluid part(MPI_COMM_WORLD, config, body_at(0));
-        part.restore(whole.steps_done(), whole.places(), whole.kept_mass());
-        copy_populations(whole, part);
-        run(whole, MPI_COMM_WORLD, middle, 2 * middle);
-        run(part, MPI_COMM_WORLD, middle, 2 * middle);
-        expect_same(whole, part, 0);
-    }
+    for (const int middle : {16 << GetParam(), (16 << GetParam()) + 1})
+        expect_it_goes_on(stirred_box(GetParam()), body_at, middle, 2 * middle);
 }
 
-// A step that is taken again with other forces ends as if the first had not been, but for
-// the rounding of what keeps the mass, which it does twice.
 TEST_P(Levels, TakeAStepAgain) {
-    const RefinedConfig config = stirred_box(GetParam());
-    RefinedFluid once(MPI_COMM_WORLD, config, body_at(0));
-    RefinedFluid again(MPI_COMM_WORLD, config, body_at(0));
-    for (int i = 0; i < 5 << GetParam(); ++i) {
-        push_and_step(once, MPI_COMM_WORLD, body_at(0));
-        again.keep();
-        again.set_force({}, {});
-        push_and_step(again, MPI_COMM_WORLD, body_at(0));
-        again.go_back();
-        push_and_step(again, MPI_COMM_WORLD, body_at(0));
-    }
-    expect_same(once, again, 1e-16);
+    expect_steps_taken_again(stirred_box(GetParam()), body_at(0), 5 << GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(OneToThree, Levels, testing::Values(1, 2));

@@ -117,4 +117,34 @@ inline void copy_populations(const RefinedFluid& from, RefinedFluid& to) {
     }
 }
 
+// A fluid that goes on from the state of another one ends as that does, to the bit.
+inline void expect_it_goes_on(const RefinedConfig& config, const BodiesAt& bodies,
+                              int middle, int last) {
+    RefinedFluid whole(MPI_COMM_WORLD, config, bodies(0));
+    run(whole, MPI_COMM_WORLD, 0, middle, bodies);
+    RefinedFluid part(MPI_COMM_WORLD, config, bodies(0));
+    part.restore(whole.steps_done(), whole.places(), whole.kept_mass());
+    copy_populations(whole, part);
+    run(whole, MPI_COMM_WORLD, middle, last, bodies);
+    run(part, MPI_COMM_WORLD, middle, last, bodies);
+    expect_same(whole, part, 0);
+}
+
+// A step that is taken again with other forces ends as if the first had not been, but for
+// the rounding of what keeps the mass, which it does twice.
+inline void expect_steps_taken_again(const RefinedConfig& config,
+                                     const std::vector<BodyBox>& bodies, int steps) {
+    RefinedFluid once(MPI_COMM_WORLD, config, bodies);
+    RefinedFluid again(MPI_COMM_WORLD, config, bodies);
+    for (int i = 0; i < steps; ++i) {
+        push_and_step(once, MPI_COMM_WORLD, bodies);
+        again.keep();
+        again.set_force({}, {});
+        push_and_step(again, MPI_COMM_WORLD, bodies);
+        again.go_back();
+        push_and_step(again, MPI_COMM_WORLD, bodies);
+    }
+    expect_same(once, again, 1e-16);
+}
+
 }  // namespace magfsi::fluid
