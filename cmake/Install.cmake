@@ -73,6 +73,9 @@ foreach(folder coupler structure fluid_lbm adapters/scene)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/${above}
     COMPONENT dev FILES_MATCHING PATTERN "*.h")
 endforeach()
+# The kinds of boundaries, which options.h reads.
+install(FILES fluid_lbm/effects.inc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/fluid_lbm
+  COMPONENT dev)
 install(FILES adapters/run_scene.h adapters/structure_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi/adapters
   COMPONENT dev)
 install(DIRECTORY cmake/isa cmake/grid cmake/surface cmake/words DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magfsi

@@ -49,10 +49,24 @@ enum class BoundaryKind {
     free_slip,        // no flow through, no shear: a plane of symmetry
     velocity_inlet,   // prescribed velocity, in or out
     pressure_outlet,  // lets flow and sound out
+// And those of which only their effect knows.
+#define MAGFSI_EFFECT(name)
+#define MAGFSI_BOUNDARY(name) name,
+#include "fluid_lbm/effects.inc"
+#undef MAGFSI_BOUNDARY
 };
 constexpr auto words_of(BoundaryKind) {
-    return std::to_array<std::string_view>(
-        {"periodic", "no_slip", "free_slip", "velocity_inlet", "pressure_outlet"});
+#define MAGFSI_BOUNDARY(name) #name,
+    return std::to_array<std::string_view>({
+        "periodic",
+        "no_slip",
+        "free_slip",
+        "velocity_inlet",
+        "pressure_outlet",
+#include "fluid_lbm/effects.inc"
+    });
+#undef MAGFSI_BOUNDARY
+#undef MAGFSI_EFFECT
 }
 
 // How an inlet's velocity varies over its opening. Along an axis that is periodic or has

@@ -107,6 +107,14 @@ bool is_viscous(const Body& body) {
            });
 }
 
+// Kinds of sides of which only their effect knows, by their words.
+void add_further_kinds(std::vector<Effect>& effects, auto side_of) {
+    constexpr auto last_named = static_cast<std::size_t>(BoundaryKind::pressure_outlet);
+    for (std::size_t k = last_named + 1; k < names<BoundaryKind>.size(); ++k)
+        effects.push_back(
+            {Step::fluid, names<BoundaryKind>[k], side_of(static_cast<BoundaryKind>(k))});
+}
+
 // A coupled step: the structure's substeps, each with the immersed boundary's force, then
 // the fluid, then what is written.
 std::vector<Effect> effects_of(const Scene& s) {
@@ -121,7 +129,7 @@ std::vector<Effect> effects_of(const Scene& s) {
     const auto scheme = [&](Scheme wanted) {
         return s.coupling && s.coupling->scheme == wanted;
     };
-    return {
+    std::vector<Effect> effects{
         {structure, "elasticity", !s.bodies.empty()},
         {structure, "viscosity", some_body(is_viscous)},
         {structure, "magnetic field", s.magnetic_field && s.magnetic_field->uniform},
@@ -172,6 +180,8 @@ std::vector<Effect> effects_of(const Scene& s) {
         {output, "fluid fields", s.output.fluid.has_value()},
         {output, "checkpoint", s.checkpoint.has_value()},
     };
+    add_further_kinds(effects, side_of);
+    return effects;
 }
 
 // Those of one step, or of all.

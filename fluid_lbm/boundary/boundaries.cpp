@@ -8,6 +8,7 @@
 
 namespace magfsi::fluid {
 
+#define MAGFSI_BOUNDARY(name) MAGFSI_EFFECT(name)
 #define MAGFSI_EFFECT(name) \
     std::unique_ptr<SideEffect> make_##name##_effect(const SideContext&, int side);
 #include "fluid_lbm/effects.inc"
@@ -35,6 +36,7 @@ std::vector<std::unique_ptr<SideEffect>> make_side_effects(const SideContext& co
 #include "fluid_lbm/effects.inc"
     };
 #undef MAGFSI_EFFECT
+#undef MAGFSI_BOUNDARY
     const auto& sides = context.config.boundaries;
     for (int side = 0; side < 6; ++side) {
         const std::string name = effect_of(sides[side]);

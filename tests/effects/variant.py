@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A participant built without an effect: without its line of an effects.inc and without its
-files. All objects that depend on the list are compiled anew, from a copy of it, and the program
-is linked without the effect's files. Nothing of those files may be left: the linker's map and the
-headers that each object has read show it."""
+files. All objects that make something of the line are compiled anew, from a copy of the list, and
+the program is linked without the effect's files. Nothing of those files may be left: the linker's
+map and the headers that each object has read show it."""
 
 import functools
 import os
@@ -67,12 +67,27 @@ def objects(program):
     return made
 
 
+@functools.cache
+def line_of(removal):
+    """The effect's line in the list, and its macro."""
+    text = (testing.ROOT / removal.registry).read_text()
+    lines = re.findall(rf"^((MAGFSI_\w+)\({removal.name}\)\n)", text, re.M)
+    if len(lines) != 1:
+        raise AssertionError(f"{removal.registry} has not one line of {removal.name}")
+    return lines[0]
+
+
+@functools.cache
+def makes_something(path, removal):
+    """Whether the file reads the list and has more than an empty macro for the line."""
+    text = (testing.ROOT / path).read_text(errors="replace")
+    return (f'#include "{removal.registry}"' in text
+            and not re.search(rf"#define {line_of(removal)[1]}\(name\)$", text, re.M))
+
+
 def overlay(removal, folder):
     """A copy of the list without the effect, below a folder."""
-    line = rf"MAGFSI_(EFFECT|OUTPUT)\({removal.name}\)\n"
-    text, removed = re.subn(line, "", (testing.ROOT / removal.registry).read_text())
-    if removed != 1:
-        raise AssertionError(f"{removal.registry} has not one line of {removal.name}")
+    text = (testing.ROOT / removal.registry).read_text().replace(line_of(removal)[0], "")
     copy = folder / removal.registry
     copy.parent.mkdir(parents=True, exist_ok=True)
     copy.write_text(text)
@@ -120,7 +135,8 @@ def without(program, removal):
         raise AssertionError(f"{removal.name} has no files {removal.files}")
     reads, made, seen = read_by(), {}, {}
     for number, (target, words) in enumerate(objects(program).items()):
-        if removal.registry not in reads[target] or source_of(words) in own:
+        if source_of(words) in own or not any(makes_something(path, removal)
+                                              for path in reads[target]):
             continue
         made[target] = str(folder / f"{number}.o")
         seen[made[target]] = compiled(words, made[target], folder)
