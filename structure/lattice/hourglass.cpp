@@ -59,6 +59,8 @@ struct PlaneState {
     double g, lambda, beta;
     Eigen::Matrix2d e, m, a, n;  // eps, M, A, M eps M
     double area, trace, w;       // det M / det M0; tr A; [...] of hourglass_energy
+    Eigen::Matrix2d mixed;       // M0 eps M
+    Eigen::Matrix2d on_strain, on_metric;  // dw / d eps and -dw / d metric
     double q() const { return 1 - beta + beta * area; }
 };
 
@@ -94,12 +96,18 @@ PlaneState plane_state(const HourglassReference& reference, const Material& mate
                  {},
                  0,
                  0,
-                 0};
+                 0,
+                 {},
+                 {},
+                 {}};
     s.a = s.m * s.e;
     s.n = s.a * s.m;
     s.area = s.m.determinant() / s.rest.determinant();
     s.trace = s.a.trace();
     s.w = 0.5 * s.g * (s.a * s.a).trace() + 0.5 * s.lambda * s.trace * s.trace;
+    s.mixed = s.rest * s.e * s.m;
+    s.on_strain = s.g * s.n + s.lambda * s.trace * s.m;
+    s.on_metric = s.g * s.a * s.n + s.lambda * s.trace * s.n;
     return s;
 }
 
@@ -109,12 +117,9 @@ struct PlaneStress {
 };
 
 PlaneStress plane_stress(const PlaneState& s) {
-    const Eigen::Matrix2d mixed = s.rest * s.e * s.m;
     return {
-        0.5 * s.g * (mixed + mixed.transpose()) +
-            s.q() * (s.g * s.n + s.lambda * s.trace * s.m),
-        -(0.5 * s.g * s.a * mixed + s.q() * (s.g * s.a * s.n + s.lambda * s.trace * s.n) +
-          s.beta * s.area * s.w * s.m)};
+        0.5 * s.g * (s.mixed + s.mixed.transpose()) + s.q() * s.on_strain,
+        -(0.5 * s.g * s.a * s.mixed + s.q() * s.on_metric + s.beta * s.area * s.w * s.m)};
 }
 
 // Its change with that of strain and metric.
@@ -126,15 +131,13 @@ PlaneStress stress_change(const PlaneState& s, const Eigen::Matrix2d& de,
     const double darea = -s.area * (s.m * dmetric).trace();
     const double dtrace = da.trace();
     const double dw = s.g * (s.a * da).trace() + s.lambda * s.trace * dtrace;
-    const Eigen::Matrix2d mixed = s.rest * s.e * s.m;
     const Eigen::Matrix2d dmixed = s.rest * (de * s.m + s.e * dm);
     PlaneStress out;
     out.strain = 0.5 * s.g * (dmixed + dmixed.transpose()) +
-                 s.beta * darea * (s.g * s.n + s.lambda * s.trace * s.m) +
+                 s.beta * darea * s.on_strain +
                  s.q() * (s.g * dn + s.lambda * (dtrace * s.m + s.trace * dm));
     out.metric = -(
-        0.5 * s.g * (da * mixed + s.a * dmixed) +
-        s.beta * darea * (s.g * s.a * s.n + s.lambda * s.trace * s.n) +
+        0.5 * s.g * (da * s.mixed + s.a * dmixed) + s.beta * darea * s.on_metric +
         s.q() * (s.g * (da * s.n + s.a * dn) + s.lambda * (dtrace * s.n + s.trace * dn)) +
         s.beta * (darea * s.w * s.m + s.area * dw * s.m + s.area * s.w * dm));
     return out;

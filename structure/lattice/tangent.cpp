@@ -21,18 +21,20 @@ constexpr std::array<TripleProduct, 4> exact_terms{
 // V0 det F, u_m the columns of F.
 constexpr std::array<TripleProduct, 1> mean_terms{{{0, 1, 2, 1.0}}};
 
-using Weights = Eigen::Matrix<double, 8, 8>;  // p_am
+template <int modes>
+using Weights = Eigen::Matrix<double, 8, modes>;  // p_am
 
 // d2V / dx_a dx_b = sum over terms of the cross-product matrix of w_ab, a combination of
 // the u: d2/(du_l du_m) of u_l . (u_m x u_n) is -[u_n]x, and cyclic.
-Matrix24 hessian(std::span<const TripleProduct> terms, const Weights& p,
-                 const Eigen::Matrix<double, 8, 3>& u) {
-    std::array<Weights, 3> w;
-    for (Weights& component : w) component.setZero();
+template <int modes>
+Matrix24 hessian(std::span<const TripleProduct> terms, const Weights<modes>& p,
+                 const Eigen::Matrix<double, modes, 3>& u) {
+    std::array<Eigen::Matrix<double, modes, modes>, 3> of_modes;
+    for (auto& component : of_modes) component.setZero();
     const auto couple = [&](int m, int n, int third, double coefficient) {
         for (int d = 0; d < 3; ++d) {
-            w[d](m, n) -= coefficient * u(third, d);
-            w[d](n, m) += coefficient * u(third, d);
+            of_modes[d](m, n) -= coefficient * u(third, d);
+            of_modes[d](n, m) += coefficient * u(third, d);
         }
     };
     for (const auto& [l, m, n, c] : terms) {
@@ -40,7 +42,8 @@ Matrix24 hessian(std::span<const TripleProduct> terms, const Weights& p,
         couple(m, n, l, c);
         couple(n, l, m, c);
     }
-    for (Weights& component : w) component = p * component * p.transpose();
+    std::array<Matrix8, 3> w;
+    for (int d = 0; d < 3; ++d) w[d] = p * of_modes[d] * p.transpose();
     Matrix24 out;
     for (int a = 0; a < 8; ++a) {
         for (int b = 0; b < 8; ++b) {
@@ -52,19 +55,16 @@ Matrix24 hessian(std::span<const TripleProduct> terms, const Weights& p,
     return out;
 }
 
-Weights exact_weights() {
-    Weights p;
+Weights<8> exact_weights() {
+    Weights<8> p;
     for (int a = 0; a < 8; ++a) {
         for (int m = 0; m < 8; ++m) p(a, m) = 0.125 * mode_sign(m, a);
     }
     return p;
 }
 
-// Columns 0 to 2: b_a / V0.
-Weights mean_weights(const ElementReference& reference) {
-    Weights p = Weights::Zero();
-    p.leftCols<3>() = reference.gradient / reference.volume;
-    return p;
+Weights<3> mean_weights(const ElementReference& reference) {
+    return reference.gradient / reference.volume;  // b_a / V0
 }
 
 }  // namespace
@@ -74,11 +74,11 @@ VolumeDerivatives volume_derivatives(const ElementReference& reference,
     const VolumeAndGradient v = element_volume(reference, x_m);
     VolumeDerivatives out{v.volume_m3, v.gradient_m2, {}};
     if (reference.variant == ElementVariant::full) {
-        static const Weights p = exact_weights();
-        out.hessian_m = hessian(exact_terms, p, p.transpose() * x_m);
+        static const Weights<8> p = exact_weights();
+        out.hessian_m = hessian<8>(exact_terms, p, p.transpose() * x_m);
     } else {
-        const Weights p = mean_weights(reference);
-        out.hessian_m = reference.volume * hessian(mean_terms, p, p.transpose() * x_m);
+        const Weights<3> p = mean_weights(reference);
+        out.hessian_m = reference.volume * hessian<3>(mean_terms, p, p.transpose() * x_m);
     }
     return out;
 }
