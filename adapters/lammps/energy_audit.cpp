@@ -144,7 +144,7 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
     };
     const double motion = terms.of_moved - record_.moved_at_start;
     // What the enclosed fluid's force has done beside taking away its inertia and weight.
-    const double lag = terms.by_enclosed + (m.kinetic_nodes - m.kinetic) -
+    const double lag = terms.by_enclosed - (m.kinetic_nodes - m.kinetic) +
                        (m.work_weight_nodes - m.work_weight);
     const double residual = stored(terms) + m.kinetic_nodes - record_.stored_at_start -
                             record_.nodes_at_start - terms.work_field -

@@ -57,6 +57,7 @@ class EnergyAudit(unittest.TestCase):
             # Seen: 3e-5 and 2.2e-4, of the substeps.
             self.residual(f"{density} kg/m3", run, 1e-3)
             self.fluid_is_counted_once(run.probes(), density)
+            self.columns_add_up(run.probes())
 
     def fluid_is_counted_once(self, probes, density):
         whole, once = column(probes, "kinetic_whole"), column(probes, "kinetic")
@@ -75,6 +76,16 @@ class EnergyAudit(unittest.TestCase):
                                         column(probes, "lost_in_fluid")):
             self.assertAlmostEqual(to_fluid + less, lost, delta=1e-9 * max(
                 column(probes, "given_to_fluid")))
+
+    # The equation of the residual in docs/energy_audit.md, column by column.
+    def columns_add_up(self, probes):
+        stored = ("elastic", "kinetic", "given_to_fluid")
+        paid = ("work_field", "work_weight", "enclosed_lag")
+        scale = max(column(probes, "given_to_fluid"))
+        for i, residual in enumerate(column(probes, "residual")):
+            sums = [sum(column(probes, name)[i] - column(probes, name)[0] for name in names)
+                    for names in (stored, paid)]
+            self.assertAlmostEqual(sums[0] - sums[1], residual, delta=1e-9 * scale)
 
     def test_every_scheme(self):
         for scheme in ("parallel", "implicit"):
