@@ -35,7 +35,7 @@ class VelocityField {
     void exchange();
     Vec3 derivative(const Cell& cell, int axis) const;
     double enstrophy(int x, int y, int z) const;
-    double enstrophy_of_row(int y, int z) const;  // without obstacles
+    double enstrophy_of_row(const CellRow& row) const;  // without obstacles
 
     const Fluid::State& state_;
     const RowLayout& layout_;
@@ -151,8 +151,8 @@ double VelocityField::enstrophy(int x, int y, int z) const {
 }
 
 void VelocityField::add_enstrophy_of_row(const CellRow& row, double& sum) const {
-    if (!state_.obstacles && row.size() == layout_.nx) {
-        sum += enstrophy_of_row(row.y, row.z);
+    if (!state_.obstacles) {
+        sum += enstrophy_of_row(row);
         return;
     }
     for (int x = row.x_begin; x < row.x_end; ++x) {
@@ -160,15 +160,16 @@ void VelocityField::add_enstrophy_of_row(const CellRow& row, double& sum) const 
     }
 }
 
-double VelocityField::enstrophy_of_row(int y, int z) const {
+double VelocityField::enstrophy_of_row(const CellRow& row) const {
+    const auto [y, z, x_begin, x_end] = row;
     const Crossing south = cross(y - 1, layout_.ny, layout_.beyond_y),
                    north = cross(y + 1, layout_.ny, layout_.beyond_y),
                    below = cross(z - 1, layout_.nz, layout_.beyond_z),
                    above = cross(z + 1, layout_.nz, layout_.beyond_z);
     const bool at_wall = south.wall || north.wall || below.wall || above.wall;
     double sum = 0;
-    // The row's ends, and all of it beside a wall, with their cases.
-    for (int x = 0; x < layout_.nx; ++x) {
+    // The ends of the grid's row, and all of it beside a wall, with their cases.
+    for (int x = x_begin; x < x_end; ++x) {
         if (at_wall || x == 0 || x == layout_.nx - 1) sum += enstrophy(x, y, z);
     }
     if (at_wall) return sum;
@@ -177,7 +178,8 @@ double VelocityField::enstrophy_of_row(int y, int z) const {
     const double* const n = at(0, north.index, z);
     const double* const b = at(0, y, below.index);
     const double* const a = at(0, y, above.index);
-    for (int x = 1; x < layout_.nx - 1; ++x) {
+    const int last = std::min(x_end, layout_.nx - 1);
+    for (int x = std::max(x_begin, 1); x < last; ++x) {
         const int i = 3 * x;
         const double wx = (n[i + 2] - s[i + 2]) - (a[i + 1] - b[i + 1]);
         const double wy = (a[i] - b[i]) - (u[i + 5] - u[i - 1]);
