@@ -74,21 +74,26 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
         if (is_empty(mine)) return;
         const CellRow local =
             level.local({mine.lo[1], mine.lo[2], mine.lo[0], mine.hi[0]});
-        for (int x = local.x_begin; x < local.x_end;) {
-            // Only the two cells at the ends of a row differ from the others.
-            const bool middle =
-                level.solids.empty() && x >= local.x_begin + 2 && x < local.x_end - 2;
-            const int end = middle ? local.x_end - 2 : x + 1;
+        constexpr std::size_t none = -1;
+        std::array<std::size_t, d3q19::directions> last;  // run of each population
+        last.fill(none);
+        for (int x = local.x_begin; x < local.x_end; ++x) {
             const CellSlots natural = slots({x, local.y, local.z}, Arrangement::natural),
                             swapped = slots({x, local.y, local.z}, Arrangement::swapped);
             const std::array<int, 3> cell{mine.lo[0] + x - local.x_begin - image[0],
                                           row.y, row.z};
             for (int q = 1; q < d3q19::directions; ++q) {
-                if (crosses(cell, q, inside) && !at_obstacle({x, local.y, local.z}, q))
-                    runs_.push_back(
-                        {{natural[q], swapped[q]}, end - x, inside ? 1.0 : -1.0});
+                if (!crosses(cell, q, inside) || at_obstacle({x, local.y, local.z}, q))
+                    continue;
+                const std::size_t r = last[q];
+                if (r != none && runs_[r].first[0] + runs_[r].count == natural[q] &&
+                    runs_[r].first[1] + runs_[r].count == swapped[q]) {
+                    ++runs_[r].count;
+                } else {
+                    last[q] = runs_.size();
+                    runs_.push_back({{natural[q], swapped[q]}, 1, inside ? 1.0 : -1.0});
+                }
             }
-            x = end;
         }
     });
 }
