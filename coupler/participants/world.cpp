@@ -162,13 +162,36 @@ constexpr auto shortest_nap = std::chrono::nanoseconds(5000);
 constexpr auto longest_nap = std::chrono::nanoseconds(200000);
 constexpr int naps_a_wait = 64;
 
+// Steps resemble each other: a wait that outlasts the spin is slept through at once for
+// half of the shortest of the last few such waits. Naps alone woke a structure that waits
+// 3 ms for its fluid 140 times, a tenth of the run's processor time.
+class UsualWait {
+  public:
+    std::chrono::nanoseconds half_of_it() const {
+        return std::min<std::chrono::nanoseconds>(*std::ranges::min_element(last_) / 2,
+                                                  longest);
+    }
+    void note(std::chrono::nanoseconds waited) {
+        if (waited < spin_time) return;
+        last_[next_] = waited;
+        next_ = (next_ + 1) % last_.size();
+    }
+
+  private:
+    static constexpr auto longest = std::chrono::milliseconds(20);  // to notice a signal
+    std::array<std::chrono::nanoseconds, 8> last_{};
+    std::size_t next_ = 0;
+};
+UsualWait usual_wait;
+
 double seconds_waited = 0;
 
 struct WaitingTime {
     SteadyClock::time_point start = SteadyClock::now();
     ~WaitingTime() {
-        seconds_waited +=
-            std::chrono::duration<double>(SteadyClock::now() - start).count();
+        const auto waited = SteadyClock::now() - start;
+        seconds_waited += std::chrono::duration<double>(waited).count();
+        usual_wait.note(waited);
     }
 };
 
@@ -277,11 +300,14 @@ void wait_until(Done done, double timeout_s, const std::string& what,
             sched_yield();
             continue;
         }
-        if (!wait) wait.emplace(timeout_s, what, whom);
+        const bool first = !wait;
+        if (first) wait.emplace(timeout_s, what, whom);
         wait->look(now);
         sleep_exactly();
-        std::this_thread::sleep_for(std::clamp<std::chrono::nanoseconds>(
-            waited / naps_a_wait, shortest_nap, longest_nap));
+        const auto nap = std::clamp<std::chrono::nanoseconds>(waited / naps_a_wait,
+                                                              shortest_nap, longest_nap);
+        std::this_thread::sleep_for(
+            first ? std::max(nap, usual_wait.half_of_it() - waited) : nap);
     }
 }
 
