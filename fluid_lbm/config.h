@@ -27,6 +27,9 @@ struct FluidConfig : Options {
     double expected_speed_m_s = 0;  // largest; 0: not known
     // A patch of a refined grid: obstacles may lie beyond it.
     bool is_patch = false;
+    // Sides whose two layers of cells somebody fills anew before every second step, the
+    // even ones: what the outer layer does in the others is needed by nobody.
+    std::array<bool, 6> refilled{};
 };
 
 Units units(const FluidConfig& config);

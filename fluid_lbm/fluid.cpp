@@ -87,6 +87,21 @@ int local_plane(const Fluid::State& s, int plane, std::size_t values) {
     return plane - box.lo[2];
 }
 
+Fluid::State::Needed without_refilled(const FluidConfig& config, const CellBox& own,
+                                      const Fluid::State::Needed& all) {
+    const auto first = [&](int axis) {
+        return config.refilled[2 * axis] && own.lo[axis] == 0 ? 1 : 0;
+    };
+    const auto end = [&](int axis) {
+        const bool outer =
+            config.refilled[2 * axis + 1] && own.hi[axis] == config.cells[axis];
+        return own.hi[axis] - own.lo[axis] - (outer ? 1 : 0);
+    };
+    const RowBox rows{first(1), end(1), first(2), end(2)};
+    return {clipped(all.at_cuts, rows), clipped(all.inner, rows),
+            !(config.refilled[0] && config.refilled[1])};
+}
+
 LocalViscosity local_viscosity(const FluidConfig& config) {
     if (config.rheology) return LocalViscosity::rheology;
     return config.smagorinsky_constant > 0 ? LocalViscosity::eddies
@@ -121,8 +136,8 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
       layout(decomposition.layout(comm.rank)),
       populations(layout.nx, layout.row_count(), storage_of(config.precision)),
       halo(comm, decomposition, comm.rank, populations),
-      rows_at_cuts(fluid::rows_at_cuts(layout)),
-      inner_rows(fluid::inner_rows(layout)) {
+      needed_from_natural{rows_at_cuts(layout), inner_rows(layout)},
+      needed_from_swapped(without_refilled(config, owned(), needed_from_natural)) {
     if (!config.obstacles.empty())
         obstacles.emplace(config, make_solids(config), owned(), populations, layout);
     side_effects = make_side_effects({comm, config, decomposition, comm.rank, populations,

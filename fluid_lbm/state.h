@@ -42,7 +42,17 @@ struct Fluid::State {
     Arrangement arrangement = Arrangement::natural;
     std::int64_t steps_done = 0;
     Halo halo;
-    const std::vector<RowBox> rows_at_cuts, inner_rows;
+    // What steps from an arrangement need: natural ones all, the others nothing of an
+    // outer layer that is filled anew after them.
+    struct Needed {
+        std::vector<RowBox> at_cuts, inner;
+        bool x_ends = true;
+    };
+    const Needed needed_from_natural, needed_from_swapped;
+    const Needed& needed() const {
+        return arrangement == Arrangement::natural ? needed_from_natural
+                                                   : needed_from_swapped;
+    }
     std::optional<ForcedRows> forces;    // of the next step; empty until one is set
     std::optional<Obstacles> obstacles;  // empty without any
     std::vector<std::unique_ptr<SideEffect>> side_effects;

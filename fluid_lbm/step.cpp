@@ -11,8 +11,8 @@ using State = Fluid::State;
 // Collides and streams the rows of boxes.
 void sweep_boxes(State& s, std::span<const RowBox> boxes) {
     for (const RowBox& box : boxes) {
-        const auto found =
-            sweep(s.view(), s.forces ? &*s.forces : nullptr, s.parameters, box);
+        const auto found = sweep(s.view(), s.forces ? &*s.forces : nullptr, s.parameters,
+                                 box, s.needed().x_ends);
         if (!found) continue;
         const bool first =
             !s.invalid || (s.invalid_step == s.steps_done && found->before(*s.invalid));
@@ -30,9 +30,9 @@ void sweep_and_exchange(State& s) {
     // travelled for them is sent once more as it was.
     const bool by_rows = s.again && s.kept->by_rows();
     const std::span<const RowBox> inner =
-        by_rows ? std::span<const RowBox>() : s.inner_rows;
+        by_rows ? std::span<const RowBox>() : s.needed().inner;
     const std::size_t half = inner.size() / 2;
-    sweep_boxes(s, by_rows ? s.kept->rows() : s.rows_at_cuts);
+    sweep_boxes(s, by_rows ? s.kept->rows() : s.needed().at_cuts);
     s.halo.start(exchange);
     sweep_boxes(s, inner.first(half));
     s.halo.advance();

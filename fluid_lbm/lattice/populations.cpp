@@ -127,9 +127,19 @@ void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout) {
     }
 }
 
+template <class Real>
+void rest_x_ends(const RowPointers<Real>& p, const RowLayout& layout) {
+    for (int q = 1; q < d3q19::directions; ++q) {
+        if (d3q19::c[q][0] == 0 || p.bounced[q]) continue;
+        p.at[q][d3q19::c[q][0] > 0 ? 0 : layout.nx - 1] = 0;
+    }
+}
+
 template void open_x_ends(const RowPointers<double>&, const RowLayout&);
 template void open_x_ends(const RowPointers<float>&, const RowLayout&);
 template void close_x_ends(const RowPointers<double>&, const RowLayout&);
 template void close_x_ends(const RowPointers<float>&, const RowLayout&);
+template void rest_x_ends(const RowPointers<double>&, const RowLayout&);
+template void rest_x_ends(const RowPointers<float>&, const RowLayout&);
 
 }  // namespace magfsi::fluid

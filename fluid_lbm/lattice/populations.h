@@ -218,6 +218,10 @@ void prefetch_x_ends(const RowPointers<Real>& p, const RowLayout& layout,
 // The ghost element's value back to its partner, after the kernel.
 template <class Real>
 void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
+// In place of both where nobody needs what arrives at the ends: fluid at rest. The lines
+// are those that the kernel is about to read.
+template <class Real>
+void rest_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
 
 // Where the population that has arrived in a cell is stored, cell by cell: for boundaries
 // and obstacles, which touch few cells and keep lists of slots.

@@ -128,4 +128,14 @@ std::vector<RowBox> inner_rows(const RowLayout& layout) {
                           {in.y_begin, in.y_end, middle, in.z_end}});
 }
 
+std::vector<RowBox> clipped(std::vector<RowBox> boxes, const RowBox& to) {
+    for (RowBox& box : boxes) {
+        box.y_begin = std::max(box.y_begin, to.y_begin);
+        box.z_begin = std::max(box.z_begin, to.z_begin);
+        box.y_end = std::max(std::min(box.y_end, to.y_end), box.y_begin);
+        box.z_end = std::max(std::min(box.z_end, to.z_end), box.z_begin);
+    }
+    return without_empty(std::move(boxes));
+}
+
 }  // namespace magfsi::fluid

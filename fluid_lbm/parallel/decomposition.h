@@ -44,5 +44,7 @@ struct RowBox {
 std::vector<RowBox> rows_at_cuts(const RowLayout& layout);
 // All others, in two halves: one for each axis of the exchange. May be empty.
 std::vector<RowBox> inner_rows(const RowLayout& layout);
+// What boxes share with another one.
+std::vector<RowBox> clipped(std::vector<RowBox> boxes, const RowBox& to);
 
 }  // namespace magfsi::fluid

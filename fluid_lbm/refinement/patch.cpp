@@ -88,6 +88,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
             // (Beside a ring the two differ, wherever across a periodic side it lies.)
             const bool at_domain = high == 1 ? place.stored.hi[d] == place.inside.hi[d]
                                              : place.stored.lo[d] == place.inside.lo[d];
+            config.refilled[side] = !at_domain;
             if (!at_domain) boundary = Boundary{.kind = BoundaryKind::no_slip};
             if (boundary.kind == BoundaryKind::velocity_inlet ||
                 boundary.kind == BoundaryKind::pressure_outlet) {

@@ -97,6 +97,7 @@ struct SweepRows {
     const CollisionParameters& parameters;
     const RowKernels<Real>& kernels;
     const Forces& forces;
+    bool x_ends = true;
     RowWalk<Real> walk{now};
 
     std::optional<InvalidCell> step_row(int y, int z) const {
@@ -105,14 +106,16 @@ struct SweepRows {
         const RowPointers<Real> p = walk.at(y, z);
         const auto force = force_of<Real>(forces, y, z);
         const auto kernel = force.at[0] != nullptr ? kernels.forced : kernels.plain;
-        if (swapped) {
+        if (swapped && x_ends) {
             prefetch_x_ends(p, layout, now.populations.row_stride());
             open_x_ends(p, layout);
+        } else if (swapped) {
+            rest_x_ends(p, layout);
         }
         const bool valid = kernel(p.at, force.at, layout.nx, parameters);
         std::optional<InvalidCell> invalid;
         if (!valid) invalid = find_invalid(p, force, layout.nx, kernels.moments, y, z);
-        if (swapped) close_x_ends(p, layout);
+        if (swapped && x_ends) close_x_ends(p, layout);
         return invalid;
     }
 
@@ -138,15 +141,17 @@ struct SweepRows {
 }  // namespace
 
 std::optional<InvalidCell> sweep(const View& now, const ForcedRows* forces,
-                                 const CollisionParameters& parameters,
-                                 const RowBox& box) {
+                                 const CollisionParameters& parameters, const RowBox& box,
+                                 bool x_ends) {
     return std::visit(
         [&]<class Real>(const RowKernels<Real>& kernels) {
             if (forces) {
-                return SweepRows<ForcedRows, Real>{now, parameters, kernels, *forces}
+                return SweepRows<ForcedRows, Real>{now, parameters, kernels, *forces,
+                                                   x_ends}
                     .step(box);
             }
-            return SweepRows<NoForces, Real>{now, parameters, kernels, {}}.step(box);
+            return SweepRows<NoForces, Real>{now, parameters, kernels, {}, x_ends}.step(
+                box);
         },
         now.kernels);
 }

@@ -24,12 +24,13 @@ struct InvalidCell {
 // Steps the rows of a box. now: before the step; the sweep of all rows turns the
 // arrangement. forces: null where nothing can push the fluid. Every slot is touched by
 // one row only: OpenMP's threads share the rows, and any number of them gives the same
-// bits. Returns the first invalid cell by z, then y.
+// bits. Returns the first invalid cell by z, then y. x_ends: false where nobody needs
+// what arrives at the ends of rows from beyond them.
 //
 // Threads that spin while they wait for each other take cores from other processes: where
 // those are shared, run with OMP_WAIT_POLICY=passive.
 std::optional<InvalidCell> sweep(const View& now, const ForcedRows* forces,
-                                 const CollisionParameters& parameters,
-                                 const RowBox& box);
+                                 const CollisionParameters& parameters, const RowBox& box,
+                                 bool x_ends = true);
 
 }  // namespace magfsi::fluid

@@ -255,6 +255,7 @@ struct Outcome {
 };
 
 Outcome run(int threads, double amplitude, int steps) {
+    const int usual_threads = omp_get_max_threads();
     omp_set_num_threads(threads);
     FluidConfig config = lattice_fluid({17, 9, 7}, 0.55, Collision::automatic);
     set_walls(config, 1);
@@ -270,6 +271,7 @@ Outcome run(int threads, double amplitude, int steps) {
         fluid.set_force(std::span(rows).first(1), force);
         fluid.step();
     }
+    omp_set_num_threads(usual_threads);  // of the tests that follow
     return {velocity(fluid), fluid.diverged()};
 }
 
@@ -290,6 +292,36 @@ TEST(SameForAnyThreads, NamesTheSameCell) {
         if (one.diverged) {
             EXPECT_EQ(many.diverged->cell, one.diverged->cell);
         }
+    }
+}
+
+// What a step leaves out beside sides that are filled anew never comes further than two
+// cells in two steps, to the last bit.
+TEST(RefilledSides, KeepWhatTheyLeaveOutToThemselves) {
+    FluidConfig config =
+        lattice_fluid({13, 9, 8}, 0.51, Collision::recursive_regularized);
+    for (int axis = 0; axis < 3; ++axis) set_walls(config, axis);
+    config.initial_velocity = [](const Vec3& at) {
+        return Vec3{0.05 * std::sin(at[1] + at[2]), 0.04 * std::cos(at[0]),
+                    0.03 * std::sin(at[0] + at[1])};
+    };
+    Fluid whole(MPI_COMM_SELF, config);
+    config.refilled.fill(true);
+    Fluid patch(MPI_COMM_SELF, config);
+    for (int step = 1; step <= 2; ++step) {
+        whole.step();
+        patch.step();
+        ASSERT_FALSE(patch.diverged());
+        std::vector<Vec3> expected;
+        for_each_velocity(whole,
+                          [&](const auto&, const Vec3& u) { expected.push_back(u); });
+        std::size_t i = 0;
+        for_each_velocity(patch, [&](const std::array<int, 3>& cell, const Vec3& u) {
+            const Vec3& there = expected[i++];
+            for (int d = 0; d < 3; ++d)
+                if (cell[d] < 2 || cell[d] >= config.cells[d] - 2) return;
+            EXPECT_EQ(u, there) << cell[0] << ", " << cell[1] << ", " << cell[2];
+        });
     }
 }
 
