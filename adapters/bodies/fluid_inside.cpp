@@ -12,10 +12,6 @@ namespace magfsi::bodies {
 
 namespace {
 
-// The nodes keep a third of their mass: their stable step is that of a body of a third of
-// the density, at least 0.58 of their own.
-constexpr double largest_part = 2.0 / 3;
-
 // How much a material has of the body's: cubes that a surface cuts hold less than others
 // of both the body and the fluid in its place.
 double part_of(const scene::Body& body, const structure::Material& material) {
@@ -44,7 +40,7 @@ double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body) {
     const auto& from = *std::ranges::find(scene.bodies, body.name, &scene::Body::name);
     for (const structure::Material& material : structure::used_materials(body))
         lightest = std::min(lightest, material.density_kg_m3 / part_of(from, material));
-    return std::min(scene.fluid->density_kg_m3, largest_part * lightest);
+    return std::min(scene.fluid->density_kg_m3, largest_part_off_nodes * lightest);
 }
 
 std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene) {

@@ -12,6 +12,11 @@
 
 namespace magfsi::bodies {
 
+// Of a node's mass, what may come off it for the fluid inside. The nodes keep a third:
+// their stable step is that of a body of a third of the density, at least 0.58 of their
+// own.
+constexpr double largest_part_off_nodes = 2.0 / 3;
+
 // Of a body as bodies::to_body gives it, the density that comes off its nodes [kg/m3]:
 // the fluid's, or less for light bodies; 0 without a fluid, and where `damping` slows
 // down the nodes by their mass.

@@ -58,7 +58,11 @@ void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
     for (coupler::Marker& m : mine.markers) {
         const double off = off_kg_m3[static_cast<std::size_t>(m.body)];
         if (mine.measures_force) mine.off_nodes_kg.push_back(off * m.displaced_m3);
-        m.displaced_m3 *= 1 - off / scene.fluid->density_kg_m3;
+        const double share = off / scene.fluid->density_kg_m3;
+        m.displaced_m3 *= 1 - share;
+        if (scene.coupling->scheme == coupler::Scheme::serial)
+            m.enclosed_follow =
+                coupler::enclosed_follow_of(share / bodies::largest_part_off_nodes);
     }
 }
 

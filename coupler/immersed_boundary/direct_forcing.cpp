@@ -14,8 +14,11 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
       acceleration_(markers.size()),
       force_(markers.size()) {
     mass_kg_.reserve(markers.size());
-    for (const Marker& m : markers)
+    follow_.reserve(markers.size());
+    for (const Marker& m : markers) {
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
+        follow_.push_back(std::max(scale.follow, m.enclosed_follow));
+    }
 }
 
 void EnclosedFluid::start(std::span<const Vec3> fluid_velocity) {
@@ -36,7 +39,7 @@ void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double now = (fluid_velocity[m][d] - last_velocity_[m][d]) * a_second;
             double& smooth = acceleration_[m][d];
-            smooth += scale_.follow * (now - smooth);
+            smooth += follow_[m] * (now - smooth);
             double relative = smooth;
             if constexpr (Weighs) relative -= scale_.gravity_m_s2[d];
             force_[m][d] = mass_kg_[m] * relative;
