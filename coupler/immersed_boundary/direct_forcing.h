@@ -61,6 +61,12 @@ struct EnclosedFluidScale {
     double follow = 0.1;  // part of the change of dU/dt that A takes on in a coupled step
 };
 
+// EnclosedFluidScale::follow of a body's markers in the serial scheme; density_ratio: of
+// the body and the fluid, as far as its nodes may lack mass.
+constexpr double enclosed_follow_of(double density_ratio) {
+    return std::clamp(3 * density_ratio, EnclosedFluidScale{}.follow, 0.3);
+}
+
 // The fluid that fills the body's own volume on the fluid's grid, as far as the body's
 // nodes do not lack its mass already. It is fictitious: its inertia is taken away again,
 // with the sampled velocity U for its motion, and its weight is the buoyancy (Uhlmann
@@ -78,10 +84,6 @@ struct EnclosedFluidScale {
 // work so, 5 % with three steps. So markers follow as fast as their body's density bears,
 // in the serial scheme (enclosed_follow_of). All this is so for U from before the step;
 // in a step that is repeated until U is that of its own end, A may follow at once.
-constexpr double enclosed_follow_of(double density_ratio) {
-    return std::clamp(3 * density_ratio, EnclosedFluidScale{}.follow, 0.3);
-}
-
 class EnclosedFluid {
   public:
     EnclosedFluid(std::span<const Marker> markers, const EnclosedFluidScale& scale);
