@@ -11,6 +11,19 @@
 
 namespace magfsi::fluid {
 
+// A square of fluid in a vortex's velocity and pressure at time 0.
+template <class Vortex>
+FluidConfig config_of(const Vortex& vortex) {
+    FluidConfig config;
+    config.cells = {vortex.cells, vortex.cells, 1};
+    config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
+    config.viscosity_m2_s = vortex.viscosity();
+    config.collision = Collision::recursive_regularized;
+    config.initial_velocity = [vortex](const Vec3& x) { return vortex.velocity(x, 0); };
+    config.initial_pressure = [vortex](const Vec3& x) { return vortex.pressure(x, 0); };
+    return config;
+}
+
 struct CarriedVortex {
     int cells = 32;
     double relaxation_time = 0.8, speed = 0.05, stream = 0;
@@ -30,16 +43,7 @@ struct CarriedVortex {
         return left(time) * left(time) / 4 * (std::cos(2 * x) + std::cos(2 * y));
     }
 
-    FluidConfig config() const {
-        FluidConfig config;
-        config.cells = {cells, cells, 1};
-        config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
-        config.viscosity_m2_s = viscosity();
-        config.collision = Collision::recursive_regularized;
-        config.initial_velocity = [*this](const Vec3& x) { return velocity(x, 0); };
-        config.initial_pressure = [*this](const Vec3& x) { return pressure(x, 0); };
-        return config;
-    }
+    FluidConfig config() const { return config_of(*this); }
 
     // The middle half of the box, moved along x.
     std::vector<BodyBox> middle(double moved) const {

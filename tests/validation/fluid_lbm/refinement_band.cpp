@@ -32,19 +32,11 @@ struct RoundVortex {
         const Vec3 u = swirl(at, time);
         return {u[0] + stream, u[1], u[2]};
     }
-    FluidConfig config() const {
-        FluidConfig config;
-        config.cells = {cells, cells, 1};
-        config.spacing_m = config.time_step_s = config.density_kg_m3 = 1;
-        config.viscosity_m2_s = viscosity();
-        config.collision = Collision::recursive_regularized;
-        config.initial_velocity = [*this](const Vec3& x) { return velocity(x, 0); };
-        config.initial_pressure = [*this](const Vec3& at) {
-            const auto [x, y] = away(at, 0);
-            return -speed * speed / 2 * std::exp(1 - (x * x + y * y) / (radius * radius));
-        };
-        return config;
+    double pressure(const Vec3& at, double time) const {  // while it is new
+        const auto [x, y] = away(at, time);
+        return -speed * speed / 2 * std::exp(1 - (x * x + y * y) / (radius * radius));
     }
+    FluidConfig config() const { return config_of(*this); }
 
   private:
     // From its middle, or the image of that which is nearest.
