@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <ctime>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -158,40 +159,57 @@ using SteadyClock = std::chrono::steady_clock;
 // was waited already adds at most that share to a wait, and a partner that works for long
 // on the same core is disturbed seldom.
 constexpr auto spin_time = std::chrono::microseconds(100);
-constexpr auto shortest_nap = std::chrono::nanoseconds(5000);
+constexpr auto shortest_nap = std::chrono::nanoseconds(10000);
 constexpr auto longest_nap = std::chrono::nanoseconds(200000);
 constexpr int naps_a_wait = 64;
 
-// Steps resemble each other: a wait that outlasts the spin is slept through at once for
-// half of the shortest of the last few such waits. Naps alone woke a structure that waits
-// 3 ms for its fluid 140 times, a tenth of the run's processor time.
+// Waits for the same kind of message resemble each other from step to step, on a refined
+// grid from each to the eighth after it: levels step in every second, fourth or eighth
+// step of the finest. Short naps alone woke a structure that waits 3 ms for its fluid 140
+// times, a tenth of the run's processor time. So half of the usual wait is slept through
+// at once, and up to nine tenths of it naps are longer.
 class UsualWait {
   public:
-    std::chrono::nanoseconds half_of_it() const {
-        return std::min<std::chrono::nanoseconds>(*std::ranges::min_element(last_) / 2,
-                                                  longest);
+    std::chrono::nanoseconds spin() const {
+        return usual() / 2 > spin_time ? spin_time / 8 : spin_time;
+    }
+    // How long to sleep after that much of a wait.
+    std::chrono::nanoseconds nap_after(std::chrono::nanoseconds waited) const {
+        if (waited < usual() / 2) return usual() / 2 - waited;
+        const auto short_nap = std::clamp<std::chrono::nanoseconds>(
+            waited / naps_a_wait, shortest_nap, longest_nap);
+        return std::max(short_nap, std::min(waited / 8, 9 * usual() / 10 - waited));
     }
     void note(std::chrono::nanoseconds waited) {
-        if (waited < spin_time) return;
         last_[next_] = waited;
         next_ = (next_ + 1) % last_.size();
     }
 
   private:
-    static constexpr auto longest = std::chrono::milliseconds(20);  // to notice a signal
-    std::array<std::chrono::nanoseconds, 8> last_{};
+    static constexpr std::size_t period = 8;
+    static constexpr auto longest = std::chrono::milliseconds(40);  // to notice a signal
+
+    std::chrono::nanoseconds usual() const {
+        const auto shorter =
+            std::min(last_[next_], last_[(next_ + period) % last_.size()]);
+        return std::min<std::chrono::nanoseconds>(shorter, longest);
+    }
+
+    std::array<std::chrono::nanoseconds, 2 * period> last_{};
     std::size_t next_ = 0;
 };
-UsualWait usual_wait;
+std::map<int, UsualWait> usual_waits;  // by the message's tag, 0 for others
 
 double seconds_waited = 0;
 
 struct WaitingTime {
+    explicit WaitingTime(int tag) : usual(usual_waits[tag]) {}
+    UsualWait& usual;
     SteadyClock::time_point start = SteadyClock::now();
     ~WaitingTime() {
         const auto waited = SteadyClock::now() - start;
         seconds_waited += std::chrono::duration<double>(waited).count();
-        usual_wait.note(waited);
+        usual.note(waited);
     }
 };
 
@@ -284,8 +302,8 @@ class LongWait {
 
 template <typename Done>
 void wait_until(Done done, double timeout_s, const std::string& what,
-                const std::string& whom = partner_name) {
-    const WaitingTime waiting;
+                const std::string& whom = partner_name, int tag = 0) {
+    const WaitingTime waiting(tag);
     std::optional<SteadyClock::time_point> told;
     std::optional<LongWait> wait;
     while (!done()) {
@@ -296,18 +314,14 @@ void wait_until(Done done, double timeout_s, const std::string& what,
             throw Stopped(fmt::format("told to end by signal {} while waiting for {}",
                                       stop_requested(), what));
         }
-        if (waited < spin_time) {
+        if (waited < waiting.usual.spin()) {
             sched_yield();
             continue;
         }
-        const bool first = !wait;
-        if (first) wait.emplace(timeout_s, what, whom);
+        if (!wait) wait.emplace(timeout_s, what, whom);
         wait->look(now);
         sleep_exactly();
-        const auto nap = std::clamp<std::chrono::nanoseconds>(waited / naps_a_wait,
-                                                              shortest_nap, longest_nap);
-        std::this_thread::sleep_for(
-            first ? std::max(nap, usual_wait.half_of_it() - waited) : nap);
+        std::this_thread::sleep_for(waiting.usual.nap_after(waited));
     }
 }
 
@@ -360,7 +374,7 @@ void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
             }
             return true;
         },
-        timeout_s, what, whom.empty() ? partner_name : whom);
+        timeout_s, what, whom.empty() ? partner_name : whom, tag);
 }
 
 void tell_of_long_waits(std::function<void(const std::string&)> teller) {
