@@ -207,7 +207,7 @@ void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fin
             if (!cut.counts[i]) continue;
             const int k = static_cast<int>(i);
             const double* row = fine_row(piece, number, fine, 2 * cut.cell[1] + k / 2 % 2,
-                                         2 * cut.cell[2] + k / 4);
+                                         2 * cut.cell[2] + k / 4, row_.data());
             const auto x =
                 static_cast<std::size_t>(2 * cut.cell[0] + k % 2 - piece.fine.lo[0]);
             for (std::size_t n = 0; n < cell_numbers; ++n)
@@ -227,7 +227,7 @@ void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fin
 }
 
 const double* Restriction::fine_row(const Piece& piece, std::size_t number,
-                                    const Level& fine, int y, int z) {
+                                    const Level& fine, int y, int z, double* room) {
     const std::size_t count = length(piece.fine, 0);
     for (std::size_t b = 0; b < halo_.size(); ++b) {
         const CellBox& box = halo_[b];
@@ -237,10 +237,9 @@ const double* Restriction::fine_row(const Piece& piece, std::size_t number,
             (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1]);
         return halo_flow_[b].data() + row * cell_numbers * count;
     }
-    row_.resize(cell_numbers * count);
     read_flow(fine.state().view(), fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}),
-              row_.data());
-    return row_.data();
+              room);
+    return room;
 }
 
 void Restriction::average_along_x(const Piece& piece, const double* row,
@@ -283,45 +282,45 @@ void Restriction::average_along_x(const Piece& piece, const double* row,
     }
 }
 
-// Along x, then y, then z: each fine row and plane once, of which coarse ones are made as
-// soon as their last is there.
+// Along y, then z, then x: each fine row once, of which coarse ones are made as soon as
+// their last is there. What lies across rows goes in whole vectors; what lies along them,
+// which does not, has the fewest left.
 void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
     if (is_empty(piece.coarse)) return;
     const CellBox &c = piece.coarse, &f = piece.fine;
-    const std::size_t row_size = cell_numbers * length(c, 0);
+    const std::size_t cells = length(f, 0), row_size = cell_numbers * cells;
     const std::size_t plane_size = row_size * length(c, 1);
+    row_.resize(row_size);
     rows_.resize(row_size * length(f, 1));
+    std::vector<const double*> row_at(length(f, 1));
     for (auto& plane : planes_) plane.resize(plane_size);
     int next = c.lo[2];  // coarse plane
+    double* to = piece.flow.data();
     std::vector<Weights> across;
     for (int y = c.lo[1]; y < c.hi[1]; ++y) across.push_back(fine_in(y, fine.place, 1));
     for (int z = f.lo[2]; z < f.hi[2]; ++z) {
-        for (int y = f.lo[1]; y < f.hi[1]; ++y)
-            average_along_x(
-                piece, fine_row(piece, number, fine, y, z),
-                rows_.data() + static_cast<std::size_t>(y - f.lo[1]) * row_size);
+        for (std::size_t j = 0; j < row_at.size(); ++j)
+            row_at[j] = fine_row(piece, number, fine, f.lo[1] + static_cast<int>(j), z,
+                                 rows_.data() + j * row_size);
         auto& plane = planes_[static_cast<std::size_t>(z - f.lo[2]) % cubic_points];
-        for (int y = c.lo[1]; y < c.hi[1]; ++y) {
-            const auto j = static_cast<std::size_t>(y - c.lo[1]);
-            const double* first =
-                rows_.data() +
-                static_cast<std::size_t>(across[j].first - f.lo[1]) * row_size;
-            combine(across[j], y, length(c, 0),
-                    {first, first + row_size, first + 2 * row_size, first + 3 * row_size},
+        for (std::size_t j = 0; j < across.size(); ++j) {
+            const double* const* first = &row_at[across[j].first - f.lo[1]];
+            combine(across[j], c.lo[1] + static_cast<int>(j), cells,
+                    {first[0], first[1], first[2], first[3]},
                     plane.data() + j * row_size);
         }
         const Weights w = fine_in(next, fine.place, 2);
         if (next >= c.hi[2] || z + 1 < w.first + cubic_points) continue;
         std::array<const double*, cubic_points> from;
-        double* to =
-            piece.flow.data() + static_cast<std::size_t>(next - c.lo[2]) * plane_size;
-        for (std::size_t j = 0; j < length(c, 1); ++j) {
+        for (std::size_t j = 0; j < across.size(); ++j) {
             for (int k = 0; k < cubic_points; ++k)
                 from[k] = planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) %
                                   cubic_points]
                               .data() +
                           j * row_size;
-            combine(w, next, length(c, 0), from, to + j * row_size);
+            combine(w, next, cells, from, row_.data());
+            average_along_x(piece, row_.data(), to);
+            to += cell_numbers * length(c, 0);
         }
         ++next;
     }

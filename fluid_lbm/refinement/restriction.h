@@ -43,8 +43,10 @@ class Restriction {
     void average_cut(Piece& piece, std::size_t number, const Level& fine);
     void average(Piece& piece, std::size_t number, const Level& fine);
     void average_along_x(const Piece& piece, const double* row, double* to) const;
+    // The ten numbers of a fine row, of another rank's where they have come, else read
+    // into `room`.
     const double* fine_row(const Piece& piece, std::size_t number, const Level& fine,
-                           int y, int z);
+                           int y, int z, double* room);
 
     std::vector<Piece> pieces_;
     // Fine rows of other ranks; whose piece's they are.
@@ -52,7 +54,7 @@ class Restriction {
     std::vector<std::size_t> of_piece_;
     std::vector<std::vector<double>> halo_flow_;  // [y, z][number][x]
     CellTransfer to_halo_, to_coarse_;
-    std::vector<double> row_, own_, rows_;  // under way
+    std::vector<double> row_, rows_;  // under way
     std::array<std::vector<double>, cubic_points> planes_;
 };
 
