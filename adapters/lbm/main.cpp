@@ -2,26 +2,13 @@
 // magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside
 // magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
-#include <malloc.h>
-
 #include "adapters/fluids/participant.h"
 #include "adapters/lbm/lbm_fluid.h"
 #include "adapters/lbm/refined_lbm.h"
 #include "adapters/lbm/scene_to_fluid.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
-
-namespace {
-
-// A patch that moves is made anew: its memory stays with the process, or most of a move
-// would go to the system for pages.
-void keep_freed_memory() {
-    constexpr int most = 32 << 20;  // bytes; the C library takes no more
-    mallopt(M_MMAP_THRESHOLD, most);
-    mallopt(M_TRIM_THRESHOLD, 2 * most);
-}
-
-}  // namespace
+#include "fluid_lbm/lattice/populations.h"
 
 int main(int argc, char** argv) {
     using namespace magfsi;
@@ -33,7 +20,7 @@ int main(int argc, char** argv) {
             session.begin(*scene::coupled_step_s(scene));
             const MPI_Comm comm = session.world().local();
             if (scene.fluid->refinement) {
-                keep_freed_memory();
+                fluid::keep_memory_of_populations();
                 const double step_s = session.clock().step_s();
                 const scene::Following rule = scene::following(*scene.fluid);
                 fluid::RefinedFluid lattice(comm, lbm::to_refined_config(scene, step_s),

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <new>
+#include <vector>
 
 namespace magfsi::fluid {
 
@@ -39,6 +40,40 @@ void advise(char* memory, std::ptrdiff_t bytes) {
     madvise(memory + whole, bytes - whole, MADV_NOHUGEPAGE);
 }
 
+// Memory of populations that are no more, for those that come.
+struct Spare {
+    struct Block {
+        void* memory = nullptr;
+        std::size_t bytes = 0;
+    };
+    static constexpr std::size_t most_blocks = 8;
+    bool is_wanted = false;
+    std::vector<Block> blocks;  // the oldest first
+
+    // The smallest that is large enough and less than twice as large; empty without one.
+    Block take(std::size_t bytes) {
+        auto best = blocks.end();
+        for (auto block = blocks.begin(); block != blocks.end(); ++block) {
+            if (block->bytes < bytes || block->bytes > 2 * bytes) continue;
+            if (best == blocks.end() || block->bytes < best->bytes) best = block;
+        }
+        if (best == blocks.end()) return {};
+        const Block taken = *best;
+        blocks.erase(best);
+        return taken;
+    }
+    bool keep(void* memory, std::size_t bytes) {
+        if (!is_wanted) return false;
+        blocks.push_back({memory, bytes});
+        if (blocks.size() > most_blocks) {
+            std::free(blocks.front().memory);
+            blocks.erase(blocks.begin());
+        }
+        return true;
+    }
+};
+Spare spare;
+
 // The partner of population q's ghost, or null if q has none: no velocity along x, or
 // bounced at a wall along y or z.
 template <class Real>
@@ -58,7 +93,22 @@ std::size_t Populations::bytes_of(int row_length, int row_count, Storage storage
 }
 
 void Populations::Free::operator()(void* memory) const {
-    std::free(memory);
+    if (!spare.keep(memory, bytes)) std::free(memory);
+}
+
+void keep_memory_of_populations() {
+    spare.is_wanted = true;
+}
+
+std::unique_ptr<void, Populations::Free> Populations::allocate(std::size_t bytes) {
+    if (const Spare::Block block = spare.take(bytes); block.memory)
+        return {block.memory, Free{block.bytes}};
+    // A patch that is larger by a few cells at its next place finds room, too.
+    if (spare.is_wanted) bytes += bytes / 8;
+    void* memory = nullptr;
+    if (posix_memalign(&memory, huge_page, bytes) != 0) throw std::bad_alloc();
+    advise(static_cast<char*>(memory), static_cast<std::ptrdiff_t>(bytes));
+    return {memory, Free{bytes}};
 }
 
 Populations::Populations(int row_length, int row_count, Storage storage)
@@ -70,10 +120,8 @@ Populations::Populations(int row_length, int row_count, Storage storage)
     array_stride_ = array_bytes / size;
     bytes_ = round_up(
         static_cast<std::ptrdiff_t>(bytes_of(row_length, row_count, storage)), page);
-    void* memory = nullptr;
-    if (posix_memalign(&memory, huge_page, bytes_) != 0) throw std::bad_alloc();
-    memory_.reset(memory);
-    advise(static_cast<char*>(memory), bytes_);
+    memory_ = allocate(bytes_);
+    void* const memory = memory_.get();
     char* const first = static_cast<char*>(memory) + line;  // row 0 has an element -1 too
     first_ = first;
     std::memset(memory, 0, line);
