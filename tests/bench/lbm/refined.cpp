@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Processor time of a step of a refined grid, with all that joins levels (filling,
-// overwriting, mass), beside a uniform grid as fine, in turn. The box is that of the
-// swimmer's tutorial.
+// overwriting, mass), of the finest patch's cells alone, and of a uniform grid as fine,
+// in turn. The box is that of the swimmer's tutorial.
 //
 //   mpirun -n 1 magfsi-bench-refined --levels 2
 #include <fmt/format.h>
@@ -59,16 +59,20 @@ double updates(const RefinedFluid& fluid) {
 
 void run(int levels, int repetitions) {
     const RefinedConfig config{.coarse = box_of(std::ldexp(finest_m, levels)),
-                               .rule = {.levels = levels}};
+                               .rule = {.levels = levels, .margin_cells = 3}};
     const std::vector<BodyBox> robot{
         {Vec3{6.1e-3, 3.2e-3, 7.6e-3}, Vec3{9.9e-3, 4.8e-3, 8.4e-3}}};
     RefinedFluid refined(MPI_COMM_WORLD, config, robot);
     Fluid uniform(MPI_COMM_WORLD, box_of(finest_m));
     const auto& n = uniform.config().cells;
     const double cells = 1.0 * n[0] * n[1] * n[2];
-    std::vector<double> of_refined, of_uniform, gain;
+    RefinedFluid other(MPI_COMM_WORLD, config, robot);
+    Fluid& patch = other.level(levels);
+    const auto& in_patch = patch.config().cells;
+    std::vector<double> of_refined, of_patch, of_uniform, gain;
     for (int i = 0; i < repetitions; ++i) {
         of_refined.push_back(seconds_of(refined, 64));
+        of_patch.push_back(seconds_of(patch, 64));
         of_uniform.push_back(seconds_of(uniform, 6));
         gain.push_back(of_uniform.back() / of_refined.back());
     }
@@ -82,6 +86,7 @@ void run(int levels, int repetitions) {
             1e9 * s.median / count);
     };
     print("refined", spread(of_refined), updates(refined));
+    print("patch", spread(of_patch), 1.0 * in_patch[0] * in_patch[1] * in_patch[2]);
     print("uniform", spread(of_uniform), cells);
     const Spread g = spread(gain);
     fmt::print("a refined step takes {:.1f} times less [{:.1f} {:.1f}]\n", g.median,
