@@ -53,7 +53,7 @@ void Fluid::step() {
         side->before_sweep(s.populations, s.arrangement);
     sweep_and_exchange(s);
     s.arrangement = arrangement_after(s.steps_done + 1);
-    if (s.obstacles) s.obstacles->note_reflected(s.populations, s.arrangement);
+    if (s.obstacles) s.obstacles->note_sent(s.populations, s.arrangement);
     // A link crosses a side or a wall in the middle of the step.
     for (const auto& side : s.side_effects)
         side->after_exchange(s.populations, s.layout,

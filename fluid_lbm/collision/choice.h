@@ -51,6 +51,14 @@ constexpr double recursive_odd_magic(double cell_reynolds_number, double slack) 
     return std::max(slack / 2, (0.25 - slack / 6) / (coarse * coarse));
 }
 
+// Of recursive_odd, too: how much of what walls of obstacles return is that of a curved
+// profile (obstacle/wall_return.h), the rest of a straight one. It falls as the number
+// does.
+constexpr double curved_wall_share(double cell_reynolds_number) {
+    const double coarse = std::max(1.0, cell_reynolds_number / 60);
+    return 1 / (coarse * coarse);
+}
+
 // To six digits: a viscosity that is written down for 0.55 shall not fall on either side.
 constexpr bool reaches_trt(double relaxation_time) {
     return relaxation_time > trt_from - 1e-6;

@@ -15,6 +15,7 @@
 #include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/obstacle/solid.h"
+#include "fluid_lbm/obstacle/wall_return.h"
 
 namespace magfsi::fluid {
 
@@ -68,6 +69,8 @@ struct CutLink {
     short obstacle = 0;        // whose force it counts in
     short hit = 0;             // that it strikes
     std::array<short, 3> cell{};
+    signed char towards = 0;  // direction of the population sent to the wall
+    int moments = -1;         // of its cell, where the wall's return reads them
 };
 
 struct CutLinks {
@@ -86,18 +89,15 @@ class Obstacles {
 
     const SolidMap& map() const { return map_; }
 
-    // After the exchange and before sides with free slip exchange what they reflect:
-    // notes it.
-    void note_reflected(const Populations& populations, Arrangement arrangement);
-    // After the sides, before outlets; arrangement: the new one. With d the wall's
-    // distance over the link, f*_i what the cell sent to the wall, f*_o what it sent the
-    // other way and f_i what has now arrived from there, the wall returns (Bouzidi et al.
-    // 2001)
-    //   2 d f*_i + (1 - 2 d) f_i                      for d < 1/2,
-    //   f*_i / (2 d) + (1 - 1 / (2 d)) f*_o           else,
-    // plain half-way bounce-back f*_i at d = 1/2. The impulse on the body is
-    // c_i (f*_i + f_o) (Ladd 1994), f minus weight: gauge pressure. It is exactly what
-    // the fluid loses.
+    // After the exchange and before sides change what cells have sent to them;
+    // arrangement: the new one. Notes what free slip reflects into obstacles, and the
+    // moments of cells at walls.
+    void note_sent(const Populations& populations, Arrangement arrangement);
+    // After the sides, before outlets; arrangement: the new one. The wall returns what
+    // wall_return.h says, plain half-way bounce-back f*_i at a distance of 1/2. The
+    // impulse on the body is c_i (f*_i + f_o) (Ladd 1994), f*_i what the cell sent to the
+    // wall, f_o what that returns, minus weight: gauge pressure. It is exactly what the
+    // fluid loses.
     void bounce(const Populations& populations, Arrangement arrangement);
     // Solid cells back to rest. After bounce(), which reads what has arrived there.
     void reset_solid_cells(const Populations& populations, const RowLayout& layout,
@@ -115,11 +115,19 @@ class Obstacles {
 
   private:
     void find_rows(const RowLayout& layout);
+    void find_cells_at_walls(const Populations& populations, const RowLayout& layout);
+    double returned(const CutLink& link, const WallLink& populations) const;
     void add_impulse(const CutLink& link, double populations);
 
     SolidMap map_;
     CutLinks links_;
+    double curved_share_;  // of what walls return
+    double relaxation_time_;
     std::vector<double> sent_to_slip_;  // by reflected link
+    // Cells with curved links, by CutLink::moments: slots of the old arrangement, by the
+    // new.
+    std::vector<std::array<CellSlots, 2>> cells_at_walls_;
+    std::vector<SentMoments> sent_moments_;
     std::vector<CellRow> rows_;
     std::vector<Vec3> impulses_;
 };

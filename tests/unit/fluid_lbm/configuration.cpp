@@ -55,6 +55,19 @@ TEST(CollisionChoice, FollowsObstacles) {
     EXPECT_EQ(choose_collision(config), Collision::recursive_mrt);
 }
 
+TEST(CurvedWalls, AreThoseOfRecursiveOddWhereItsNumberIsFull) {
+    FluidConfig config = lattice_fluid({20, 20, 20}, 0.52, Collision::recursive_odd);
+    EXPECT_EQ(curved_wall_share(config), 1);
+    config.expected_speed_m_s = 120 * config.viscosity_m2_s;
+    EXPECT_DOUBLE_EQ(curved_wall_share(config), 0.25);
+    config.smagorinsky_constant = 0.1;
+    EXPECT_EQ(curved_wall_share(config), 0);
+    for (const Collision other : {Collision::trt, Collision::recursive_regularized})
+        EXPECT_EQ(curved_wall_share(lattice_fluid({20, 20, 20}, 0.52, other)), 0);
+    EXPECT_EQ(
+        curved_wall_share(lattice_fluid({20, 20, 20}, 0.8, Collision::recursive_odd)), 0);
+}
+
 TEST(CollisionChoice, KeepsTheOddRateFromVanishing) {
     const auto odd = [](double tau) {
         const auto config = lattice_fluid({4, 4, 4}, tau, Collision::trt);
