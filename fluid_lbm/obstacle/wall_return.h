@@ -16,10 +16,8 @@
 //   itself. J(-1/2) = F_i(B) - F_o(A) behind, e(0) of all populations of A and the wall,
 //   e(d) = 0, make a parabola. The slope e'(0) of A's viscous stress, too, makes a cubic:
 //   it adds (1 - 1 / (2 d)) (J(-1/2) + 6 w e'(0) - J(1/2) of the parabola), what is in
-//   brackets being 0 on parabolas. Added one and a half times, which the errors of third
-//   order leave open, it takes most off the drag of a ball whose layer is thinner than a
-//   cell. No population is read that the straight one, or the collision of A, does not
-//   read.
+//   brackets being 0 on parabolas. No population is read that the straight one, or the
+//   collision of A, does not read.
 #pragma once
 
 #include "fluid_lbm/lattice/d3q19.h"
@@ -62,7 +60,7 @@ inline double curved_return(const WallLink& link, int q, const SentMoments& cell
     const double behind = link.arrived - link.sent_back;
     const double parabola = (2 * d - 1) * (6 * w * along / d - behind / (2 * d + 1));
     const double bracket = behind + slope - parabola;
-    return link.sent - parabola - 1.5 * (1 - 1 / (2 * d)) * bracket;
+    return link.sent - parabola - (1 - 1 / (2 * d)) * bracket;
 }
 
 }  // namespace magfsi::fluid
