@@ -42,6 +42,9 @@ void advise(char* memory, std::ptrdiff_t bytes) {
 
 // Memory of populations that are no more, for those that come.
 struct Spare {
+    ~Spare() {
+        for (const Block& block : blocks) std::free(block.memory);
+    }
     struct Block {
         void* memory = nullptr;
         std::size_t bytes = 0;
