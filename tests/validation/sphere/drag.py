@@ -89,7 +89,7 @@ class Quick(Drag):
 def without_slip(reynolds, cells=8):
     """Drag of markers and of the solid on a coarse grid, over the solid's own limit. With straight
     walls that is by their second order from this grid and one twice as fine; curved walls are there
-    on that one (at Reynolds number 150 within 0.3 % of their drag on 24 cells, which has the limit of
+    on that one (at Reynolds number 150 within 0.8 % of their drag on 24 cells, which has the limit of
     straight ones, too: docs/coupling_measurements.md) and converge from both sides."""
     def of_solid(n):
         return coefficient(n, {**SOLID, **settings, "fluid.lattice_speed": speed * cells / n
