@@ -252,11 +252,19 @@ void Obstacles::note_sent(const Populations& populations, Arrangement arrangemen
     });
 }
 
-double Obstacles::returned(const CutLink& link, const WallLink& populations) const {
-    const double straight = straight_return(populations);
+template <class Real>
+double Obstacles::returned(const CutLink& link, const Real* base, int before,
+                           int now) const {
+    const double d = link.distance;
+    // The outgoing population is at the opposite's old slot.
+    const double sent = base[link.from_wall[before]];
+    if (d == 0.5) return sent;
+    const double other = base[link.to_wall[d < 0.5 ? now : before]];
+    const double straight = straight_return(d, sent, other);
     if (link.moments < 0) return straight;
-    const double curved = curved_return(populations, link.towards,
-                                        sent_moments_[link.moments], relaxation_time_);
+    const double curved =
+        curved_return({d, sent, other, base[link.to_wall[now]]}, link.towards,
+                      sent_moments_[link.moments], relaxation_time_);
     return straight + curved_share_ * (curved - straight);
 }
 
@@ -273,11 +281,8 @@ void Obstacles::bounce(const Populations& populations, Arrangement arrangement) 
         auto* const base = rows.row(0, 0);
         using Real = std::remove_reference_t<decltype(*base)>;
         for (const CutLink& link : links_.direct) {
-            // The outgoing population is at the opposite's old slot.
             const double sent = base[link.from_wall[before]];
-            const Real stored = static_cast<Real>(
-                returned(link, {link.distance, sent, base[link.to_wall[before]],
-                                base[link.to_wall[now]]}));
+            const Real stored = static_cast<Real>(returned(link, base, before, now));
             base[link.from_wall[now]] = stored;
             add_impulse(link, sent + stored);
         }

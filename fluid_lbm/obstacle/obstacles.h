@@ -116,7 +116,9 @@ class Obstacles {
   private:
     void find_rows(const RowLayout& layout);
     void find_cells_at_walls(const Populations& populations, const RowLayout& layout);
-    double returned(const CutLink& link, const WallLink& populations) const;
+    // base: the populations; before, now: the arrangements of the step.
+    template <class Real>
+    double returned(const CutLink& link, const Real* base, int before, int now) const;
     void add_impulse(const CutLink& link, double populations);
 
     SolidMap map_;

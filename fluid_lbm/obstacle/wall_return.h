@@ -29,19 +29,18 @@ struct SentMoments {
     double excess = 0, j[3] = {};
 };
 
+// d, F_i(A), and what is read besides: F_i(B) for d < 1/2, else F_o(A).
+inline double straight_return(double distance, double sent, double other) {
+    if (distance < 0.5) return 2 * distance * sent + (1 - 2 * distance) * other;
+    return sent / (2 * distance) + (1 - 1 / (2 * distance)) * other;
+}
+
 struct WallLink {
     double distance;   // d
     double sent;       // F_i(A)
     double sent_back;  // F_o(A)
     double arrived;    // F_i(B)
 };
-
-inline double straight_return(const WallLink& link) {
-    const double d = link.distance;
-    if (d < 0.5) return 2 * d * link.sent + (1 - 2 * d) * link.arrived;
-    if (d > 0.5) return link.sent / (2 * d) + (1 - 1 / (2 * d)) * link.sent_back;
-    return link.sent;
-}
 
 // For d > 1/2; q: the direction towards the wall. What is left of the stress after the
 // collision is 1 - tau of 6 w e', which tau = 1 hides.
