@@ -27,7 +27,8 @@ CAUSES = (("f", "the fluid diverges", "the fluid diverged"),
           ("m", "a marker moves more than 0.4 cells a step", "moves too fast for the fluid's grid"),
           ("e", "an element is inverted", "is inverted"),
           ("g", "energy is gained without a source", "gained energy"),
-          ("b", "the body leaves the box", "left the fluid"))
+          ("b", "the body leaves the box", "left the fluid"),
+          ("o", "a body passes through itself", "passes through itself"))
 
 
 def kind(row):
