@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -55,11 +56,11 @@ constexpr const char* known_lines[] = {"more process has sent help message",
 
 volatile pid_t child = 0;
 volatile std::sig_atomic_t stop_signal = 0;
-volatile std::sig_atomic_t first_signal = SIGTERM;
 
-// mpirun kills a second after SIGTERM; SIGUSR1 it hands to every process, and waits.
+// mpirun kills a second after SIGTERM, too soon for a summary on a busy machine; SIGUSR1
+// it hands to every process, and waits.
 extern "C" void pass_on(int signal) {
-    const int sent = stop_signal == 0 ? first_signal : SIGTERM;
+    const int sent = stop_signal == 0 ? SIGUSR1 : SIGTERM;
     stop_signal = signal;
     if (child > 0) kill(child, sent);
 }
@@ -248,15 +249,37 @@ void pass_on_signals() {
         sigaction(SIGHUP, &action, nullptr);
 }
 
+// Processes that were asked to end and neither write a checkpoint nor answer, because
+// they are suspended or hang, are ended after a while.
+class PatienceWithTheEnd {
+  public:
+    explicit PatienceWithTheEnd(OnStop on_stop) : over_(on_stop == OnStop::checkpoint) {}
+
+    void look(pid_t mpirun) {
+        using Clock = std::chrono::steady_clock;
+        constexpr auto longest = std::chrono::seconds(5);
+        if (stop_signal == 0) asked_ = Clock::now();
+        if (over_ || Clock::now() - asked_ < longest) return;
+        over_ = true;
+        kill(mpirun, SIGTERM);
+    }
+
+  private:
+    bool over_;
+    std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
+};
+
 // Until mpirun ends. Returns whether it hung and had to be ended.
-bool filter_errors(int pipe, MpirunMessages& messages) {
+bool filter_errors(int pipe, MpirunMessages& messages, OnStop on_stop) {
     std::string pending;
     char buffer[4096];
     HungMpirun hung;
+    PatienceWithTheEnd patience(on_stop);
     bool ended = false;
     while (true) {
         pollfd waiting{pipe, POLLIN, 0};
         const int ready = poll(&waiting, 1, 1000);
+        patience.look(child);
         if (ready == 0 && !ended && hung.now(child)) ended = kill(child, SIGKILL) == 0;
         if (ready <= 0) continue;  // silence, or a signal came
         const ssize_t got = read(pipe, buffer, sizeof buffer);
@@ -308,7 +331,6 @@ void need_stack() {
 }
 
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
-    first_signal = on_stop == OnStop::checkpoint ? SIGUSR1 : SIGTERM;
     shown.clear();
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
@@ -322,7 +344,7 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     pass_on_signals();
 
     MpirunMessages messages;
-    const bool hung = filter_errors(ends[0], messages);
+    const bool hung = filter_errors(ends[0], messages, on_stop);
     close(ends[0]);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -116,6 +116,18 @@ class Stopped(unittest.TestCase):
         self.assertIn("stopped on request", run.err)
         self.assertEqual(run.summary()["outcome"], "stopped")
 
+    def test_asked_to_end_while_suspended(self):
+        """Nobody is there to answer: what is left of the run is ended."""
+        process, folder = start({})
+        for program in ("magfsi-structure", "magfsi-fluid-lbm"):
+            os.kill(testing.process_of(folder, program), signal.SIGSTOP)
+        process.send_signal(signal.SIGTERM)
+        run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
+        testing.report(f"suspended, asked to end: ended after {run.seconds:.2f} s")
+        testing.check_prompt(self, run)
+        self.assertEqual(run.code, 1, run.err)
+        self.assertIn("stopped on request", run.err)
+
 
 class DiskFull(unittest.TestCase):
     """A file that cannot grow fails as on a full disk: by the error of the write."""
