@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -56,11 +55,14 @@ constexpr const char* known_lines[] = {"more process has sent help message",
 
 volatile pid_t child = 0;
 volatile std::sig_atomic_t stop_signal = 0;
+volatile std::sig_atomic_t seconds_to_end = 0;  // 0: as many as it takes
 
 // mpirun kills a second after SIGTERM, too soon for a summary on a busy machine; SIGUSR1
-// it hands to every process, and waits.
+// it hands to every process, and waits. Those that are suspended or hang never answer:
+// SIGALRM comes here as a second signal.
 extern "C" void pass_on(int signal) {
     const int sent = stop_signal == 0 ? SIGUSR1 : SIGTERM;
+    if (stop_signal == 0) alarm(static_cast<unsigned>(seconds_to_end));
     stop_signal = signal;
     if (child > 0) kill(child, sent);
 }
@@ -245,41 +247,20 @@ void pass_on_signals() {
     action.sa_handler = &pass_on;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGALRM, &action, nullptr);
     if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
         sigaction(SIGHUP, &action, nullptr);
 }
 
-// Processes that were asked to end and neither write a checkpoint nor answer, because
-// they are suspended or hang, are ended after a while.
-class PatienceWithTheEnd {
-  public:
-    explicit PatienceWithTheEnd(OnStop on_stop) : over_(on_stop == OnStop::checkpoint) {}
-
-    void look(pid_t mpirun) {
-        using Clock = std::chrono::steady_clock;
-        constexpr auto longest = std::chrono::seconds(5);
-        if (stop_signal == 0) asked_ = Clock::now();
-        if (over_ || Clock::now() - asked_ < longest) return;
-        over_ = true;
-        kill(mpirun, SIGTERM);
-    }
-
-  private:
-    bool over_;
-    std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
-};
-
 // Until mpirun ends. Returns whether it hung and had to be ended.
-bool filter_errors(int pipe, MpirunMessages& messages, OnStop on_stop) {
+bool filter_errors(int pipe, MpirunMessages& messages) {
     std::string pending;
     char buffer[4096];
     HungMpirun hung;
-    PatienceWithTheEnd patience(on_stop);
     bool ended = false;
     while (true) {
         pollfd waiting{pipe, POLLIN, 0};
         const int ready = poll(&waiting, 1, 1000);
-        patience.look(child);
         if (ready == 0 && !ended && hung.now(child)) ended = kill(child, SIGKILL) == 0;
         if (ready <= 0) continue;  // silence, or a signal came
         const ssize_t got = read(pipe, buffer, sizeof buffer);
@@ -331,6 +312,7 @@ void need_stack() {
 }
 
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
+    seconds_to_end = on_stop == OnStop::checkpoint ? 0 : 5;
     shown.clear();
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
@@ -344,11 +326,12 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     pass_on_signals();
 
     MpirunMessages messages;
-    const bool hung = filter_errors(ends[0], messages, on_stop);
+    const bool hung = filter_errors(ends[0], messages);
     close(ends[0]);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
+    alarm(0);
     child = 0;
     JobEnd end;
     end.stopped = stop_signal != 0;

@@ -25,9 +25,9 @@ struct JobEnd {
 // mpirun with the options that this machine and this number of ranks need, no others.
 std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
 
-// What SIGINT and SIGTERM lead to: participants are asked to end in order, with checkpoint
-// after writing one, however long that takes, else within some seconds; a second signal
-// ends them at once.
+// What SIGINT and SIGTERM lead to: participants are asked to end in order, with
+// checkpoint after writing one, however long that takes, else within some seconds; a
+// second signal ends them at once.
 enum class OnStop { end, checkpoint };
 
 // Raises a small limit of the stack as far as it may. Throws std::runtime_error where
