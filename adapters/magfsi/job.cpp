@@ -56,15 +56,21 @@ constexpr const char* known_lines[] = {"more process has sent help message",
 volatile pid_t child = 0;
 volatile std::sig_atomic_t stop_signal = 0;
 volatile std::sig_atomic_t seconds_to_end = 0;  // 0: as many as it takes
+volatile std::sig_atomic_t seconds_asked = 0;
 
 // mpirun kills a second after SIGTERM, too soon for a summary on a busy machine; SIGUSR1
-// it hands to every process, and waits. Those that are suspended or hang never answer:
-// SIGALRM comes here as a second signal.
+// it hands to every process, and waits. It is said again every second, for mpirun has
+// nobody to hand it to while it starts. Those that are suspended or hang never answer:
+// for them, and where the user asks twice, SIGTERM.
 extern "C" void pass_on(int signal) {
-    const int sent = stop_signal == 0 ? SIGUSR1 : SIGTERM;
-    if (stop_signal == 0) alarm(static_cast<unsigned>(seconds_to_end));
-    stop_signal = signal;
-    if (child > 0) kill(child, sent);
+    const bool again = signal == SIGALRM;
+    bool insist = !again && stop_signal != 0;
+    if (!again) stop_signal = signal;
+    if (again) seconds_asked = seconds_asked + 1;
+    insist = insist || (seconds_to_end > 0 && seconds_asked >= seconds_to_end);
+    if (child <= 0) return;
+    kill(child, insist ? SIGTERM : SIGUSR1);
+    if (!insist) alarm(1);
 }
 
 // Ours, of which each is shown once, whatever the number of ranks that say it.
@@ -139,11 +145,13 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     return "a process";
 }
 
+// signals: those that are blocked.
 [[noreturn]] void become(const std::vector<std::string>& command, int error_pipe,
-                         pid_t launcher) {
+                         pid_t launcher, const sigset_t& signals) {
     // mpirun passes it on to all processes of the job.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != launcher) _exit(1);
+    sigprocmask(SIG_SETMASK, &signals, nullptr);
     setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);  // Open MPI needs one
     dup2(error_pipe, STDERR_FILENO);
     setenv("OMP_NUM_THREADS", "1", 0);
@@ -318,12 +326,18 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
     const auto command = mpirun_command(programs);
     const pid_t launcher = getpid();
-    child = fork();
-    if (child < 0) throw std::runtime_error("cannot start a process");
-    if (child == 0) become(command, ends[1], launcher);
-    close(ends[1]);
-    const MpirunGuard guard(child);
+    // A signal that comes from here on waits until there is somebody to pass it on to.
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
     pass_on_signals();
+    child = fork();
+    if (child == 0) become(command, ends[1], launcher, before);
+    close(ends[1]);
+    if (child > 0 && stop_signal != 0) alarm(1);  // it came between two attempts
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    if (child < 0) throw std::runtime_error("cannot start a process");
+    const MpirunGuard guard(child);
 
     MpirunMessages messages;
     const bool hung = filter_errors(ends[0], messages);
@@ -346,7 +360,9 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
         end.exit_code = end.told ? 1 : 0;
     } else if (WIFSIGNALED(status)) {
         end.exit_code = 128 + WTERMSIG(status);
-        end.lost = killed_by("mpirun", WTERMSIG(status));
+        // One that has just been started does not answer a request: it ends of it.
+        const bool of_request = end.stopped && WTERMSIG(status) == SIGUSR1;
+        if (!of_request) end.lost = killed_by("mpirun", WTERMSIG(status));
     }
     if (end.lost.empty() && messages.lost() && !end.stopped) {
         end.lost = killed_by(name_of(programs, messages.lost()->world_rank),

@@ -101,9 +101,10 @@ void write_summary(const fs::path& out, const Json& summary) {
     output::write_atomically(out / "summary.json", summary.dump(2) + "\n");
 }
 
-// The survivors of a lost process may have had no time to say how it ended.
-void write_lost(const scene::Scene& scene, const fs::path& out,
-                const std::string& cause) {
+// For participants that had no time to say how it ended: survivors of a lost process,
+// processes that were asked to end while they started.
+void write_end(const scene::Scene& scene, const fs::path& out, output::Outcome outcome,
+               const std::string& cause) {
     Json json = read_summary(out);
     if (!json.is_object()) {
         output::Summary summary;
@@ -113,7 +114,7 @@ void write_lost(const scene::Scene& scene, const fs::path& out,
         summary.absent_effects = scene::absent_effects(scene);
         json = output::to_json(summary);
     }
-    json["outcome"] = output::to_text(output::Outcome::lost_partner);
+    json["outcome"] = output::to_text(outcome);
     json["cause"] = cause;
     write_summary(out, json);
 }
@@ -218,12 +219,15 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
              const JobEnd& end, bool without_retries) {
     if (!end.lost.empty()) {
         fmt::print(stderr, "magfsi: lost a partner: {}\n", end.lost);
-        write_lost(scene, out, end.lost);
+        write_end(scene, out, output::Outcome::lost_partner, end.lost);
         return coupler::exit_partner;
     }
     // On a busy machine the request may come when the last step is done.
     const bool came_late = end.exit_code == coupler::exit_done && is_complete(out);
     if (end.stopped && !came_late) {
+        if (!read_summary(out).is_object())
+            write_end(scene, out, output::Outcome::stopped,
+                      "asked to end before the participants could say how far they were");
         fmt::print(stderr, "magfsi: stopped on request; results so far are in {}{}\n",
                    out.string(), scene.checkpoint ? "; go on with --restart latest" : "");
         return coupler::exit_error;

@@ -87,9 +87,10 @@ class Finds(unittest.TestCase):
         self.assertEqual(killed.rows(), rows)
 
     def test_a_run_that_is_watched_ends_when_told(self):
-        folder = Path(testing.new_folder())
-        ended = runs.run(testing.ROOT / "tutorials/swimmer", folder / "run",
-                         {"output": "", "time.end": "100 s"}, watch=lambda: True)
+        folder = Path(testing.new_folder()) / "run"
+        ended = runs.run(testing.ROOT / "tutorials/swimmer", folder,
+                         {"output": "", "time.end": "100 s"},
+                         watch=lambda: testing.processes_of(folder, "magfsi-structure"))
         self.assertEqual((ended.code, ended.summary()["outcome"]), (1, "stopped"), ended.err)
 
     def test_failed_runs_and_broken_bounds_are_points(self):
