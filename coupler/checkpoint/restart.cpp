@@ -69,7 +69,7 @@ std::vector<std::int64_t> steps_complete(const fs::path& folder,
 
 void prune_checkpoints(const fs::path& folder, const std::vector<Role>& roles) {
     const auto complete = steps_complete(folder, roles);
-    if (complete.size() <= checkpoints_kept) return;
+    if (complete.size() < checkpoints_kept) return;
     const std::int64_t oldest = complete[checkpoints_kept - 1];
     each_file(folder, [&](const fs::path& file, std::int64_t step) {
         if (step < oldest) fs::remove(file);

@@ -168,6 +168,13 @@ TEST_F(Kept, a_half_written_newer_one_does_not_count) {
     EXPECT_EQ(steps_complete(path(), both), (Steps{20, 10}));
 }
 
+TEST_F(Kept, what_a_killed_run_had_half_deleted_goes) {
+    add(10, {Role::fluid});
+    for (const int step : {20, 30}) add(step, both);
+    prune_checkpoints(path(), both);
+    EXPECT_EQ(steps_found(path()), (Steps{30, 20}));
+}
+
 TEST_F(Kept, one_participant_alone_makes_it_complete) {
     for (const int step : {1, 2, 3}) add(step, {Role::fluid});
     prune_checkpoints(path(), {Role::fluid});
