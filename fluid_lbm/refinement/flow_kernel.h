@@ -10,7 +10,7 @@
 
 namespace magfsi::fluid {
 
-template <class V, class Real>
+template <class V, bool WithStress, class Real>
 MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
                               double* const* flow) {
     V f[d3q19::directions];
@@ -20,9 +20,10 @@ MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
     const V per_density = 1.0 / (1.0 + m.low.excess);
     const V u[3] = {m.low.j[0] * per_density, m.low.j[1] * per_density,
                     m.low.j[2] * per_density};
-    const Symmetric<V> n = nonequilibrium(m, outer(m.low.j, u));
     store(flow[0] + x, m.low.excess);
     for (int a = 0; a < 3; ++a) store(flow[1 + a] + x, u[a]);
+    if (!WithStress) return;
+    const Symmetric<V> n = nonequilibrium(m, outer(m.low.j, u));
     const V* const stress[6] = {&n.xx, &n.yy, &n.zz, &n.xy, &n.xz, &n.yz};
     for (int i = 0; i < 6; ++i) store(flow[4 + i] + x, *stress[i]);
 }
@@ -55,13 +56,13 @@ MAGFSI_INLINE void in_narrower_vectors(std::ptrdiff_t x, std::ptrdiff_t length,
 
 // What is read next is fetched meanwhile: pieces of rows are too short for 19 streams to
 // be foreseen.
-template <int Width, class Real>
+template <int Width, bool WithStress, class Real>
 MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow, std::ptrdiff_t ahead) {
     const auto block = [=](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {
         for (int q = 0; x % cells_per_line<Real> == 0 && q < d3q19::directions; ++q)
             __builtin_prefetch(at[q] + x + ahead, 0, 3);
-        flow_block<decltype(v)>(at, x, flow);
+        flow_block<decltype(v), WithStress>(at, x, flow);
     };
     in_narrower_vectors<Width>(0, length, block);
 }

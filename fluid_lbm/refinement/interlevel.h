@@ -15,8 +15,6 @@
 
 namespace magfsi::fluid {
 
-// Of those that levels tell each other the stress comes last.
-constexpr std::size_t first_stress = 4;
 constexpr std::size_t numbers_between_levels = flow_numbers;
 
 constexpr int cubic_points = 4;

@@ -98,11 +98,13 @@ MAGFSI_ROW_LOOP void mean_along(const double* fine, std::size_t count, double* m
 }
 
 // Rows or planes of ten numbers each of so many cells: density and velocity by the four
-// around a coarse cell, the stress by the two in it.
+// around a coarse cell, the stress, if there is any, by the two in it.
 void combine(const Weights& w, int coarse, std::size_t cells,
-             const std::array<const double*, cubic_points>& from, double* to) {
+             const std::array<const double*, cubic_points>& from, bool with_stress,
+             double* to) {
     const auto first = static_cast<std::size_t>(2 * coarse - w.first);
     combine_four(w.of, from, first_stress * cells, to);
+    if (!with_stress) return;
     const std::size_t stress = first_stress * cells;
     mean_of_two(from[first] + stress, from[first + 1] + stress,
                 (cell_numbers - first_stress) * cells, to + stress);
@@ -198,6 +200,10 @@ void Restriction::Piece::find_cut(const Level& level) {
     });
 }
 
+bool Restriction::Piece::has_within(int axis, int place) const {
+    return place >= 2 * coarse.lo[axis] && place < 2 * coarse.hi[axis];
+}
+
 void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fine) {
     const std::size_t width = length(piece.coarse, 0), row_width = length(piece.fine, 0);
     for (const CutCell& cut : piece.cut) {
@@ -237,8 +243,12 @@ const double* Restriction::fine_row(const Piece& piece, std::size_t number,
             (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1]);
         return halo_flow_[b].data() + row * cell_numbers * count;
     }
+    std::array<double*, flow_numbers> flow{};
+    const std::size_t wanted =
+        piece.has_within(1, y) && piece.has_within(2, z) ? cell_numbers : first_stress;
+    for (std::size_t i = 0; i < wanted; ++i) flow[i] = room + i * count;
     read_flow(fine.state().view(), fine.local({y, z, piece.fine.lo[0], piece.fine.hi[0]}),
-              room);
+              flow);
     return room;
 }
 
@@ -306,7 +316,7 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
         for (std::size_t j = 0; j < across.size(); ++j) {
             const double* const* first = &row_at[across[j].first - f.lo[1]];
             combine(across[j], c.lo[1] + static_cast<int>(j), cells,
-                    {first[0], first[1], first[2], first[3]},
+                    {first[0], first[1], first[2], first[3]}, piece.has_within(2, z),
                     plane.data() + j * row_size);
         }
         const Weights w = fine_in(next, fine.place, 2);
@@ -318,7 +328,7 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
                                   cubic_points]
                               .data() +
                           j * row_size;
-            combine(w, next, cells, from, row_.data());
+            combine(w, next, cells, from, true, row_.data());
             average_along_x(piece, row_.data(), to);
             to += cell_numbers * length(c, 0);
         }

@@ -39,6 +39,9 @@ class Restriction {
         std::vector<CutCell> cut;
 
         void find_cut(const Level& level);
+        // Whether fine cells at that place of an axis are in coarse ones: others, which
+        // the averages reach to, are read without their stress.
+        bool has_within(int axis, int place) const;
     };
     void average_cut(Piece& piece, std::size_t number, const Level& fine);
     void average(Piece& piece, std::size_t number, const Level& fine);

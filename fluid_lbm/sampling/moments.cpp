@@ -133,10 +133,12 @@ void write_flow_along_y(const View& view, const CellBox& plane, const double* fl
             const int row = view.layout.row(plane.lo[1], plane.lo[2]);
             const std::ptrdiff_t stride = view.populations.row_stride();
             const std::size_t apart = d3q19::directions * n;
+            constexpr int rows_ahead = 8;  // of which each is another cache line
             for (int q = 0; q < d3q19::directions; ++q) {
                 Real* to = rows.row(q, row) + plane.lo[0];
                 const Real* from = columns.data() + static_cast<std::size_t>(q) * n;
                 for (int y = 0; y < count; ++y, to += stride, ++from) {
+                    __builtin_prefetch(to + rows_ahead * stride, 1, 3);
                     for (int x = 0; x < width; ++x)
                         to[x] = from[static_cast<std::size_t>(x) * apart];
                 }

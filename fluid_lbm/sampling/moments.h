@@ -36,7 +36,7 @@ void row_moments(const View& view, int y, int z, int x_begin, int x_end,
 // The flow_numbers of those cells (refinement/flow_kernel.h), one number after the other,
 // and populations made of such: ghost modes are gone.
 void read_flow(const View& view, const CellRow& row, double* flow);
-// Each number into an array of its own.
+// Each number into an array of its own, the stress only if its first is there.
 void read_flow(const View& view, const CellRow& row,
                const std::array<double*, flow_numbers>& flow);
 void write_flow(const View& view, const CellRow& row, const double* flow);

@@ -28,7 +28,11 @@ void sample(const Real* const* at, std::ptrdiff_t length, double* const* moments
 template <class Real>
 void flow(const Real* const* at, std::ptrdiff_t length, double* const* flow,
           std::ptrdiff_t ahead) {
-    flow_row<vector_bytes / sizeof(double)>(at, length, flow, ahead);
+    constexpr int width = vector_bytes / sizeof(double);
+    if (flow[first_stress])
+        flow_row<width, true>(at, length, flow, ahead);
+    else
+        flow_row<width, false>(at, length, flow, ahead);
 }
 
 template <class Real>

@@ -24,7 +24,9 @@ using MomentsKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
 
 // Between populations and what levels of a refined grid tell each other, ten arrays of
 // that length: see refinement/flow_kernel.h. ahead: elements to what is read next.
+// flow: the stress is not read where its first array is null.
 constexpr int flow_numbers = 10;
+constexpr std::size_t first_stress = 4;  // it comes last
 template <class Real>
 using FlowKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow, std::ptrdiff_t ahead);
