@@ -32,7 +32,7 @@ bool StopAgreement::decide(std::int64_t step, bool last) {
     if (world_.root() && world_.coupled() && !last) {
         wait_all({&sending_, 1}, timeout_s_, "receiver of the message to continue");
         note_ = {step, asked};
-        MPI_Isend(note_.data(), 2, MPI_INT64_T, 0, stop_tag, world_.partner(), &sending_);
+        world_.send(note_.data(), 2, MPI_INT64_T, 0, stop_tag, &sending_);
     }
     return false;
 }
@@ -40,9 +40,8 @@ bool StopAgreement::decide(std::int64_t step, bool last) {
 bool StopAgreement::receive_decision() {
     std::int64_t stop = 0;
     if (world_.root() && begun_) {
-        MPI_Request request;
-        MPI_Irecv(note_.data(), 2, MPI_INT64_T, 0, stop_tag, world_.partner(), &request);
-        wait_all({&request, 1}, timeout_s_, "message of the structure to continue");
+        receive_from_root(world_, note_.data(), 2, MPI_INT64_T, stop_tag, timeout_s_,
+                          "message of the structure to continue");
         stop = note_[1];
     }
     begun_ = true;

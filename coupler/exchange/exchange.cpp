@@ -56,8 +56,8 @@ void exchange_counts(const World& world, const std::vector<int>& mine,
 
 void start_send(const World& world, int rank, int tag, const std::vector<double>& message,
                 std::vector<MPI_Request>& sending) {
-    MPI_Isend(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
-              world.partner(), &sending.emplace_back());
+    world.send(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
+               &sending.emplace_back());
 }
 
 // Receives a message from each of the ranks into its place in `in`, which has its size or
@@ -192,8 +192,8 @@ void StructureExchange::let_follow(std::int64_t step, std::span<const Vec3> poin
     }
     std::vector<MPI_Request> sending;
     for (int f = 0; f < world_.partner_size(); ++f)
-        MPI_Isend(mine.front().front().data(), static_cast<int>(6 * mine.size()),
-                  MPI_DOUBLE, f, place_tag, world_.partner(), &sending.emplace_back());
+        world_.send(mine.front().front().data(), static_cast<int>(6 * mine.size()),
+                    MPI_DOUBLE, f, place_tag, &sending.emplace_back());
     Messages in(1);
     receive_from(world_, {0}, place_tag, in, sending,
                  step < 0 ? no_timeout_s : timeout_s_,

@@ -34,12 +34,13 @@ void swap_with_partner(const World& world, const void* send, int send_bytes,
                        void* receive, int receive_bytes, double timeout_s,
                        const char* what) {
     if (world.root()) {
-        std::array<MPI_Request, 2> requests;
-        MPI_Irecv(receive, receive_bytes, MPI_BYTE, 0, swap_tag, world.partner(),
-                  &requests[0]);
-        MPI_Isend(send, send_bytes, MPI_BYTE, 0, swap_tag, world.partner(), &requests[1]);
-        wait_all(requests, timeout_s,
-                 fmt::format("{} of the {}", what, to_string(world.other())));
+        const std::string name =
+            fmt::format("{} of the {}", what, to_string(world.other()));
+        MPI_Request sending;
+        world.send(send, send_bytes, MPI_BYTE, 0, swap_tag, &sending);
+        receive_from_root(world, receive, receive_bytes, MPI_BYTE, swap_tag, timeout_s,
+                          name);
+        wait_all({&sending, 1}, timeout_s, name);
     }
     MPI_Bcast(receive, receive_bytes, MPI_BYTE, 0, world.local());
 }
@@ -73,8 +74,8 @@ void send_numbers(const World& world, std::int64_t step, std::span<const double>
     std::vector<double> message{static_cast<double>(step)};
     message.insert(message.end(), numbers.begin(), numbers.end());
     MPI_Request request;
-    MPI_Isend(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0,
-              numbers_tag, world.partner(), &request);
+    world.send(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0,
+               numbers_tag, &request);
     wait_all({&request, 1}, timeout_s,
              fmt::format("receiver of the probes of step {}", step));
 }
@@ -82,10 +83,9 @@ void send_numbers(const World& world, std::int64_t step, std::span<const double>
 void receive_numbers(const World& world, std::int64_t step, std::span<double> numbers,
                      double timeout_s) {
     std::vector<double> message(numbers.size() + 1);
-    MPI_Request request;
-    MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, 0,
-              numbers_tag, world.partner(), &request);
-    wait_all({&request, 1}, timeout_s, fmt::format("fluid probes of step {}", step));
+    receive_from_root(world, message.data(), static_cast<int>(message.size()), MPI_DOUBLE,
+                      numbers_tag, timeout_s,
+                      fmt::format("fluid probes of step {}", step));
     if (static_cast<std::int64_t>(message[0]) != step) {
         throw PartnerLost(
             fmt::format("fluid probes of step {} came at step {}", message[0], step));

@@ -76,6 +76,8 @@ struct Awaited {
 };
 std::vector<Awaited> awaited;
 std::string partner_name = "partner";
+// Of this process, if all of the partner's ring it.
+const Bell* partners_bell = nullptr;
 std::function<void(const std::string&)> tell;
 
 }  // namespace
@@ -87,7 +89,7 @@ std::string to_string(Role role) {
 
 World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
              bool controller_expected)
-    : self_(self) {
+    : self_(self), bell_(this_process()) {
     const std::vector<Member> all = members_of_world(self, scene_hash);
     joined();
     int world_rank = 0;
@@ -104,11 +106,31 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
         controller_process_ = all[static_cast<std::size_t>(controller)].process;
     partner_name = to_string(other());
     awaited.clear();
+    std::vector<ProcessId> partner;
     for (const Member& member : all) {
         const auto role = static_cast<Role>(member.role);
+        if (role == other()) partner.push_back(member.process);
         if (role == other() || (role == Role::control && self == Role::structure))
             awaited.push_back({member.process, to_string(role)});
     }
+    if (coupled()) try_bells(partner);
+}
+
+// Both sides' sockets are there since the first exchange.
+void World::try_bells(const std::vector<ProcessId>& partner) {
+    int rung = 1, heard = 0;
+    for (const ProcessId& process : partner)
+        rung = bell_.ring(process) && rung != 0 ? 1 : 0;
+    MPI_Allreduce(&rung, &heard, 1, MPI_INT, MPI_MIN, partner_);  // of the partner's
+    if (rung != 0) partner_processes_ = partner;
+    if (heard != 0) partners_bell = &bell_;
+}
+
+void World::send(const void* data, int count, MPI_Datatype type, int rank, int tag,
+                 MPI_Request* request) const {
+    MPI_Isend(data, count, type, rank, tag, partner_, request);
+    if (!partner_processes_.empty())
+        bell_.ring(partner_processes_[static_cast<std::size_t>(rank)]);
 }
 
 void World::join_partner(int first, bool expected) {
@@ -147,6 +169,7 @@ void World::join_controller(int first, bool expected) {
 
 World::~World() {
     awaited.clear();
+    partners_bell = nullptr;
     for (MPI_Comm* comm : {&partner_, &controller_, &local_})
         if (*comm != MPI_COMM_NULL) MPI_Comm_free(comm);
 }
@@ -155,61 +178,29 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-// A short spin keeps the latency of small scenes down. A nap of a sixty-fourth of what
-// was waited already adds at most that share to a wait, and a partner that works for long
-// on the same core is disturbed seldom.
+// A short spin keeps the latency of small scenes down; where the same wait was long, it
+// is shorter still. A nap of a sixty-fourth of what was waited already adds at most that
+// share to a wait, and a partner that works for long on the same core is disturbed
+// seldom.
 constexpr auto spin_time = std::chrono::microseconds(100);
 constexpr auto shortest_nap = std::chrono::nanoseconds(10000);
 constexpr auto longest_nap = std::chrono::nanoseconds(200000);
 constexpr int naps_a_wait = 64;
+// Between looks at a partner that rings when it has sent something.
+constexpr auto longest_sleep = std::chrono::milliseconds(20);
 
-// Waits for the same kind of message resemble each other from step to step, on a refined
-// grid from each to the eighth after it: levels step in every second, fourth or eighth
-// step of the finest. Short naps alone woke a structure that waits 3 ms for its fluid 140
-// times, a tenth of the run's processor time. So half of the usual wait is slept through
-// at once, and up to nine tenths of it naps are longer.
-class UsualWait {
-  public:
-    std::chrono::nanoseconds spin() const {
-        return usual() / 2 > spin_time ? spin_time / 8 : spin_time;
-    }
-    // How long to sleep after that much of a wait.
-    std::chrono::nanoseconds nap_after(std::chrono::nanoseconds waited) const {
-        if (waited < usual() / 2) return usual() / 2 - waited;
-        const auto short_nap = std::clamp<std::chrono::nanoseconds>(
-            waited / naps_a_wait, shortest_nap, longest_nap);
-        return std::max(short_nap, std::min(waited / 8, 9 * usual() / 10 - waited));
-    }
-    void note(std::chrono::nanoseconds waited) {
-        last_[next_] = waited;
-        next_ = (next_ + 1) % last_.size();
-    }
-
-  private:
-    static constexpr std::size_t period = 8;
-    static constexpr auto longest = std::chrono::milliseconds(40);  // to notice a signal
-
-    std::chrono::nanoseconds usual() const {
-        const auto shorter =
-            std::min(last_[next_], last_[(next_ + period) % last_.size()]);
-        return std::min<std::chrono::nanoseconds>(shorter, longest);
-    }
-
-    std::array<std::chrono::nanoseconds, 2 * period> last_{};
-    std::size_t next_ = 0;
-};
-std::map<int, UsualWait> usual_waits;  // by the message's tag, 0 for others
+std::map<int, SteadyClock::duration> last_waits;  // by the message's tag, 0 for others
 
 double seconds_waited = 0;
 
 struct WaitingTime {
-    explicit WaitingTime(int tag) : usual(usual_waits[tag]) {}
-    UsualWait& usual;
+    explicit WaitingTime(int tag) : last(last_waits[tag]) {}
+    SteadyClock::duration& last;
     SteadyClock::time_point start = SteadyClock::now();
+    SteadyClock::duration spin = last > spin_time ? spin_time / 8 : spin_time;
     ~WaitingTime() {
-        const auto waited = SteadyClock::now() - start;
-        seconds_waited += std::chrono::duration<double>(waited).count();
-        usual.note(waited);
+        last = SteadyClock::now() - start;
+        seconds_waited += std::chrono::duration<double>(last).count();
     }
 };
 
@@ -219,6 +210,31 @@ void sleep_exactly() {
     static const int done = prctl(PR_SET_TIMERSLACK, 1000UL, 0, 0, 0);  // ns
     (void)done;
 }
+
+// Between two checks.
+class Sleep {
+  public:
+    // bell: of whoever sends what is waited for; null where nobody rings.
+    explicit Sleep(const Bell* bell) : bell_(bell) { sleep_exactly(); }
+    void after(SteadyClock::duration waited) {
+        using std::chrono::nanoseconds;
+        if (!bell_) {
+            std::this_thread::sleep_for(
+                std::clamp<nanoseconds>(waited / naps_a_wait, shortest_nap, longest_nap));
+            return;
+        }
+        // What was announced may need another moment, or it was for another wait.
+        nanoseconds longest = longest_sleep;
+        if (rang_after_ >= nanoseconds(0))
+            longest = std::clamp<nanoseconds>((waited - rang_after_) / 2, shortest_nap,
+                                              longest_sleep);
+        if (bell_->wait(longest)) rang_after_ = waited;
+    }
+
+  private:
+    const Bell* bell_;
+    SteadyClock::duration rang_after_{-1};  // the start of the wait; below 0: not yet
+};
 
 // Of mpirun's one second between SIGTERM and SIGKILL.
 constexpr auto patience_after_sigterm = std::chrono::milliseconds(300);
@@ -302,8 +318,10 @@ class LongWait {
 
 template <typename Done>
 void wait_until(Done done, double timeout_s, const std::string& what,
-                const std::string& whom = partner_name, int tag = 0) {
+                const std::string& whom = partner_name, int tag = 0,
+                const Bell* bell = nullptr) {
     const WaitingTime waiting(tag);
+    Sleep sleep(bell);
     std::optional<SteadyClock::time_point> told;
     std::optional<LongWait> wait;
     while (!done()) {
@@ -314,14 +332,13 @@ void wait_until(Done done, double timeout_s, const std::string& what,
             throw Stopped(fmt::format("told to end by signal {} while waiting for {}",
                                       stop_requested(), what));
         }
-        if (waited < waiting.usual.spin()) {
+        if (waited < waiting.spin) {
             sched_yield();
             continue;
         }
         if (!wait) wait.emplace(timeout_s, what, whom);
         wait->look(now);
-        sleep_exactly();
-        std::this_thread::sleep_for(waiting.usual.nap_after(waited));
+        sleep.after(waited);
     }
 }
 
@@ -369,12 +386,24 @@ void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
         [&] {
             for (; arrived < ranks.size(); ++arrived) {
                 int there = 0;
-                MPI_Iprobe(ranks[arrived], tag, comm, &there, MPI_STATUS_IGNORE);
+                // Open MPI looks for what has come only after it has answered.
+                for (int twice = 0; twice < 2 && there == 0; ++twice)
+                    MPI_Iprobe(ranks[arrived], tag, comm, &there, MPI_STATUS_IGNORE);
                 if (there == 0) return false;
             }
             return true;
         },
-        timeout_s, what, whom.empty() ? partner_name : whom, tag);
+        timeout_s, what, whom.empty() ? partner_name : whom, tag,
+        whom.empty() ? partners_bell : nullptr);
+}
+
+void receive_from_root(const World& world, void* data, int count, MPI_Datatype type,
+                       int tag, double timeout_s, const std::string& what) {
+    constexpr std::array root{0};
+    wait_for_messages(world.partner(), root, tag, timeout_s, what);
+    MPI_Request request;
+    MPI_Irecv(data, count, type, 0, tag, world.partner(), &request);
+    wait_all({&request, 1}, timeout_s, what);
 }
 
 void tell_of_long_waits(std::function<void(const std::string&)> teller) {

@@ -10,7 +10,9 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "coupler/participants/bell.h"
 #include "coupler/participants/processes.h"
 
 namespace magfsi::coupler {
@@ -50,11 +52,18 @@ class World {
     // The side that writes probes.csv, summary.json and the progress.
     bool leads() const { return root() && (self_ == Role::structure || !coupled()); }
 
+    // Starts to send to that rank of the partner, and wakes it up.
+    void send(const void* data, int count, MPI_Datatype type, int rank, int tag,
+              MPI_Request* request) const;
+
   private:
     void join_partner(int first, bool expected);
     void join_controller(int first, bool expected);
+    void try_bells(const std::vector<ProcessId>& partner);
 
     Role self_;
+    Bell bell_;
+    std::vector<ProcessId> partner_processes_;  // by rank
     MPI_Comm local_ = MPI_COMM_NULL;
     MPI_Comm partner_ = MPI_COMM_NULL;
     MPI_Comm controller_ = MPI_COMM_NULL;
@@ -74,13 +83,18 @@ constexpr double no_timeout_s = std::numeric_limits<double>::infinity();
 // time (its text names `what`); Stopped when the process was told to end.
 void wait_all(std::span<MPI_Request> requests, double timeout_s, const std::string& what);
 
-// Waits until a message from each of the ranks can be received. A long message takes some
-// turns of both sides; a receive that is posted after this waits for those without the
-// long naps of a wait for the partner's whole step.
+// Waits until a message from each of the ranks can be received, asleep until it comes if
+// World::send sends it. A long message takes some turns of both sides; a receive that is
+// posted after this waits for those without the long naps of a wait for the partner's
+// whole step.
 // whom: for the word about it; without it, the partner.
 void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
                        double timeout_s, const std::string& what,
                        const std::string& whom = {});
+
+// Receives the message of the partner's root.
+void receive_from_root(const World& world, void* data, int count, MPI_Datatype type,
+                       int tag, double timeout_s, const std::string& what);
 
 // Who hears, each minute, what this process waits for.
 void tell_of_long_waits(std::function<void(const std::string&)> tell);

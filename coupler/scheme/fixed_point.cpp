@@ -41,19 +41,15 @@ void ConvergenceSender::send(const Occasion& when, bool again) {
     if (!world_.root()) return;
     wait_all({&sending_, 1}, timeout_s_, "receiver of the convergence message");
     note_ = {when.step, when.iteration, again ? 1 : 0};
-    MPI_Isend(note_.data(), 3, MPI_INT64_T, 0, convergence_tag, world_.partner(),
-              &sending_);
+    world_.send(note_.data(), 3, MPI_INT64_T, 0, convergence_tag, &sending_);
 }
 
 bool step_is_repeated(const World& world, const Occasion& when, double timeout_s) {
     std::array<std::int64_t, 3> note{};
     if (world.root()) {
-        MPI_Request request;
-        MPI_Irecv(note.data(), 3, MPI_INT64_T, 0, convergence_tag, world.partner(),
-                  &request);
-        wait_all({&request, 1}, timeout_s,
-                 fmt::format("convergence of iteration {} of step {}", when.iteration,
-                             when.step));
+        receive_from_root(world, note.data(), 3, MPI_INT64_T, convergence_tag, timeout_s,
+                          fmt::format("convergence of iteration {} of step {}",
+                                      when.iteration, when.step));
     }
     MPI_Bcast(note.data(), 3, MPI_INT64_T, 0, world.local());
     if (note[0] == when.step && note[1] == when.iteration) return note[2] != 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A message of another coupled step ends the run on the side that receives it.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <chrono>
 #include <ctime>
 #include <memory>
@@ -147,6 +148,29 @@ TEST(WaitTimeout, what_has_come_is_not_late) {
     EXPECT_EQ(theirs, world.root() ? 7 : 0);
     // Nothing to wait for is over at once, whatever the limit.
     EXPECT_NO_THROW(wait_all({}, 0, "nothing"));
+}
+
+// Short naps would be some hundred.
+TEST(Wait, sleeps_until_the_partner_has_sent_something) {
+    const World world(role_in(1), true);
+    constexpr int tag = 3;
+    const auto late = std::chrono::milliseconds(200);
+    int number = 7;
+    if (!world.root()) return;
+    if (world.self() == Role::structure) {
+        std::this_thread::sleep_for(late);
+        MPI_Request request;
+        world.send(&number, 1, MPI_INT, 0, tag, &request);
+        wait_all({&request, 1}, timeout_s, "receiver");
+        return;
+    }
+    rusage before{}, after{};
+    getrusage(RUSAGE_THREAD, &before);
+    int got = 0;
+    receive_from_root(world, &got, 1, MPI_INT, tag, timeout_s, "number");
+    getrusage(RUSAGE_THREAD, &after);
+    EXPECT_EQ(got, number);
+    EXPECT_LE(after.ru_nvcsw - before.ru_nvcsw, 40);
 }
 
 // The last message of a run reaches a partner that asks for it late, although the
