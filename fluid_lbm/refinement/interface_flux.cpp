@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fluid_lbm/refinement/interface_flux.h"
 
+#include <algorithm>
+
 #include "fluid_lbm/lattice/d3q19.h"
 
 namespace magfsi::fluid {
@@ -77,21 +79,30 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
         constexpr std::size_t none = -1;
         std::array<std::size_t, d3q19::directions> last;  // run of each population
         last.fill(none);
-        for (int x = local.x_begin; x < local.x_end; ++x) {
+        // The same crosses in all cells whose neighbours along x are in the box, too.
+        const auto alike = [&](int x, int cell_x) {
+            const bool inner = level.solids.empty() && x > 0 && cell_x > box_.lo[0];
+            const int count =
+                std::min({local.x_end - x, s.layout.nx - 1 - x, box_.hi[0] - 1 - cell_x});
+            return inner ? std::max(count, 1) : 1;
+        };
+        for (int x = local.x_begin, count = 1; x < local.x_end; x += count) {
             const CellSlots natural = slots({x, local.y, local.z}, Arrangement::natural),
                             swapped = slots({x, local.y, local.z}, Arrangement::swapped);
             const std::array<int, 3> cell{mine.lo[0] + x - local.x_begin - image[0],
                                           row.y, row.z};
+            count = alike(x, cell[0]);
             for (int q = 1; q < d3q19::directions; ++q) {
                 if (!crosses(cell, q, inside) || at_obstacle({x, local.y, local.z}, q))
                     continue;
                 const std::size_t r = last[q];
                 if (r != none && runs_[r].first[0] + runs_[r].count == natural[q] &&
                     runs_[r].first[1] + runs_[r].count == swapped[q]) {
-                    ++runs_[r].count;
+                    runs_[r].count += count;
                 } else {
                     last[q] = runs_.size();
-                    runs_.push_back({{natural[q], swapped[q]}, 1, inside ? 1.0 : -1.0});
+                    runs_.push_back(
+                        {{natural[q], swapped[q]}, count, inside ? 1.0 : -1.0});
                 }
             }
         }
