@@ -107,47 +107,38 @@ class Lost(unittest.TestCase):
 
 
 class Stopped(unittest.TestCase):
-    def test_asked_to_end(self):
-        process, folder = start({})
+    def ask_to_end(self, process, folder):
         process.send_signal(signal.SIGTERM)
         run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
         testing.check_prompt(self, run)
         self.assertEqual(run.code, 1, run.err)
         self.assertIn("stopped on request", run.err)
         self.assertEqual(run.summary()["outcome"], "stopped")
+        return run
+
+    def test_asked_to_end(self):
+        self.ask_to_end(*start({}))
 
     def test_asked_to_end_while_it_starts(self):
         """Whatever is there already: mpirun, the solvers, their first step."""
         for more in ({}, {"checkpoint.every": "1 s"}):
             for delay_s in (0, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5):
                 with self.subTest(more, delay_s=delay_s):
-                    self.asked_after(delay_s, more)
-
-    def asked_after(self, delay_s, more):
-        folder = testing.new_folder()
-        process = testing.start(testing.run_command(testing.SMALL, folder, {**LONG, **more}))
-        children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
-        testing.wait_until(children.read_text, process)
-        time.sleep(delay_s)
-        process.send_signal(signal.SIGTERM)
-        run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
-        testing.check_prompt(self, run)
-        self.assertEqual(run.code, 1, run.err)
-        self.assertIn("stopped on request", run.err)
-        self.assertEqual(run.summary()["outcome"], "stopped")
+                    folder = testing.new_folder()
+                    process = testing.start(
+                        testing.run_command(testing.SMALL, folder, {**LONG, **more}))
+                    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+                    testing.wait_until(children.read_text, process)
+                    time.sleep(delay_s)
+                    self.ask_to_end(process, folder)
 
     def test_asked_to_end_while_suspended(self):
         """Nobody is there to answer: what is left of the run is ended."""
         process, folder = start({})
         for program in ("magfsi-structure", "magfsi-fluid-lbm"):
             os.kill(testing.process_of(folder, program), signal.SIGSTOP)
-        process.send_signal(signal.SIGTERM)
-        run = testing.finish(process, time.monotonic(), folder, LIMIT_S)
+        run = self.ask_to_end(process, folder)
         testing.report(f"suspended, asked to end: ended after {run.seconds:.2f} s")
-        testing.check_prompt(self, run)
-        self.assertEqual(run.code, 1, run.err)
-        self.assertIn("stopped on request", run.err)
-        self.assertEqual(run.summary()["outcome"], "stopped")
 
 
 class DiskFull(unittest.TestCase):
