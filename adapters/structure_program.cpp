@@ -7,6 +7,7 @@
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 #include "coupler/participants/handshake.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/step/report.h"
 
 namespace magfsi {

@@ -16,6 +16,7 @@
 #include "coupler/output/file.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
 #include "coupler/step/trace.h"

@@ -64,13 +64,15 @@ volatile std::sig_atomic_t seconds_asked = 0;
 // for them, and where the user asks twice, SIGTERM.
 extern "C" void pass_on(int signal) {
     const bool again = signal == SIGALRM;
-    bool insist = !again && stop_signal != 0;
-    if (!again) stop_signal = signal;
-    if (again) seconds_asked = seconds_asked + 1;
-    insist = insist || (seconds_to_end > 0 && seconds_asked >= seconds_to_end);
+    const bool twice = !again && stop_signal != 0;
+    if (again)
+        seconds_asked = seconds_asked + 1;
+    else
+        stop_signal = signal;
+    const bool late = seconds_to_end > 0 && seconds_asked >= seconds_to_end;
     if (child <= 0) return;
-    kill(child, insist ? SIGTERM : SIGUSR1);
-    if (!insist) alarm(1);
+    kill(child, twice || late ? SIGTERM : SIGUSR1);
+    if (!twice && !late) alarm(1);
 }
 
 // Ours, of which each is shown once, whatever the number of ranks that say it.

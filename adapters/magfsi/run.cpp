@@ -228,8 +228,9 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
         if (!read_summary(out).is_object())
             write_end(scene, out, output::Outcome::stopped,
                       "asked to end before the participants could say how far they were");
+        const bool goes_on = !coupler::steps_complete(out, run_plan(scene).roles).empty();
         fmt::print(stderr, "magfsi: stopped on request; results so far are in {}{}\n",
-                   out.string(), scene.checkpoint ? "; go on with --restart latest" : "");
+                   out.string(), goes_on ? "; go on with --restart latest" : "");
         return coupler::exit_error;
     }
     if (end.exit_code != coupler::exit_done) return unnamed_end(end);

@@ -10,6 +10,7 @@
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/grid.h"
 #include "coupler/participants/handshake.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 #include "coupler/step/report.h"
 #include "coupler/step/task_list.h"

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
@@ -40,8 +41,8 @@ bool StopAgreement::decide(std::int64_t step, bool last) {
 bool StopAgreement::receive_decision() {
     std::int64_t stop = 0;
     if (world_.root() && begun_) {
-        receive_from_root(world_, note_.data(), 2, MPI_INT64_T, stop_tag, timeout_s_,
-                          "message of the structure to continue");
+        world_.receive_from_root(note_.data(), 2, MPI_INT64_T, stop_tag, timeout_s_,
+                                 "message of the structure to continue");
         stop = note_[1];
     }
     begun_ = true;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "coupler/participants/errors.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {

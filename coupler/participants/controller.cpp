@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "coupler/participants/errors.h"
+#include "coupler/participants/waiting.h"
 
 namespace magfsi::coupler {
 

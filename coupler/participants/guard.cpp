@@ -15,6 +15,7 @@
 
 #include "coupler/participants/errors.h"
 #include "coupler/participants/processes.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {

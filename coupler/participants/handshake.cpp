@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupler/participants/errors.h"
+#include "coupler/participants/waiting.h"
 
 namespace magfsi::coupler {
 
@@ -38,8 +39,8 @@ void swap_with_partner(const World& world, const void* send, int send_bytes,
             fmt::format("{} of the {}", what, to_string(world.other()));
         MPI_Request sending;
         world.send(send, send_bytes, MPI_BYTE, 0, swap_tag, &sending);
-        receive_from_root(world, receive, receive_bytes, MPI_BYTE, swap_tag, timeout_s,
-                          name);
+        world.receive_from_root(receive, receive_bytes, MPI_BYTE, swap_tag, timeout_s,
+                                name);
         wait_all({&sending, 1}, timeout_s, name);
     }
     MPI_Bcast(receive, receive_bytes, MPI_BYTE, 0, world.local());
@@ -83,9 +84,9 @@ void send_numbers(const World& world, std::int64_t step, std::span<const double>
 void receive_numbers(const World& world, std::int64_t step, std::span<double> numbers,
                      double timeout_s) {
     std::vector<double> message(numbers.size() + 1);
-    receive_from_root(world, message.data(), static_cast<int>(message.size()), MPI_DOUBLE,
-                      numbers_tag, timeout_s,
-                      fmt::format("fluid probes of step {}", step));
+    world.receive_from_root(message.data(), static_cast<int>(message.size()), MPI_DOUBLE,
+                            numbers_tag, timeout_s,
+                            fmt::format("fluid probes of step {}", step));
     if (static_cast<std::int64_t>(message[0]) != step) {
         throw PartnerLost(
             fmt::format("fluid probes of step {} came at step {}", message[0], step));

@@ -12,6 +12,7 @@
 #include "coupler/output/log.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "coupler/participants/errors.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 
 namespace magfsi::coupler {
@@ -47,9 +48,9 @@ void ConvergenceSender::send(const Occasion& when, bool again) {
 bool step_is_repeated(const World& world, const Occasion& when, double timeout_s) {
     std::array<std::int64_t, 3> note{};
     if (world.root()) {
-        receive_from_root(world, note.data(), 3, MPI_INT64_T, convergence_tag, timeout_s,
-                          fmt::format("convergence of iteration {} of step {}",
-                                      when.iteration, when.step));
+        world.receive_from_root(note.data(), 3, MPI_INT64_T, convergence_tag, timeout_s,
+                                fmt::format("convergence of iteration {} of step {}",
+                                            when.iteration, when.step));
     }
     MPI_Bcast(note.data(), 3, MPI_INT64_T, 0, world.local());
     if (note[0] == when.step && note[1] == when.iteration) return note[2] != 0;

@@ -2,7 +2,7 @@
 #include "coupler/scheme/fluid_coupling.h"
 
 #include "coupler/participants/handshake.h"
-#include "coupler/participants/world.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/scheme/fixed_point.h"
 
 namespace magfsi::coupler {

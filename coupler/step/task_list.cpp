@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "coupler/output/log.h"
-#include "coupler/participants/world.h"
+#include "coupler/participants/waiting.h"
 
 namespace magfsi::coupler {
 

@@ -8,6 +8,7 @@
 
 #include "coupler/output/file.h"
 #include "coupler/output/log.h"
+#include "coupler/participants/waiting.h"
 
 namespace magfsi::coupler {
 

@@ -114,6 +114,8 @@ class Stopped(unittest.TestCase):
         self.assertEqual(run.code, 1, run.err)
         self.assertIn("stopped on request", run.err)
         self.assertEqual(run.summary()["outcome"], "stopped")
+        # Of both sides, or there is nothing to go on from.
+        self.assertEqual("--restart latest" in run.err, len(list(Path(folder).glob("checkpoint*.h5"))) >= 2)
         return run
 
     def test_asked_to_end(self):

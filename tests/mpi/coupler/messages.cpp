@@ -10,6 +10,7 @@
 #include "coupler/exchange/exchange.h"
 #include "coupler/participants/errors.h"
 #include "coupler/participants/handshake.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/support/checks.h"
@@ -150,7 +151,8 @@ TEST(WaitTimeout, what_has_come_is_not_late) {
     EXPECT_NO_THROW(wait_all({}, 0, "nothing"));
 }
 
-// Short naps would be some hundred.
+// Looks at the partner are 20 ms apart: ten of them, and some for a busy machine. Short
+// naps would be some hundred.
 TEST(Wait, sleeps_until_the_partner_has_sent_something) {
     const World world(role_in(1), true);
     constexpr int tag = 3;
@@ -167,7 +169,7 @@ TEST(Wait, sleeps_until_the_partner_has_sent_something) {
     rusage before{}, after{};
     getrusage(RUSAGE_THREAD, &before);
     int got = 0;
-    receive_from_root(world, &got, 1, MPI_INT, tag, timeout_s, "number");
+    world.receive_from_root(&got, 1, MPI_INT, tag, timeout_s, "number");
     getrusage(RUSAGE_THREAD, &after);
     EXPECT_EQ(got, number);
     EXPECT_LE(after.ru_nvcsw - before.ru_nvcsw, 40);

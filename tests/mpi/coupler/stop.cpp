@@ -6,6 +6,7 @@
 #include <csignal>
 #include "coupler/checkpoint/checkpoints.h"
 #include "coupler/participants/errors.h"
+#include "coupler/participants/waiting.h"
 #include "coupler/participants/world.h"
 #include "tests/mpi/coupler/split.h"
 #include "tests/support/checks.h"

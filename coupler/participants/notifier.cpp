@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "coupler/participants/bell.h"
+#include "coupler/participants/notifier.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -39,7 +39,7 @@ const sockaddr* generic(const Address& address) {
 
 }  // namespace
 
-Bell::Bell(const ProcessId& self)
+Notifier::Notifier(const ProcessId& self)
     : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
     const Address address = address_of(self);
     if (socket_ < 0 || ::bind(socket_, generic(address), address.size) == 0) return;
@@ -47,27 +47,27 @@ Bell::Bell(const ProcessId& self)
     socket_ = -1;
 }
 
-Bell::~Bell() {
+Notifier::~Notifier() {
     if (socket_ >= 0) ::close(socket_);
 }
 
-bool Bell::ring(const ProcessId& other) const {
+bool Notifier::notify(const ProcessId& other) const {
     if (socket_ < 0) return false;
     const Address address = address_of(other);
-    const char stroke = 0;
-    const ssize_t sent = ::sendto(socket_, &stroke, sizeof stroke, MSG_NOSIGNAL,
+    const char byte = 0;
+    const ssize_t sent = ::sendto(socket_, &byte, sizeof byte, MSG_NOSIGNAL,
                                   generic(address), address.size);
-    // Full of strokes that have not been heard yet: one more would say nothing new.
+    // Full of notifications that were not read yet: one more would say nothing new.
     return sent >= 0 || errno == EAGAIN;
 }
 
-bool Bell::wait(std::chrono::nanoseconds longest) const {
+bool Notifier::wait(std::chrono::nanoseconds longest) const {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(longest);
     const timespec time{seconds.count(), (longest - seconds).count()};
     pollfd one{socket_, POLLIN, 0};
     if (::ppoll(&one, 1, &time, nullptr) <= 0) return false;
-    char stroke = 0;
-    while (::recv(socket_, &stroke, sizeof stroke, 0) >= 0) {
+    char byte = 0;
+    while (::recv(socket_, &byte, sizeof byte, 0) >= 0) {
     }
     return true;
 }
