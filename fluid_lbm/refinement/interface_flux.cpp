@@ -79,7 +79,8 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
         constexpr std::size_t none = -1;
         std::array<std::size_t, d3q19::directions> last;  // run of each population
         last.fill(none);
-        // The same crosses in all cells whose neighbours along x are in the box, too.
+        // The same crosses in all cells whose neighbours along x are in the box, too, and
+        // their populations stand in line but for those at the ends of a stored row.
         const auto alike = [&](int x, int cell_x) {
             const bool inner = level.solids.empty() && x > 0 && cell_x > box_.lo[0];
             const int count =
