@@ -143,6 +143,27 @@ PlaneStress stress_change(const PlaneState& s, const Eigen::Matrix2d& de,
     return out;
 }
 
+// As in Voigt's notation: what a stress 11, 22, 12 does work on.
+Eigen::Vector3d strains(const Eigen::Matrix2d& symmetric) {
+    return {symmetric(0, 0), symmetric(1, 1), 2 * symmetric(0, 1)};
+}
+
+// d stress / d strain of a plane, strain before metric.
+Eigen::Matrix<double, 6, 6> plane_tangent(const PlaneState& s) {
+    const Eigen::Matrix2d none = Eigen::Matrix2d::Zero();
+    const std::array<Eigen::Matrix2d, 3> unit{Eigen::Matrix2d{{1, 0}, {0, 0}},
+                                              Eigen::Matrix2d{{0, 0}, {0, 1}},
+                                              Eigen::Matrix2d{{0, 0.5}, {0.5, 0}}};
+    Eigen::Matrix<double, 6, 6> out;
+    for (int j = 0; j < 6; ++j) {
+        const PlaneStress change =
+            j < 3 ? stress_change(s, unit[j], none) : stress_change(s, none, unit[j - 3]);
+        out.col(j) << change.strain(0, 0), change.strain(1, 1), change.strain(0, 1),
+            change.metric(0, 0), change.metric(1, 1), change.metric(0, 1);
+    }
+    return out;
+}
+
 void add_plane(Products& out, const PlaneStress& stress, double factor, int k) {
     const auto add = [&](int number, double value) {
         out.strain(number / 3, number % 3) += factor * value;
@@ -263,38 +284,33 @@ HourglassState hourglass_energy(const HourglassReference& reference,
     return out;
 }
 
-// d2E = dp^T (d2E/dp2) dp + dE/dp d2p over the products p.
+// d2E = dp^T (d2E/dp2) dp + dE/dp d2p over the products p, of which each plane has six.
 Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& material,
                            const Positions8& x_m) {
     const Vectors v = vectors(reference, x_m);
     const Products p = products_of(v);
-    const std::array<PlaneState, 3> state{plane_state(reference, material, p, 0),
-                                          plane_state(reference, material, p, 1),
-                                          plane_state(reference, material, p, 2)};
-    Products slope;
-    for (int k = 0; k < 3; ++k)
-        add_plane(slope, plane_stress(state[k]), reference.volume_m3 / 3, k);
+    const auto gamma = reference.hourglass.leftCols<3>();
+    const double volume_m3 = reference.volume_m3 / 3;
     Eigen::Matrix<double, 18, 24> change, stress;
     for (int q = 0; q < 24; ++q) {
         const int a = q / 3, d = q % 3;
-        const Eigen::RowVector3d edge = reference.edge.row(a);
-        const Eigen::RowVector3d hourglass = reference.hourglass.row(a).head<3>();
-        const Products dp{
-            edge.transpose() * v.hourglass.row(d).head<3>() +
-                v.edge.row(d).transpose() * hourglass,
-            edge.transpose() * v.edge.row(d) + v.edge.row(d).transpose() * edge};
-        Products dslope;
+        const Eigen::RowVector3d edge = reference.edge.row(a), along = v.edge.row(d);
+        const Products dp{edge.transpose() * v.hourglass.row(d).head<3>() +
+                              along.transpose() * gamma.row(a),
+                          edge.transpose() * along + along.transpose() * edge};
         for (int k = 0; k < 3; ++k) {
-            add_plane(dslope,
-                      stress_change(state[k], group_strain(dp.strain, k),
-                                    in_plane(dp.metric, k)),
-                      reference.volume_m3 / 3, k);
+            change.block<6, 1>(6 * k, q) << strains(group_strain(dp.strain, k)),
+                strains(in_plane(dp.metric, k));
         }
-        change.col(q) << dp.strain.reshaped(), dp.metric.reshaped();
-        stress.col(q) << dslope.strain.reshaped(), dslope.metric.reshaped();
+    }
+    Products slope;
+    for (int k = 0; k < 3; ++k) {
+        const PlaneState state = plane_state(reference, material, p, k);
+        add_plane(slope, plane_stress(state), volume_m3, k);
+        stress.middleRows<6>(6 * k).noalias() =
+            volume_m3 * plane_tangent(state) * change.middleRows<6>(6 * k);
     }
     Matrix24 out = change.transpose() * stress;
-    const auto gamma = reference.hourglass.leftCols<3>();
     const Matrix8 mixed = reference.edge * slope.strain * gamma.transpose();
     const Matrix8 pairs = mixed + mixed.transpose() +
                           2 * reference.edge * slope.metric * reference.edge.transpose();
