@@ -21,12 +21,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
 #include "coupler/immersed_boundary/grid.h"
-#include "coupler/immersed_boundary/slip.h"
 
 namespace magfsi::coupler {
 
@@ -58,8 +56,7 @@ struct SlipScale {
 };
 
 struct SlipRates {
-    double gain, leak;      // parts a step
-    double inside_s_m = 0;  // what inside a body its speed adds to the leak
+    double gain, leak;  // parts a step
 };
 
 // The gain is 1/4, and falls with the viscosity nu dt / h^2 beyond 0.1, a relaxation time
@@ -75,11 +72,6 @@ struct SlipRates {
 // of the step, towards balls 0.1 h larger than theirs. The factor 2 makes the leak 0.02
 // for sheets at the usual speed of 0.05 h a step. The speed alone makes it no less, and
 // where it is as large as the gain the memory holds nothing more.
-//
-// Markers inside a body, of three layers and more, pull against each other without moving
-// much of the fluid, and what they remember of that drifts while they cross the grid: the
-// swimmer at 0.025 mm (2-point, seven layers) diverged in its second power stroke. So
-// there the leak grows with their speed, by twice the cells that they cross in a step.
 inline SlipRates slip_rates(const SlipScale& scale) {
     constexpr double most_gain = 0.25, fully_gains_until = 0.1;
     constexpr double usual_speed = 0.05;  // h a step
@@ -89,29 +81,21 @@ inline SlipRates slip_rates(const SlipScale& scale) {
     const double ruling = std::max(fully_gains_until, viscous);
     const double gain = most_gain * fully_gains_until / ruling;
     const double of_gain = std::clamp(0.008 / (viscous + 2 * speed), 0.008 / ruling, 1.0);
-    return {gain, of_gain * gain, 2 * per_step};
+    return {gain, of_gain * gain};
 }
 
 class SlipMemory {
   public:
-    // Markers that stand for none of the surface lie inside.
-    SlipMemory(std::size_t markers, const SlipRates& rates,
-               std::span<const MarkerArea> surface)
-        : memory_(markers), inside_s_m_(markers, rates.inside_s_m), rates_(rates) {
-        for (const MarkerArea& area : surface)
-            inside_s_m_[static_cast<std::size_t>(area.marker)] = 0;
-    }
+    SlipMemory(std::size_t markers, const SlipRates& rates)
+        : memory_(markers), rates_(rates) {}
 
     // After a step: the markers' mean velocities, what passed, and r f - g [m/s].
     void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed,
              std::span<const Vec3> uneven) {
         for (std::size_t m = 0; m < memory_.size(); ++m) {
-            const Vec3& v = mean_velocity[m];
-            const double leak = std::min(
-                rates_.leak + inside_s_m_[m] * std::hypot(v[0], v[1], v[2]), rates_.gain);
             for (std::size_t d = 0; d < 3; ++d)
                 memory_[m][d] += rates_.gain * (mean_velocity[m][d] - passed[m][d]) -
-                                 leak * uneven[m][d];
+                                 rates_.leak * uneven[m][d];
         }
     }
 
@@ -128,7 +112,6 @@ class SlipMemory {
 
   private:
     std::vector<Vec3> memory_;
-    std::vector<double> inside_s_m_;
     SlipRates rates_;
 };
 

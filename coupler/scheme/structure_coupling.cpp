@@ -86,8 +86,7 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
             std::make_unique<IteratedForcing>(force_.markers(), penalty_scale(session));
     }
     if (options_.immersed_boundary.forcing == Forcing::no_slip)
-        no_slip_ = std::make_unique<NoSlip>(force_.markers(), markers_.slip_rates,
-                                            slip_.areas());
+        no_slip_ = std::make_unique<NoSlip>(force_.markers(), markers_.slip_rates);
     if (markers_.carries_layers)
         layer_ = std::make_unique<LayerInertia>(force_.markers(), slip_.areas(),
                                                 session.plan().fluid_density_kg_m3);
@@ -126,9 +125,8 @@ std::vector<Vec3> StructureCoupling::marker_positions() const {
     return positions;
 }
 
-StructureCoupling::NoSlip::NoSlip(std::span<const Marker> markers, const SlipRates& rates,
-                                  std::span<const MarkerArea> surface)
-    : memory(markers.size(), rates, surface) {
+StructureCoupling::NoSlip::NoSlip(std::span<const Marker> markers, const SlipRates& rates)
+    : memory(markers.size(), rates) {
     for (const Marker& m : markers) volume_m3.push_back(m.volume_m3);
 }
 

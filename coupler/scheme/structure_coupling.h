@@ -145,8 +145,7 @@ class StructureCoupling {
 
     // Of forcing no_slip, from step to step.
     struct NoSlip {
-        NoSlip(std::span<const Marker> markers, const SlipRates& rates,
-               std::span<const MarkerArea> surface);
+        NoSlip(std::span<const Marker> markers, const SlipRates& rates);
         std::vector<double> volume_m3;
         NoSlipAnswer answer;
         SlipMemory memory;
