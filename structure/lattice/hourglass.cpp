@@ -290,7 +290,7 @@ Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& 
     const Vectors v = vectors(reference, x_m);
     const Products p = products_of(v);
     const auto gamma = reference.hourglass.leftCols<3>();
-    const double volume_m3 = reference.volume_m3 / 3;
+    const double third_m3 = reference.volume_m3 / 3;  // a plane's
     Eigen::Matrix<double, 18, 24> change, stress;
     for (int q = 0; q < 24; ++q) {
         const int a = q / 3, d = q % 3;
@@ -306,9 +306,9 @@ Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& 
     Products slope;
     for (int k = 0; k < 3; ++k) {
         const PlaneState state = plane_state(reference, material, p, k);
-        add_plane(slope, plane_stress(state), volume_m3, k);
+        add_plane(slope, plane_stress(state), third_m3, k);
         stress.middleRows<6>(6 * k).noalias() =
-            volume_m3 * plane_tangent(state) * change.middleRows<6>(6 * k);
+            third_m3 * plane_tangent(state) * change.middleRows<6>(6 * k);
     }
     Matrix24 out = change.transpose() * stress;
     const Matrix8 mixed = reference.edge * slope.strain * gamma.transpose();
