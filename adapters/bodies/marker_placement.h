@@ -18,6 +18,7 @@ struct PlacedMarker {
     double volume_m3 = 0;     // of fluid that it moves
     double displaced_m3 = 0;  // of the body that it stands for
     double beyond_m3 = 0;     // of fluid that its layer carries beyond the body
+    bool core = false;        // deep inside a sheet (coupler/immersed_boundary/no_slip.h)
     int body = 0;
     // Of the surface that it stands for, as in MarkerArea of
     // coupler/immersed_boundary/slip.h; zero where it stands for none.

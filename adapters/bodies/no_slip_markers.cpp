@@ -306,6 +306,20 @@ std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
     return in_layers(mesh, *sheet, thickness_m, dry, reach);
 }
 
+// The core of a sheet: what lies below two layers of markers, from its rims, too.
+void find_core(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
+               const DryFaces& dry, const KernelReach& reach) {
+    const double grid_m = reach.grid_m;
+    const double core_m = reach.depth_m(grid_m) + 1.5 * grid_m;
+    std::vector<structure::MaterialPoint> points;
+    for (const PlacedMarker& m : markers) points.push_back(m.point);
+    const auto depth =
+        structure::depths(mesh, dry.without(structure::boundary_quads(mesh)), points,
+                          0.5 * grid_m, core_m + grid_m);
+    for (std::size_t i = 0; i < markers.size(); ++i)
+        markers[i].core = depth[i] > core_m;
+}
+
 std::optional<CarriedLayer> one_layer(const structure::Mesh& mesh,
                                       const std::optional<structure::Sheet>& sheet,
                                       const KernelReach& reach) {
@@ -348,6 +362,8 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
         for (PlacedMarker& marker : markers)
             marker.beyond_m3 =
                 marker.volume_m3 * (layer->carried_m - layer->thickness_m) / reach.grid_m;
+    } else if (sheet) {
+        find_core(markers, mesh, dry, reach);
     }
     return markers;
 }

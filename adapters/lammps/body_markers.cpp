@@ -44,6 +44,7 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
     marker.volume_m3 = placed.volume_m3;
     marker.displaced_m3 = placed.displaced_m3;
     marker.beyond_m3 = placed.beyond_m3;
+    marker.core = placed.core;
     marker.body = placed.body;
     return marker;
 }

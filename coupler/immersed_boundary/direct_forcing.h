@@ -25,7 +25,7 @@ namespace magfsi::coupler {
 // one), the volume of fluid that it moves, that of the fluid inside the body whose
 // inertia is its force (EnclosedFluid), and that of the fluid beyond the body which its
 // layer carries along (LayerInertia) [m3]; enclosed_follow: as
-// EnclosedFluidScale::follow, if that is less.
+// EnclosedFluidScale::follow, if that is less; core: deep inside a sheet (no_slip.h).
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};
@@ -33,6 +33,7 @@ struct Marker {
     double displaced_m3 = 0;
     double beyond_m3 = 0;
     double enclosed_follow = 0;
+    bool core = false;
     int body = 0;
 };
 

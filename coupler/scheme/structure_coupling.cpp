@@ -126,7 +126,7 @@ std::vector<Vec3> StructureCoupling::marker_positions() const {
 }
 
 StructureCoupling::NoSlip::NoSlip(std::span<const Marker> markers, const SlipRates& rates)
-    : memory(markers.size(), rates) {
+    : memory(markers, rates) {
     for (const Marker& m : markers) volume_m3.push_back(m.volume_m3);
 }
 

@@ -18,7 +18,7 @@ using namespace testing;
 // Without the memory half of the slip would be left here.
 TEST(SlipMemory, removes_a_steady_slip) {
     const std::vector<Vec3> body{{1, 0, 0}}, fluid{{0, 0, 0}}, even{{0, 0, 0}};
-    SlipMemory memory(1, {0.25, 0.02});
+    SlipMemory memory(std::vector<Marker>(1), {0.25, 0.02, 0.02});
     double passed = 0;
     for (int step = 0; step < 400; ++step) {
         // A fluid of which half a felt slip is left, whatever it does.
@@ -106,7 +106,7 @@ TEST_F(SheetOfTwo, gives_it_without_lag) {
 // Two markers at one place that pull against each other.
 TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
     const std::vector<Vec3> rest(2);
-    SlipMemory memory(2, {0.25, 0.02});
+    SlipMemory memory(std::vector<Marker>(2), {0.25, 0.02, 0.02});
     memory.values()[0] = {1, 0, 0};
     memory.values()[1] = {-1, 0, 0};
     for (int step = 0; step < 2000; ++step) {
@@ -116,6 +116,16 @@ TEST(SlipMemory, lets_go_of_what_the_fluid_does_not_feel) {
         memory.add(rest, rest, uneven);
     }
     EXPECT_LT(std::abs(memory.values()[0][0]), 1e-9);
+}
+
+TEST(SlipMemory, leaks_more_in_the_core) {
+    std::vector<Marker> markers(2);
+    markers[1].core = true;
+    SlipMemory memory(markers, {0.25, 0.02, 0.08});
+    const std::vector<Vec3> rest(2), uneven{{1, 0, 0}, {1, 0, 0}};
+    memory.add(rest, rest, uneven);
+    EXPECT_DOUBLE_EQ(memory.values()[0][0], -0.02);
+    EXPECT_DOUBLE_EQ(memory.values()[1][0], -0.08);
 }
 
 // Leak over gain times force (which goes with the step) stays where viscosity and speed
