@@ -6,7 +6,6 @@
 
 #include "adapters/bodies/marker_placement.h"
 #include "adapters/bodies/scene_to_body.h"
-#include "adapters/scene/reader.h"
 
 namespace magfsi::bodies {
 namespace {
