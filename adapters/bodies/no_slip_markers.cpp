@@ -316,8 +316,7 @@ void find_core(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
     const auto depth =
         structure::depths(mesh, dry.without(structure::boundary_quads(mesh)), points,
                           0.5 * grid_m, core_m + grid_m);
-    for (std::size_t i = 0; i < markers.size(); ++i)
-        markers[i].core = depth[i] > core_m;
+    for (std::size_t i = 0; i < markers.size(); ++i) markers[i].core = depth[i] > core_m;
 }
 
 std::optional<CarriedLayer> one_layer(const structure::Mesh& mesh,
