@@ -293,12 +293,17 @@ bool filter_errors(int pipe, MpirunMessages& messages) {
 std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
     std::vector<std::string> words{"mpirun"};
     if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
-    if (all_ranks(programs) > available_cores()) {
+    const bool crowded = all_ranks(programs) > available_cores();
+    // Bound to cores, which Open MPI counts from the first one in every job, runs side by
+    // side would share theirs while others idle.
+    if (crowded || !std::getenv("OMPI_MCA_hwloc_base_binding_policy")) {
+        words.emplace_back("--bind-to");
+        words.emplace_back("none");
+    }
+    if (crowded) {
         // A waiting rank must give its core to the partner that it waits for.
-        for (const char* word : {"--oversubscribe", "--bind-to", "none", "--mca",
-                                 "mpi_yield_when_idle", "1"}) {
+        for (const char* word : {"--oversubscribe", "--mca", "mpi_yield_when_idle", "1"})
             words.emplace_back(word);
-        }
     }
     for (const Program& p : programs) {
         if (&p != &programs.front()) words.emplace_back(":");

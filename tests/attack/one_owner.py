@@ -2,6 +2,7 @@
 """A run folder has one owner, and what an earlier run left there is neither mixed nor lost."""
 
 import json
+import os
 import signal
 import unittest
 from pathlib import Path
@@ -19,6 +20,10 @@ class Doubles(unittest.TestCase):
         self.process = attack.start(self.folder, ENDLESS)
         self.addCleanup(attack.end, self.process, self.folder)
         testing.wait_for_rows(self.folder, self.process, 3)
+
+    def test_leaves_every_core_to_runs_beside_it(self):
+        for pid in testing.processes_of(self.folder, "magfsi-structure", "magfsi-fluid-lbm"):
+            self.assertEqual(os.sched_getaffinity(pid), os.sched_getaffinity(0))
 
     def test_a_second_run_is_refused(self):
         for more in ((), ("--overwrite",)):

@@ -166,9 +166,8 @@ class _Ended(Exception):
 
 def _share_of_cores(workers):
     """For the first lines of each worker's thread: runs beside each other keep to cores of their
-    own. Open MPI would bind both to the same ones."""
+    own."""
     cores = sorted(os.sched_getaffinity(0))
-    os.environ["OMPI_MCA_hwloc_base_binding_policy"] = "none"
     shares = iter([cores[i::workers] for i in range(workers)])
     lock = threading.Lock()
 
