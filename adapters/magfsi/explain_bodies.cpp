@@ -82,10 +82,16 @@ std::string explain_layer(const scene::Scene& scene, std::size_t number) {
     const auto layer = bodies::carried_layer(scene, number);
     if (!layer) return "";
     const double spacing_m = scene.fluid->finest_spacing_m();
-    return fmt::format(
+    std::string text = fmt::format(
         "    one layer of markers carries {:.2f} spacings of fluid, the sheet is {:.2f} "
-        "thick: the inertia of the difference along the surface is taken away\n",
+        "thick: the inertia of the difference along the surface is taken away",
         layer->carried_m / spacing_m, layer->thickness_m / spacing_m);
+    if (layer->carried_m > layer->thickness_m)
+        text += fmt::format(
+            ", but a sheet that bends or turns gives the fluid a momentum that nothing "
+            "loses: for a net motion take a spacing of at most {:.3g} mm",
+            1e3 * spacing_m * layer->thickness_m / layer->carried_m);
+    return text + "\n";
 }
 
 // Of turning about the axes through the centre of mass.

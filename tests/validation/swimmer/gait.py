@@ -76,7 +76,7 @@ class Gait(unittest.TestCase):
             self.assertGreater(rise, 0)
 
     def test_half_the_step(self):
-        """The step is no choice that the rise depends on: of its error bar, 2 % of 1.48 mm in the
+        """The step is no choice that the rise depends on: of its error bar, 2 % of 1.47 mm in the
         first period (docs/coupling_measurements.md), half the step may take no more than all."""
         half = Swim(testing.SWIMMER, {"fluid.lattice_speed": "0.025",
                                       "time.end": f"{PERIOD_S} s"})
