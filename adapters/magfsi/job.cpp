@@ -366,10 +366,12 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
         // The code went with it: what the participants said or wrote tells their end.
         end.exit_code = end.told ? 1 : 0;
     } else if (WIFSIGNALED(status)) {
-        end.exit_code = 128 + WTERMSIG(status);
+        const int signal = WTERMSIG(status);
+        end.exit_code = 128 + signal;
+        end.crashed = signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT;
         // One that has just been started does not answer a request: it ends of it.
-        const bool of_request = end.stopped && WTERMSIG(status) == SIGUSR1;
-        if (!of_request) end.lost = killed_by("mpirun", WTERMSIG(status));
+        const bool of_request = end.stopped && signal == SIGUSR1;
+        if (!of_request) end.lost = killed_by("mpirun", signal);
     }
     if (end.lost.empty() && messages.lost() && !end.stopped) {
         end.lost = killed_by(name_of(programs, messages.lost()->world_rank),

@@ -18,6 +18,7 @@ struct Program {
 struct JobEnd {
     int exit_code = 0;
     std::string lost;      // "fluid rank 1 was killed by signal 9"; empty if nobody was
+    bool crashed = false;  // mpirun itself, maybe when all was done
     bool stopped = false;  // this process was told to end
     bool told = false;     // a participant has said why it ended
 };

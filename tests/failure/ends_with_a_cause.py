@@ -4,9 +4,11 @@ named cause and the exit code of the command line's contract."""
 
 import os
 import resource
+import shutil
 import signal
 import time
 import unittest
+import unittest.mock
 from pathlib import Path
 
 from magfsi import testing
@@ -202,6 +204,33 @@ class Diverged(unittest.TestCase):
         testing.report(f"falls out: {run.err.strip()}")
         self.assertEqual(run.code, 3, run.err)
         self.assertIn("left the fluid", run.err)
+
+
+class CrashOfMpirun(unittest.TestCase):
+    SETTINGS = {"time.end": "1 ms", "checkpoint.every": "0.5 ms"}
+
+    def run_with(self, mpirun, folder, restart=None):
+        """With this shell script for mpirun."""
+        tools = Path(testing.new_folder())
+        (tools / "mpirun").write_text(f"#!/bin/sh\n{mpirun}\n")
+        (tools / "mpirun").chmod(0o755)
+        with unittest.mock.patch.dict(os.environ, PATH=f"{tools}:{os.environ['PATH']}"):
+            return testing.run(testing.SMALL, self.SETTINGS, limit_s=LIMIT_S, folder=folder,
+                               restart=restart)
+
+    def test_when_all_is_done_loses_nothing(self):
+        run = self.run_with(f'{shutil.which("mpirun")} "$@"\nkill -SEGV $$', testing.new_folder())
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(run.summary()["outcome"], "completed")
+        self.assertIn("mpirun crashed when the run had ended", run.err)
+
+    def test_before_is_a_loss(self):
+        folder = testing.new_folder()
+        self.assertEqual(testing.run(testing.SMALL, self.SETTINGS, folder=folder).code, 0)
+        run = self.run_with("kill -SEGV $$", folder, restart="latest")
+        self.assertEqual(run.code, 4, run.err)
+        self.assertIn("mpirun was killed by signal 11", run.err)
+        self.assertEqual(run.summary()["outcome"], "lost_partner")
 
 
 class BadInput(unittest.TestCase):
