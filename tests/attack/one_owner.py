@@ -22,7 +22,9 @@ class Doubles(unittest.TestCase):
         testing.wait_for_rows(self.folder, self.process, 3)
 
     def test_leaves_every_core_to_runs_beside_it(self):
-        for pid in testing.processes_of(self.folder, "magfsi-structure", "magfsi-fluid-lbm"):
+        pids = testing.processes_of(self.folder, "magfsi-structure", "magfsi-fluid-lbm")
+        self.assertEqual(len(pids), 2)
+        for pid in pids:
             self.assertEqual(os.sched_getaffinity(pid), os.sched_getaffinity(0))
 
     def test_a_second_run_is_refused(self):
