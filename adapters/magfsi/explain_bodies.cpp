@@ -88,8 +88,8 @@ std::string explain_layer(const scene::Scene& scene, std::size_t number) {
         layer->carried_m / spacing_m, layer->thickness_m / spacing_m);
     if (layer->carried_m > layer->thickness_m)
         text += fmt::format(
-            ", but a sheet that bends or turns gives the fluid a momentum that nothing "
-            "loses: for a net motion take a spacing of at most {:.3g} mm",
+            "; large strokes have too little drag on such a grid: for a net motion "
+            "take a spacing of at most {:.3g} mm",
             1e3 * spacing_m * layer->thickness_m / layer->carried_m);
     return text + "\n";
 }

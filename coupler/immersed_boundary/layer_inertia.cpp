@@ -23,7 +23,7 @@ Vec3 along(const Vec3& v, const Vec3& normal) {
 
 LayerInertia::LayerInertia(std::span<const Marker> markers,
                            std::span<const MarkerArea> areas, double fluid_density_kg_m3)
-    : last_velocity_(markers.size()),
+    : last_along_(markers.size()),
       mean_(markers.size()),
       mean_of_mean_(markers.size()),
       given_(markers.size()) {
@@ -34,8 +34,12 @@ LayerInertia::LayerInertia(std::span<const Marker> markers,
     }
 }
 
-void LayerInertia::start(std::span<const Vec3> fluid_velocity) {
-    std::ranges::copy(fluid_velocity, last_velocity_.begin());
+void LayerInertia::start(std::span<const Vec3> fluid_velocity, const double* position) {
+    for (const Beyond& beyond : layer_) {
+        const auto m = static_cast<std::size_t>(beyond.area.marker);
+        last_along_[m] =
+            along(fluid_velocity[m], area_vector(beyond.marker, beyond.area, position));
+    }
 }
 
 void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean_velocity,
@@ -43,18 +47,17 @@ void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean
     std::ranges::copy(impulse, given_.begin());
     for (const Beyond& beyond : layer_) {
         const auto m = static_cast<std::size_t>(beyond.area.marker);
-        Vec3 now;
+        const Vec3 now =
+            along(mean_velocity[m], area_vector(beyond.marker, beyond.area, position));
         for (std::size_t d = 0; d < 3; ++d) {
-            const double change = mean_velocity[m][d] - last_velocity_[m][d];
+            const double change = now[d] - last_along_[m][d];
             mean_[m][d] += weight_of_last_step * (change - mean_[m][d]);
             mean_of_mean_[m][d] +=
                 weight_of_last_step * (mean_[m][d] - mean_of_mean_[m][d]);
-            now[d] = 2 * mean_[m][d] - mean_of_mean_[m][d];
+            given_[m][d] += beyond.mass_kg * (2 * mean_[m][d] - mean_of_mean_[m][d]);
         }
-        const Vec3 gained = along(now, area_vector(beyond.marker, beyond.area, position));
-        for (std::size_t d = 0; d < 3; ++d) given_[m][d] += beyond.mass_kg * gained[d];
+        last_along_[m] = now;
     }
-    std::ranges::copy(mean_velocity, last_velocity_.begin());
 }
 
 }  // namespace magfsi::coupler

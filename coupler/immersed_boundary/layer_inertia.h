@@ -5,20 +5,21 @@
 // 1.1 to 1.7 grid spacings (adapters/bodies/wall_of_planes.h). What the sheet is thinner
 // than that is fluid that moves with it and should not: its inertia is taken away by
 // giving the fluid, for nothing, the momentum that it gains,
-//   J <- J + rho dV (1 - n n) (V - V'),
-// n the normal, V and V' the marker's mean velocities of this step and of the one before,
-// dV the volume beyond the sheet's own, negative where the sheet is thicker than its
-// layer. Across the surface nothing is too much: there the depth of the rim is set by
-// what the whole sheet moves.
+//   J <- J + rho dV (W - W'),  W = (1 - n n) V,
+// n the normal, V the marker's mean velocity in the step, W' that of the step before, dV
+// the volume beyond the sheet's own, negative where the sheet is thicker than its layer.
+// Across the surface nothing is too much: there the depth of the rim is set by what the
+// whole sheet moves.
 //
 // The fluid gets it, not the body: a force on the body is explicit, comes a step late and
 // drives a light sheet. It is given spread over some twenty steps, without lag in all: of
 // the running mean and of the mean of that, twice the first less the second. What is
 // given at once instead makes sheets of half a spacing diverge.
 //
-// What is given does not add up to nothing where sheets turn: the momentum of the layer
-// turns with them, which would need a couple, too, and the velocity of the fluid around
-// (docs/coupling_measurements.md has what that gave). Its work is in the energy audit.
+// Each marker takes back what it gave: over a stroke, and over any number of turns, it
+// adds up to nothing. (1 - n n) (V - V') would not, where sheets turn. Its work is in the
+// energy audit; the couple that would make that nothing, too, is left out
+// (docs/coupling_measurements.md has what it gave).
 #pragma once
 
 #include <span>
@@ -35,7 +36,7 @@ class LayerInertia {
                  double fluid_density_kg_m3);
 
     // The velocity before the first step [m/s]: the fluid's, which is carried along.
-    void start(std::span<const Vec3> fluid_velocity);
+    void start(std::span<const Vec3> fluid_velocity, const double* position);
 
     // After the structure's step: what the markers gave [N s], their mean velocities in
     // it, the nodes' positions (three numbers a node).
@@ -46,7 +47,7 @@ class LayerInertia {
     std::span<const Vec3> given() const { return given_; }
 
     // What the next step needs of those before: for checkpoints.
-    std::span<Vec3> last_velocity() { return last_velocity_; }
+    std::span<Vec3> last_along() { return last_along_; }
     std::span<Vec3> mean() { return mean_; }
     std::span<Vec3> mean_of_mean() { return mean_of_mean_; }
 
@@ -57,8 +58,8 @@ class LayerInertia {
         double mass_kg;
     };
     std::vector<Beyond> layer_;
-    std::vector<Vec3> last_velocity_;
-    std::vector<Vec3> mean_, mean_of_mean_;  // of the velocity's change in a step [m/s]
+    std::vector<Vec3> last_along_;           // W of the step before [m/s]
+    std::vector<Vec3> mean_, mean_of_mean_;  // of the change of W in a step [m/s]
     std::vector<Vec3> given_;
 };
 

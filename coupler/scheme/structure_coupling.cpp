@@ -157,7 +157,7 @@ void StructureCoupling::begin() {
     receive(-1, fluid_velocity_);
     if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
     force_.enclosed().start(fluid_velocity_);
-    if (layer_) layer_->start(fluid_velocity_);
+    if (layer_) layer_->start(fluid_velocity_, solver_.positions());
     if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
 }
 
@@ -351,7 +351,7 @@ std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
     if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
     if (no_slip_) all.push_back({"slip_memory", flat(no_slip_->memory.values())});
     if (layer_) {
-        all.push_back({"layer_velocity", flat(layer_->last_velocity())});
+        all.push_back({"layer_velocity_along", flat(layer_->last_along())});
         all.push_back({"layer_change", flat(layer_->mean())});
         all.push_back({"layer_mean_change", flat(layer_->mean_of_mean())});
     }

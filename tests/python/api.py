@@ -147,8 +147,8 @@ class Notebook(unittest.TestCase):
         code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
         text = "\n".join(["import matplotlib; matplotlib.use('Agg')", *code,
                           "print(height_mm(run)[-1], height_mm(other)[-1])"])
-        text = text.replace('"runs/', f'"{folder()}/').replace('"tutorials/swimmer/uniform.yaml"',
-                                                               f'"{testing.SWIMMER}"')
+        text = text.replace('"runs/', f'"{folder()}/').replace('"tutorials/swimmer/quick.yaml"',
+                                                               f'"{testing.QUICK_SWIMMER}"')
         done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         mistake, heights = done.stdout.splitlines()

@@ -29,6 +29,7 @@ SECOND = {
         "prescribed_motion: [{face: x_min, oscillation: {amplitude: [2 mm, 0 m, 0.3 mm], "
         "frequency: 62.5 Hz, phase: 90 deg}}]}"}
 SWIMMER = ROOT / "tutorials/swimmer/uniform.yaml"
+QUICK_SWIMMER = ROOT / "tutorials/swimmer/quick.yaml"
 PAPER = ROOT / "tutorials/swimmer/paper.yaml"
 for name in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"):
     os.environ.setdefault(name, "1")

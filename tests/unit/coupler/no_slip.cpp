@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "coupler/immersed_boundary/conditioning.h"
 #include "coupler/immersed_boundary/layer_inertia.h"
@@ -74,7 +76,7 @@ class SheetOfTwo : public ::testing::Test {
 TEST_F(SheetOfTwo, gives_the_fluid_what_the_layer_gains_along_the_surface) {
     LayerInertia layer(markers, areas, density);
     const Vec3 before{0.3, 0, 0.1}, after{0.5, -0.2, 0.9}, impulse{1e-7, 2e-7, 3e-7};
-    layer.start(std::vector<Vec3>(2, before));
+    layer.start(std::vector<Vec3>(2, before), nodes.data());
     Vec3 sum{};
     for (int step = 0; step < 400; ++step) {
         layer.add(std::vector<Vec3>(2, impulse), std::vector<Vec3>(2, after),
@@ -92,7 +94,7 @@ TEST_F(SheetOfTwo, gives_the_fluid_what_the_layer_gains_along_the_surface) {
 // Of a velocity that grows evenly nothing is left behind.
 TEST_F(SheetOfTwo, gives_it_without_lag) {
     LayerInertia layer(markers, areas, density);
-    layer.start(std::vector<Vec3>(2));
+    layer.start(std::vector<Vec3>(2), nodes.data());
     double sum = 0, velocity = 0;
     for (int step = 0; step < 400; ++step) {
         velocity += 0.01;
@@ -101,6 +103,31 @@ TEST_F(SheetOfTwo, gives_it_without_lag) {
         sum += layer.given()[0][0];
     }
     EXPECT_NEAR(sum, density * beyond_m3 * velocity, 1e-17);
+}
+
+// A sheet that swims along its own plane and turns round takes back what it gave.
+TEST_F(SheetOfTwo, gives_the_change_of_the_layers_momentum_however_it_turns) {
+    LayerInertia layer(markers, areas, density);
+    const double speed = 0.2;
+    const auto turned = [](const double* v, double angle) {
+        return Vec3{std::cos(angle) * v[0] + std::sin(angle) * v[2], v[1],
+                    std::cos(angle) * v[2] - std::sin(angle) * v[0]};
+    };
+    const Vec3 before{speed, 0, speed};
+    layer.start(std::vector<Vec3>(2, before), nodes.data());
+    Vec3 sum{};
+    for (int step = 1; step <= 1400; ++step) {
+        const double angle = std::numbers::pi * std::min(step / 1000.0, 1.0);
+        std::vector<double> position(nodes.size());
+        for (std::size_t node = 0; node < nodes.size(); node += 3)
+            std::ranges::copy(turned(&nodes[node], angle), &position[node]);
+        layer.add(std::vector<Vec3>(2), std::vector<Vec3>(2, turned(&before[0], angle)),
+                  position.data());
+        for (std::size_t d = 0; d < 3; ++d) sum[d] += layer.given()[0][d];
+    }
+    EXPECT_NEAR(sum[0], density * beyond_m3 * -2 * speed, 1e-17);
+    EXPECT_NEAR(sum[1], 0, 1e-17);
+    EXPECT_NEAR(sum[2], 0, 1e-17);
 }
 
 // Two markers at one place that pull against each other.

@@ -23,6 +23,7 @@ inline std::vector<std::filesystem::path> right_scenes() {
             test_folder / "minimal.yaml",
             source_folder / "tutorials/swimmer/scene.yaml",
             source_folder / "tutorials/swimmer/uniform.yaml",
+            source_folder / "tutorials/swimmer/quick.yaml",
             source_folder / "tutorials/swimmer/paper.yaml"};
 }
 

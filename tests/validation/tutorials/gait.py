@@ -25,7 +25,7 @@ class Gait(unittest.TestCase):
         return rise
 
     def test_rises_more(self):
-        found, known = self.swum(TUTORIALS / "gait"), self.swum(TUTORIALS / "swimmer/uniform.yaml")
+        found, known = self.swum(TUTORIALS / "gait"), self.swum(TUTORIALS / "swimmer/quick.yaml")
         testing.report(f"{1e3 * found:.3f} mm a period, {found / known:.2f} times the swimmer's "
                        f"{1e3 * known:.3f}")
         # At this spacing the swimmer's own rise is up to 40 % too small (its page), so that its
