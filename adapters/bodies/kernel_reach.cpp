@@ -20,7 +20,7 @@ struct EdgeAt {
     double magic_number, two_point, three_point;
 };
 constexpr std::array<EdgeAt, 4> known_edges{
-    {{0.005, 0.64, 0.99}, {0.012, 0.63, 0.905}, {0.016, 0.61, 0.83}, {0.03, 0.48, 0.75}}};
+    {{0.005, 0.64, 0.99}, {0.01, 0.64, 0.93}, {0.016, 0.61, 0.90}, {0.03, 0.48, 0.75}}};
 
 double edge(coupler::Kernel kernel, double magic_number) {
     const auto of = [&](const EdgeAt& at) {
