@@ -12,7 +12,7 @@ namespace magfsi::bodies {
 namespace {
 
 // In grid spacings: with which plates and disks swung broadside have the exact added mass
-// (tests/validation/no_slip), where their Stokes layer is half a spacing, 1.2 and 2.4
+// (tests/validation/no_slip), where their Stokes layer is 0.6, 0.9, 1.2 and 2.4
 // spacings: grids on which the magic number is this (collision/choice.h). With the last
 // a disk in a creeping stream errs as much broadside as edgewise. Not known for the
 // 4-point kernel.
