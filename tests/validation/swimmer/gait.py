@@ -88,7 +88,7 @@ class Gait(unittest.TestCase):
 
     def test_the_papers_axis(self):
         # In the grid of the quick scene, where the ends of the strip may cross.
-        swim = Swim(testing.PAPER, {"fluid.spacing": SPACING or "0.26666666666667 mm",
+        swim = Swim(testing.PAPER, {"fluid.spacing": SPACING or "0.22857142857143 mm",
                                     "coupling.overlap": "allow"})
         swim.describe("75/255 degrees, from a relaxed C")
         self.assert_shapes(swim)

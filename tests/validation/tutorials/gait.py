@@ -28,8 +28,7 @@ class Gait(unittest.TestCase):
         found, known = self.swum(TUTORIALS / "gait"), self.swum(TUTORIALS / "swimmer/quick.yaml")
         testing.report(f"{1e3 * found:.3f} mm a period, {found / known:.2f} times the swimmer's "
                        f"{1e3 * known:.3f}")
-        # On this grid the swimmer's own rise is a sixth too small (its page), so that its
-        # converged one, 0.88 +- 0.08 mm, is the measure, too.
+        # The swimmer's converged rise, 0.88 +- 0.08 mm (its page), is the measure, too.
         self.assertGreater(found, 1.3 * known)
         self.assertGreater(found, 1.3 * 0.96e-3)
 
