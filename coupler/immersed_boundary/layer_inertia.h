@@ -16,10 +16,10 @@
 // the running mean and of the mean of that, twice the first less the second. What is
 // given at once instead makes sheets of half a spacing diverge.
 //
-// Each marker takes back what it gave: over a stroke, and over any number of turns, it
-// adds up to nothing. (1 - n n) (V - V') would not, where sheets turn. Its work is in the
-// energy audit; the couple that would make that nothing, too, is left out
-// (docs/coupling_measurements.md has what it gave).
+// Each marker takes back what it gave: over a stroke, however the sheet turns, the sum of
+// what is given is zero (that of (1 - n n)(V - V') is not). The work of what is given is
+// in the energy audit. A couple on the sheet would make the energy exact, too; it needs
+// the velocity of the fluid around and is left out (docs/coupling_measurements.md).
 #pragma once
 
 #include <span>

@@ -9,6 +9,7 @@ import math
 import sys
 import unittest
 
+import magfsi
 from magfsi import testing
 
 PERIOD_S = 0.040
@@ -88,8 +89,8 @@ class Gait(unittest.TestCase):
 
     def test_the_papers_axis(self):
         # In the grid of the quick scene, where the ends of the strip may cross.
-        swim = Swim(testing.PAPER, {"fluid.spacing": SPACING or "0.22857142857143 mm",
-                                    "coupling.overlap": "allow"})
+        spacing = SPACING or f"{magfsi.load(testing.QUICK_SWIMMER)['fluid.spacing']} m"
+        swim = Swim(testing.PAPER, {"fluid.spacing": spacing, "coupling.overlap": "allow"})
         swim.describe("75/255 degrees, from a relaxed C")
         self.assert_shapes(swim)
         for rise in swim.rises()[1:]:  # the first may sink: it starts with a recovery stroke
