@@ -63,7 +63,8 @@ void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
         m.displaced_m3 *= 1 - share;
         if (scene.coupling->scheme == coupler::Scheme::serial)
             m.enclosed_follow =
-                coupler::enclosed_follow_of(share / bodies::largest_part_off_nodes);
+                coupler::enclosed_follow_of(share / bodies::largest_part_off_nodes,
+                                            scene.coupling->immersed_boundary.kernel);
     }
 }
 

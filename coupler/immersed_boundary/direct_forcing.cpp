@@ -2,6 +2,7 @@
 #include "coupler/immersed_boundary/direct_forcing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coupler/immersed_boundary/no_slip.h"
 
@@ -11,13 +12,15 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
                              const EnclosedFluidScale& scale)
     : scale_(scale),
       last_velocity_(markers.size()),
-      acceleration_(markers.size()),
+      mean_(markers.size()),
+      mean_of_mean_(markers.size()),
       force_(markers.size()) {
     mass_kg_.reserve(markers.size());
-    follow_.reserve(markers.size());
+    weight_.reserve(markers.size());
     for (const Marker& m : markers) {
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
-        follow_.push_back(std::max(scale.follow, m.enclosed_follow));
+        // Of a change 2 M - N takes on 2 w - w^2 at once.
+        weight_.push_back(1 - std::sqrt(1 - std::max(scale.follow, m.enclosed_follow)));
     }
 }
 
@@ -38,9 +41,10 @@ void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
     for (std::size_t m = 0; m < force_.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double now = (fluid_velocity[m][d] - last_velocity_[m][d]) * a_second;
-            double& smooth = acceleration_[m][d];
-            smooth += follow_[m] * (now - smooth);
-            double relative = smooth;
+            double &mean = mean_[m][d], &mean_of_mean = mean_of_mean_[m][d];
+            mean += weight_[m] * (now - mean);
+            mean_of_mean += weight_[m] * (mean - mean_of_mean);
+            double relative = 2 * mean - mean_of_mean;
             if constexpr (Weighs) relative -= scale_.gravity_m_s2[d];
             force_[m][d] = mass_kg_[m] * relative;
             last_velocity_[m][d] = fluid_velocity[m][d];

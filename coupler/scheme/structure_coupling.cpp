@@ -341,7 +341,8 @@ std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
     std::vector<MarkerArray> all{
         {"fluid_velocity", flat(fluid_velocity_)},
         {"enclosed_velocity", flat(force_.enclosed().last_velocity())},
-        {"enclosed_acceleration", flat(force_.enclosed().acceleration())}};
+        {"enclosed_acceleration", flat(force_.enclosed().mean())},
+        {"enclosed_mean_acceleration", flat(force_.enclosed().mean_of_mean())}};
     if (!last_velocity_.empty()) all.push_back({"last_velocity", flat(last_velocity_)});
     if (!under_way_.empty()) {
         std::ranges::copy(force_.impulse(), under_way_.begin());

@@ -80,7 +80,8 @@ def busy(study, runs):
     ranks = max((sum(r.facts["ranks"].values()) for r in runs if r.facts), default=1)
     if worst <= ranks + 0.5:
         return ""
-    effect = ("processor time suffers little from that" if study.cost == "core" else
+    effect = ("processor time suffers from it less than time does, but where it takes memory "
+              "bandwidth it may double" if study.cost == "core" else
               "seconds are too high by an unknown factor")
     return f"The machine had other work (load up to {worst:.1f}): {effect}."
 
