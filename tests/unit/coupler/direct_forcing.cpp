@@ -361,6 +361,13 @@ TEST(EnclosedFluid, follows_without_lag_an_acceleration_that_grows) {
     }
 }
 
+TEST(EnclosedFluid, follows_at_most_at_a_tenth_of_the_fluids_density) {
+    EXPECT_DOUBLE_EQ(enclosed_follow_of(0.01, Kernel::three_point), 0.1);
+    EXPECT_DOUBLE_EQ(enclosed_follow_of(0.1, Kernel::three_point), 0.27);
+    EXPECT_DOUBLE_EQ(enclosed_follow_of(0.1, Kernel::two_point), 0.135);
+    EXPECT_DOUBLE_EQ(enclosed_follow_of(1.1, Kernel::three_point), 0.1);
+}
+
 // The impulse of a whole change of velocity is that of the enclosed mass, however it is
 // smoothed.
 TEST(EnclosedFluid, keeps_the_momentum_of_a_jump) {
