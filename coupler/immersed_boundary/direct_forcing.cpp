@@ -16,11 +16,17 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
       mean_of_mean_(markers.size()),
       force_(markers.size()) {
     mass_kg_.reserve(markers.size());
-    weight_.reserve(markers.size());
+    following_.reserve(markers.size());
     for (const Marker& m : markers) {
         mass_kg_.push_back(scale.fluid_density_kg_m3 * m.displaced_m3);
-        // Of a change 2 M - N takes on 2 w - w^2 at once.
-        weight_.push_back(1 - std::sqrt(1 - std::max(scale.follow, m.enclosed_follow)));
+        const EnclosedFollow& follow = m.enclosed_follow.part >= scale.follow.part
+                                           ? m.enclosed_follow
+                                           : scale.follow;
+        // Of a change 2 M - N takes on 2 w - w^2 at once, M takes on w.
+        if (follow.without_lag)
+            following_.push_back({1 - std::sqrt(1 - follow.part), 1});
+        else
+            following_.push_back({follow.part, 0});
     }
 }
 
@@ -42,9 +48,9 @@ void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double now = (fluid_velocity[m][d] - last_velocity_[m][d]) * a_second;
             double &mean = mean_[m][d], &mean_of_mean = mean_of_mean_[m][d];
-            mean += weight_[m] * (now - mean);
-            mean_of_mean += weight_[m] * (mean - mean_of_mean);
-            double relative = 2 * mean - mean_of_mean;
+            mean += following_[m].weight * (now - mean);
+            mean_of_mean += following_[m].weight * (mean - mean_of_mean);
+            double relative = mean + following_[m].twice * (mean - mean_of_mean);
             if constexpr (Weighs) relative -= scale_.gravity_m_s2[d];
             force_[m][d] = mass_kg_[m] * relative;
             last_velocity_[m][d] = fluid_velocity[m][d];

@@ -20,20 +20,26 @@
 
 namespace magfsi::coupler {
 
+// How a marker follows the fluid's acceleration (EnclosedFluid).
+struct EnclosedFollow {
+    double part = 0.1;  // of a change that it takes on in a coupled step
+    bool without_lag = false;
+};
+
 // Lagrangian markers: material points of the body, carried by its elements through their
 // shape functions, so that the fluid's grid and the body's mesh can be refined alone. As
 // one structure rank sees it: eight nodes by local index, their weights (which add up to
 // one), the volume of fluid that it moves, that of the fluid inside the body whose
 // inertia is its force (EnclosedFluid), and that of the fluid beyond the body which its
-// layer carries along (LayerInertia) [m3]; enclosed_follow: as
-// EnclosedFluidScale::follow, if that is less; core: deep inside a sheet (no_slip.h).
+// layer carries along (LayerInertia) [m3]; enclosed_follow: for EnclosedFluid, if its own
+// takes on less; core: deep inside a sheet (no_slip.h).
 struct Marker {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};
     double volume_m3 = 0;
     double displaced_m3 = 0;
     double beyond_m3 = 0;
-    double enclosed_follow = 0;
+    EnclosedFollow enclosed_follow{.part = 0};
     bool core = false;
     int body = 0;
 };
@@ -60,26 +66,25 @@ struct EnclosedFluidScale {
     double fluid_density_kg_m3 = 0;
     double coupled_step_s = 0;
     Vec3 gravity_m_s2{};
-    double follow = 0.1;  // part of a change of dU/dt that A takes on in a coupled step
+    EnclosedFollow follow{};
 };
 
-// EnclosedFluidScale::follow of a body's markers in the serial scheme; density_ratio: of
-// the body and the fluid, as far as its nodes may lack mass. Sheets of a tenth of the
-// fluid's density gain energy from 0.48 on with the 3-point kernel, from 0.2 with the
-// 2-point one. Heavier bodies need it less, and a ball of 1.1 begins to vibrate with 0.3.
-constexpr double enclosed_follow_of(double density_ratio, Kernel kernel) {
+// Of a body's markers in the serial scheme; density_ratio: of the body and the fluid, as
+// far as its nodes may lack mass. Without lag sheets of a tenth of the fluid's density
+// gain energy from 0.48 on with the 3-point kernel, from 0.2 with the 2-point one, and a
+// ball of 1.1 vibrates sooner (docs/coupling_measurements.md, enclosed fluid).
+constexpr EnclosedFollow enclosed_follow_of(double density_ratio, Kernel kernel) {
+    if (density_ratio >= 0.5) return {.part = 0.3};
     const double most = kernel == Kernel::two_point ? 0.15 : 0.3;
-    return std::max(EnclosedFluidScale{}.follow,
-                    std::min(3 * density_ratio, most * (1 - density_ratio)));
+    return {std::clamp(3 * density_ratio, EnclosedFollow{}.part, most), true};
 }
 
 // The fluid that fills the body's own volume on the fluid's grid, as far as the body's
 // nodes do not lack its mass already. It is fictitious: its inertia is taken away again,
 // with the sampled velocity U for its motion, and its weight is the buoyancy (Uhlmann
 // 2005; Kempe, Froehlich 2012):
-//   F = rho_f dV (A - g),  A = 2 M - N,
-// M the running mean of dU/dt over some six to twenty coupled steps, N that of M: what
-// changes slowly has no lag.
+//   F = rho_f dV (A - g),  A following dU/dt over three to ten coupled steps: its running
+// mean M or, with no lag behind what changes slowly, 2 M - N, N the running mean of M.
 //
 // Light bodies stay stable: body and fluid are tied by the immersed boundary within the
 // step, so an error of A accelerates the body's mass, the fluid inside and the added mass
@@ -88,11 +93,11 @@ constexpr double enclosed_follow_of(double density_ratio, Kernel kernel) {
 // the body; followed at once, A diverged below a density ratio of 0.4, at a fifth of the
 // rate below 0.05. At a tenth a sheet of 0.01 times the fluid's density runs. But what
 // follows a time T late works as if it drove the body: rho_f dV A (dU/dt - A) = rho_f dV
-// T (dA/dt)^2 and more: why not M alone, which with ten steps gave a sheet of a tenth of
-// the fluid's density 8 % of the field's work, 5 % with three. Markers follow as fast as
-// their body's density bears, in the serial scheme (enclosed_follow_of). All this is so
-// for U from before the step; in a step that is repeated until U is that of its own end,
-// A may follow at once.
+// T (dA/dt)^2 and more. A sheet of a tenth of the fluid's density got 8 % of the field's
+// work so, 5 % with three steps. So markers follow as fast as their body's density bears,
+// those of light bodies without lag, in the serial scheme (enclosed_follow_of). All this
+// is so for U from before the step; in a step that is repeated until U is that of its own
+// end, A may follow at once.
 class EnclosedFluid {
   public:
     EnclosedFluid(std::span<const Marker> markers, const EnclosedFluidScale& scale);
@@ -115,7 +120,11 @@ class EnclosedFluid {
     void follow(std::span<const Vec3> fluid_velocity);
 
     EnclosedFluidScale scale_;
-    std::vector<double> mass_kg_, weight_;  // of dU/dt in its mean
+    struct Following {
+        double weight, twice;  // of dU/dt in its mean; 1 without lag
+    };
+    std::vector<double> mass_kg_;
+    std::vector<Following> following_;
     std::vector<Vec3> last_velocity_;
     std::vector<Vec3> mean_, mean_of_mean_;  // of dU/dt [m/s2]
     std::vector<Vec3> force_;
@@ -125,7 +134,7 @@ struct PenaltyScale {
     double strength = 1;
     double fluid_density_kg_m3 = 0;
     double coupled_step_s = 0;
-    double enclosed_follow = EnclosedFluidScale{}.follow;
+    EnclosedFollow enclosed_follow{};
 
     // Of fluid, that a marker of this volume brings to its velocity in a coupled step.
     double moved_mass_kg(double volume_m3) const {

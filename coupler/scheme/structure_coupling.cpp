@@ -56,7 +56,7 @@ PenaltyScale penalty_scale(const Session& session) {
     const RunPlan& plan = session.plan();
     PenaltyScale scale{plan.coupling->immersed_boundary.strength,
                        plan.fluid_density_kg_m3, session.clock().step_s()};
-    if (plan.coupling->scheme == Scheme::implicit) scale.enclosed_follow = 1;
+    if (plan.coupling->scheme == Scheme::implicit) scale.enclosed_follow.part = 1;
     return scale;
 }
 
