@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/immersed_boundary/no_slip.h"
+#include "coupler/immersed_boundary/running_mean.h"
 
 namespace magfsi::coupler {
 
@@ -48,8 +49,7 @@ void EnclosedFluid::follow(std::span<const Vec3> fluid_velocity) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double now = (fluid_velocity[m][d] - last_velocity_[m][d]) * a_second;
             double &mean = mean_[m][d], &mean_of_mean = mean_of_mean_[m][d];
-            mean += following_[m].weight * (now - mean);
-            mean_of_mean += following_[m].weight * (mean - mean_of_mean);
+            add_to_means(now, following_[m].weight, mean, mean_of_mean);
             double relative = mean + following_[m].twice * (mean - mean_of_mean);
             if constexpr (Weighs) relative -= scale_.gravity_m_s2[d];
             force_[m][d] = mass_kg_[m] * relative;

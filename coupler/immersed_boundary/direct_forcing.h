@@ -121,7 +121,8 @@ class EnclosedFluid {
 
     EnclosedFluidScale scale_;
     struct Following {
-        double weight, twice;  // of dU/dt in its mean; 1 without lag
+        double weight;  // of dU/dt in its mean
+        double twice;   // 1: A = 2 M - N; 0: A = M
     };
     std::vector<double> mass_kg_;
     std::vector<Following> following_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "coupler/immersed_boundary/running_mean.h"
+
 namespace magfsi::coupler {
 
 namespace {
@@ -51,9 +53,7 @@ void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean
             along(mean_velocity[m], area_vector(beyond.marker, beyond.area, position));
         for (std::size_t d = 0; d < 3; ++d) {
             const double change = now[d] - last_along_[m][d];
-            mean_[m][d] += weight_of_last_step * (change - mean_[m][d]);
-            mean_of_mean_[m][d] +=
-                weight_of_last_step * (mean_[m][d] - mean_of_mean_[m][d]);
+            add_to_means(change, weight_of_last_step, mean_[m][d], mean_of_mean_[m][d]);
             given_[m][d] += beyond.mass_kg * (2 * mean_[m][d] - mean_of_mean_[m][d]);
         }
         last_along_[m] = now;
