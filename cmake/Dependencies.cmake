@@ -70,15 +70,15 @@ macro(magfsi_find_gmsh)
   magfsi_library("Gmsh's library, which reads meshes" libgmsh-dev gmsh::gmsh GMSH gmsh.h "" gmsh)
 endmacro()
 
-# The unmodified LAMMPS library. Its headers include a {fmt} that Debian does not ship;
-# structure/lammps/fmt_shim adds what Debian's lacks, and must come first. shim: its folder.
-macro(magfsi_find_lammps shim)
+# The unmodified LAMMPS library. versions: the path of structure/lammps/lammps_versions.h.
+macro(magfsi_find_lammps versions)
   magfsi_library("the LAMMPS library with its headers, which moves the bodies" liblammps-dev
     lammps::lammps LAMMPS lammps/lammps.h "" lammps)
   if(TARGET lammps::lammps AND NOT TARGET magfsi_lammps_headers)
     add_library(magfsi_lammps_headers INTERFACE IMPORTED)
     target_include_directories(magfsi_lammps_headers SYSTEM BEFORE INTERFACE
-      ${shim} ${LAMMPS_INCLUDE_DIR}/lammps)
+      ${LAMMPS_INCLUDE_DIR}/lammps)
+    target_compile_options(magfsi_lammps_headers INTERFACE "SHELL:-include ${versions}")
     target_compile_definitions(magfsi_lammps_headers INTERFACE LAMMPS_SMALLBIG)
     target_link_libraries(magfsi_lammps_headers INTERFACE ${LAMMPS_LIBRARY} MPI::MPI_CXX)
   endif()

@@ -61,7 +61,7 @@ FixMagtticeQuiet::Largest FixMagtticeQuiet::largest() {
     for (const FixMagttice* body : bodies_of(*modify)) {
         body->add_elastic_forces(elastic_.data());
     }
-    comm->reverse_comm_fix(this);
+    sum_ghosts_onto_owners(*comm, static_cast<LAMMPS_NS::Fix*>(this));
     drop_reactions();
     std::array<double, 2> mine{};
     for (int i = 0; i < atom->nlocal; ++i) {

@@ -26,7 +26,7 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     };
 
     explicit PairMagtticeContact(LAMMPS_NS::LAMMPS* lammps);
-    ~PairMagtticeContact() override;
+    ~PairMagtticeContact() noexcept override;  // LAMMPS's bases may throw since 2022
 
     void settings(int narg, char** arg) override;
     void coeff(int narg, char** arg) override;
