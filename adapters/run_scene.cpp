@@ -46,6 +46,13 @@ int available_cores() {
     return CPU_COUNT(&set);
 }
 
+int worthwhile_parts(const scene::Fluid& fluid) {
+    constexpr double min_cells = 20000;
+    double cells = 1;
+    for (const double length : fluid.box_m) cells *= length / fluid.spacing_m;
+    return static_cast<int>(std::clamp(cells / min_cells, 1.0, 1e6));
+}
+
 std::string processor() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {

@@ -2,6 +2,11 @@
 // magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside
 // magfsi-structure.
 //   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdlib>
+
 #include "adapters/fluids/participant.h"
 #include "adapters/lbm/lbm_fluid.h"
 #include "adapters/lbm/refined_lbm.h"
@@ -10,6 +15,20 @@
 #include "adapters/scene/effective.h"
 #include "fluid_lbm/lattice/populations.h"
 
+namespace {
+
+// Each process of the job takes its share of the cores: a thread more would take a core
+// from a partner, or spin beside it. OMP_NUM_THREADS, where it is set, decides instead.
+void choose_threads(const magfsi::scene::Fluid& fluid,
+                    const magfsi::coupler::World& world) {
+    if (std::getenv("OMP_NUM_THREADS")) return;
+    const int share = magfsi::available_cores() / world.processes_here();
+    const int worthwhile = magfsi::worthwhile_parts(fluid) / world.size();
+    omp_set_num_threads(std::max(1, std::min(share, worthwhile)));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace magfsi;
     return run_scene(
@@ -17,6 +36,7 @@ int main(int argc, char** argv) {
         [](const scene::Scene& scene, coupler::Session& session,
            const coupler::ParticipantArguments& arguments) {
             require_solver(scene, scene::FluidSolver::lbm);
+            choose_threads(*scene.fluid, session.world());
             session.begin(*scene::coupled_step_s(scene));
             const MPI_Comm comm = session.world().local();
             if (scene.fluid->refinement) {

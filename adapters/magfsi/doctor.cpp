@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <netdb.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -16,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/magfsi/host_name.h"
 #include "adapters/magfsi/job.h"
 #include "adapters/openfoam/explain.h"
 #include "adapters/run_scene.h"
@@ -73,23 +73,10 @@ std::string look_at_stack() {
                                            : fmt::format("{} kB", stack.rlim_cur / 1024);
 }
 
-// MPI looks its own host up at every start.
 std::string look_at_name() {
-    using std::chrono::steady_clock;
-    std::array<char, 256> name{};
-    gethostname(name.data(), name.size() - 1);
-    const auto start = steady_clock::now();
-    addrinfo* found = nullptr;
-    const int fault = getaddrinfo(name.data(), nullptr, nullptr, &found);
-    if (fault == 0) freeaddrinfo(found);
-    const double took_s =
-        std::chrono::duration<double>(steady_clock::now() - start).count();
-    if (fault != 0 || took_s > 1)
-        throw Fault(fmt::format(
-            "this host's name, {}, {} after {:.1f} s, which every start "
-            "of MPI waits for; write \"127.0.1.1 {}\" to /etc/hosts",
-            name.data(), fault != 0 ? "is not found" : "is found", took_s, name.data()));
-    return fmt::format("{}, found in {:.0f} ms", name.data(), 1e3 * took_s);
+    const std::string fault = fault_of_host_name();
+    if (!fault.empty()) throw Fault(fault);
+    return host_name();
 }
 
 // Messages between ranks go through it.
@@ -132,6 +119,15 @@ class WithoutOutput {
   private:
     int kept_;
 };
+
+std::string look_at_mpirun() {
+    const Mpirun& mpirun = find_mpirun();
+    const std::string version =
+        mpirun.version > 0 ? fmt::format(", Open MPI {}", mpirun.version) : "";
+    if (mpirun.passed_over.empty()) return mpirun.program + version;
+    return fmt::format("{}{}; passed over: {}, of another MPI", mpirun.program, version,
+                       mpirun.passed_over);
+}
 
 std::string look_at_mpi() {
     const Folder folder(fs::temp_directory_path());
@@ -178,6 +174,7 @@ int doctor() {
          [] { return look_at_space(fs::temp_directory_path(), 50'000'000); }},
         {"disk", [] { return look_at_space(fs::current_path(), 500'000'000); }},
         {"locks", look_at_locks},
+        {"mpirun", look_at_mpirun},
         {"MPI", look_at_mpi},
         {"OpenFOAM", look_at_openfoam},
     };

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -43,7 +44,8 @@ bool has_any(std::span<const std::string> lines, std::span<const char* const> te
 constexpr const char* known_banners[] = {
     "MPI_ABORT was invoked", "Primary job  terminated normally",
     "mpirun noticed that process", "mpirun detected that one",
-    "mpirun has exited due to process rank"};
+    "mpirun has exited due to process rank", "prterun noticed that process",
+    "prterun detected that one", "prterun has exited due to process rank"};
 // Its own lines "[host:pid] ..." about these banners, and about a read of shared memory
 // that a killed partner had offered; libevent's "[warn] ..." about a socket that is gone.
 constexpr const char* known_lines[] = {"more process has sent help message",
@@ -51,6 +53,7 @@ constexpr const char* known_lines[] = {"more process has sent help message",
                                        "Set MCA parameter \"orte_base_help_aggregate\"",
                                        "ORTE_ERROR_LOG",
                                        "Read -1, expected",
+                                       "Unable to find reachable pairing",
                                        "Epoll MOD("};
 
 volatile pid_t child = 0;
@@ -99,18 +102,13 @@ struct LostProcess {
 class MpirunMessages {
   public:
     void take(const std::string& line) {
-        const char* at = std::strstr(line.c_str(), "process rank ");
-        const char* end = std::strstr(line.c_str(), "exited on signal ");
-        LostProcess lost;
-        if (at && end && std::sscanf(at, "process rank %d", &lost.world_rank) == 1 &&
-            std::sscanf(end, "exited on signal %d", &lost.signal) == 1)
-            lost_ = lost;
         if (line.size() > 40 && line.find_first_not_of('-') == std::string::npos) {
             if (in_banner_)
                 close_banner();
             else
                 in_banner_ = true;
         } else if (line.starts_with("mpirun: Forwarding signal") ||
+                   line.starts_with("prterun: Forwarding signal") ||
                    (line.starts_with('[') && has_any({&line, 1}, known_lines))) {
             return;
         } else if (in_banner_) {
@@ -122,22 +120,28 @@ class MpirunMessages {
     // Also at the end of the stream.
     void close_banner() {
         in_banner_ = false;
+        look_for_lost_process();
         if (!has_any(banner_, known_banners)) show(banner_);
         banner_.clear();
     }
     const std::optional<LostProcess>& lost() const { return lost_; }
 
   private:
+    // The sentence may be broken into lines anywhere.
+    void look_for_lost_process() {
+        const std::string text = fmt::format("{}", fmt::join(banner_, " "));
+        const char* at = std::strstr(text.c_str(), "process rank ");
+        const char* end = std::strstr(text.c_str(), "exited on signal ");
+        LostProcess lost;
+        if (at && end && std::sscanf(at, "process rank %d", &lost.world_rank) == 1 &&
+            std::sscanf(end, "exited on signal %d", &lost.signal) == 1)
+            lost_ = lost;
+    }
+
     bool in_banner_ = false;
     std::vector<std::string> banner_;
     std::optional<LostProcess> lost_;
 };
-
-int all_ranks(const std::vector<Program>& programs) {
-    int ranks = 0;
-    for (const Program& p : programs) ranks += p.ranks;
-    return ranks;
-}
 
 std::string name_of(const std::vector<Program>& programs, int world_rank) {
     for (const Program& p : programs) {
@@ -154,13 +158,8 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != launcher) _exit(1);
     sigprocmask(SIG_SETMASK, &signals, nullptr);
-    setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);  // Open MPI needs one
+    set_mpirun_environment();
     dup2(error_pipe, STDERR_FILENO);
-    setenv("OMP_NUM_THREADS", "1", 0);
-    // Threads that spin at a barrier take the cores that a partner needs.
-    setenv("OMP_WAIT_POLICY", "passive", 0);
-    // On processors that came after it, OpenBLAS falls back to kernels without AVX.
-    if (__builtin_cpu_supports("avx2")) setenv("OPENBLAS_CORETYPE", "Haswell", 0);
     std::vector<char*> words;
     for (const std::string& word : command)
         words.push_back(const_cast<char*>(word.c_str()));
@@ -289,30 +288,6 @@ bool filter_errors(int pipe, MpirunMessages& messages) {
 }
 
 }  // namespace
-
-std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
-    std::vector<std::string> words{"mpirun"};
-    if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
-    const bool crowded = all_ranks(programs) > available_cores();
-    // Bound to cores, which Open MPI counts from the first one in every job, runs side by
-    // side would share theirs while others idle.
-    if (crowded || !std::getenv("OMPI_MCA_hwloc_base_binding_policy")) {
-        words.emplace_back("--bind-to");
-        words.emplace_back("none");
-    }
-    if (crowded) {
-        // A waiting rank must give its core to the partner that it waits for.
-        for (const char* word : {"--oversubscribe", "--mca", "mpi_yield_when_idle", "1"})
-            words.emplace_back(word);
-    }
-    for (const Program& p : programs) {
-        if (&p != &programs.front()) words.emplace_back(":");
-        words.emplace_back("-n");
-        words.push_back(std::to_string(p.ranks));
-        words.insert(words.end(), p.command.begin(), p.command.end());
-    }
-    return words;
-}
 
 void need_stack() {
     constexpr rlim_t least = 1 << 20, wanted = 8 << 20;

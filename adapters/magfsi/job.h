@@ -7,13 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace magfsi::launch {
+#include "adapters/magfsi/mpirun.h"
 
-struct Program {
-    std::string role;  // for messages
-    int ranks = 1;
-    std::vector<std::string> command;
-};
+namespace magfsi::launch {
 
 struct JobEnd {
     int exit_code = 0;
@@ -22,9 +18,6 @@ struct JobEnd {
     bool stopped = false;  // this process was told to end
     bool told = false;     // a participant has said why it ended
 };
-
-// mpirun with the options that this machine and this number of ranks need, no others.
-std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
 
 // What SIGINT and SIGTERM lead to: participants are asked to end in order, with
 // checkpoint after writing one, however long that takes, else within some seconds; a

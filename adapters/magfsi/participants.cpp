@@ -32,15 +32,11 @@ static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
     // In the serial scheme the fluid may have every core, in the parallel one all but the
-    // structure's, as long as each rank has enough cells to be worth its messages.
+    // structure's.
     const bool parallel =
         scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
     const int cores = std::max(1, available_cores() - (parallel ? 1 : 0));
-    constexpr double min_cells_per_rank = 20000;
-    double cells = 1;
-    for (const double length : scene.fluid->box_m)
-        cells *= length / scene.fluid->spacing_m;
-    return std::clamp(static_cast<int>(cells / min_cells_per_rank), 1, cores);
+    return std::min(worthwhile_parts(*scene.fluid), cores);
 }
 
 // Where mpirun may use other machines than this one.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/magfsi/host_name.h"
 #include "adapters/magfsi/run.h"
 
 #include <fmt/format.h>
@@ -348,6 +349,8 @@ int run(const RunOptions& options) {
     check_exchange(scene, options, out);
     if (scene.control) need_controller();
     need_stack();
+    (void)find_mpirun();
+    warn_of_host_name();
     setenv("MAGFSI_COMMAND", options.command.c_str(), 1);  // for run.json
     fs::create_directories(out);
     output::FolderLock lock(out, output::FolderLock::Holder::launcher, 0);

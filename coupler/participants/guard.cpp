@@ -150,6 +150,11 @@ int run_participant(Role role, const std::string& description, int argc, char** 
     }
     watch_joining();
     MPI_Init(&argc, &argv);
+    if (const std::string fault = fault_of_start(); !fault.empty()) {
+        fmt::print(stderr, "magfsi {}: {}\n", to_string(role), fault);
+        MPI_Finalize();
+        return exit_partner;
+    }
     catch_stop_signals();
     trap_floating_point_faults();  // after MPI's own start
     RunState state;

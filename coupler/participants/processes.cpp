@@ -2,6 +2,7 @@
 #include "coupler/participants/processes.h"
 
 #include <fmt/format.h>
+#include <mpi.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -78,12 +79,25 @@ void wake(const ProcessId& process) {
     if (process.machine == here) ::kill(static_cast<pid_t>(process.pid), SIGUSR2);
 }
 
+namespace {
+
+// Beyond some tens of processes on a machine mpirun starts them from threads of its own,
+// and the kernel counts the end of such a thread as the parent's death.
+bool started_by_main_thread_of(pid_t parent) {
+    std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", parent));
+    for (pid_t child = 0; children >> child;)
+        if (child == ::getpid()) return true;
+    return false;
+}
+
+}  // namespace
+
 void die_with_mpirun() {
-    // Beyond so many on a machine mpirun starts them from threads of its own, and the
-    // kernel counts the end of such a thread as the parent's death.
-    constexpr int most_without_threads = 31;
-    const int here = number_in_environment("OMPI_COMM_WORLD_LOCAL_SIZE");
-    if (here == 0 || here > most_without_threads) return;
+    const bool of_mpirun =
+        std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE") || std::getenv("PMIX_RANK");
+    const pid_t parent = ::getppid();
+    if (of_mpirun && parent == 1) ::_exit(1);  // it is gone already
+    if (!of_mpirun || !started_by_main_thread_of(parent)) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() == 1) ::_exit(1);  // it is gone already
 }
@@ -132,8 +146,9 @@ std::vector<std::string> contexts_of_job() {
     bool first = true;
     for (std::string word; std::getline(in, word, '\0'); first = false) {
         const std::string name = std::filesystem::path(word).filename();
-        if (first && name != "mpirun" && name != "mpiexec" && name != "orterun")
-            return {};
+        constexpr auto names = std::to_array<std::string_view>(
+            {"mpirun", "mpirun.openmpi", "mpiexec", "orterun", "prterun"});
+        if (first && std::ranges::find(names, name) == names.end()) return {};
         if (word == ":")
             contexts.emplace_back();
         else
@@ -146,9 +161,10 @@ std::vector<std::string> contexts_of_job() {
 
 std::string fault_of_job() {
     const auto contexts = contexts_of_job();
-    const auto programs =
-        static_cast<std::size_t>(number_in_environment("OMPI_NUM_APP_CTX"));
-    if (programs < 2 || contexts.size() != programs) return "";
+    if (contexts.size() < 2) return "";
+    // Where Open MPI says how many there are, a colon may have had another meaning.
+    const int programs = number_in_environment("OMPI_NUM_APP_CTX");
+    if (programs > 0 && contexts.size() != static_cast<std::size_t>(programs)) return "";
     for (const std::string& words : contexts) {
         const bool ours = std::ranges::any_of(
             std::to_array({"magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-",
@@ -163,6 +179,19 @@ std::string fault_of_job() {
             words.substr(0, words.find_last_not_of(' ') + 1));
     }
     return "";
+}
+
+std::string fault_of_start() {
+    int size = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    // MPICH and its kin tell their processes so how many they are.
+    const int started = number_in_environment("PMI_SIZE");
+    if (size > 1 || started <= 1) return "";
+    return fmt::format(
+        "{} processes were started by the mpirun of another MPI, in which each is alone; "
+        "these programs are built with Open MPI: take its mpirun (Debian: "
+        "mpirun.openmpi), or ./magfsi run SCENE, which finds it",
+        started);
 }
 
 void let_the_others_connect() {

@@ -35,6 +35,9 @@ void joined();
 // Empty, or why this MPI job cannot be one of ours, as far as its start tells.
 std::string fault_of_job();
 
+// After MPI_Init: empty, or why the processes that were started together are not one job.
+std::string fault_of_start();
+
 // Before an end without MPI_Init: Open MPI 4.1's mpirun may hang for ever where a process
 // ends while another one is just connecting to it.
 void let_the_others_connect();

@@ -75,7 +75,10 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
     joined();
     int world_rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &world_rank);
-    check_own_side(self, all[static_cast<std::size_t>(world_rank)], all);
+    const Member& mine = all[static_cast<std::size_t>(world_rank)];
+    check_own_side(self, mine, all);
+    processes_here_ = static_cast<int>(std::ranges::count(
+        all, mine.process.machine, [](const Member& m) { return m.process.machine; }));
     MPI_Comm_split(MPI_COMM_WORLD, static_cast<int>(self), world_rank, &local_);
     MPI_Comm_rank(local_, &rank_);
     MPI_Comm_size(local_, &size_);

@@ -44,6 +44,8 @@ class World {
     int rank() const { return rank_; }
     int size() const { return size_; }
     int partner_size() const { return partner_size_; }
+    // Number of the job's processes on this machine, this one included.
+    int processes_here() const { return processes_here_; }
     bool root() const { return rank_ == 0; }
     bool coupled() const { return partner_ != MPI_COMM_NULL; }
     // The side that writes probes.csv, summary.json and the progress.
@@ -72,6 +74,7 @@ class World {
     int rank_ = 0;
     int size_ = 1;
     int partner_size_ = 0;
+    int processes_here_ = 1;
 };
 
 }  // namespace magfsi::coupler

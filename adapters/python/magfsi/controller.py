@@ -41,7 +41,10 @@ class Nonsense(Exception):
 
 def die_with_mpirun() -> None:
     """As every process of the job (coupler/participants/processes.cpp)."""
-    if 0 < int(os.environ.get("OMPI_COMM_WORLD_LOCAL_SIZE", 0)) <= 31:
+    parent = os.getppid()
+    children = Path(f"/proc/{parent}/task/{parent}/children")
+    of_mpirun = {"OMPI_COMM_WORLD_LOCAL_SIZE", "PMIX_RANK"} & set(os.environ)
+    if of_mpirun and children.exists() and str(os.getpid()) in children.read_text().split():
         ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG
         if os.getppid() == 1:
             os._exit(1)

@@ -157,7 +157,7 @@ Figures measure(ElementVariant variant, const std::filesystem::path& folder) {
     for (std::string& line : lines) {
         if (!line.starts_with("fix magttice_")) continue;
         line = "fix plain all bench/plain \"" + (folder / "sheet.lattice").string() +
-               "\" 33e3 660e3 " + std::string(name_of(variant));
+               "\" 33e3 660e3 " + std::string(magfsi::name_of(variant));
     }
     const auto plain = started(lines);
     std::vector<double> a;
@@ -173,7 +173,7 @@ Figures measure(ElementVariant variant, const std::filesystem::path& folder) {
 }
 
 void print(ElementVariant variant, const Figures& f, bool json, bool last) {
-    const char* name = name_of(variant).data();
+    const char* name = magfsi::name_of(variant).data();
     if (json) {
         std::printf(
             "  \"%s\": {\"ns_per_element_step\": [%.2f, %.2f, %.2f], "

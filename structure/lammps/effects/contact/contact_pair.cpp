@@ -25,7 +25,7 @@ PairMagtticeContact::PairMagtticeContact(LAMMPS_NS::LAMMPS* lammps) : Pair(lammp
     no_virial_fdotr_compute = 1;
 }
 
-PairMagtticeContact::~PairMagtticeContact() {
+PairMagtticeContact::~PairMagtticeContact() noexcept {
     if (allocated == 0) return;
     memory->destroy(setflag);
     memory->destroy(cutsq);

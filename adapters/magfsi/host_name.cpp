@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/magfsi/host_name.h"
+
+#include <fmt/format.h>
+#include <netdb.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace magfsi::launch {
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    gethostname(name.data(), name.size() - 1);
+    return name.data();
+}
+
+std::string fault_of_host_name() {
+    using Clock = std::chrono::steady_clock;
+    constexpr double noticeable_s = 0.5;
+    const std::string name = host_name();
+    const auto start = Clock::now();
+    addrinfo* found = nullptr;
+    const int fault = getaddrinfo(name.c_str(), nullptr, nullptr, &found);
+    if (fault == 0) freeaddrinfo(found);
+    const double took_s = std::chrono::duration<double>(Clock::now() - start).count();
+    if (took_s < noticeable_s) return "";
+    return fmt::format(
+        "this host's name, {0}, is {1} after {2:.1f} s, which every start of MPI waits "
+        "for; cure: write the line \"127.0.1.1 {0}\" to /etc/hosts",
+        name, fault != 0 ? "not found" : "found", took_s);
+}
+
+void warn_of_host_name() {
+    // Detached: a look-up that takes longer than the run ends with the program.
+    std::thread([] {
+        const std::string fault = fault_of_host_name();
+        if (!fault.empty()) fmt::print(stderr, "warning: {}\n", fault);
+    }).detach();
+}
+
+}  // namespace magfsi::launch

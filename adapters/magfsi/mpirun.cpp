@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "adapters/magfsi/mpirun.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <regex>
+#include <stdexcept>
+
+#include "adapters/run_scene.h"
+
+namespace magfsi::launch {
+
+namespace {
+
+constexpr const char* default_path = "/usr/local/bin:/usr/bin:/bin";
+
+// The first line that "NAME --version" prints, without a name of its own where the shell
+// does not find it.
+std::optional<std::string> version_line(const std::string& name) {
+    const std::string command =
+        fmt::format("command -v {0} >/dev/null && {0} --version 2>&1", name);
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+    char line[256] = "";
+    if (!pipe || !std::fgets(line, sizeof line, pipe.get())) return std::nullopt;
+    std::string text = line;
+    if (text.ends_with('\n')) text.pop_back();
+    return text;
+}
+
+// MPICH and those made from it.
+bool is_of_another_mpi(const std::string& version) {
+    for (const char* name : {"HYDRA", "MPICH", "MVAPICH", "Intel"})
+        if (version.find(name) != std::string::npos) return true;
+    return false;
+}
+
+int version_number(const std::string& version) {
+    std::smatch found;
+    static const std::regex pattern(R"(\(Open MPI\) (\d+))");
+    return std::regex_search(version, found, pattern) ? std::stoi(found[1]) : 0;
+}
+
+Mpirun look_for_mpirun() {
+    setenv("PATH", default_path, 0);
+    std::string passed_over;
+    for (const char* name : {"mpirun", "mpirun.openmpi"}) {
+        const auto version = version_line(name);
+        if (!version || !is_of_another_mpi(*version)) {
+            // The second name is for the case that the first one is another MPI's.
+            if (!version && !passed_over.empty()) continue;
+            return {name, version_number(version.value_or("")), passed_over};
+        }
+        passed_over = fmt::format("{} ({})", name, *version);
+    }
+    throw std::runtime_error(fmt::format(
+        "{} belongs to another MPI than these programs, which are built with Open MPI; "
+        "install Open MPI's (Debian: apt-get install openmpi-bin) or put the folder of "
+        "its mpirun first on PATH",
+        passed_over));
+}
+
+int all_ranks(const std::vector<Program>& programs) {
+    return std::accumulate(programs.begin(), programs.end(), 0,
+                           [](int sum, const Program& p) { return sum + p.ranks; });
+}
+
+}  // namespace
+
+const Mpirun& find_mpirun() {
+    static const Mpirun found = look_for_mpirun();
+    return found;
+}
+
+std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
+    std::vector<std::string> words{find_mpirun().program};
+    if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
+    const bool crowded = all_ranks(programs) > available_cores();
+    // Bound to cores, which Open MPI counts from the first one in every job, runs side by
+    // side would share theirs while others idle.
+    if (crowded || (!std::getenv("OMPI_MCA_hwloc_base_binding_policy") &&
+                    !std::getenv("PRTE_MCA_hwloc_default_binding_policy"))) {
+        words.emplace_back("--bind-to");
+        words.emplace_back("none");
+    }
+    // An allocation of a batch system may count fewer slots than there are cores.
+    const bool allocated = std::getenv("SLURM_JOB_ID") != nullptr;
+    if (crowded || allocated) {
+        words.emplace_back("--map-by");
+        words.emplace_back(":OVERSUBSCRIBE");
+        // A waiting rank must give its core to the partner that it waits for.
+        for (const char* word : {"--mca", "mpi_yield_when_idle", crowded ? "1" : "0"})
+            words.emplace_back(word);
+    }
+    for (const Program& p : programs) {
+        if (&p != &programs.front()) words.emplace_back(":");
+        words.emplace_back("-n");
+        words.push_back(std::to_string(p.ranks));
+        words.insert(words.end(), p.command.begin(), p.command.end());
+    }
+    return words;
+}
+
+void set_mpirun_environment() {
+    setenv("PATH", default_path, 0);  // Open MPI needs one
+    // Debian's PMIx 5 crashes at every job of several programs where it writes variables
+    // that tell of them (open-mpi/ompi#13303); nobody here reads those.
+    if (find_mpirun().version >= 5) setenv("PMIX_MCA_pmdl", "^ompi", 0);
+    // On processors that came after it, OpenBLAS falls back to kernels without AVX.
+    if (__builtin_cpu_supports("avx2")) setenv("OPENBLAS_CORETYPE", "Haswell", 0);
+}
+
+}  // namespace magfsi::launch
