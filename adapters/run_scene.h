@@ -16,7 +16,8 @@ coupler::RunPlan run_plan(const scene::Scene& scene);
 
 std::string processor();  // in words
 int available_cores();    // to this process
-// Number of ranks or threads of a fluid that have enough cells to be worth their messages.
+// Number of ranks or threads of a fluid that have enough cells to be worth their
+// messages.
 int worthwhile_parts(const scene::Fluid& fluid);
 
 // Begins the session with its coupled step and runs. scene and session outlive the call.

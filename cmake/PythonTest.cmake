@@ -3,11 +3,16 @@
 set(MAGFSI_PYTHON_ENVIRONMENT PYTHONPATH=${PROJECT_SOURCE_DIR}/adapters/python
   PYTHONPYCACHEPREFIX=${CMAKE_BINARY_DIR}/pycache MAGFSI_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 
-# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [COST s] [SERIAL] [ARGUMENTS ...]):
+# magfsi_python_test(NAME SCRIPT ... LABELS ... [TIMEOUT s] [COST s] [SERIAL] [ARGUMENTS ...]
+#                    [SMALL ...]):
 # a Python script (standard library only) that runs the built programs. It counts as one core:
-# of the two sides of a run one waits, asleep. The dear ones, by COST, start first.
+# of the two sides of a run one waits, asleep. The dear ones, by COST, start first. SMALL: the
+# arguments with which the script is the small case of the same claim, NAME_small, of the tier short.
 function(magfsi_python_test name)
-  cmake_parse_arguments(arg "SERIAL" "SCRIPT;TIMEOUT;COST" "LABELS;ARGUMENTS" ${ARGN})
+  cmake_parse_arguments(arg "SERIAL" "SCRIPT;TIMEOUT;COST" "LABELS;ARGUMENTS;SMALL" ${ARGN})
+  if(arg_SMALL)
+    magfsi_python_test(${name}_small SCRIPT ${arg_SCRIPT} LABELS short ARGUMENTS ${arg_SMALL})
+  endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 900)
   endif()

@@ -41,11 +41,14 @@ bool has_any(std::span<const std::string> lines, std::span<const char* const> te
 }
 
 // Banners of Open MPI that say in other words what magfsi says itself.
-constexpr const char* known_banners[] = {
-    "MPI_ABORT was invoked", "Primary job  terminated normally",
-    "mpirun noticed that process", "mpirun detected that one",
-    "mpirun has exited due to process rank", "prterun noticed that process",
-    "prterun detected that one", "prterun has exited due to process rank"};
+constexpr const char* known_banners[] = {"MPI_ABORT was invoked",
+                                         "Primary job  terminated normally",
+                                         "mpirun noticed that process",
+                                         "mpirun detected that one",
+                                         "mpirun has exited due to process rank",
+                                         "prterun noticed that process",
+                                         "prterun detected that one",
+                                         "prterun has exited due to process rank"};
 // Its own lines "[host:pid] ..." about these banners, and about a read of shared memory
 // that a killed partner had offered; libevent's "[warn] ..." about a socket that is gone.
 constexpr const char* known_lines[] = {"more process has sent help message",

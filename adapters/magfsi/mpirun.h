@@ -18,6 +18,9 @@ struct Mpirun {
 // std::runtime_error, with the remedy, where all of them belong to another MPI.
 const Mpirun& find_mpirun();
 
+// Whether mpirun may use other machines than this one, as the environment says.
+bool has_more_machines();
+
 struct Program {
     std::string role;  // for messages
     int ranks = 1;

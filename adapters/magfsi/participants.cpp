@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/magfsi/participants.h"
 
+#include "adapters/magfsi/mpirun.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -37,14 +39,6 @@ int default_ranks(const scene::Scene& scene, const std::string& role) {
         scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
     const int cores = std::max(1, available_cores() - (parallel ? 1 : 0));
     return std::min(worthwhile_parts(*scene.fluid), cores);
-}
-
-// Where mpirun may use other machines than this one.
-bool has_more_machines() {
-    return std::ranges::any_of(
-        std::to_array({"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID",
-                       "OMPI_MCA_orte_default_hostfile", "OMPI_MCA_hostfile"}),
-        [](const char* name) { return std::getenv(name) != nullptr; });
 }
 
 // Ranks beyond the cores take turns, and a job of many crawls or never gets going.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "adapters/magfsi/host_name.h"
 #include "adapters/magfsi/run.h"
+#include "adapters/magfsi/host_name.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What differs between the versions of LAMMPS (29 Sep 2021 and later) and how it is bridged.
-// Every source that includes LAMMPS's headers is compiled with `-include` of this file
-// (magfsi_find_lammps in cmake/Dependencies.cmake). Debian's headers carry no version number, so
-// the differences are told by what is declared.
+// What differs between the versions of LAMMPS (29 Sep 2021 and later) and how it is
+// bridged. Every source that includes LAMMPS's headers is compiled with `-include` of
+// this file (magfsi_find_lammps in cmake/Dependencies.cmake). Debian's headers carry no
+// version number, so the differences are told by what is declared.
 #pragma once
 
-// LAMMPS's headers include "fmt/format.h" of a {fmt} that it bundles: version 7, which Debian 12
-// does not ship; later ones, in a namespace of their own, beside the headers. The system's {fmt}
-// has the same include guard and comes first, so that a source sees one {fmt}. LAMMPS's variadic
-// templates must then not be instantiated from our code, as their symbols are those of the
-// bundled one: call the overloads that take a std::string, as in
-// error->all(FLERR, fmt::format(...)).
+// LAMMPS's headers include "fmt/format.h" of a {fmt} that it bundles: version 7, which
+// Debian 12 does not ship; later ones, in a namespace of their own, beside the headers.
+// The system's {fmt} has the same include guard and comes first, so that a source sees
+// one {fmt}. LAMMPS's variadic templates must then not be instantiated from our code, as
+// their symbols are those of the bundled one: call the overloads that take a std::string,
+// as in error->all(FLERR, fmt::format(...)).
 #include <fmt/ranges.h>
 
 namespace fmt {

@@ -3,6 +3,7 @@
 
 import os
 import resource
+import shutil
 import stat
 import subprocess
 import unittest
@@ -24,10 +25,10 @@ class NoStart(unittest.TestCase):
         ours = [line for line in done.stderr.splitlines() if line.startswith("magfsi: ")]
         return done.returncode, ours, done
 
-    def mpirun(self, script):
+    def mpirun(self, script, version="mpirun (Open MPI) 4.1.4"):
         """An mpirun that is another program."""
         path = self.folder / "mpirun"
-        path.write_text(f"#!/bin/sh\n{script}\n")
+        path.write_text(f'#!/bin/sh\n[ "$1" != --version ] || {{ echo "{version}"; exit; }}\n{script}\n')
         path.chmod(path.stat().st_mode | stat.S_IXUSR)
         return {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}"}
 
@@ -48,6 +49,36 @@ class NoStart(unittest.TestCase):
         """As Open MPI's does once in a while: all its processes are gone, and it waits."""
         self.ends(self.mpirun("sleep 2; exec sleep 1000"), "nothing was run")
 
+    def test_an_mpirun_of_another_mpi(self):
+        """MPICH's beside Open MPI's: passed over where Debian's name for Open MPI's is there."""
+        foreign = self.mpirun("touch started", "HYDRA build details:")
+        code, ours, done = self.run_with(foreign)
+        self.assertEqual((code, ours), (0, []), done.stderr)
+        self.assertTrue(done.stdout.startswith("mpirun.openmpi "), done.stdout)
+        code, found = self.ask_the_doctor(foreign)
+        self.assertEqual(code, 0, found)
+        self.assertIn("passed over: mpirun (HYDRA build details:)", found["mpirun"])
+
+    def test_only_an_mpirun_of_another_mpi(self):
+        foreign = self.mpirun("touch started", "HYDRA build details:")
+        for name in ("sh", "timeout"):
+            (self.folder / name).symlink_to(shutil.which(name))
+        alone = {**foreign, "PATH": str(self.folder)}
+        self.ends(alone, "belongs to another MPI than these programs")
+        self.assertFalse((self.folder / "run").exists())
+        code, found = self.ask_the_doctor(alone)
+        self.assertEqual(code, 1)
+        self.assertIn("apt-get install openmpi-bin", found["mpirun"])
+
+    def test_processes_that_another_mpirun_started(self):
+        """Each would be a job of its own, and all would write into one folder."""
+        words = [testing.BIN / "magfsi-fluid-lbm", testing.SMALL, "--out", self.folder / "run"]
+        done = subprocess.run(words, text=True, capture_output=True, check=False,
+                              env={**os.environ, "PMI_SIZE": "2", "PMI_RANK": "0"},
+                              timeout=attack.PATIENCE_S)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("started by the mpirun of another MPI", done.stderr)
+
     def test_no_mpirun(self):
         self.ends({**os.environ, "PATH": str(self.folder)}, "cannot start mpirun")
 
@@ -62,19 +93,19 @@ class NoStart(unittest.TestCase):
             resource.setrlimit(resource.RLIMIT_STACK, (300 * 1024, 300 * 1024))
         self.ends(os.environ, "ulimit -s", small)
 
+    def ask_the_doctor(self, environment):
+        done = subprocess.run([testing.BIN / "magfsi", "doctor"], text=True, capture_output=True,
+                              env=environment, cwd=self.folder, timeout=attack.PATIENCE_S,
+                              check=False)
+        return done.returncode, dict(line.split(maxsplit=1) for line in done.stdout.splitlines())
+
     def test_the_doctor_names_what_is_wrong(self):
         """With its cause and what to do, and nothing else where all is well."""
-        def ask(environment):
-            done = subprocess.run([testing.BIN / "magfsi", "doctor"], text=True,
-                                  capture_output=True, env=environment, cwd=self.folder,
-                                  timeout=attack.PATIENCE_S, check=False)
-            return done.returncode, dict(line.split(maxsplit=1)
-                                         for line in done.stdout.splitlines())
-        code, found = ask(os.environ)
+        code, found = self.ask_the_doctor(os.environ)
         testing.report("\n".join(f"{name}: {text}" for name, text in found.items()))
         self.assertEqual(code, int(any(text.startswith("FAULT") for text in found.values())))
         self.assertIn("two ranks started, talked and ended", found["MPI"])
-        code, found = ask(self.mpirun("exit 213"))
+        code, found = self.ask_the_doctor(self.mpirun("exit 213"))
         self.assertEqual(code, 1)
         self.assertIn("FAULT: two ranks of mpirun ended with code 213", found["MPI"])
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi-bench-structure [--json]: nanoseconds an element of whole LAMMPS steps, 10,000
-// elements, one rank: the kernels of fix magttice against the plain form of the same
-// element, in turns within one run, so that both meet the same state of the machine.
+// magfsi-bench-structure [--json] [--rounds N]: nanoseconds an element of whole LAMMPS
+// steps, 10,000 elements, one rank: the kernels of fix magttice against the plain form of
+// the same element, in turns within one run, so that both meet the same state of the
+// machine.
 #include <mpi.h>
 #include <stdlib.h>
 #include <time.h>
@@ -11,10 +12,10 @@
 #include "lammps.h"
 #include "modify.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -88,7 +89,7 @@ void PlainLattice::add_forces() {
     }
 }
 
-constexpr int rounds = 15;
+int rounds = 15;  // of each variant; their median and quartiles are printed
 constexpr int steps_a_round = 20;
 
 Body sheet(ElementVariant variant) {
@@ -193,11 +194,11 @@ void print(ElementVariant variant, const Figures& f, bool json, bool last) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const bool json = argc == 2 && std::strcmp(argv[1], "--json") == 0;
-    if (argc > 1 && !json) {
-        std::fprintf(stderr, "usage: magfsi-bench-structure [--json]\n");
-        return 2;
-    }
+    CLI::App app{"Speed of the structure: nanoseconds an element of whole LAMMPS steps"};
+    bool json = false;
+    app.add_flag("--json", json);
+    app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);
+    CLI11_PARSE(app, argc, argv);
     MPI_Init(nullptr, nullptr);
     std::string name = std::filesystem::temp_directory_path() / "magfsi.XXXXXX";
     if (mkdtemp(name.data()) == nullptr) return 1;

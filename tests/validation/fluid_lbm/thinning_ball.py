@@ -136,6 +136,5 @@ class Long(BallInThinningFluid):
 
 
 if __name__ == "__main__":
-    long = "--long" in sys.argv
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(Long if long else BallInThinningFluid)
-    sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())
+    names = ["Long" if word == "--long" else word for word in sys.argv[1:]] or ["BallInThinningFluid"]
+    unittest.main(argv=[sys.argv[0], *names], verbosity=2)

@@ -148,5 +148,4 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--long", action="store_true")
     known, rest = parser.parse_known_args()
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(Long if known.long else Quick)
-    sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())
+    unittest.main(argv=[sys.argv[0], *(rest or ["Long" if known.long else "Quick"])], verbosity=2)

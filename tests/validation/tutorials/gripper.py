@@ -110,6 +110,5 @@ class Whole(Gripper):
 
 
 if __name__ == "__main__":
-    cases = [Whole] if "--long" in sys.argv else [Arm, Gripper]
-    suite = unittest.TestSuite(map(unittest.defaultTestLoader.loadTestsFromTestCase, cases))
-    sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())
+    names = ["Whole" if word == "--long" else word for word in sys.argv[1:]] or ["Arm", "Gripper"]
+    unittest.main(argv=[sys.argv[0], *names], verbosity=2)
