@@ -60,9 +60,10 @@ endfunction()
 # magfsi_mpi_test(NAME RANKS 1 2 ... SOURCES ... LIBRARIES ... [LABELS ...] [PARTS ...]
 #                 [SMALL FILTER]): the
 # same program as one CTest for each number of ranks, and for each test suite in PARTS.
-# Assertions count on every rank. SMALL: as above, on the first number of ranks.
+# Assertions count on every rank. SMALL: as above, on the first number of ranks. ALSO_ON 3 4: numbers
+# of ranks of the tier all.
 function(magfsi_mpi_test name)
-  cmake_parse_arguments(arg "" "SMALL" "RANKS;SOURCES;LIBRARIES;LABELS;PARTS" ${ARGN})
+  cmake_parse_arguments(arg "" "SMALL" "RANKS;ALSO_ON;SOURCES;LIBRARIES;LABELS;PARTS" ${ARGN})
   if(NOT arg_LABELS)
     set(arg_LABELS quick)
   endif()
@@ -71,7 +72,10 @@ function(magfsi_mpi_test name)
   if(NOT arg_PARTS)
     set(arg_PARTS "*")
   endif()
-  foreach(ranks ${arg_RANKS})
+  foreach(ranks ${arg_RANKS} ${arg_ALSO_ON})
+    if(ranks IN_LIST arg_ALSO_ON)
+      set(arg_LABELS all)
+    endif()
     set(cores 2)
     if(ranks EQUAL 1)
       set(cores 1)
