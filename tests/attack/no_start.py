@@ -79,6 +79,15 @@ class NoStart(unittest.TestCase):
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("started by the mpirun of another MPI", done.stderr)
 
+    def test_an_allocation_of_one_task(self):
+        """Slurm's, with fewer tasks than the run has ranks: it starts all the same."""
+        host = os.uname().nodename
+        code, ours, done = self.run_with({
+            **os.environ, "SLURM_JOB_ID": "1", "SLURM_JOBID": "1", "SLURM_NTASKS": "1",
+            "SLURM_NNODES": "1", "SLURM_JOB_NUM_NODES": "1", "SLURM_NODELIST": host,
+            "SLURM_JOB_NODELIST": host, "SLURM_TASKS_PER_NODE": "1", "SLURM_CPUS_ON_NODE": "1"})
+        self.assertEqual((code, ours), (0, []), done.stderr)
+
     def test_no_mpirun(self):
         self.ends({**os.environ, "PATH": str(self.folder)}, "cannot start mpirun")
 
