@@ -19,13 +19,16 @@ set(MAGFSI_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 add_library(magfsi_precompiled_tests OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
 target_link_libraries(magfsi_precompiled_tests PRIVATE
   magfsi_options Eigen3::Eigen fmt::fmt GTest::gtest)
+# GCC 14 refuses a precompiled header of another optimisation.
+target_compile_options(magfsi_precompiled_tests PRIVATE ${MAGFSI_TEST_OPTIONS})
 target_precompile_headers(magfsi_precompiled_tests PRIVATE
   ${MAGFSI_COMMON_HEADERS} <gtest/gtest.h>)
 
 function(magfsi_test_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} fmt::fmt)
+  # Eigen's and fmt's headers are in the precompiled one.
+  target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} Eigen3::Eigen fmt::fmt)
   target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
   if(NOT "OpenMP::OpenMP_CXX" IN_LIST arg_LIBRARIES)  # which sets macros of its own
     # GCC 12's false alarm at std::string (its bug 105651).
