@@ -34,15 +34,22 @@ inline constexpr std::array<std::pair<std::string_view, char>, 12> superscripts{
      {"\u2078", '8'},
      {"\u2079", '9'}}};
 
-inline constexpr std::pair<std::string_view, std::string_view> same[] = {
-    {"\u00b5", "u"}, {"\u03bc", "u"},                                    // micro, mu
-    {"\u2212", "-"}, {"\u2010", "-"}, {"\u2011", "-"}, {"\u2013", "-"},  // minus, dashes
-    {"\u00b7", "*"}, {"\u22c5", "*"}, {"\u2219", "*"},                   // dots of products
-    {"\u00a0", " "}, {"\u2000", " "}, {"\u2001", " "}, {"\u2002", " "},  // hard and thin
-    {"\u2003", " "}, {"\u2004", " "}, {"\u2005", " "}, {"\u2006", " "},  // blanks
-    {"\u2007", " "}, {"\u2008", " "}, {"\u2009", " "}, {"\u200a", " "},
-    {"\u202f", " "}, {"\u205f", " "}, {"\u3000", " "},
-    {"\u200b", ""},  {"\ufeff", ""},  // of no width; the mark of byte order
+inline constexpr std::pair<std::string_view, std::string_view> same[] =
+    {
+        {"\u00b5", "u"}, {"\u03bc", "u"},  // micro, mu
+        {"\u2212", "-"}, {"\u2010", "-"},
+        {"\u2011", "-"}, {"\u2013", "-"},  // minus, dashes
+        {"\u00b7", "*"}, {"\u22c5", "*"},
+        {"\u2219", "*"},  // dots of products
+        {"\u00a0", " "}, {"\u2000", " "},
+        {"\u2001", " "}, {"\u2002", " "},  // hard and thin
+        {"\u2003", " "}, {"\u2004", " "},
+        {"\u2005", " "}, {"\u2006", " "},  // blanks
+        {"\u2007", " "}, {"\u2008", " "},
+        {"\u2009", " "}, {"\u200a", " "},
+        {"\u202f", " "}, {"\u205f", " "},
+        {"\u3000", " "}, {"\u200b", ""},
+        {"\ufeff", ""},  // of no width; the mark of byte order
 };
 
 inline std::string raised(std::string text) {
@@ -89,7 +96,10 @@ inline std::string strange_character(std::string_view text) {
     if (at == text.size()) return {};
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(at);
-    const std::size_t more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
+    const std::size_t more = first >= 0xf0   ? 3
+                             : first >= 0xe0 ? 2
+                             : first >= 0xc0 ? 1
+                                             : 0;
     unsigned point = first & (0x7fU >> (more + 1));
     std::array<char, 40> out{};
     std::size_t read = 0;

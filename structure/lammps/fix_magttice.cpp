@@ -153,6 +153,19 @@ void FixMagttice::init() {
     if (std::string(update->integrate_style).find("respa") != std::string::npos) {
         fail(*error, who_ + " works with run_style verlet only");
     }
+    // Forces are in newtons, and in LAMMPS's other units they would be scaled.
+    if (std::strcmp(update->unit_style, "si") != 0)
+        fail(*error, "{} found with units {}; allowed is units si", who_,
+             update->unit_style);
+    for (const FixMagttice* other : bodies_of(*modify)) {
+        const NodeRange& its = other->range();
+        if (other == this || its.first_id >= range_.first_id + range_.count ||
+            range_.first_id >= its.first_id + its.count)
+            continue;
+        fail(*error,
+             "{} and {} are both for atoms from ID {} on; an atom belongs to one body",
+             who_, other->who_, std::max(its.first_id, range_.first_id));
+    }
     int here = 0;
     for (int i = 0; i < atom->nlocal; ++i) here += range_.node(atom->tag[i]) >= 0 ? 1 : 0;
     int present = 0;
