@@ -20,6 +20,7 @@
 #include "structure/lammps/lattice_file.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
+#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {
@@ -54,7 +55,7 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
         const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
         if (std::ranges::any_of(materials_, viscous))
             forces.push_back({force_of("viscosity"), nullptr});
-        read_body(arg[3], forces);
+        read_body(words::path_of_word(arg[3]), forces);
     } catch (const std::exception& cause) {
         fail(*error, "{}: {}", who_, cause.what());
     }
