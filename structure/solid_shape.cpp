@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "structure/refuse.h"
+#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {
@@ -102,8 +103,8 @@ std::string words_for(const Brick& brick) {
 }
 
 std::string words_for(const Surface& surface) {
-    return fmt::format("surface {} {:.17g} {:.17g}", surface.file, surface.unit_m,
-                       fmt::join(surface.shift_m, " "));
+    return fmt::format("surface {} {:.17g} {:.17g}", words::path_word(surface.file),
+                       surface.unit_m, fmt::join(surface.shift_m, " "));
 }
 
 double length_from(const std::string& word) {
@@ -130,11 +131,6 @@ int axis_from(const std::string& word) {
 }  // namespace
 
 Surface read_surface(const std::string& file, double unit_m, const Vec3& shift_m) {
-    if (file.find_first_of(" \t\n\"';$&#") != std::string::npos)
-        refuse(
-            "is the STL file {}; with contact a path without blanks, quotes and ; $ & "
-            "# is needed",
-            file);
     return {file, unit_m, shift_m,
             std::make_shared<TriangleSurface>(file, unit_m, shift_m)};
 }
@@ -177,7 +173,8 @@ SolidShape parse_shape(const std::vector<std::string>& words) {
         return brick;
     }
     if (name == "surface")
-        return read_surface(words[1], size(length_from(words[2]), "unit"), place(3));
+        return read_surface(words::path_of_word(words[1]),
+                            size(length_from(words[2]), "unit"), place(3));
     if (name != "rod")
         refuse("\"{}\" found; shapes are ball, rod, brick and surface", name);
     Rod rod{place(1), size(length_from(words[4]), "radius"), axis_from(words[5]), {}};

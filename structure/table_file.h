@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// CSV files of numbers: a header of columns with their units, such as x[mm],Mx[kA/m],
-// then a row a line. Empty lines and lines that begin with # are left out.
+// CSV files of numbers, as people and programs write them: a header of columns with their
+// units, such as x[mm],Mx[kA/m] or "t (s)";"Bx (mT)", then a row a line. Values stand
+// between commas, semicolons, tabs or blanks (whichever a line has, or as a first line
+// "sep=;" says), in quotes or not. Empty lines and lines that begin with # or % are left
+// out, but the last of them in front of the rows may be the header (numpy, COMSOL). Units
+// may stand in a line of their own below the names.
 #pragma once
 
 #include <filesystem>
@@ -24,20 +28,22 @@ struct ColumnKind {
 };
 
 namespace units {
-inline constexpr ColumnUnit length[] = {{"m"}, {"mm", 1, 1e3}, {"um", 1, 1e6}};
+inline constexpr ColumnUnit length[] = {
+    {"m"}, {"mm", 1, 1e3}, {"um", 1, 1e6}, {"cm", 1, 1e2}, {"nm", 1, 1e9}};
 inline constexpr ColumnUnit time[] = {{"s"}, {"ms", 1, 1e3}, {"us", 1, 1e6}};
 // A remanence over mu0, too.
 inline constexpr ColumnUnit magnetization[] = {{"A/m"},
                                                {"kA/m", 1e3},
                                                {"T", 1e7, 4 * std::numbers::pi},
                                                {"mT", 1e4, 4 * std::numbers::pi}};
-inline constexpr ColumnUnit flux_density[] = {{"T"}, {"mT", 1, 1e3}, {"uT", 1, 1e6}};
+inline constexpr ColumnUnit flux_density[] = {
+    {"T"}, {"mT", 1, 1e3}, {"uT", 1, 1e6}, {"G", 1, 1e4}};
 }  // namespace units
 
-// exported: as other programs write them, too. The header may be the last of leading
-// lines that begin with %, its units in round brackets or absent (SI, or of lengths what
-// a line "% Length unit: mm" says), its names with a capital X, Y, Z or a prefix as in
-// mf.Bx (COMSOL); columns that are not known are left out (an index, a norm).
+// exported: by programs that know no units in headers. Columns without one are in SI, of
+// lengths in what a line "% Length unit: mm" says, and a line about units that is not
+// understood is refused; columns that are not known are left out (an index, a norm), and
+// so is an expression such as 0.5*mf.Bz.
 enum class TableStyle { strict, exported };
 
 // The columns of a file in SI, in the order of `known`; empty where the file has none,

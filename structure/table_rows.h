@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where a time stands between the rows of a table: linear between them, the first and the
-// last held outside, or all repeated with the period of the table. Two rows of one time
-// are a jump: from that time on the later one.
+// Where a time stands between the rows of a table: linear between them, the first held
+// before them, and after them the last held or all repeated with the period of the table.
+// Two rows of one time are a jump: from that time on the later one.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Between {
 inline Between rows_at(const std::vector<double>& times, bool repeat, double time) {
     if (times.empty()) return {};
     double t = time;
-    if (repeat) {
+    if (repeat && time > times.front()) {
         const double period = times.back() - times.front();
         t -= period * std::floor((time - times.front()) / period);
     }

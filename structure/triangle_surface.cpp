@@ -45,11 +45,38 @@ Vec3 nearest_on(const Triangle& t, const Vec3& x) {
 
 TriangleSurface::TriangleSurface(const std::string& file, double unit_m,
                                  const Vec3& shift_m)
-    : triangles_(surface::read_closed(file, unit_m, shift_m)) {
+    : TriangleSurface(surface::read_closed(file, unit_m, shift_m)) {}
+
+TriangleSurface::TriangleSurface(surface::Closed read)
+    : triangles_(std::move(read.triangles)) {
     // One without area is the edge of its neighbours.
     std::erase_if(triangles_,
                   [](const Triangle& t) { return squared(surface::normal(t)) == 0; });
     add_boxes(0, static_cast<int>(triangles_.size()));
+    if (read.parts > 1) find_hidden();
+}
+
+// In its middle and beside its corners, on both sides.
+void TriangleSurface::find_hidden() {
+    const Vec3 size = minus(boxes_.front().high_m, boxes_.front().low_m);
+    const double off = 1e-6 * std::sqrt(squared(size));
+    hidden_.resize(triangles_.size());
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const Triangle& t = triangles_[i];
+        const Vec3 n = surface::normal(t);
+        const double length = std::sqrt(squared(n));
+        Vec3 middle{};
+        for (const Vec3& corner : t) middle = along(middle, 1.0 / 3, corner);
+        bool hidden = true;
+        for (const double share : {0.0, 0.98}) {
+            for (const Vec3& corner : t) {
+                const Vec3 at = along(middle, share, minus(corner, middle));
+                hidden = hidden && holds(along(at, off / length, n)) &&
+                         holds(along(at, -off / length, n));
+            }
+        }
+        hidden_[i] = hidden;
+    }
 }
 
 int TriangleSurface::add_boxes(int first, int count) {
@@ -89,26 +116,26 @@ int TriangleSurface::add_boxes(int first, int count) {
 template <class Visit>
 void TriangleSurface::visit_leaf(const Box& box, const Visit& visit) const {
     for (int i = box.first; i < box.first + box.count; ++i)
-        visit(triangles_[static_cast<std::size_t>(i)]);
+        visit(static_cast<std::size_t>(i));
 }
 
 bool TriangleSurface::holds(const Vec3& x) const {
-    bool odd = false;
+    int winding = 0;
     const auto look = [&](const auto& self, int number) -> void {
         const Box& box = boxes_[static_cast<std::size_t>(number)];
         if (x[0] > box.high_m[0] || x[1] < box.low_m[1] || x[1] > box.high_m[1] ||
             x[2] < box.low_m[2] || x[2] > box.high_m[2])
             return;
-        visit_leaf(box, [&](const Triangle& t) {
-            const auto at = surface::crossing(t, x[1], x[2]);
-            if (at && *at > x[0]) odd = !odd;
+        visit_leaf(box, [&](std::size_t i) {
+            const auto at = surface::crossing(triangles_[i], x[1], x[2]);
+            if (at && at->x > x[0]) winding += at->out;
         });
         if (box.count > 0) return;
         self(self, number + 1);
         self(self, box.right);
     };
     look(look, 0);
-    return odd;
+    return winding != 0;
 }
 
 TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
@@ -124,7 +151,9 @@ TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
     Nearest found;
     const auto look = [&](const auto& self, int number) -> void {
         const Box& box = boxes_[static_cast<std::size_t>(number)];
-        visit_leaf(box, [&](const Triangle& t) {
+        visit_leaf(box, [&](std::size_t i) {
+            if (!hidden_.empty() && hidden_[i]) return;
+            const Triangle& t = triangles_[i];
             const Vec3 at = nearest_on(t, x);
             const double to = squared(minus(x, at));
             if (!(to < least)) return;

@@ -17,14 +17,15 @@ class TriangleSurface {
     // As surface::read_closed.
     TriangleSurface(const std::string& file, double unit_m, const Vec3& shift_m);
 
-    // Whether a ray along x crosses the surface an odd number of times, as the fluid's
-    // obstacles have it: whichever way round the file's triangles are.
+    // Whether the surface winds round the point, as the fluid's obstacles have it:
+    // whichever way round the file's triangles are.
     bool holds(const Vec3& point_m) const;
 
     struct Nearest {
         Vec3 at_m{};
-        Vec3 normal{};  // of its triangle, of unit length, as the file has it round
+        Vec3 normal{};  // of its triangle, of unit length, outwards
     };
+    // But for triangles that lie inside of another part.
     Nearest nearest(const Vec3& point_m) const;
 
   private:
@@ -33,12 +34,15 @@ class TriangleSurface {
         int first = 0, count = 0;  // of triangles; of a leaf
         int right = 0;             // number of the second child; the first comes next
     };
+    explicit TriangleSurface(surface::Closed read);
+    void find_hidden();
     int add_boxes(int first, int count);
     template <class Visit>
     void visit_leaf(const Box& box, const Visit& visit) const;
 
     std::vector<surface::Triangle> triangles_;  // in the order of the leaves
     std::vector<Box> boxes_;                    // the first holds all
+    std::vector<bool> hidden_;  // of each triangle; none where there is one part
 };
 
 }  // namespace magfsi::structure

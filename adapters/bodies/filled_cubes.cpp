@@ -180,18 +180,21 @@ void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
 
 structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
     fluid::StlSurface surface{voxels.file, voxels.unit_m, {}};
-    const auto [bounds, volume_m3] = fluid::stl_extent(surface);
+    const fluid::StlExtent extent = fluid::stl_extent(surface);
+    const fluid::Bounds& bounds = extent.bounds_m;
     Cubes cubes{cubes_around(bounds, voxels)};
     for (std::size_t d = 0; d < 3; ++d)
         surface.shift_m[d] =
             0.5 * (cubes.count[d] * voxels.spacing_m - bounds.low[d] - bounds.high[d]);
-    const auto solid = fluid::make_stl_solid(surface, voxels.spacing_m);
+    const auto solid = fluid::make_stl_solid(
+        surface, voxels.spacing_m,
+        {{}, {1.0 * cubes.count[0], 1.0 * cubes.count[1], 1.0 * cubes.count[2]}});
     mark(*solid, cubes);
     structure::Mesh mesh =
         structure::voxel_mesh(cubes.count, voxels.spacing_m, cubes.filled);
     measure(*solid, cubes);
-    name_regions(mesh, weights(cubes, volume_m3 / std::pow(voxels.spacing_m, 3)), cubes,
-                 voxels.spacing_m);
+    name_regions(mesh, weights(cubes, extent.volume_m3 / std::pow(voxels.spacing_m, 3)),
+                 cubes, voxels.spacing_m);
     for (structure::Vec3& x : mesh.nodes)
         for (std::size_t d = 0; d < 3; ++d) x[d] -= surface.shift_m[d];
     return mesh;

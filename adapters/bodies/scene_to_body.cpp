@@ -55,7 +55,9 @@ class TemporaryFolder {
     fs::path path_;
 };
 
-// Runs it with stdout and stderr in the file; its exit status.
+constexpr int not_started = -1, crashed = -2;
+
+// Runs it with stdout and stderr in the file; its exit status, or one of these.
 int run(std::vector<std::string> words, const std::string& messages) {
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
@@ -71,9 +73,8 @@ int run(std::vector<std::string> words, const std::string& messages) {
         posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     int status = 0;
-    if (failed != 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
-        return -1;
-    return WEXITSTATUS(status);
+    if (failed != 0 || waitpid(child, &status, 0) != child) return not_started;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : crashed;
 }
 
 std::string text_of(const fs::path& file) {
@@ -94,6 +95,11 @@ structure::Mesh convert(const std::string& file, double unit_m) {
                             fmt::format("{:.17g}", unit_m)},
                            messages.string());
     if (status == 0) return structure::read_mesh_file(mesh);
+    if (status == crashed)
+        throw std::invalid_argument(fmt::format(
+            "mesh {}: Gmsh's library crashes on it; open it in Gmsh and save it again, or "
+            "mesh its geometry anew",
+            file));
     std::string message = text_of(messages);
     while (!message.empty() && message.back() == '\n') message.pop_back();
     throw std::invalid_argument(

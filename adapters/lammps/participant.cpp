@@ -70,19 +70,13 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
     if (session.world().coupled()) {
         text += "# The coupled run adds the fluid's force: fix fluid all magfsi/fluid\n";
     }
-    text += joined(script.setup);
+    for (const std::string& line : script.setup) {
+        // Of a path that LAMMPS cannot have: it runs from within the folder, then.
+        text += line.starts_with("read_data /proc/") ? "read_data bodies.data" : line;
+        text += '\n';
+    }
     text += fmt::format("run {}\n", steps);
     output::write_atomically(session.out() / "lammps.in", text);
-}
-
-// In full, so that the script runs from anywhere, as far as LAMMPS can read that: no
-// letters but those of ASCII, no quotes and no dollar signs.
-std::filesystem::path folder_in_script(const std::filesystem::path& out) {
-    const std::filesystem::path full = std::filesystem::absolute(out);
-    const bool readable = std::ranges::all_of(full.string(), [](char c) {
-        return c >= ' ' && c <= '~' && c != '"' && c != '$';
-    });
-    return readable ? full : out;
 }
 
 // lammps.in and its data files in the run folder, and its lines on every rank. steps:
@@ -92,7 +86,8 @@ structure::LammpsScript generate_input(const coupler::Session& session,
                                        std::int64_t steps) {
     structure::LammpsScript script;
     if (session.world().root()) {
-        script = structure::write_lammps_input(input, folder_in_script(session.out()));
+        script = structure::write_lammps_input(input,
+                                               std::filesystem::absolute(session.out()));
         write_script(session, script, steps);
     }
     const MPI_Comm comm = session.world().local();

@@ -19,6 +19,7 @@
 #include "coupler/immersed_boundary/conditioning.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
 #include "fluid_lbm/config.h"
+#include "fluid_lbm/obstacle/obstacles.h"
 #include "fluid_lbm/parallel/decomposition.h"
 #include "fluid_lbm/streaming/kernel_choice.h"
 #include "structure/lammps/placement.h"
@@ -252,6 +253,7 @@ std::string explain(const scene::Scene& scene, int ranks) {
     const scene::Fluid& fluid = *scene.fluid;
     const auto config = to_config(scene, *scene::coupled_step_s(scene));
     fluid::check(config);
+    fluid::check_obstacles(config);
     const LatticeValues v = lattice_values(fluid, config);
     const auto& n = config.cells;
     const double cells = static_cast<double>(n[0]) * n[1] * n[2];

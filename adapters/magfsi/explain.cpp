@@ -17,6 +17,7 @@
 #include "adapters/lammps/substeps.h"
 #include "adapters/magfsi/cost.h"
 #include "adapters/magfsi/explain_bodies.h"
+#include "adapters/magfsi/explain_files.h"
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 #include "adapters/scene/scene.h"
@@ -149,6 +150,7 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  warning: {}\n", line);
     for (const std::filesystem::path& file : scene::files_elsewhere(scene))
         text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
+    text += explain_files(scene);
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.control) text += explain_control(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);

@@ -167,6 +167,18 @@ void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    "take a larger fluid.spacing or "
                    "coupling.immersed_boundary.marker_spacing");
     if (!scene.probes) return;
+    constexpr std::size_t points_of_a_shape = 4;
+    scene::require(std::ranges::find(scene.probes->bodies, scene::BodyQuantity::shape) ==
+                           scene.probes->bodies.end() ||
+                       solid.mesh.centre_line.size() >= points_of_a_shape,
+                   {"probes.bodies"},
+                   fmt::format("shape of body '{}', whose centre line has {} points",
+                               body.name, solid.mesh.centre_line.size()),
+                   fmt::format("it of blocks, arcs and helices of {} elements or more "
+                               "along their first axis, and of Gmsh meshes with a curve "
+                               "named centre_line",
+                               points_of_a_shape - 1),
+                   "leave shape out, and name places in probes.points");
     for (const scene::PointProbe& point : scene.probes->points) {
         if (point.body == body.name) (void)bodies::locate(body, solid.mesh, point.at_m);
     }

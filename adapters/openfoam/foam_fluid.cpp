@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "adapters/openfoam/foam_fluid.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "adapters/openfoam/world_of_openfoam.h"
 #include "coupler/checkpoint/state_file.h"
 #include "coupler/participants/errors.h"
+#include "words/path_word.h"
 
 namespace magfsi::openfoam {
 
@@ -29,6 +31,17 @@ int size_of(MPI_Comm comm) {
     int size = 1;
     MPI_Comm_size(comm, &size);
     return size;
+}
+
+// OpenFOAM takes blanks and letters beyond ASCII out of paths. A folder below such a path
+// is named by a descriptor, which stays open as long as the process.
+std::string way_for_openfoam(const std::filesystem::path& folder) {
+    std::string way = std::filesystem::absolute(folder).string();
+    if (words::path_word(way) == way) return way;
+    const int descriptor = open(way.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        throw std::runtime_error(fmt::format("the folder {} cannot be opened", way));
+    return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
 // Far beyond what the explicit force survives: numbers that mean nothing any more.
@@ -57,7 +70,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
     if (mesh_.rank == 0) write_case(case_folder, fluid, times);
     MPI_Barrier(comm);
     set_world(comm);
-    engine_ = load_engine({std::filesystem::absolute(case_folder).string(), mesh_});
+    engine_ = load_engine({way_for_openfoam(case_folder), mesh_});
     if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
         if (fluid.boundaries[static_cast<std::size_t>(side)].kind !=

@@ -13,6 +13,7 @@
 #include "adapters/scene/fault.h"
 #include "adapters/scene/quantity.h"
 #include "structure/formula.h"
+#include "words/plain_text.h"
 
 namespace magfsi::scene {
 
@@ -191,7 +192,8 @@ std::string argument_with_a_unit(std::string_view text) {
 
 }  // namespace
 
-std::string formula_in_si(const std::string& text, std::string_view si_unit) {
+std::string formula_in_si(const std::string& written, std::string_view si_unit) {
+    const std::string text = words::plain(written);
     const std::string allowed = formula_expectation(si_unit);
     std::string si;
     Found found;

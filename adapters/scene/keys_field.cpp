@@ -15,7 +15,7 @@ void keys(Io& io, FieldTable& table) {
     io(quantity("direction", "rad", "Angle in the plane: one for all, or one per row.")
            .one_or_list(),
        table.direction_rad);
-    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
+    io(key("repeat", "Start again after the last row; the first is held before.").by_default(), table.repeat);
 }
 
 template <class Io>
@@ -39,7 +39,7 @@ void keys(Io& io, VectorTable& table) {
     io(quantity("time", "s", "Times of the rows, ascending.").optional(), table.time_s);
     io(quantity("vector", "T", "Bx, By, Bz: one per row.").rows(1, Field::unbounded).optional(),
        table.vector_t);
-    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
+    io(key("repeat", "Start again after the last row; the first is held before.").by_default(), table.repeat);
 }
 
 template <class Io>
@@ -162,7 +162,7 @@ void keys(Io& io, CoilSystem& system) {
     io(key("coils", "Each with its row of the matrix of currents."), system.coils);
     io(quantity("time", "s", "Of the currents, ascending; linear in between, held before and "
                 "after.").optional(), system.time_s);
-    io(key("repeat", "Start again after the last time.").by_default(), system.repeat);
+    io(key("repeat", "Start again after the last time; the first is held before.").by_default(), system.repeat);
 }
 
 template <class Io>
@@ -189,7 +189,7 @@ template <class Io>
 void keys(Io& io, StrengthTable& law) {
     io(quantity("time", "s", "Times of the rows, ascending."), law.time_s);
     io(key("factor", "One per row."), law.factor);
-    io(key("repeat", "Start again after the last row.").by_default(), law.repeat);
+    io(key("repeat", "Start again after the last row; the first is held before.").by_default(), law.repeat);
 }
 
 template <class Io>
@@ -211,7 +211,7 @@ void keys(Io& io, SourcePath& path) {
     io(quantity("time", "s", "Times of the rows, ascending."), path.time_s);
     io(quantity("displacement", "m", "One per row, along x, y and z.")
            .rows(1, Field::unbounded), path.displacement_m);
-    io(key("repeat", "Start again after the last row.").by_default(), path.repeat);
+    io(key("repeat", "Start again after the last row; the first is held before.").by_default(), path.repeat);
 }
 
 template <class Io>

@@ -42,7 +42,7 @@ void keys(Io& io, InletTable& table) {
            "its path counts from the scene's folder.").optional(), table.file);
     io(quantity("time", "s", "Times of the rows, ascending.").optional(), table.time_s);
     io(key("factor", "One per row.").optional(), table.factor);
-    io(key("repeat", "Start again after the last row.").by_default(), table.repeat);
+    io(key("repeat", "Start again after the last row; the first is held before.").by_default(), table.repeat);
 }
 
 template <class Io>

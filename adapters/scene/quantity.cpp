@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "adapters/scene/fault.h"
+#include "words/plain_text.h"
 
 namespace magfsi::scene {
 
@@ -32,6 +34,7 @@ const std::vector<Symbol>& symbols() {
         {"A", {{0, 0, 0, 1, 0}, 0, 1}},
         {"rad", {{0, 0, 0, 0, 1}, 0, 1}},
         {"deg", {{0, 0, 0, 0, 1}, 0, degree}, false},
+        {"\u00b0", {{0, 0, 0, 0, 1}, 0, degree}, false},
         {"%", {{0, 0, 0, 0, 0}, -2, 1}, false},
         {"min", {{0, 0, 1, 0, 0}, 0, 60}, false},
         {"h", {{0, 0, 1, 0, 0}, 0, 3600}, false},
@@ -41,6 +44,7 @@ const std::vector<Symbol>& symbols() {
         {"J", {{1, 2, -2, 0, 0}, 0, 1}},
         {"W", {{1, 2, -3, 0, 0}, 0, 1}},
         {"T", {{1, 0, -2, -1, 0}, 0, 1}},
+        {"G", {{1, 0, -2, -1, 0}, -4, 1}},  // gauss
         {"bar", {{1, -1, -2, 0, 0}, 5, 1}},
         {"L", {{0, 3, 0, 0, 0}, -3, 1}},
         {"l", {{0, 3, 0, 0, 0}, -3, 1}},
@@ -49,17 +53,16 @@ const std::vector<Symbol>& symbols() {
 }
 
 constexpr std::pair<std::string_view, int> prefixes[] = {
-    {"p", -12}, {"n", -9}, {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6},
-    {"m", -3},  {"c", -2}, {"d", -1}, {"h", 2},       {"k", 3},
-    {"M", 6},   {"G", 9},  {"T", 12},
+    {"p", -12}, {"n", -9}, {"u", -6}, {"m", -3}, {"c", -2}, {"d", -1},
+    {"h", 2},   {"k", 3},  {"M", 6},  {"G", 9},  {"T", 12},
 };
 
 // Words that people write for symbols, too far from them for an edit distance.
 constexpr std::pair<std::string_view, std::string_view> spelled_out[] = {
-    {"sec", "s"},       {"second", "s"},   {"seconds", "s"},  {"meter", "m"},
-    {"metre", "m"},     {"micron", "um"},  {"tesla", "T"},    {"degree", "deg"},
-    {"degrees", "deg"}, {"\u00b0", "deg"}, {"pascal", "Pa"},  {"hertz", "Hz"},
-    {"newton", "N"},    {"gauss", "T"},    {"minute", "min"}, {"hour", "h"},
+    {"sec", "s"},       {"second", "s"},   {"seconds", "s"}, {"meter", "m"},
+    {"metre", "m"},     {"micron", "um"},  {"tesla", "T"},   {"degree", "deg"},
+    {"degrees", "deg"}, {"pascal", "Pa"},  {"hertz", "Hz"},  {"newton", "N"},
+    {"gauss", "G"},     {"minute", "min"}, {"hour", "h"},
 };
 
 std::optional<Unit> find_symbol(std::string_view text) {
@@ -93,6 +96,13 @@ std::string near_symbol(std::string_view text) {
     return did_you_mean(text, known);
 }
 
+// What to do about text that is no unit or number, or "".
+std::string remedy(std::string_view text) {
+    const std::string strange = words::strange_character(text);
+    return strange.empty() ? near_symbol(text)
+                           : fmt::format("{} is none of a unit or a number", strange);
+}
+
 // "mm2", "s^-1", "m^2": a symbol and its power.
 Unit parse_factor(std::string_view text) {
     const std::size_t end = text.find_first_of("^-0123456789");
@@ -101,9 +111,9 @@ Unit parse_factor(std::string_view text) {
     if (!base)
         throw Complaint(
             fmt::format("the unknown unit {}", in_quotes(symbol)),
-            "m, g, s, A, T, N, Pa, J, W, Hz, rad, deg, min, h, bar, L with SI "
+            "m, g, s, A, T, G, N, Pa, J, W, Hz, rad, deg, min, h, bar, L with SI "
             "prefixes",
-            near_symbol(symbol));
+            remedy(symbol));
     int power = 1;
     if (end != std::string_view::npos) {
         std::string_view digits = text.substr(end);
@@ -130,26 +140,15 @@ void multiply(Unit& unit, const Unit& other, int sign) {
     unit.factor = sign > 0 ? unit.factor * other.factor : unit.factor / other.factor;
 }
 
-// A middle dot and superscripts are what people paste from papers.
-std::string ascii(std::string_view text) {
-    std::string out(text);
-    constexpr std::pair<std::string_view, std::string_view> replacements[] = {
-        {"\u00b7", "*"}, {"\u00b2", "2"}, {"\u00b3", "3"}, {"**", "^"}};
-    for (const auto& [from, to] : replacements) {
-        for (auto at = out.find(from); at != std::string::npos; at = out.find(from))
-            out.replace(at, from.size(), to);
-    }
-    return out;
-}
-
 }  // namespace
 
 bool is_unit_symbol(std::string_view text) {
-    return find_symbol(text).has_value();
+    return find_symbol(words::plain(text)).has_value();
 }
 
 Unit parse_unit(std::string_view text) {
-    const std::string plain = ascii(text);
+    std::string plain = words::plain(text);
+    words::replace_all(plain, "**", "^");
     Unit unit;
     int sign = 1;
     bool divided = false, expects_factor = false;
@@ -274,6 +273,24 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+// What stands behind a number and is no unit: the rest of a number that is written in
+// another way.
+void refuse_other_writing(std::string_view text, std::string_view rest) {
+    const auto digit = [&](std::size_t at) {
+        return at < rest.size() && rest[at] >= '0' && rest[at] <= '9';
+    };
+    if (rest.starts_with(',') && (rest.size() == 1 || digit(1) || rest[1] == ' ')) {
+        std::string with_point(text);
+        words::replace_all(with_point, ",", ".");
+        throw Complaint(in_quotes(text), "numbers with a decimal point, without commas",
+                        fmt::format("write \"{}\" if the comma is one", with_point));
+    }
+    // "1 m" is a number and a unit, "1 000 m" a number in two parts; "1/s" is a unit.
+    const bool one_over = rest.starts_with('1') && trim(rest.substr(1)).starts_with('/');
+    if (digit(0) && !one_over)
+        throw Complaint(in_quotes(text), "the digits of a number together, as in 1000");
+}
+
 // False when the text does not start with a decimal number.
 bool split(std::string_view text, Number& number) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -288,6 +305,7 @@ bool split(std::string_view text, Number& number) {
     const std::size_t e = written.find_first_of("eE");
     number.mantissa = written.substr(0, e);
     number.rest = trim(text.substr(written.size()));
+    refuse_other_writing(text, number.rest);
     if (e == std::string_view::npos) return true;
     const char* digits = begin + e + (written[e + 1] == '+' ? 2 : 1);
     return std::from_chars(digits, end, number.exponent).ec == std::errc{};
@@ -308,14 +326,75 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
 
 }  // namespace
 
-SiValue parse_any_quantity(std::string_view text) {
+namespace {
+
+SiValue any_quantity(std::string_view text) {
     Number number;
-    if (!split(trim(text), number)) throw Complaint(in_quotes(text), "a number");
+    if (!split(text, number)) throw Complaint(in_quotes(text), "a number", remedy(text));
     const Unit unit = parse_unit(number.rest);
     if (unit.factor == 1)
         return {rounded<double>(number, unit.decimal_exponent, text), unit.dimension};
     const auto value = rounded<long double>(number, unit.decimal_exponent, text);
     return {static_cast<double>(value * unit.factor), unit.dimension};
+}
+
+// Beyond what any robot of soft magnets or its surroundings has, so that a prefix is a
+// slip: m for M, or none.
+struct Most {
+    std::string_view si;
+    double value;
+};
+constexpr Most beyond[] = {
+    {"m", 1e3},    // the largest tank there is
+    {"s", 1e7},    // four months
+    {"T", 50},     // more than any magnet that stands (45 T, Tallahassee)
+    {"T/m", 1e6},  // at a grain of a micrometre: 1 T over it
+    {"A/m", 1e7},  // five times that of iron
+    {"A", 1e6},   {"m/s", 1e4}, {"kg/m3", 1e5}, {"Pa", 1e13}, {"kg", 1e6},
+};
+
+// The text with its unit in thousandths, if that is of a size that there is, or "".
+std::string likely_size(std::string_view text, const Dimension& dimension, double most) {
+    const auto unit_at = text.find_first_not_of("0123456789.+-eE \t");
+    if (unit_at == std::string_view::npos) return {};
+    const std::string number(trim(text.substr(0, unit_at)));
+    const std::string unit(text.substr(unit_at));
+    for (const std::string& other : {"m" + unit.substr(1), "m" + unit}) {
+        try {
+            const std::string likely = fmt::format("{} {}", number, other);
+            const SiValue found = any_quantity(likely);
+            if (found.dimension == dimension && std::abs(found.value) <= most)
+                return fmt::format("did you mean \"{}\"?", likely);
+        } catch (const Complaint&) {  // no unit
+        }
+    }
+    return {};
+}
+
+void check_size(const SiValue& found, std::string_view text) {
+    static const std::vector<Dimension> dimensions = [] {
+        std::vector<Dimension> list;
+        for (const Most& most : beyond) list.push_back(parse_unit(most.si).dimension);
+        return list;
+    }();
+    const auto at = std::ranges::find(dimensions, found.dimension) - dimensions.begin();
+    if (at == std::ssize(dimensions)) return;
+    const Most& most = beyond[at];
+    if (std::abs(found.value) <= most.value) return;
+    throw Complaint(
+        fmt::format("{}, which is {:.4g} {}", in_quotes(text), found.value, most.si),
+        fmt::format("at most {:g} {}", most.value, most.si),
+        likely_size(text, found.dimension, most.value));
+}
+
+}  // namespace
+
+SiValue parse_any_quantity(std::string_view raw) {
+    const std::string plain = words::plain(raw);
+    const std::string_view text = trim(plain);
+    const SiValue found = any_quantity(text);
+    check_size(found, text);
+    return found;
 }
 
 std::string dimension_expectation(std::string_view si_unit) {
@@ -327,21 +406,29 @@ std::string dimension_expectation(std::string_view si_unit) {
 }
 
 double parse_quantity(std::string_view raw, std::string_view si_unit) {
-    const std::string_view text = trim(raw);
+    const std::string plain = words::plain(raw);
+    const std::string_view text = trim(plain);
     const Unit expected = parse_unit(si_unit);
     Number number;
-    if (!split(text, number))
-        throw Complaint(in_quotes(text), dimension_expectation(si_unit));
+    if (!split(text, number)) {
+        const std::string strange = words::strange_character(text);
+        throw Complaint(
+            in_quotes(text), dimension_expectation(si_unit),
+            strange.empty() ? "" : fmt::format("{} is none of a number", strange));
+    }
     if (number.rest.empty() && !si_unit.empty())
         throw Complaint(fmt::format("{} without a unit", in_quotes(text)),
                         dimension_expectation(si_unit),
                         fmt::format("\"{} {}\" if SI is meant", text, si_unit));
     const Unit unit = parse_unit(number.rest);
     // Magnets are sold by their remanence, mu0 M.
-    if (si_unit == "A/m" && unit.dimension == parse_unit("T").dimension)
-        return static_cast<double>(
+    if (si_unit == "A/m" && unit.dimension == parse_unit("T").dimension) {
+        const auto magnetization = static_cast<double>(
             rounded<long double>(number, unit.decimal_exponent, text) /
             (4e-7L * std::numbers::pi_v<long double>));
+        check_size({magnetization, expected.dimension}, text);
+        return magnetization;
+    }
     if (unit.dimension != expected.dimension)
         throw Complaint(
             fmt::format("{}, {}", in_quotes(text), dimension_name(unit.dimension)),
@@ -353,6 +440,7 @@ double parse_quantity(std::string_view raw, std::string_view si_unit) {
             ? rounded<double>(number, exponent, text)
             : static_cast<double>(rounded<long double>(number, exponent, text) *
                                   (unit.factor / expected.factor));
+    check_size({value, unit.dimension}, text);
     return value == 0 ? 0.0 : value;  // -0 means 0
 }
 

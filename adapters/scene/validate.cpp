@@ -10,6 +10,7 @@
 #include "adapters/scene/field.h"
 #include "adapters/scene/formula_units.h"
 #include "adapters/scene/quantity.h"
+#include "words/plain_text.h"
 
 namespace magfsi::scene {
 
@@ -93,7 +94,7 @@ double number_value(const Node& scalar, const Field& field) {
 }
 
 int integer_value(const Node& scalar, const Field& field) {
-    const std::string& text = scalar.scalar;
+    const std::string text = words::plain(scalar.scalar);
     int value = 0;
     const auto [end, error] =
         std::from_chars(text.data(), text.data() + text.size(), value);

@@ -4,163 +4,290 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <sstream>
-#include <stdexcept>
+#include <numeric>
+#include <span>
+#include <unordered_map>
 #include <utility>
+
+#include "surface/stl_file.h"
 
 namespace magfsi::surface {
 
 namespace {
 
-constexpr std::size_t header_bytes = 80, count_bytes = 4, triangle_bytes = 50;
-constexpr std::size_t normal_bytes = 12;
+constexpr double same = 1e-7;  // of the size: vertices that are one
+using Corners = std::array<std::uint32_t, 3>;
 
-template <class... What>
-[[noreturn]] void refuse_file(const std::string& file, const What&... what) {
-    std::ostringstream text;
-    text << "is the STL file " << file << ", which ";
-    (text << ... << what);
-    throw std::invalid_argument(text.str());
-}
-
-std::string contents(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) refuse_file(file, "cannot be opened");
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::uint32_t binary_count(const std::string& bytes) {
-    std::uint32_t count = 0;
-    if (bytes.size() >= header_bytes + count_bytes) {
-        std::memcpy(&count, bytes.data() + header_bytes, count_bytes);
-    }
-    return count;
-}
-
-bool is_binary(const std::string& bytes) {
-    return bytes.size() >= header_bytes + count_bytes &&
-           bytes.size() == header_bytes + count_bytes +
-                               triangle_bytes * std::size_t{binary_count(bytes)};
-}
-
-std::vector<Triangle> read_binary(const std::string& bytes) {
-    std::vector<Triangle> triangles(binary_count(bytes));
-    const char* at = bytes.data() + header_bytes + count_bytes;
-    for (Triangle& triangle : triangles) {
-        float corners[9];
-        std::memcpy(corners, at + normal_bytes, sizeof corners);
-        for (int i = 0; i < 9; ++i) triangle[i / 3][i % 3] = corners[i];
-        at += triangle_bytes;
-    }
-    return triangles;
-}
-
-std::vector<Triangle> read_ascii(const std::string& text, const std::string& file) {
-    std::istringstream in(text);
-    std::vector<Triangle> triangles;
-    std::string word;
-    int corner = 0;
-    while (in >> word) {
-        if (word == "endfacet" && corner != 0) {
-            refuse_file(file, "has a facet whose number of vertices is not 3");
-        }
-        if (word != "vertex") continue;
-        if (corner == 0) triangles.emplace_back();
-        Point& x = triangles.back()[corner];
-        if (!(in >> x[0] >> x[1] >> x[2])) {
-            refuse_file(file, "has a vertex that is not three numbers, after ",
-                        triangles.size() - 1, " whole triangles");
-        }
-        corner = (corner + 1) % 3;
-    }
-    if (corner != 0) refuse_file(file, "ends inside a triangle");
-    return triangles;
-}
-
-// ASCII or binary, whichever the size of the file says: some binary files begin with the
-// word "solid", too. Normals and attributes are ignored.
-std::vector<Triangle> read_stl(const std::string& file) {
-    const std::string bytes = contents(file);
-    const bool binary = is_binary(bytes);
-    if (!binary && bytes.compare(0, 5, "solid") != 0) {
-        refuse_file(file, "has ", bytes.size(),
-                    " bytes; it neither begins with \"solid\" (ASCII) nor has the 84 + "
-                    "50 bytes per triangle of its count (binary)");
-    }
-    std::vector<Triangle> triangles =
-        binary ? read_binary(bytes) : read_ascii(bytes, file);
-    if (triangles.empty()) refuse_file(file, "has no triangle");
-    for (const Triangle& triangle : triangles) {
-        for (const Point& x : triangle) {
-            if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-                refuse_file(file, "has a vertex that is not finite");
+// The largest length and the largest coordinate, to which a file's digits are.
+double size_of(const std::vector<Triangle>& triangles) {
+    double size = 0;
+    Point low = triangles[0][0], high = low;
+    for (const Triangle& t : triangles) {
+        for (const Point& x : t) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                low[d] = std::min(low[d], x[d]);
+                high[d] = std::max(high[d], x[d]);
+                size = std::max({size, std::abs(x[d]), high[d] - low[d]});
+            }
         }
     }
-    return triangles;
+    return size;
 }
 
-// Whether the projection along x of the triangle covers (y, z): the parity of its edges
-// that lie at higher y on the line of constant z.
-bool covers(const Triangle& t, double y, double z) {
-    bool odd = false;
-    for (int i = 0; i < 3; ++i) {
+// Vertices by number, those within `reach` of one that came before as that one; with a
+// reach of 0 those that are the same float, which is what an STL file can tell apart.
+class Vertices {
+  public:
+    explicit Vertices(double reach) : reach_(reach) {}
+
+    std::uint32_t number(const Point& x) {
+        if (reach_ == 0) {
+            Cell key{};
+            for (std::size_t d = 0; d < 3; ++d)
+                key[d] = static_cast<double>(static_cast<float>(x[d]));
+            return of_cell(key, x);
+        }
+        const auto cell = [&](std::size_t d) { return std::floor(x[d] / reach_); };
+        for (int n = 0; n < 27; ++n) {
+            const auto found = by_cell_.find(
+                {cell(0) + n % 3 - 1, cell(1) + n / 3 % 3 - 1, cell(2) + n / 9 - 1});
+            if (found == by_cell_.end()) continue;
+            const Point way = minus(at_[found->second], x);
+            if (dot(way, way) <= reach_ * reach_) return found->second;
+        }
+        return of_cell({cell(0), cell(1), cell(2)}, x);
+    }
+    const Point& operator[](std::uint32_t i) const { return at_[i]; }
+
+  private:
+    using Cell = std::array<double, 3>;
+    struct Hash {
+        std::size_t operator()(const Cell& cell) const {
+            std::size_t hash = 0;
+            for (const double c : cell)
+                hash = hash * 1000003 + std::hash<double>{}(c == 0 ? 0.0 : c);
+            return hash;
+        }
+    };
+    // The first of a cell stands for it: a second one lies within its diagonal.
+    std::uint32_t of_cell(const Cell& cell, const Point& x) {
+        const auto [found, fresh] =
+            by_cell_.try_emplace(cell, static_cast<std::uint32_t>(at_.size()));
+        if (fresh) at_.push_back(x);
+        return found->second;
+    }
+
+    double reach_;
+    std::vector<Point> at_;
+    std::unordered_map<Cell, std::uint32_t, Hash> by_cell_;
+};
+
+// An edge of a triangle, from its lower to its higher vertex or back.
+struct Half {
+    std::uint32_t low, high;
+    bool back;
+    std::uint32_t triangle;
+    auto operator<=>(const Half&) const = default;
+};
+
+// A surface as its file has it.
+struct Joined {
+    Vertices vertices;
+    std::vector<Corners> triangles;
+    std::vector<Half> open, turned;   // edges of one triangle; of two the same way round
+    std::vector<std::uint32_t> part;  // of each triangle, its first triangle
+};
+
+std::vector<Half> edges_of(const std::vector<Corners>& triangles) {
+    std::vector<Half> edges;
+    edges.reserve(3 * triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), a > b, t});
+        }
+    }
+    std::ranges::sort(edges);
+    return edges;
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& part, std::uint32_t t) {
+    while (part[t] != t) t = part[t] = part[part[t]];
+    return t;
+}
+
+// Every edge must be walked as often one way as the other. Where more than two triangles
+// meet in one, those belong together that come in the file in one order.
+void join_edges(Joined& out) {
+    const std::vector<Half> edges = edges_of(out.triangles);
+    out.part.resize(out.triangles.size());
+    std::iota(out.part.begin(), out.part.end(), 0U);
+    for (auto first = edges.begin(); first != edges.end();) {
+        const auto same_edge = [&](const Half& e) {
+            return e.low == first->low && e.high == first->high;
+        };
+        const auto end = std::find_if_not(first, edges.end(), same_edge);
+        const auto back = std::find_if(first, end, [](const Half& e) { return e.back; });
+        const auto pairs = std::min(back - first, end - back);
+        for (std::ptrdiff_t i = 0; i < pairs; ++i) {
+            const auto a = root_of(out.part, first[i].triangle);
+            const auto b = root_of(out.part, back[i].triangle);
+            out.part[std::max(a, b)] = std::min(a, b);
+        }
+        if (back - first != end - back)
+            ((end - first) % 2 == 0 ? out.turned : out.open).push_back(*first);
+        first = end;
+    }
+    for (std::uint32_t t = 0; t < out.part.size(); ++t)
+        out.part[t] = root_of(out.part, t);
+}
+
+Joined join(const std::vector<Triangle>& triangles, double reach) {
+    Joined out{Vertices(reach), {}, {}, {}, {}};
+    for (const Triangle& t : triangles) {
+        Corners corners{};
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = out.vertices.number(t[i]);
+        if (corners[0] != corners[1] && corners[1] != corners[2] &&
+            corners[2] != corners[0])
+            out.triangles.push_back(corners);
+    }
+    join_edges(out);
+    return out;
+}
+
+[[noreturn]] void refuse_open(const Joined& surface, const std::string& file) {
+    const auto& edges = surface.open.empty() ? surface.turned : surface.open;
+    const Point &a = surface.vertices[edges[0].low], &b = surface.vertices[edges[0].high];
+    std::ostringstream place;
+    place << "(" << 0.5 * (a[0] + b[0]) << ", " << 0.5 * (a[1] + b[1]) << ", "
+          << 0.5 * (a[2] + b[2]) << ")";
+    if (surface.open.empty())
+        refuse_file(file, "has ", edges.size(),
+                    " edges that do not join two triangles of the same orientation, one "
+                    "of them at ",
+                    place.str(),
+                    "; turn all triangles outwards (MeshLab: Re-Orient all faces "
+                    "coherently; Blender: Recalculate Outside)");
+    refuse_file(file, "is open at ", place.str(), ": ", edges.size(),
+                " edges that do not join two triangles; the surface must be closed (join "
+                "what should meet, MeshLab: Merge Close Vertices, then Close Holes; "
+                "Blender: Merge by Distance, then Fill)");
+}
+
+double volume_of(const Triangle& t, const Point& origin) {
+    return dot(minus(t[0], origin),
+               cross_product(minus(t[1], origin), minus(t[2], origin))) /
+           6;
+}
+
+void turn(Triangle& t) {
+    std::swap(t[1], t[2]);
+}
+
+// Windings of all but those that are left out, at a point.
+template <class LeftOut>
+int winding(std::span<const Triangle> triangles, const Point& at,
+            const LeftOut& left_out) {
+    int sum = 0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (left_out(t)) continue;
+        const auto found = crossing(triangles[t], at[1], at[2]);
+        if (found && found->x > at[0]) sum += found->out;
+    }
+    return sum;
+}
+
+// A part inside out is a cavity where the others' inside is around it, else a slip.
+void turn_outwards(std::vector<Triangle>& triangles,
+                   const std::vector<std::uint32_t>& part, double size) {
+    const Point origin = triangles[0][0];
+    std::map<std::uint32_t, double> volume;
+    double whole = 0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const double one = volume_of(triangles[t], origin);
+        volume[part[t]] += one;
+        whole += one;
+    }
+    if (whole < 0) {
+        for (Triangle& t : triangles) turn(t);
+        for (auto& [first, v] : volume) v = -v;
+    }
+    if (volume.size() == 1) return;
+    constexpr std::size_t points = 16;  // of a part, that are looked at
+    std::map<std::uint32_t, std::size_t> looked;
+    std::map<std::uint32_t, bool> slip;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (volume[part[t]] >= 0 || looked[part[t]]++ >= points || slip[part[t]])
+            continue;
+        const Triangle& one = triangles[t];
+        const Point n = normal(one);
+        const double length = std::sqrt(dot(n, n));
+        if (length == 0) continue;
+        Point beside{};
+        for (std::size_t d = 0; d < 3; ++d)
+            beside[d] =
+                (one[0][d] + one[1][d] + one[2][d]) / 3 - 1e-6 * size * n[d] / length;
+        slip[part[t]] = winding(triangles, beside, [&](std::size_t other) {
+                            return volume[part[other]] < 0;
+                        }) == 0;
+    }
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (volume[part[t]] < 0 && slip[part[t]]) turn(triangles[t]);
+    }
+}
+
+// How often the edges of the triangle's projection along x go round (y, z), and which way
+// by the right hand: the sum over those that lie at higher y on the line of constant z.
+int turns(const Triangle& t, double y, double z) {
+    int sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
         const Point *a = &t[i], *b = &t[(i + 1) % 3];
         if (((*a)[2] > z) == ((*b)[2] > z)) continue;
+        const int up = (*b)[2] > z ? 1 : -1;
         if (*b < *a) std::swap(a, b);  // the same order in both triangles of the edge
         const double along = (z - (*a)[2]) / ((*b)[2] - (*a)[2]);
-        if ((*a)[1] + along * ((*b)[1] - (*a)[1]) > y) odd = !odd;
+        if ((*a)[1] + along * ((*b)[1] - (*a)[1]) > y) sum += up;
     }
-    return odd;
-}
-
-// Nearest float: what an STL file can tell apart.
-std::array<float, 3> key(const Point& x) {
-    return {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])};
-}
-
-// Every edge must be walked as often one way as the other.
-void check_closed(const std::vector<Triangle>& triangles, const std::string& file) {
-    std::map<std::array<std::array<float, 3>, 2>, int> balance;
-    for (const Triangle& t : triangles) {
-        for (int i = 0; i < 3; ++i) {
-            const auto a = key(t[i]), b = key(t[(i + 1) % 3]);
-            if (a == b) continue;
-            if (a < b) ++balance[{a, b}];
-            if (b < a) --balance[{b, a}];
-        }
-    }
-    const auto open =
-        std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; });
-    if (open == 0) return;
-    refuse_file(file, "has ", open,
-                " edges that do not join two triangles of the same orientation; the "
-                "surface must be closed");
+    return sum;
 }
 
 }  // namespace
 
-std::vector<Triangle> read_closed(const std::string& file, double scale,
-                                  const Point& shift) {
-    std::vector<Triangle> triangles = read_stl(file);
-    check_closed(triangles, file);
-    for (Triangle& t : triangles) {
+Closed read_closed(const std::string& file, double scale, const Point& shift) {
+    const std::vector<Triangle> read = read_stl(file);
+    const double size = size_of(read);
+    Joined joined = join(read, 0);
+    if (!joined.open.empty()) joined = join(read, same * size);
+    if (!joined.open.empty() || !joined.turned.empty()) refuse_open(joined, file);
+    if (joined.triangles.empty()) refuse_file(file, "has no triangle with an area");
+    Closed out;
+    for (const Corners& corners : joined.triangles) {
+        Triangle& t = out.triangles.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i) t[i] = joined.vertices[corners[i]];
+    }
+    turn_outwards(out.triangles, joined.part, size);
+    std::ranges::sort(joined.part);
+    out.parts =
+        static_cast<int>(std::ranges::unique(joined.part).begin() - joined.part.begin());
+    for (Triangle& t : out.triangles) {
         for (Point& corner : t) {
             for (std::size_t a = 0; a < 3; ++a) corner[a] = shift[a] + scale * corner[a];
         }
     }
-    return triangles;
+    return out;
 }
 
-// A triangle seen edge-on is not met.
-std::optional<double> crossing(const Triangle& t, double y, double z) {
-    if (!covers(t, y, z)) return {};
+std::optional<Crossing> crossing(const Triangle& t, double y, double z) {
+    const int out = turns(t, y, z);
+    if (out == 0) return {};
+    const auto [least, most] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const Point n = normal(t);
-    if (n[0] == 0) return {};
-    return t[0][0] - (n[1] * (y - t[0][1]) + n[2] * (z - t[0][2])) / n[0];
+    // Rounding may give one seen edge-on a projection.
+    const double x = n[0] == 0
+                         ? least
+                         : t[0][0] - (n[1] * (y - t[0][1]) + n[2] * (z - t[0][2])) / n[0];
+    return Crossing{std::clamp(x, least, most), out};
 }
 
 }  // namespace magfsi::surface

@@ -317,16 +317,31 @@ void Obstacles::reset_solid_cells(const Populations& populations, const RowLayou
     });
 }
 
+namespace {
+
+void check_counts(const FluidConfig& config, const std::vector<long long>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] > 0) continue;
+        refuse("fluid obstacle \"", config.obstacles[i].name,
+               "\" holds the centre of no cell that is not an earlier obstacle's; make "
+               "the spacing, now ",
+               config.spacing_m, " m, finer, or leave out what is there twice");
+    }
+}
+
+}  // namespace
+
 void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map) {
     std::vector<long long> cells = map.cell_counts();
     MPI_Allreduce(MPI_IN_PLACE, cells.data(), static_cast<int>(cells.size()),
                   MPI_LONG_LONG, MPI_SUM, comm);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (cells[i] > 0) continue;
-        refuse("fluid obstacle \"", config.obstacles[i].name,
-               "\" holds the centre of no cell; make the spacing, now ", config.spacing_m,
-               " m, finer");
-    }
+    check_counts(config, cells);
+}
+
+void check_obstacles(const FluidConfig& config) {
+    if (config.obstacles.empty()) return;
+    const SolidMap map(config, make_solids(config), {{0, 0, 0}, config.cells});
+    check_counts(config, map.cell_counts());
 }
 
 }  // namespace magfsi::fluid

@@ -134,8 +134,11 @@ class Obstacles {
     std::vector<Vec3> impulses_;
 };
 
-// Throws std::invalid_argument on all ranks if an obstacle holds the centre of no cell.
-// Collective.
+// Throws std::invalid_argument on all ranks if an obstacle holds the centre of no cell
+// but those of earlier ones. Collective.
 void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map);
+// The same before a run, on one process and of the whole box; on surfaces, too, that
+// cannot be.
+void check_obstacles(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

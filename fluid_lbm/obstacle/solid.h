@@ -37,14 +37,18 @@ using Solids = std::vector<std::shared_ptr<const Solid>>;
 std::shared_ptr<const Solid> make_solid(const ObstacleShape& shape, double spacing_m,
                                         const std::array<int, 3>& box_cells);
 // Throws std::invalid_argument with the file's name if it cannot be read, is cut short,
-// has no triangle or is not closed.
-std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m);
+// has no triangle or is not closed. box [cells]: what is asked for lies in it or beside
+// it.
+std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double spacing_m,
+                                            const Bounds& box);
 
 // Of the closed surface in a file: what it reaches and what it holds. Throws as
 // make_stl_solid.
 struct StlExtent {
     Bounds bounds_m;
     double volume_m3 = 0;
+    int parts = 1;
+    std::size_t triangles = 0;
 };
 StlExtent stl_extent(const StlSurface& surface);
 

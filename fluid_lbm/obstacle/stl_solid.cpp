@@ -5,8 +5,10 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "fluid_lbm/obstacle/solid.h"
+#include "fluid_lbm/refuse.h"
 #include "surface/triangles.h"
 
 namespace magfsi::fluid {
@@ -55,15 +57,19 @@ Bounds bounds_of(const std::vector<Triangle>& triangles) {
 
 class TriangulatedSolid final : public Solid {
   public:
-    explicit TriangulatedSolid(std::vector<Triangle> triangles);
+    // reach: bins are made within it.
+    TriangulatedSolid(std::vector<Triangle> triangles, const Bounds& reach);
 
     Bounds bounds() const override { return bounds_; }
 
-    // Both by the parity of crossings of the ray along x.
+    // Both by the windings of the surfaces that a ray along x meets.
     bool holds(const Vec3& point) const override;
     void mark_row(double y, double z, int x_begin, std::span<char> inside) const override;
 
     double entry(const Vec3& outside, const Vec3& inside) const override;
+
+    // Inside, of the line along x.
+    double length(double y, double z) const;
 
   private:
     using Bin = std::array<int, 3>;
@@ -72,10 +78,11 @@ class TriangulatedSolid final : public Solid {
     };
 
     void sort_into_bins();
-    std::vector<double> crossings(double y, double z) const;  // x of each, ascending
+    // By x.
+    std::vector<surface::Crossing> crossings(double y, double z) const;
 
     std::vector<Triangle> triangles_;
-    Bounds bounds_;
+    Bounds bounds_, reach_;
     // Triangles by the unit cubes and by the unit squares of (y, z) that they may meet.
     std::unordered_map<Bin, std::vector<int>, BinHash> cubes_, columns_;
 };
@@ -86,8 +93,8 @@ std::size_t TriangulatedSolid::BinHash::operator()(const Bin& bin) const {
     return hash;
 }
 
-TriangulatedSolid::TriangulatedSolid(std::vector<Triangle> triangles)
-    : triangles_(std::move(triangles)), bounds_(bounds_of(triangles_)) {
+TriangulatedSolid::TriangulatedSolid(std::vector<Triangle> triangles, const Bounds& reach)
+    : triangles_(std::move(triangles)), bounds_(bounds_of(triangles_)), reach_(reach) {
     sort_into_bins();
 }
 
@@ -98,8 +105,8 @@ void TriangulatedSolid::sort_into_bins() {
         Bin low, high;
         for (int a = 0; a < 3; ++a) {
             const auto [least, most] = std::minmax({t[0][a], t[1][a], t[2][a]});
-            low[a] = static_cast<int>(std::floor(least));
-            high[a] = static_cast<int>(std::floor(most));
+            low[a] = static_cast<int>(std::floor(std::max(least, reach_.low[a])));
+            high[a] = static_cast<int>(std::floor(std::min(most, reach_.high[a])));
         }
         for (int z = low[2]; z <= high[2]; ++z) {
             for (int y = low[1]; y <= high[1]; ++y) {
@@ -112,34 +119,52 @@ void TriangulatedSolid::sort_into_bins() {
     }
 }
 
-std::vector<double> TriangulatedSolid::crossings(double y, double z) const {
-    std::vector<double> all;
+std::vector<surface::Crossing> TriangulatedSolid::crossings(double y, double z) const {
+    std::vector<surface::Crossing> all;
     const auto column = columns_.find(
         {static_cast<int>(std::floor(y)), static_cast<int>(std::floor(z)), 0});
     if (column == columns_.end()) return all;
     for (const int i : column->second)
-        if (const auto x = surface::crossing(triangles_[i], y, z)) all.push_back(*x);
-    std::sort(all.begin(), all.end());
+        if (const auto met = surface::crossing(triangles_[i], y, z)) all.push_back(*met);
+    std::ranges::sort(all, {}, &surface::Crossing::x);
     return all;
 }
 
 bool TriangulatedSolid::holds(const Vec3& point) const {
-    const auto all = crossings(point[1], point[2]);
-    const auto before = std::ranges::lower_bound(all, point[0]) - all.begin();
-    return before % 2 == 1;
+    int winding = 0;
+    for (const auto& [x, out] : crossings(point[1], point[2])) {
+        if (x < point[0]) winding -= out;
+    }
+    return winding != 0;
 }
 
 void TriangulatedSolid::mark_row(double y, double z, int x_begin,
                                  std::span<char> inside) const {
-    const auto at = crossings(y, z);
-    for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
-        const double first = std::ceil(at[i] - x_begin - 0.5);
-        const double last = std::ceil(at[i + 1] - x_begin - 0.5);
+    int winding = 0;
+    double entered = 0;
+    for (const auto& [x, out] : crossings(y, z)) {
+        const bool was_inside = winding != 0;
+        winding -= out;
+        if (!was_inside) entered = x;
+        if (!was_inside || winding != 0) continue;
         const double size = static_cast<double>(inside.size());
-        const auto from = static_cast<std::size_t>(std::clamp(first, 0.0, size));
-        const auto to = static_cast<std::size_t>(std::clamp(last, 0.0, size));
-        std::fill(inside.begin() + from, inside.begin() + std::max(from, to), char{1});
+        const auto cell = [&](double at) {
+            return static_cast<std::size_t>(
+                std::clamp(std::ceil(at - x_begin - 0.5), 0.0, size));
+        };
+        std::fill(inside.begin() + cell(entered), inside.begin() + cell(x), char{1});
     }
+}
+
+double TriangulatedSolid::length(double y, double z) const {
+    int winding = 0;
+    double sum = 0, before = 0;
+    for (const auto& [x, out] : crossings(y, z)) {
+        if (winding != 0) sum += x - before;
+        winding -= out;
+        before = x;
+    }
+    return sum;
 }
 
 double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
@@ -166,23 +191,61 @@ double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
 
 }  // namespace
 
-std::shared_ptr<const Solid> make_stl_solid(const StlSurface& body, double spacing_m) {
+namespace {
+
+// Of parts that lie in each other, what signs count twice: by lines along x.
+double volume_in_cells(const TriangulatedSolid& solid) {
+    constexpr int lines = 3;  // across a cell
+    const Bounds bounds = solid.bounds();
+    double sum = 0;
+    for (double z = std::floor(bounds.low[2]) + 0.5 / lines; z < bounds.high[2];
+         z += 1.0 / lines) {
+        for (double y = std::floor(bounds.low[1]) + 0.5 / lines; y < bounds.high[1];
+             y += 1.0 / lines)
+            sum += solid.length(y, z);
+    }
+    return sum / (lines * lines);
+}
+
+}  // namespace
+
+// Points that are asked for may lie beside the box, as those of bodies do.
+std::shared_ptr<const Solid> make_stl_solid(const StlSurface& body, double spacing_m,
+                                            const Bounds& box) {
     need("scale", body.unit_m);
-    return std::make_shared<TriangulatedSolid>(surface::read_closed(
-        body.file, body.unit_m / spacing_m, in_cells(body.shift_m, spacing_m)));
+    auto read = surface::read_closed(body.file, body.unit_m / spacing_m,
+                                     in_cells(body.shift_m, spacing_m));
+    Bounds reach = box;
+    for (int a = 0; a < 3; ++a) {
+        const double around = box.high[a] - box.low[a] + 2;
+        reach.low[a] -= around;
+        reach.high[a] += around;
+    }
+    return std::make_shared<TriangulatedSolid>(std::move(read.triangles), reach);
 }
 
 StlExtent stl_extent(const StlSurface& body) {
     need("scale", body.unit_m);
-    const std::vector<Triangle> triangles =
-        surface::read_closed(body.file, body.unit_m, body.shift_m);
-    StlExtent out{bounds_of(triangles)};
+    auto [triangles, parts] = surface::read_closed(body.file, body.unit_m, body.shift_m);
+    StlExtent out{bounds_of(triangles), 0, parts, triangles.size()};
     const Vec3& origin = out.bounds_m.low;
+    double largest = 0;
     for (const Triangle& t : triangles)
         out.volume_m3 += dot(minus(t[0], origin),
                              cross_product(minus(t[1], origin), minus(t[2], origin))) /
                          6;
-    out.volume_m3 = std::abs(out.volume_m3);  // of one turned inside out, too
+    if (parts == 1) return out;
+    for (int a = 0; a < 3; ++a)
+        largest = std::max(largest, out.bounds_m.high[a] - out.bounds_m.low[a]);
+    const double cell_m = largest / 200;
+    for (Triangle& t : triangles) {
+        for (Vec3& corner : t)
+            for (int a = 0; a < 3; ++a) corner[a] = (corner[a] - origin[a]) / cell_m;
+    }
+    const TriangulatedSolid solid(std::move(triangles), {{-1, -1, -1}, {201, 201, 201}});
+    const double held_m3 = volume_in_cells(solid) * cell_m * cell_m * cell_m;
+    // Lines are right to some 1e-3; parts beside each other need none.
+    if (std::abs(held_m3 - out.volume_m3) > 0.01 * out.volume_m3) out.volume_m3 = held_m3;
     return out;
 }
 

@@ -20,6 +20,7 @@
 #include "structure/lammps/lattice_file.h"
 #include "structure/mesh/surface.h"
 #include "structure/refuse.h"
+#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {
@@ -54,7 +55,7 @@ FixMagttice::FixMagttice(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
         const auto viscous = [](const Material& m) { return m.viscosity_pa_s != 0; };
         if (std::ranges::any_of(materials_, viscous))
             forces.push_back({force_of("viscosity"), nullptr});
-        read_body(arg[3], forces);
+        read_body(words::path_of_word(arg[3]), forces);
     } catch (const std::exception& cause) {
         fail(*error, "{}: {}", who_, cause.what());
     }
@@ -152,6 +153,19 @@ void FixMagttice::init() {
     }
     if (std::string(update->integrate_style).find("respa") != std::string::npos) {
         fail(*error, who_ + " works with run_style verlet only");
+    }
+    // Forces are in newtons, and in LAMMPS's other units they would be scaled.
+    if (std::strcmp(update->unit_style, "si") != 0)
+        fail(*error, "{} found with units {}; allowed is units si", who_,
+             update->unit_style);
+    for (const FixMagttice* other : bodies_of(*modify)) {
+        const NodeRange& its = other->range();
+        if (other == this || its.first_id >= range_.first_id + range_.count ||
+            range_.first_id >= its.first_id + its.count)
+            continue;
+        fail(*error,
+             "{} and {} are both for atoms from ID {} on; an atom belongs to one body",
+             who_, other->who_, std::max(its.first_id, range_.first_id));
     }
     int here = 0;
     for (int i = 0; i < atom->nlocal; ++i) here += range_.node(atom->tag[i]) >= 0 ? 1 : 0;

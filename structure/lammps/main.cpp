@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // magfsi-lammps: the LAMMPS command line with our styles, for plain input scripts; and
 // `magfsi-lammps lattice NAME ...`, which makes the files of a block for them.
+#include <dlfcn.h>
 #include <mpi.h>
 #include "input.h"
 #include "lammps.h"
@@ -86,6 +87,14 @@ int lattice_command(int argc, char** argv) {
 
 }  // namespace
 }  // namespace magfsi::structure
+
+// The command `clear` makes LAMMPS anew, and ends in this function, of which the library
+// finds ours in place of its own: our styles outlive it.
+void LAMMPS_NS::LAMMPS::post_create() {
+    void* const theirs = dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv");
+    if (theirs != nullptr) reinterpret_cast<void (*)(LAMMPS*)>(theirs)(this);
+    magfsi::structure::register_styles(*this);
+}
 
 int main(int argc, char** argv) {
     if (argc > 1 && std::string(argv[1]) == "lattice") {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lammps/names.h"
 
+#include <fcntl.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
 #include "structure/refuse.h"
+#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {
@@ -55,17 +58,21 @@ std::string moved_group(std::size_t motion) {
     return fmt::format("moved_{}", motion + 1);
 }
 
-std::string quoted(const std::string& path) {
-    const auto cannot = [](char c) {
-        return c == '"' || c == '$' || std::iscntrl(static_cast<unsigned char>(c)) != 0;
-    };
-    if (std::ranges::any_of(path, cannot)) {
-        refuse(
-            "the path {} has a quote, a dollar sign or a control character, which "
-            "LAMMPS cannot read",
-            path);
-    }
-    return '"' + path + '"';
+bool is_quotable(const std::string& path) {
+    return std::ranges::all_of(path, [](char c) {
+        return c >= ' ' && c <= '~' && c != '"' && c != '$' && c != '%';
+    });
+}
+
+std::string path_in_script(const std::string& path) {
+    return is_quotable(path) ? '"' + path + '"' : words::path_word(path);
+}
+
+std::string data_in_script(const std::string& path) {
+    if (is_quotable(path)) return '"' + path + '"';
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw std::runtime_error(fmt::format("cannot open {}", path));
+    return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
 std::string id_ranges(const std::vector<int>& ids) {

@@ -22,9 +22,12 @@ std::string held_group(std::size_t axis);
 // Of the nodes of a prescribed motion.
 std::string moved_group(std::size_t motion);
 
-// In double quotes. Throws std::invalid_argument on a quote or a dollar sign, which
-// LAMMPS would read as its own.
-std::string quoted(const std::string& path);
+// A path as a word of a script, for our styles: in quotes, or where LAMMPS would change
+// it, as words::path_word.
+std::string path_in_script(const std::string& path);
+// For LAMMPS itself, on the rank that reads it: such a file is opened here, and named by
+// its descriptor as long as the process lives.
+std::string data_in_script(const std::string& path);
 
 // Rising IDs as LAMMPS ranges first:last:stride, "1:91:10 3".
 std::string id_ranges(const std::vector<int>& ids);

@@ -93,14 +93,15 @@ void add_system(Lines& lines, const Assembly& all, const std::string& data_file)
     ranks[axis] = "*";
     // Ghosts must reach across an element, even one that has been stretched by half.
     const double cutoff = 1.5 * all.longest_diagonal_m;
-    lines.insert(lines.end(),
-                 {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0",
-                  "newton on", "boundary s s s",
-                  fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
-                  fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
-                  fmt::format("neighbor {:.6g} bin", 0.1 * cutoff),
-                  "neigh_modify once yes", fmt::format("read_data {}", quoted(data_file)),
-                  fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
+    lines.insert(
+        lines.end(),
+        {"units si", "atom_style sphere", "atom_modify map array sort 0 0.0", "newton on",
+         "boundary s s s",
+         fmt::format("processors {} {} {}", ranks[0], ranks[1], ranks[2]),
+         fmt::format("comm_modify mode single cutoff {:.6g} vel yes", cutoff),
+         fmt::format("neighbor {:.6g} bin", 0.1 * cutoff), "neigh_modify once yes",
+         fmt::format("read_data {}", data_in_script(data_file)),
+         fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
 }
 
 // Writes the lattice files and fills fix_id.
@@ -115,10 +116,11 @@ void add_lattices(LammpsScript& script, const LammpsInput& input, const Assembly
         script.setup.push_back(fmt::format("group {} id {}:{}", all.name[i],
                                            all.first_node[i], all.first_node[i + 1] - 1));
         script.fix_id.push_back("magttice_" + all.name[i]);
-        std::string line = fmt::format(
-            "fix {} {} magttice {} {} {:.17g} {:.17g} element {}", script.fix_id.back(),
-            all.name[i], quoted(file), all.first_node[i], body.material.shear_modulus_pa,
-            body.material.lame_lambda_pa, name_of(body.element));
+        std::string line =
+            fmt::format("fix {} {} magttice {} {} {:.17g} {:.17g} element {}",
+                        script.fix_id.back(), all.name[i], path_in_script(file),
+                        all.first_node[i], body.material.shear_modulus_pa,
+                        body.material.lame_lambda_pa, name_of(body.element));
         for (const Effect* effect : asked_effects(input)) {
             if (effect->body_words) line += effect->body_words(input, body);
         }

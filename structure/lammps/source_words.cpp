@@ -11,6 +11,7 @@
 
 #include "structure/lammps/law_words.h"
 #include "structure/refuse.h"
+#include "words/path_word.h"
 
 namespace magfsi::structure {
 namespace {
@@ -67,17 +68,7 @@ struct Writer {
         return out;
     }
     std::string operator()(const GridField& s) const {
-        const bool fit = std::ranges::none_of(s.file, [](char c) {
-            return std::isspace(static_cast<unsigned char>(c)) != 0 || c == ';' ||
-                   c == '"' || c == '\'' || c == '$' || c == '&' || c == '#';
-        });
-        if (!fit) {
-            refuse(
-                "the field grid {} found; a path without blanks, quotes and ; $ & # is "
-                "allowed",
-                s.file);
-        }
-        return "grid " + s.file;
+        return "grid " + words::path_word(s.file);
     }
 
     std::string operator()(const StrengthOscillation& s) const {
@@ -218,7 +209,7 @@ bool read_shape(Group& g, SourceShape& out) {
         out = CoilSystem{};
     } else if (g.word == "grid") {
         if (g.texts.size() != 1) refuse("\"grid\" without one file found");
-        out = GridField{g.texts.front()};
+        out = GridField{words::path_of_word(g.texts.front())};
     } else {
         return false;
     }

@@ -25,6 +25,9 @@ class GridValues {
     point_fields::Field<point_fields::Gradient> at(
         const point_fields::Point<point_fields::Gradient>& x) const;
 
+    const std::array<std::vector<double>, 3>& axes_m() const { return axes_m_; }
+    const std::vector<Vec3>& values_t() const { return values_t_; }
+
   private:
     std::array<std::vector<double>, 3> axes_m_;
     std::vector<Vec3> values_t_;

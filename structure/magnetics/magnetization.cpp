@@ -49,11 +49,6 @@ void check(const HarmonicMagnetization& profile) {
     }
 }
 
-struct Row {
-    Vec3 point_m{};
-    Vec3 vector_a_m{};
-};
-
 constexpr std::array<ColumnKind, 6> table_columns{{{"x", units::length},
                                                    {"y", units::length},
                                                    {"z", units::length},
@@ -61,36 +56,18 @@ constexpr std::array<ColumnKind, 6> table_columns{{{"x", units::length},
                                                    {"My", units::magnetization},
                                                    {"Mz", units::magnetization}}};
 
-struct Table {
-    std::vector<Row> rows;
-    bool has_points = false;
-};
-
-Table read_rows(const std::filesystem::path& file) {
-    const auto values =
-        read_table("magnetisation table", file, table_columns, {"Mx", "My", "Mz"});
-    Table table{std::vector<Row>(values[3].size()), !values[0].empty()};
-    for (std::size_t r = 0; r < table.rows.size(); ++r) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            if (table.has_points) table.rows[r].point_m[d] = values[d][r];
-            table.rows[r].vector_a_m[d] = values[3 + d][r];
-        }
-    }
-    return table;
-}
-
 double squared_distance(const Vec3& a, const Vec3& b) {
     double sum = 0;
     for (int d = 0; d < 3; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
     return sum;
 }
 
-// Rows in the order of x: the search runs outwards from the centre's x and stops where x
-// alone is further away than the best.
+// Points in the order of x: the search runs outwards from the centre's x and stops where
+// x alone is further away than the best.
 class NearestRow {
   public:
-    explicit NearestRow(const std::vector<Row>& rows) : rows_(rows) {
-        for (std::size_t r = 0; r < rows.size(); ++r) by_x_.push_back(r);
+    explicit NearestRow(const std::vector<Vec3>& points_m) : points_m_(points_m) {
+        for (std::size_t r = 0; r < points_m.size(); ++r) by_x_.push_back(r);
         std::ranges::stable_sort(by_x_, {}, [&](std::size_t r) { return x_of(r); });
     }
 
@@ -104,7 +81,7 @@ class NearestRow {
             return (x_of(r) - point[0]) * (x_of(r) - point[0]);
         };
         const auto try_row = [&](std::size_t r) {
-            const double away = squared_distance(rows_[r].point_m, point);
+            const double away = squared_distance(points_m_[r], point);
             if (away < least || (away == least && r < best)) {
                 least = away;
                 best = r;
@@ -116,21 +93,21 @@ class NearestRow {
     }
 
   private:
-    double x_of(std::size_t row) const { return rows_[row].point_m[0]; }
+    double x_of(std::size_t row) const { return points_m_[row][0]; }
 
-    const std::vector<Row>& rows_;
+    const std::vector<Vec3>& points_m_;
     std::vector<std::size_t> by_x_;
 };
 
-std::vector<Vec3> nearest_vectors(const Mesh& mesh, const std::vector<Row>& rows,
+std::vector<Vec3> nearest_vectors(const Mesh& mesh, const MagnetizationRows& rows,
                                   const std::filesystem::path& file) {
-    const NearestRow nearest(rows);
+    const NearestRow nearest(rows.point_m);
     const double far_m = 0.5 * bounds(mesh.nodes).diagonal_m();
     std::vector<Vec3> out;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Vec3 centre = element_centre(mesh, e);
-        const Row& row = rows[nearest(centre)];
-        const double away = std::sqrt(squared_distance(row.point_m, centre));
+        const std::size_t row = nearest(centre);
+        const double away = std::sqrt(squared_distance(rows.point_m[row], centre));
         if (away > far_m) {
             refuse(
                 "magnetisation table {}: its point nearest to element {} with the centre "
@@ -138,7 +115,7 @@ std::vector<Vec3> nearest_vectors(const Mesh& mesh, const std::vector<Row>& rows
                 "body's diagonal, is allowed; see that unit and frame are the body's",
                 file.string(), e, centre[0], centre[1], centre[2], away, far_m);
         }
-        out.push_back(row.vector_a_m);
+        out.push_back(rows.vector_a_m[row]);
     }
     return out;
 }
@@ -336,19 +313,29 @@ std::vector<Vec3> region_magnetization(const Mesh& mesh,
     return out;
 }
 
+MagnetizationRows read_magnetization(const std::filesystem::path& file) {
+    const auto values =
+        read_table("magnetisation table", file, table_columns, {"Mx", "My", "Mz"});
+    MagnetizationRows out;
+    for (std::size_t r = 0; r < values[3].size(); ++r) {
+        out.vector_a_m.push_back({values[3][r], values[4][r], values[5][r]});
+        if (!values[0].empty())
+            out.point_m.push_back({values[0][r], values[1][r], values[2][r]});
+    }
+    return out;
+}
+
 std::vector<Vec3> table_magnetization(const Mesh& mesh,
                                       const std::filesystem::path& file) {
-    const auto [rows, has_points] = read_rows(file);
-    if (has_points) return nearest_vectors(mesh, rows, file);
-    if (rows.size() != mesh.elements.size()) {
+    MagnetizationRows rows = read_magnetization(file);
+    if (!rows.point_m.empty()) return nearest_vectors(mesh, rows, file);
+    if (rows.vector_a_m.size() != mesh.elements.size()) {
         refuse(
             "magnetisation table {}: {} rows found for {} elements; without the columns "
             "x, y, z one row per element is needed",
-            file.string(), rows.size(), mesh.elements.size());
+            file.string(), rows.vector_a_m.size(), mesh.elements.size());
     }
-    std::vector<Vec3> out;
-    for (const Row& row : rows) out.push_back(row.vector_a_m);
-    return out;
+    return std::move(rows.vector_a_m);
 }
 
 }  // namespace magfsi::structure

@@ -64,6 +64,36 @@ void check_header(const std::filesystem::path& file) {
     }
 }
 
+// Gmsh's library makes tables as long as the largest tag, with tags of 31 bits.
+void check_tags(const std::filesystem::path& file) {
+    constexpr unsigned long long most = 2147483647;
+    std::ifstream stream(file, std::ios::binary);
+    std::string version, kind, section;
+    stream >> section >> version >> kind;
+    if (kind != "0") return;  // binary: of 32 bits in 2.2
+    std::string line, number;
+    bool tags = false;
+    while (std::getline(stream, line)) {
+        if (line.starts_with('$'))
+            tags = line.starts_with("$Nodes") || line.starts_with("$Elements");
+        if (!tags || line.starts_with('$')) continue;
+        for (std::size_t at = 0; at < line.size();) {
+            const std::size_t begin = line.find_first_not_of(" \t\r", at);
+            if (begin == std::string::npos) break;
+            at = std::min(line.find_first_of(" \t\r", begin), line.size());
+            number = line.substr(begin, at - begin);
+            if (number.size() < 10 ||
+                number.find_first_not_of("0123456789") != std::string::npos)
+                continue;
+            if (number.size() > 18 || std::stoull(number) > most)
+                throw std::runtime_error(fmt::format(
+                    "the number {} found, of a node or an element; at most {} is "
+                    "allowed; renumber them in Gmsh (Mesh.Renumber)",
+                    number, most));
+        }
+    }
+}
+
 void refuse_other_elements() {
     std::vector<int> types;
     gmsh::model::mesh::getElementTypes(types, 3);
@@ -131,7 +161,9 @@ int region_of(Mesh& mesh, int volume) {
     return static_cast<int>(mesh.region_names.size()) - 1;
 }
 
-void read_elements(Mesh& mesh, const NodeNumbers& numbers) {
+// Gmsh's tags of the elements.
+std::vector<std::size_t> read_elements(Mesh& mesh, const NodeNumbers& numbers) {
+    std::vector<std::size_t> all;
     gmsh::vectorpair volumes, groups;
     gmsh::model::getEntities(volumes, 3);
     gmsh::model::getPhysicalGroups(groups, 3);
@@ -145,8 +177,10 @@ void read_elements(Mesh& mesh, const NodeNumbers& numbers) {
             for (int a = 0; a < 8; ++a) element[a] = numbers.at(nodes[8 * e + a]);
             mesh.elements.push_back(oriented(mesh.nodes, lexicographic(element)));
             if (region >= 0) mesh.region.push_back(region);
+            all.push_back(tags[e]);
         }
     }
+    return all;
 }
 
 void read_groups(std::map<std::string, std::vector<int>>& out, int dimension,
@@ -180,18 +214,19 @@ void refuse_empty_groups(const Mesh& mesh) {
 GmshMesh read(const std::filesystem::path& file, double metres_per_unit) {
     refuse_options(file);
     check_header(file);
+    check_tags(file);
     const GmshSession session;
     gmsh::open(file.string());
     refuse_other_elements();
     GmshMesh out;
     const NodeNumbers numbers = read_nodes(out.mesh, metres_per_unit);
-    read_elements(out.mesh, numbers);
+    const std::vector<std::size_t> tags = read_elements(out.mesh, numbers);
     read_groups(out.mesh.faces, 2, numbers);
     read_groups(out.mesh.points, 1, numbers);
     read_groups(out.mesh.points, 0, numbers);
     out.unused_nodes = drop_unused_nodes(out.mesh);
     refuse_empty_groups(out.mesh);
-    refuse_broken_mesh(out.mesh);
+    refuse_broken_mesh(out.mesh, tags);
     for (const int part : connected_parts(out.mesh)) {
         out.part_elements.resize(
             std::max(out.part_elements.size(), static_cast<std::size_t>(part) + 1));

@@ -168,16 +168,19 @@ std::vector<int> parts_joined_by_faces(const Mesh& mesh) {
     return part;
 }
 
-void refuse_broken_mesh(const Mesh& mesh) {
+void refuse_broken_mesh(const Mesh& mesh, std::span<const std::size_t> names) {
+    const auto name = [&](std::size_t e) {
+        return static_cast<int>(names.empty() ? e : names[e]);
+    };
     if (mesh.elements.empty()) refuse("the mesh has no hexahedra");
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        integrate_hexahedron(gather(mesh.nodes, mesh.elements[e]), static_cast<int>(e));
+        integrate_hexahedron(gather(mesh.nodes, mesh.elements[e]), name(e));
     }
     if (const auto twins = duplicate_elements(mesh)) {
         refuse(
             "elements {} and {} of the mesh have the same nodes; put every volume into "
             "one physical group only",
-            (*twins)[0], (*twins)[1]);
+            name((*twins)[0]), name((*twins)[1]));
     }
     if (const auto pair = coincident_nodes(mesh, 1e-3 * shortest_edge_m(mesh))) {
         const Vec3& x = mesh.nodes[(*pair)[0]];

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "structure/mesh/mesh.h"
@@ -38,7 +39,8 @@ std::vector<int> parts_joined_by_faces(const Mesh& mesh);
 
 // Throws std::invalid_argument with advice on a mesh without elements, an inverted
 // element, elements given twice, or nodes within a thousandth of the shortest edge.
-void refuse_broken_mesh(const Mesh& mesh);
+// names: the numbers of elements in their file, or none.
+void refuse_broken_mesh(const Mesh& mesh, std::span<const std::size_t> names = {});
 
 // From the order of VTK and Gmsh (round the bottom, then round the top) to ours.
 Hexahedron lexicographic(const Hexahedron& round);

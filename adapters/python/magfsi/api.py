@@ -68,7 +68,9 @@ def _flat(settings: Mapping[str, Any], above: str = "") -> dict[str, str]:
     flat: dict[str, str] = {}
     for key, value in settings.items():
         path = f"{above}{key}"
-        if isinstance(value, Mapping):
+        if isinstance(value, Mapping) and not value:
+            flat[path] = "{}"  # an effect with its defaults
+        elif isinstance(value, Mapping):
             flat.update(_flat(value, path + "."))
         elif isinstance(value, str):
             flat[path] = value

@@ -305,13 +305,13 @@ TEST_F(StlFile, OpenSurfaceIsRefused) {
     auto triangles = block_surface({2, 3, 1}, {7, 8, 6});
     triangles.pop_back();
     magfsi::test::write_stl(path_, triangles);
-    refuses("has 3 edges that do not join two triangles");
+    refuses("3 edges that do not join two triangles");
 }
 
 TEST_F(StlFile, CutBinaryFileIsRefused) {
     write_binary(block_surface({2, 3, 1}, {7, 8, 6}));
     std::filesystem::resize_file(path_, 84 + 50 * 12 - 7);
-    refuses("has no triangle");  // begins with "solid" and is no ASCII
+    refuses("50 bytes per triangle");  // begins with "solid," and is no ASCII
 }
 
 TEST_F(StlFile, CutAsciiFileIsRefused) {
