@@ -63,6 +63,10 @@ LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& perio
             if (!low_ring) covered.lo[d] = 0;
             if (!high_ring) covered.hi[d] = n;
         }
+        if (covered.hi[d] - covered.lo[d] < least_cells) {
+            covered.lo[d] -= low_ring ? 1 : 0;
+            covered.hi[d] += high_ring ? 1 : 0;
+        }
         place.inside.lo[d] = 2 * covered.lo[d];
         place.inside.hi[d] = 2 * covered.hi[d];
         place.stored.lo[d] = place.inside.lo[d] - (low_ring ? ring_cells : 0);
