@@ -27,18 +27,21 @@ class Bins {
     }
 
     // Searches growing shells of bins; what lies beyond shell n is further than n bins.
-    std::size_t nearest(const Vec3& x) const {
-        std::size_t best = 0;
+    // All that are as near but for rounding: one alone would be another one in the mirror
+    // image of a body.
+    std::vector<std::size_t> nearest(const Vec3& x) const {
+        constexpr double rounding = 1e-9;
+        std::vector<std::size_t> best;
         double best2 = std::numeric_limits<double>::infinity();
         for (int shell = 0;; ++shell) {
             for_each_in(bin(x), shell, [&](std::size_t m) {
                 double r2 = 0;
                 for (std::size_t d = 0; d < 3; ++d)
                     r2 += (at_[m][d] - x[d]) * (at_[m][d] - x[d]);
-                if (r2 < best2) {
-                    best2 = r2;
-                    best = m;
-                }
+                if (r2 > best2 * (1 + rounding)) return;
+                if (r2 < best2 * (1 - rounding)) best.clear();
+                best.push_back(m);
+                best2 = std::min(best2, r2);
             });
             if (best2 <= std::pow(shell * size_m_, 2)) return best;
         }
@@ -78,11 +81,11 @@ bool all_in(const std::set<int>& face, const structure::SurfaceQuad& quad) {
 
 }  // namespace
 
-std::vector<std::size_t> nearest_markers(std::span<const PlacedMarker> markers,
-                                         const structure::Mesh& mesh,
-                                         std::span<const Vec3> points, double spacing_m) {
+std::vector<std::vector<std::size_t>> nearest_markers(
+    std::span<const PlacedMarker> markers, const structure::Mesh& mesh,
+    std::span<const Vec3> points, double spacing_m) {
     const Bins bins(markers, mesh, spacing_m);
-    std::vector<std::size_t> nearest;
+    std::vector<std::vector<std::size_t>> nearest;
     for (const Vec3& x : points) nearest.push_back(bins.nearest(x));
     return nearest;
 }
@@ -111,8 +114,10 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     std::map<std::size_t, Vec3> areas;
     // So close that every marker of an even layer gets some.
     for (const auto& p : structure::surface_points(mesh, surface, 0.5 * spacing_m)) {
-        Vec3& sum = areas[bins.nearest(structure::position(mesh, p.point))];
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += faces * p.area_m2 * p.normal[d];
+        const auto nearest = bins.nearest(structure::position(mesh, p.point));
+        const double area_m2 = faces * p.area_m2 / static_cast<double>(nearest.size());
+        for (const std::size_t marker : nearest)
+            for (std::size_t d = 0; d < 3; ++d) areas[marker][d] += area_m2 * p.normal[d];
     }
     for (const auto& [marker, area] : areas) set_area(markers[marker], mesh, area);
 }

@@ -13,11 +13,11 @@
 
 namespace magfsi::bodies {
 
-// For each point the nearest of the markers. spacing_m: about that of the markers.
-std::vector<std::size_t> nearest_markers(std::span<const PlacedMarker> markers,
-                                         const structure::Mesh& mesh,
-                                         std::span<const structure::Vec3> points,
-                                         double spacing_m);
+// For each point the nearest of the markers, all that are as near. spacing_m: about that
+// of the markers.
+std::vector<std::vector<std::size_t>> nearest_markers(
+    std::span<const PlacedMarker> markers, const structure::Mesh& mesh,
+    std::span<const structure::Vec3> points, double spacing_m);
 
 // The marker stands for this vector area [m2], outward, of the undeformed body: there
 // leakage is measured.

@@ -65,6 +65,11 @@ class Frame:
     def point(self, point):
         return [self.mm(value) for value in self.place(point)]
 
+    def in_box(self, point):
+        """A point that a shift has moved out of the box, where it is again in it."""
+        size = self.lengths(self.size)
+        return [self.mm(x % s) for x, s in zip(self.place(point), size)]
+
     def moved(self, vector):
         return [self.mm(value) for value in self.direction(vector)]
 
@@ -108,7 +113,12 @@ class Frame:
     def back(self, columns, planes):
         """Columns of probes, in the scene's own axes; planes: axis of each plane."""
         found = {}
+        sides = {self.side(f"{axis}_{end}"): f"{axis}_{end}"
+                 for axis in AXES for end in ("min", "max")}
         for name, values in columns.items():
+            if ".lift[" in name or ".drag[" in name:
+                continue  # along axes that the program chooses
+            name = re.sub(r"(?<=\.)[xyz]_(min|max)(?=\.)", lambda m: sides[m[0]], name)
             plane = next((axis for p, axis in planes.items() if name.startswith(p + ".")), None)
             through = plane and ("flow" in name or "flux" in name)
             sign = self.to[AXES.index(plane)][1] if through else 1
@@ -126,7 +136,11 @@ class Frame:
             if re.search(r"com_$|points\.|_at_$", head):
                 middle = self.size[AXES.index(here)] / 2
                 moved = middle - sign * (middle + self.by[AXES.index(there)])
-            found[head + here + unit] = [sign * v + moved * 1e-3 for v in values]
+            values = [sign * v + moved * 1e-3 for v in values]
+            if head.endswith("com_"):
+                box = self.size[AXES.index(here)] * 1e-3
+                values = [v - box * math.floor(values[0] / box) for v in values]
+            found[head + here + unit] = values
         return found
 
 
@@ -158,8 +172,9 @@ def planes(f, **at):
     there = {}
     for name, (axis, x) in at.items():
         point = [x if a == axis else 0 for a in AXES]
-        there[name] = {"plane": {"axis": f.axis(axis),
-                                 "at": f.mm(f.place(point)[AXES.index(f.axis(axis))])}}
+        along = AXES.index(f.axis(axis))
+        at = f.place(point)[along] % f.lengths(f.size)[along]  # a plane is asked for in the box
+        there[name] = {"plane": {"axis": f.axis(axis), "at": f.mm(at)}}
     return {"integrals": there}
 
 
@@ -178,7 +193,7 @@ def block(f, size, elements, position, magnetization=(60, 10, 30), material=MATE
     body = {"mesh": {"box": {"size": f.edges(size), "elements": f.lengths(elements)}},
             "material": {"shear_modulus": f.pa(shear), "lame_lambda": f.pa(lame),
                          "density": f.density(density)},
-            "initial": {"position": f.point(position)},
+            "initial": {"position": f.in_box(position)},
             "magnetization": {"uniform": f.magnetization(magnetization)}, **more}
     if tilt:
         plane, sign = f.plane(tilt[0])
@@ -206,10 +221,61 @@ def lid(box):
     return Scene((8, 6, 6), 0.5, "", make, {"pl1": "x", "pl2": "z"})
 
 
+def periodic_bodies(f):
+    """A strip is pushed into a cube, through the side x of the box where they are shifted by half
+    of it; dipoles and contact act between them."""
+    push = [{"face": f.side("x_min"), "ramp": {"displacement": f.moved([2.5, 0, 0]),
+                                               "duration": f.s(2)}}]
+    return scene(
+        f, 2, 0.5,
+        bodies={"strip": block(f, [1.5, 1.2, 0.4], [6, 4, 2], [3, 4.1, 4.2],
+                               prescribed_motion=push),
+                "cube": block(f, [1, 0.8, 0.6], [4, 3, 3], [4.6, 4, 4], (20, -30, 50),
+                              (50000, 1000000, 1200))},
+        contact={"distance": f.mm(0.35)}, dipoles={},
+        magnetic_field={"vector": f.field([2, 5, 12])},
+        fluid=fluid(f, 0.5, 2, 1))
+
+
+def periodic_obstacle(f):
+    """Flow past a ball, and a strip that is pushed towards it."""
+    push = [{"face": f.side("x_min"), "ramp": {"displacement": f.moved([1.6, 0, 0]),
+                                               "duration": f.s(2)}}]
+    return scene(
+        f, 2, 0.5,
+        bodies={"strip": block(f, [1.5, 1.2, 0.4], [6, 4, 2], [2.2, 4, 4],
+                               prescribed_motion=push)},
+        contact={"distance": f.mm(0.35)},
+        magnetic_field={"vector": f.field([2, 5, 12])},
+        probes=planes(f, pl1=("x", 5.2), pl2=("z", 4)),
+        fluid=fluid(f, 0.5, 2, 1, initial_velocity=f.speed([0.1, 0.05, 0.02]),
+                    obstacles={"ball": {"sphere": {"centre": f.in_box([5.1, 4.1, 3.9]),
+                                                   "diameter": f.mm(2.2)}}}))
+
+
+def inlet(shape, profile):
+    """An oblique inlet over a part of a side beside a lid that moves towards it."""
+    def make(f):
+        opening = ({"disc": {"centre": f.in_plane("x", [0, 2.3, 3.15]), "diameter": f.mm(2.7)}}
+                   if shape == "disc" else
+                   {"rectangle": {"centre": f.in_plane("x", [0, 2.3, 3.15]),
+                                  "size": f.extent_in_plane("x", [0, 2.7, 1.3])}})
+        sides = {**NO_SLIP, "z_max": wall(f, [0.2, 0.1, 0]), "x_max": {"pressure_outlet": {}},
+                 "x_min": {"velocity_inlet": {"velocity": f.speed([0.1, 0.02, 0]),
+                                              "profile": profile, "ramp": f.s(1), **opening}}}
+        return scene(f, 3, 1, fluid=fluid(f, 0.5, 10, 0.5, sides),
+                     probes=planes(f, pl1=("x", 2.5), pl2=("z", 3)))
+    return Scene((5, 5, 5), 0.5, "", make, {"pl1": "x", "pl2": "z"})
+
+
 SCENES = {
     # A patch of two coarse cells along each axis, with corners inside of cells and on borders.
     "thin_patch": lid(([2.6, 2.1, 2.6], [4.4, 3.4, 3.4])),
     "patch_on_borders": lid(([2.5, 2, 2], [4.5, 3.5, 3])),
+    "periodic_bodies": Scene((8, 8, 8), 0.5, "xyz", periodic_bodies),
+    "periodic_obstacle": Scene((8, 8, 8), 0.5, "xyz", periodic_obstacle, {"pl1": "x", "pl2": "z"}),
+    "inlet_disc": inlet("disc", "parabolic"),
+    "inlet_rectangle": inlet("rectangle", "uniform"),
 }
 
 MIRRORS = {f"mirrored in {AXES[i]}": [(j, -1 if j == i else 1) for j in range(3)]
@@ -220,7 +286,7 @@ TURNS = {"turned, x to y": [(1, 1), (0, -1), (2, 1)], "turned, x to y to z": [(1
 def relations(one):
     """Frames by what they are called."""
     frames = {name: Frame(one.size, to) for name, to in (MIRRORS | TURNS).items()}
-    for axes in one.periodic and [one.periodic, *one.periodic]:
+    for axes in one.periodic and ["x", "y", "z", "xz", "xyz"]:
         shift = [one.spacing * round(one.size[i] / one.spacing / 2) if AXES[i] in axes else 0
                  for i in range(3)]
         frames[f"shifted by half a box along {axes}"] = Frame(one.size, shift=shift)
