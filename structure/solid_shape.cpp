@@ -172,7 +172,8 @@ SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m) {
 SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m,
                                const Vec3& period_m) {
     if (period_m == Vec3{}) return signed_distance(shape, point_m);
-    const Bounds around = std::visit([](const auto& one) { return bounds_of(one); }, shape);
+    const Bounds around =
+        std::visit([](const auto& one) { return bounds_of(one); }, shape);
     std::array<std::array<double, 2>, 3> at{};
     for (std::size_t d = 0; d < 3; ++d) {
         at[d] = {point_m[d], point_m[d]};
@@ -180,7 +181,8 @@ SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m,
         if (period_m[d] == 0 || !std::isfinite(middle)) continue;
         const double away = point_m[d] - middle;
         const double nearest = away - period_m[d] * std::round(away / period_m[d]);
-        at[d] = {middle + nearest, middle + nearest - std::copysign(period_m[d], nearest)};
+        at[d] = {middle + nearest,
+                 middle + nearest - std::copysign(period_m[d], nearest)};
     }
     SignedDistance found{INFINITY, {}};
     for (unsigned i = 0; i < 8; ++i) {

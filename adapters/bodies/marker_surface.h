@@ -24,6 +24,11 @@ std::vector<std::vector<std::size_t>> nearest_markers(
 void set_area(PlacedMarker& marker, const structure::Mesh& mesh,
               const structure::Vec3& area_m2);
 
+// A marker on the border of elements becomes one in each, with a share of it, where its
+// area would follow the nodes of one of them alone: a body that is symmetric stays so.
+void share_among_elements(std::vector<PlacedMarker>& markers,
+                          const structure::Mesh& mesh);
+
 // Each piece of the surface, of half a spacing and less, goes to the marker nearest to
 // its middle: the areas of the markers add up to that of the surface. faces: 2 where one
 // side of a sheet stands for both.

@@ -359,6 +359,7 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
     else
         markers = in_mesh(mesh, sheet, dry, reach);
     share_faces(markers, mesh, sheet, layer.has_value(), dry, reach);
+    share_among_elements(markers, mesh);
     if (layer) {
         for (PlacedMarker& marker : markers)
             marker.beyond_m3 =

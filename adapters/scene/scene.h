@@ -165,8 +165,7 @@ struct Fluid : fluid::Options {
     Vec3 period_m() const {
         Vec3 period{};
         for (std::size_t d = 0; d < 3; ++d)
-            period[d] =
-                boundaries[2 * d].kind == BoundaryKind::periodic ? box_m[d] : 0;
+            period[d] = boundaries[2 * d].kind == BoundaryKind::periodic ? box_m[d] : 0;
         return period;
     }
     // Where bodies are.

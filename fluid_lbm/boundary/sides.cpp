@@ -48,8 +48,8 @@ double overlap(double low, double high, double from, double to) {
 // Part of the square around `at` that a disc covers: strips across it and along it, each
 // with its exact chord, so that it goes evenly with the disc's place and does not depend
 // on which axis is which.
-double share_of_disc(const std::array<double, 2>& at,
-                     const std::array<double, 2>& centre, double radius) {
+double share_of_disc(const std::array<double, 2>& at, const std::array<double, 2>& centre,
+                     double radius) {
     constexpr int strips = 16;
     double sum = 0;
     for (std::size_t along = 0; along < 2; ++along) {

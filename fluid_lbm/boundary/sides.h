@@ -48,8 +48,8 @@ void for_each_cell(const CellBox& box, Use&& use) {
     }
 }
 
-// Whether an inlet's opening has a part of a cell's face on the side; an outlet's, whether
-// it has the face's centre. True without an opening. Global indices.
+// Whether an inlet's opening has a part of a cell's face on the side; an outlet's,
+// whether it has the face's centre. True without an opening. Global indices.
 bool is_open(const FluidConfig& config, int side, const Cell& cell);
 
 // Of the opening, or the whole side.
@@ -58,8 +58,8 @@ double opening_area_m2(const FluidConfig& config, int side);
 // sides.
 double inflow_m3_s(const FluidConfig& config, int side);
 
-// Steady velocity [cells per step], the mean over its face, at the face of an inlet's open cell, global indices.
-// Of an accepted configuration, which outlives the function.
+// Steady velocity [cells per step], the mean over its face, at the face of an inlet's
+// open cell, global indices. Of an accepted configuration, which outlives the function.
 std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int side);
 
 // Throws std::invalid_argument with a sentence on the first side that cannot run.

@@ -23,9 +23,9 @@ bool through_edge(const RowLayout& layout, int axis, int q, int index) {
 // these are the natural slots of the cells at the wall. A link through an edge takes the
 // mean velocity of the two walls that meet there (in a lid-driven cavity that halves the
 // error against a converged solution); what the box gains at one end of a wall it loses
-// at the other. Where one of the ends is no wall that does not hold: at an inlet the links
-// through the edge are the inlet's, and what they gain at the other end is taken from the
-// link straight from the wall.
+// at the other. Where one of the ends is no wall that does not hold: at an inlet the
+// links through the edge are the inlet's, and what they gain at the other end is taken
+// from the link straight from the wall.
 class MovingWall final : public SideEffect {
   public:
     // velocity: lattice units, tangential.
@@ -97,8 +97,8 @@ class MovingWall final : public SideEffect {
             if (!through_edge(layout, axis, q, index)) continue;
             int from = q;
             for (int s = 1; s < directions && !inlet_[axis][end]; ++s) {
-                const bool straight = c[s][axis_of(side_)] == inward(side_) &&
-                                      weight(s) > weight(q);
+                const bool straight =
+                    c[s][axis_of(side_)] == inward(side_) && weight(s) > weight(q);
                 if (straight) from = s;
             }
             for (int z = cells.lo[2]; z < cells.hi[2]; ++z) {

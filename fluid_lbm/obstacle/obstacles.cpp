@@ -38,9 +38,8 @@ bool SolidMap::in_box(const Cell& local) const {
 }
 
 void SolidMap::mark(const Solid& solid, int number) {
-    const Bounds box{
-        {0, 0, 0},
-        {1.0 * box_cells_[0], 1.0 * box_cells_[1], 1.0 * box_cells_[2]}};
+    const Bounds box{{0, 0, 0},
+                     {1.0 * box_cells_[0], 1.0 * box_cells_[1], 1.0 * box_cells_[2]}};
     const std::vector<Bounds> parts = solid.parts_in(box);
     std::vector<char> inside(box_cells_[0]);
     for (int z = -1; z <= size_[2]; ++z) {

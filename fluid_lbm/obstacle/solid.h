@@ -56,8 +56,8 @@ StlExtent stl_extent(const StlSurface& surface);
 std::shared_ptr<const Solid> with_images(std::shared_ptr<const Solid> solid,
                                          const std::array<int, 3>& period);
 
-// In the order of the configuration, with images across periodic sides. Throws std::invalid_argument with a sentence on the
-// first obstacle that cannot be.
+// In the order of the configuration, with images across periodic sides. Throws
+// std::invalid_argument with a sentence on the first obstacle that cannot be.
 Solids make_solids(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

@@ -11,7 +11,8 @@ namespace magfsi::fluid {
 namespace {
 
 // The bodies' cells on a grid. A corner on the border of two cells lies in that of the
-// two which is within: what rounding makes of it, and of its mirror image, does not count.
+// two which is within: what rounding makes of it, and of its mirror image, does not
+// count.
 CellBox cells_around(const BodyBox& bodies_m, double spacing_m) {
     constexpr double rounding = 1e-9;  // cells
     CellBox box;

@@ -38,8 +38,8 @@ inline std::array<bool, 3> goes_on_through_sides(std::span<const Vec3> nodes_m,
     for (const Vec3& x : nodes_m) all.add(x);
     std::array<bool, 3> goes_on{};
     for (std::size_t d = 0; d < 3; ++d)
-        goes_on[d] = period_m[d] > 0 &&
-                     all.high_m[d] - all.low_m[d] > (1 - 1e-6) * period_m[d];
+        goes_on[d] =
+            period_m[d] > 0 && all.high_m[d] - all.low_m[d] > (1 - 1e-6) * period_m[d];
     return goes_on;
 }
 
@@ -54,9 +54,8 @@ class NearPairs {
         for (std::size_t i = 0; i < entries_.size(); ++i) {
             Place place;
             for (std::size_t d = 0; d < 3; ++d)
-                place[d] =
-                    1 + static_cast<std::int64_t>(
-                            (entries_[i].x_m[d] - all.low_m[d]) / edge_m);
+                place[d] = 1 + static_cast<std::int64_t>(
+                                   (entries_[i].x_m[d] - all.low_m[d]) / edge_m);
             cells_[key(place)].push_back(i);
         }
     }
@@ -111,11 +110,11 @@ class NearPairs {
         for (const double z : by[2]) {
             for (const double y : by[1]) {
                 for (const double x_by : by[0])
-                    entries_.push_back({number,
-                                        {x[0] + x_by, x[1] + y, x[2] + z},
-                                        {x_by, y, z},
-                                        x_by != by[0][0] || y != by[1][0] ||
-                                            z != by[2][0]});
+                    entries_.push_back(
+                        {number,
+                         {x[0] + x_by, x[1] + y, x[2] + z},
+                         {x_by, y, z},
+                         x_by != by[0][0] || y != by[1][0] || z != by[2][0]});
             }
         }
     }

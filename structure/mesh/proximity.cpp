@@ -119,8 +119,8 @@ ProximityFinder::ProximityFinder(std::span<const Mesh* const> bodies, double nea
 std::optional<double> ProximityFinder::rest_gap_m(const Patch& a, const Patch& b,
                                                   const Vec3& image_m) const {
     if (a.body != b.body) return {};
-    const auto apart = rest_distance_m(a.rest.centre_m, b.rest.centre_m, image_m,
-                                       goes_on_[a.body]);
+    const auto apart =
+        rest_distance_m(a.rest.centre_m, b.rest.centre_m, image_m, goes_on_[a.body]);
     if (!apart) return {};
     return *apart - a.rest.radius_m - b.rest.radius_m;
 }

@@ -239,7 +239,7 @@ def periodic_bodies(f):
 
 def periodic_obstacle(f):
     """Flow past a ball, and a strip that is pushed towards it."""
-    push = [{"face": f.side("x_min"), "ramp": {"displacement": f.moved([1.6, 0, 0]),
+    push = [{"face": f.side("x_min"), "ramp": {"displacement": f.moved([1.2, 0, 0]),
                                                "duration": f.s(2)}}]
     return scene(
         f, 2, 0.5,

@@ -29,9 +29,9 @@ constexpr double rounding = 1e-9;
 constexpr double at_rest[3] = {0, 0, 0};
 
 // fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU] [periodic LX LY LZ]: a
-// shape that pushes the surfaces of bodies back, in their nodes and in the middles of their quads, half of the
-// area each: a quad would dip into a ball between its nodes. Each feels the plane that
-// touches the shape at its nearest point.
+// shape that pushes the surfaces of bodies back, in their nodes and in the middles of
+// their quads, half of the area each: a quad would dip into a ball between its nodes.
+// Each feels the plane that touches the shape at its nearest point.
 class FixMagtticeSolid : public StickingFix {
   public:
     FixMagtticeSolid(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
@@ -68,7 +68,7 @@ class FixMagtticeSolid : public StickingFix {
 
     std::optional<SolidShape> shape_;
     Vec3 period_m_{};  // of axes along which the shape is there again, else 0
-    Platform plane_;  // stiffness and friction of all
+    Platform plane_;   // stiffness and friction of all
     void (FixMagtticeSolid::*push_)() = &FixMagtticeSolid::push<false>;
     std::vector<Point> all_, here_;
     double energy_j_ = 0;  // this rank's share, of the last forces

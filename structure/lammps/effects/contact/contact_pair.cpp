@@ -39,8 +39,8 @@ void PairMagtticeContact::settings(int narg, char** arg) {
     for (int i = 2; known && i < narg;) {
         const std::string keyword = arg[i++];
         const int values = keyword == "periodic" ? 3 : 1;
-        known = i + values <= narg && (keyword == "excluded" || keyword == "friction" ||
-                                       keyword == "periodic");
+        known = i + values <= narg &&
+                (keyword == "excluded" || keyword == "friction" || keyword == "periodic");
         for (int k = 0; known && k < values; ++k, ++i) {
             const double value = number(arg[i], lmp);
             if (keyword == "periodic")

@@ -72,8 +72,8 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     Vec3 period_m_{};                // of axes along which all comes again, else 0
     std::vector<SurfaceNode> node_;  // by atom ID
     std::vector<std::array<bool, 3>> goes_on_;  // of each body, by its period
-    std::vector<int> surface_;       // IDs of those on surfaces
-    std::vector<Vec3> x_;            // of surface_: all at a renewal, then watched_ alone
+    std::vector<int> surface_;                  // IDs of those on surfaces
+    std::vector<Vec3> x_;  // of surface_: all at a renewal, then watched_ alone
     std::vector<Vec3> renewed_at_m_;
     std::vector<Candidate> candidates_;
     std::vector<StuckPair> stuck_;      // of candidates_, with friction
