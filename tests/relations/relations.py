@@ -293,35 +293,72 @@ def relations(one):
     return frames
 
 
-def columns_of(name, frame, ranks="", **more):
-    one = SCENES[name]
-    folder = testing.new_folder()
-    path = f"{folder}/scene.yaml"
+def written(name, frame, **more):
+    """The scene's file, in a folder of its own."""
+    path = f"{testing.new_folder()}/scene.yaml"
     with open(path, "w") as file:
-        json.dump(one.make(frame), file)
-    result = testing.good_run(path, folder=f"{folder}/run", ranks=ranks or None, **more)
-    return frame.back(result.probes(), one.planes)
+        json.dump(SCENES[name].make(frame) | more, file)
+    return path
+
+
+def columns_of(name, frame):
+    return frame.back(testing.good_run(written(name, frame)).probes(), SCENES[name].planes)
 
 
 class Relations(unittest.TestCase):
-    pass
+    def compare(self, name, relation, expected, found, bound=BOUND):
+        worst, column = testing.worst_difference(expected, found)
+        testing.report(f"{name} {relation}: {worst:.1e} in {column}")
+        self.assertLessEqual(worst, bound, column)
 
 
-def test_of(name):
+def moved(name):
+    def test(self):
+        expected = columns_of(name, Frame(SCENES[name].size))
+        for relation, frame in relations(SCENES[name]).items():
+            with self.subTest(relation):
+                self.compare(name, relation, expected, columns_of(name, frame))
+    return test
+
+
+def split(name):
+    """By a restart in the middle, on other ranks after it."""
+    def test(self):
+        frame = Frame(SCENES[name].size)
+        scene_file = written(name, frame)
+        with open(scene_file) as file:
+            end_ms = float(json.load(file)["time"]["end"].split()[0])
+        whole = testing.good_run(scene_file)
+        half = {"time.end": f"{end_ms / 2} ms", "checkpoint.every": f"{end_ms / 2} ms"}
+        before = testing.good_run(scene_file, half)
+        ranks = "fluid=2" if "inlet" in name or "patch" in name else "structure=2,fluid=2"
+        after = testing.good_run(scene_file, {"checkpoint.every": f"{end_ms / 2} ms"}, ranks,
+                                 folder=before.folder, restart="latest")
+        self.compare(name, "split, on other ranks", whole.probes(), after.probes())
+    return test
+
+
+def scaled(name):
+    """Lengths twice, times four times, pressures sixteen times as large: each number of the program
+    is a power of two times as large, and so is each column."""
     def test(self):
         one = SCENES[name]
-        expected = columns_of(name, Frame(one.size))
-        for relation, frame in relations(one).items():
-            with self.subTest(relation):
-                found = columns_of(name, frame)
-                worst, column = testing.worst_difference(expected, found)
-                testing.report(f"{name} {relation}: {worst:.1e} in {column}")
-                self.assertLess(worst, BOUND, column)
+        expected = testing.good_run(written(name, Frame(one.size))).probes()
+        frame = Frame(one.size, length=2, time=4, pressure=16)
+        found = testing.good_run(written(name, frame)).probes()
+        for column, values in expected.items():
+            factors = {b / a for a, b in zip(values, found[column]) if a}
+            if column.startswith("interface.") or not factors:
+                continue
+            factor = factors.pop()
+            self.assertFalse(factors, f"{column} is not one factor times as large")
+            self.assertEqual(math.frexp(abs(factor))[0], 0.5, f"{column}: {factor}")
     return test
 
 
 for _name in SCENES:
-    setattr(Relations, f"test_{_name}", test_of(_name))
+    for _test in (moved, split, scaled):
+        setattr(Relations, f"test_{_name}_{_test.__name__}", _test(_name))
 
 if __name__ == "__main__":
-    unittest.main()
+    testing.main()
