@@ -27,6 +27,8 @@ struct FluidConfig : Options {
     double expected_speed_m_s = 0;  // largest; 0: not known
     // A patch of a refined grid: obstacles may lie beyond it.
     bool is_patch = false;
+    // Of a patch: cells of its size that the whole box has along periodic axes, else 0.
+    std::array<int, 3> box_period{};
     // Sides whose two layers of cells somebody fills anew before every second step, the
     // even ones: what the outer layer does in the others is needed by nobody.
     std::array<bool, 6> refilled{};

@@ -97,7 +97,7 @@ struct InletFormula {  // with units, and in numbers of SI
 using InletCourse = std::variant<InletWave, InletTable, InletFormula>;
 
 struct Inlet {
-    Vec3 velocity_m_s{};  // mean over the cells of the opening, whatever the profile
+    Vec3 velocity_m_s{};  // mean over the opening, whatever the profile and the grid
     InletProfile profile = InletProfile::uniform;
     double ramp_s = 0;  // grows from rest as (1 - cos(pi t / ramp)) / 2
     std::optional<InletCourse> course{};
@@ -108,7 +108,8 @@ struct Inlet {
 };
 
 // Openings of a side, in its plane: coordinates along the two other axes in the order x,
-// y, z, from the box's lowest corner. A cell belongs if the centre of its face does.
+// y, z, from the box's lowest corner. Of an inlet a cell has the share of its face that
+// belongs; to an outlet it belongs if the centre of its face does.
 struct Rectangle {
     std::array<double, 2> centre_m{}, size_m{};
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/mesh/mesh.h"
 #include "structure/refuse.h"
 #include "words/path_word.h"
 
@@ -128,6 +129,29 @@ int axis_from(const std::string& word) {
     return static_cast<int>(axis);
 }
 
+Bounds bounds_around(const Vec3& centre, const Vec3& half) {
+    Bounds bounds;
+    for (std::size_t d = 0; d < 3; ++d) {
+        bounds.low_m[d] = centre[d] - half[d];
+        bounds.high_m[d] = centre[d] + half[d];
+    }
+    return bounds;
+}
+Bounds bounds_of(const Ball& ball) {
+    return bounds_around(ball.centre_m, {ball.radius_m, ball.radius_m, ball.radius_m});
+}
+Bounds bounds_of(const Rod& rod) {
+    Vec3 half{rod.radius_m, rod.radius_m, rod.radius_m};
+    half[static_cast<std::size_t>(rod.axis)] = rod.half_length_m.value_or(INFINITY);
+    return bounds_around(rod.centre_m, half);
+}
+Bounds bounds_of(const Brick& brick) {
+    return {brick.low_m, brick.high_m};
+}
+Bounds bounds_of(const Surface& surface) {
+    return surface.triangles->bounds();
+}
+
 }  // namespace
 
 Surface read_surface(const std::string& file, double unit_m, const Vec3& shift_m) {
@@ -137,6 +161,43 @@ Surface read_surface(const std::string& file, double unit_m, const Vec3& shift_m
 
 SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m) {
     return std::visit([&](const auto& one) { return of(one, point_m); }, shape);
+}
+
+// That whose middle is nearest, along each axis, or the next one on the other side: of a
+// shape that is not symmetric either may come nearer.
+SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m,
+                               const Vec3& period_m) {
+    if (period_m == Vec3{}) return signed_distance(shape, point_m);
+    const Bounds around =
+        std::visit([](const auto& one) { return bounds_of(one); }, shape);
+    std::array<std::array<double, 2>, 3> at{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        at[d] = {point_m[d], point_m[d]};
+        const double middle = 0.5 * (around.low_m[d] + around.high_m[d]);
+        if (period_m[d] == 0 || !std::isfinite(middle)) continue;
+        const double away = point_m[d] - middle;
+        const double nearest = away - period_m[d] * std::round(away / period_m[d]);
+        at[d] = {middle + nearest,
+                 middle + nearest - std::copysign(period_m[d], nearest)};
+    }
+    SignedDistance found{INFINITY, {}};
+    for (unsigned i = 0; i < 8; ++i) {
+        Vec3 x{};
+        bool again = false;
+        double outside_m2 = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            const std::size_t which = i >> d & 1U;
+            again = again || (which == 1 && at[d][0] == at[d][1]);
+            x[d] = at[d][which];
+            const double outside =
+                std::max({around.low_m[d] - x[d], x[d] - around.high_m[d], 0.0});
+            outside_m2 += outside * outside;
+        }
+        if (again || std::sqrt(outside_m2) >= found.distance_m) continue;
+        const SignedDistance to = signed_distance(shape, x);
+        if (to.distance_m < found.distance_m) found = to;
+    }
+    return found;
 }
 
 std::string shape_words(const SolidShape& shape) {

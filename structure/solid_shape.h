@@ -47,6 +47,9 @@ struct SignedDistance {
     Vec3 normal{};
 };
 SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m);
+// To the nearest of its images, of axes along which it is there again, else 0.
+SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m,
+                               const Vec3& period_m);
 
 // "ball X Y Z RADIUS", "rod X Y Z RADIUS x|y|z HALF_LENGTH|inf", "brick X Y Z X Y Z" or
 // "surface FILE UNIT X Y Z", lengths in metres, and back. Throws std::invalid_argument on

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "structure/mesh/mesh.h"
 #include "structure/options.h"
 #include "surface/triangles.h"
 
@@ -20,6 +21,8 @@ class TriangleSurface {
     // Whether the surface winds round the point, as the fluid's obstacles have it:
     // whichever way round the file's triangles are.
     bool holds(const Vec3& point_m) const;
+
+    Bounds bounds() const { return {boxes_[0].low_m, boxes_[0].high_m}; }
 
     struct Nearest {
         Vec3 at_m{};

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "structure/lattice/hexahedron.h"
 #include "structure/mesh/body_points.h"
 
 namespace magfsi::bodies {
@@ -27,18 +26,21 @@ class Bins {
     }
 
     // Searches growing shells of bins; what lies beyond shell n is further than n bins.
-    std::size_t nearest(const Vec3& x) const {
-        std::size_t best = 0;
+    // All that are as near but for rounding: one alone would be another one in the mirror
+    // image of a body.
+    std::vector<std::size_t> nearest(const Vec3& x) const {
+        constexpr double rounding = 1e-9;
+        std::vector<std::size_t> best;
         double best2 = std::numeric_limits<double>::infinity();
         for (int shell = 0;; ++shell) {
             for_each_in(bin(x), shell, [&](std::size_t m) {
                 double r2 = 0;
                 for (std::size_t d = 0; d < 3; ++d)
                     r2 += (at_[m][d] - x[d]) * (at_[m][d] - x[d]);
-                if (r2 < best2) {
-                    best2 = r2;
-                    best = m;
-                }
+                if (r2 > best2 * (1 + rounding)) return;
+                if (r2 < best2 * (1 - rounding)) best.clear();
+                best.push_back(m);
+                best2 = std::min(best2, r2);
             });
             if (best2 <= std::pow(shell * size_m_, 2)) return best;
         }
@@ -72,17 +74,86 @@ class Bins {
     std::map<Bin, std::vector<std::size_t>> bins_;
 };
 
+// Of the shape functions at a point of an element.
+std::array<Eigen::Vector3d, 8> shape_gradient(const structure::Mesh& mesh,
+                                              const structure::MaterialPoint& point) {
+    const auto sign = [](std::size_t a, int axis) { return a >> axis & 1U ? 1.0 : -1.0; };
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    for (std::size_t a = 0; a < 8; ++a)
+        for (int d = 0; d < 3; ++d) at[d] += point.weight[a] * sign(a, d);
+    std::array<Eigen::Vector3d, 8> slope;
+    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();  // dx_i / d xi_j
+    for (std::size_t a = 0; a < 8; ++a) {
+        for (int d = 0; d < 3; ++d) {
+            slope[a][d] = 0.125 * sign(a, d);
+            for (int other = 0; other < 3; ++other)
+                if (other != d) slope[a][d] *= 1 + at[other] * sign(a, other);
+        }
+        const Vec3& x = mesh.nodes[static_cast<std::size_t>(point.node[a])];
+        jacobian += Eigen::Vector3d(x[0], x[1], x[2]) * slope[a].transpose();
+    }
+    const Eigen::Matrix3d inverse = jacobian.inverse().transpose();
+    for (Eigen::Vector3d& of_node : slope) of_node = inverse * of_node;
+    return slope;
+}
+
+constexpr double on_border = 1e-9;  // of a weight: rounding
+
+// A point that lies on the border of elements, in each of them, if what the marker knows
+// of its area reaches beyond the border: it would follow the nodes of one side alone.
+std::vector<structure::MaterialPoint> across_borders(
+    const PlacedMarker& marker, const structure::Mesh& mesh,
+    const std::vector<std::vector<int>>& elements_of) {
+    std::map<int, double> weight;  // of the nodes on the border
+    double longest = 0, beyond = 0;
+    for (std::size_t a = 0; a < 8; ++a) {
+        const double edge =
+            std::max(std::abs(marker.first_edge[a]), std::abs(marker.second_edge[a]));
+        longest = std::max(longest, edge);
+        if (std::abs(marker.point.weight[a]) > on_border)
+            weight[marker.point.node[a]] = marker.point.weight[a];
+        else
+            beyond = std::max(beyond, edge);
+    }
+    std::vector<structure::MaterialPoint> points;
+    if (beyond <= on_border * longest) return {marker.point};
+    for (const int e : elements_of[static_cast<std::size_t>(weight.begin()->first)]) {
+        structure::MaterialPoint point;
+        point.element = e;
+        point.node = mesh.elements[static_cast<std::size_t>(e)];
+        std::size_t found = 0;
+        for (std::size_t a = 0; a < 8; ++a) {
+            const auto known = weight.find(point.node[a]);
+            point.weight[a] = known == weight.end() ? 0 : known->second;
+            found += known != weight.end();
+        }
+        if (found == weight.size()) points.push_back(point);
+    }
+    return points;
+}
+
+Vec3 area_of(const PlacedMarker& marker, const structure::Mesh& mesh) {
+    Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = first;
+    for (std::size_t a = 0; a < 8; ++a) {
+        const Vec3& x = mesh.nodes[static_cast<std::size_t>(marker.point.node[a])];
+        first += marker.first_edge[a] * Eigen::Vector3d(x[0], x[1], x[2]);
+        second += marker.second_edge[a] * Eigen::Vector3d(x[0], x[1], x[2]);
+    }
+    const Eigen::Vector3d area = first.cross(second);
+    return {area[0], area[1], area[2]};
+}
+
 bool all_in(const std::set<int>& face, const structure::SurfaceQuad& quad) {
     return std::ranges::all_of(quad.node, [&](int node) { return face.contains(node); });
 }
 
 }  // namespace
 
-std::vector<std::size_t> nearest_markers(std::span<const PlacedMarker> markers,
-                                         const structure::Mesh& mesh,
-                                         std::span<const Vec3> points, double spacing_m) {
+std::vector<std::vector<std::size_t>> nearest_markers(
+    std::span<const PlacedMarker> markers, const structure::Mesh& mesh,
+    std::span<const Vec3> points, double spacing_m) {
     const Bins bins(markers, mesh, spacing_m);
-    std::vector<std::size_t> nearest;
+    std::vector<std::vector<std::size_t>> nearest;
     for (const Vec3& x : points) nearest.push_back(bins.nearest(x));
     return nearest;
 }
@@ -92,16 +163,39 @@ void set_area(PlacedMarker& marker, const structure::Mesh& mesh, const Vec3& are
     if (!(area.norm() > 0)) return;
     const Eigen::Vector3d first = area.unitOrthogonal();
     const Eigen::Vector3d second = area.normalized().cross(first);
-    const int e = marker.point.element;
-    const auto integrals = structure::integrate_hexahedron(
-        structure::gather(mesh.nodes, mesh.elements[static_cast<std::size_t>(e)]), e);
+    const auto gradient = shape_gradient(mesh, marker.point);
     const double length = std::sqrt(area.norm());
-    for (int a = 0; a < 8; ++a) {
-        const Eigen::Vector3d slope =
-            integrals.gradient.row(a).transpose() * (length / integrals.volume);
-        marker.first_edge[static_cast<std::size_t>(a)] = slope.dot(first);
-        marker.second_edge[static_cast<std::size_t>(a)] = slope.dot(second);
+    for (std::size_t a = 0; a < 8; ++a) {
+        const Eigen::Vector3d slope = length * gradient[a];
+        marker.first_edge[a] = slope.dot(first);
+        marker.second_edge[a] = slope.dot(second);
     }
+}
+
+void share_among_elements(std::vector<PlacedMarker>& markers,
+                          const structure::Mesh& mesh) {
+    std::vector<std::vector<int>> elements_of(mesh.nodes.size());
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        for (const int node : mesh.elements[e])
+            elements_of[static_cast<std::size_t>(node)].push_back(static_cast<int>(e));
+    std::vector<PlacedMarker> all;
+    for (const PlacedMarker& marker : markers) {
+        const auto pieces = across_borders(marker, mesh, elements_of);
+        if (pieces.size() == 1) {
+            all.push_back(marker);
+            continue;
+        }
+        const Vec3 area_m2 = area_of(marker, mesh);
+        const auto share = 1 / static_cast<double>(pieces.size());
+        for (const structure::MaterialPoint& point : pieces) {
+            PlacedMarker& piece = all.emplace_back(marker);
+            piece.point = point;
+            piece.volume_m3 *= share;
+            set_area(piece, mesh,
+                     {share * area_m2[0], share * area_m2[1], share * area_m2[2]});
+        }
+    }
+    markers = std::move(all);
 }
 
 void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
@@ -111,8 +205,10 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     std::map<std::size_t, Vec3> areas;
     // So close that every marker of an even layer gets some.
     for (const auto& p : structure::surface_points(mesh, surface, 0.5 * spacing_m)) {
-        Vec3& sum = areas[bins.nearest(structure::position(mesh, p.point))];
-        for (std::size_t d = 0; d < 3; ++d) sum[d] += faces * p.area_m2 * p.normal[d];
+        const auto nearest = bins.nearest(structure::position(mesh, p.point));
+        const double area_m2 = faces * p.area_m2 / static_cast<double>(nearest.size());
+        for (const std::size_t marker : nearest)
+            for (std::size_t d = 0; d < 3; ++d) areas[marker][d] += area_m2 * p.normal[d];
     }
     for (const auto& [marker, area] : areas) set_area(markers[marker], mesh, area);
 }

@@ -13,16 +13,21 @@
 
 namespace magfsi::bodies {
 
-// For each point the nearest of the markers. spacing_m: about that of the markers.
-std::vector<std::size_t> nearest_markers(std::span<const PlacedMarker> markers,
-                                         const structure::Mesh& mesh,
-                                         std::span<const structure::Vec3> points,
-                                         double spacing_m);
+// For each point the nearest of the markers, all that are as near. spacing_m: about that
+// of the markers.
+std::vector<std::vector<std::size_t>> nearest_markers(
+    std::span<const PlacedMarker> markers, const structure::Mesh& mesh,
+    std::span<const structure::Vec3> points, double spacing_m);
 
 // The marker stands for this vector area [m2], outward, of the undeformed body: there
 // leakage is measured.
 void set_area(PlacedMarker& marker, const structure::Mesh& mesh,
               const structure::Vec3& area_m2);
+
+// A marker on the border of elements becomes one in each, with a share of it, where its
+// area would follow the nodes of one of them alone: a body that is symmetric stays so.
+void share_among_elements(std::vector<PlacedMarker>& markers,
+                          const structure::Mesh& mesh);
 
 // Each piece of the surface, of half a spacing and less, goes to the marker nearest to
 // its middle: the areas of the markers add up to that of the surface. faces: 2 where one

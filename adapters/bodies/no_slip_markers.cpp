@@ -187,7 +187,9 @@ void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     const auto nearest = nearest_markers(markers, mesh, at, apart_m);
     for (PlacedMarker& marker : markers) marker.volume_m3 = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
-        markers[nearest[i]].volume_m3 += points[i].volume_m3;
+        for (const std::size_t marker : nearest[i])
+            markers[marker].volume_m3 +=
+                points[i].volume_m3 / static_cast<double>(nearest[i].size());
 }
 
 // Of points that are close together those that are at least `apart_m` from each other;
@@ -357,6 +359,7 @@ std::vector<PlacedMarker> no_slip_markers(const scene::Body& body,
     else
         markers = in_mesh(mesh, sheet, dry, reach);
     share_faces(markers, mesh, sheet, layer.has_value(), dry, reach);
+    share_among_elements(markers, mesh);
     if (layer) {
         for (PlacedMarker& marker : markers)
             marker.beyond_m3 =

@@ -125,11 +125,15 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
     std::array<int, 3> cells{};
     for (std::size_t d = 0; d < 3; ++d)
         cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / spacing_m_));
+    std::array<int, 3> period{};
+    for (std::size_t d = 0; d < 3; ++d)
+        period[d] = fluid.period_m()[d] > 0 ? cells[d] : 0;
     for (const scene::Obstacle& shape : fluid.obstacles) {
-        Obstacle made{fmt::format("the obstacle '{}'", shape.name),
-                      fluid::make_solid(shape.shape, spacing_m_, cells),
-                      {},
-                      {}};
+        Obstacle made{
+            fmt::format("the obstacle '{}'", shape.name),
+            fluid::with_images(fluid::make_solid(shape.shape, spacing_m_, cells), period),
+            {},
+            {}};
         std::vector<bool> holds_body(points_.empty() ? 0 : points_.back().body + 1);
         const auto holds = [&](const Vec3& x) {
             return made.solid->holds(fluid::in_cells(x, spacing_m_));

@@ -58,10 +58,10 @@ structure::SolidShape surface_of(const scene::Obstacle& obstacle) {
 }
 
 // Whether a body starts in a shape, which then holds it.
-bool starts_in(const structure::SolidShape& shape,
+bool starts_in(const structure::SolidShape& shape, const structure::Vec3& period_m,
                const std::vector<structure::Vec3>& nodes_m, double deep_m) {
     return std::ranges::any_of(nodes_m, [&](const structure::Vec3& x) {
-        return structure::signed_distance(shape, x).distance_m < -deep_m;
+        return structure::signed_distance(shape, x, period_m).distance_m < -deep_m;
     });
 }
 
@@ -80,7 +80,8 @@ void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scen
         for (std::size_t b = 0; b < bodies.size(); ++b) {
             // As the look for overlaps has it.
             const double deep_m = 0.05 * scene.fluid->finest_spacing_m();
-            if (!starts_in(*wall.shape, start_m[b], deep_m)) wall.bodies.push_back(b);
+            if (!starts_in(*wall.shape, scene.fluid->period_m(), start_m[b], deep_m))
+                wall.bodies.push_back(b);
         }
         if (!wall.bodies.empty()) walls.push_back(std::move(wall));
     }
@@ -130,6 +131,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     input.drag = scene.damping;
     input.platform = scene.platform;
     input.contact = scene.contact;
+    if (scene.fluid) input.period_m = scene.fluid->period_m();
     input.walls = walls_of(scene, input.bodies);
     input.reactions = bodies::needs(scene, bodies::Load::support);
     input.time_step_s = time_step_s;

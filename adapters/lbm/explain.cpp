@@ -18,6 +18,7 @@
 #include "coupler/exchange/exchange.h"
 #include "coupler/immersed_boundary/conditioning.h"
 #include "coupler/immersed_boundary/marker_stencil.h"
+#include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/config.h"
 #include "fluid_lbm/obstacle/obstacles.h"
 #include "fluid_lbm/parallel/decomposition.h"
@@ -43,7 +44,15 @@ Markers markers_of(const scene::Scene& scene) {
         placement.relaxed.reset();
         placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
         for (const bodies::PlacedMarker& marker : bodies::place_markers(scene, b)) {
-            all.at_m.push_back(structure::position(placed.mesh, marker.point));
+            const structure::Vec3 at = structure::position(placed.mesh, marker.point);
+            // One that lies on the border of elements is in each of them.
+            const double same_m = 1e-9 * scene.fluid->spacing_m;
+            if (!all.at_m.empty() &&
+                structure::distance_m(all.at_m.back(), at) < same_m) {
+                all.volume_m3.back() += marker.volume_m3;
+                continue;
+            }
+            all.at_m.push_back(at);
             all.volume_m3.push_back(marker.volume_m3);
         }
     }
@@ -247,6 +256,20 @@ std::string refinement(const scene::Scene& scene) {
                       updated, uniform, uniform / updated);
 }
 
+// After their ramps, without their courses.
+std::string inlets(const fluid::FluidConfig& config) {
+    std::string text;
+    for (int side = 0; side < 6; ++side) {
+        const double flow_m3_s = fluid::inflow_m3_s(config, side);
+        if (flow_m3_s == 0) continue;
+        text +=
+            fmt::format("  flow {} by {}: {:.5g} mm3/s\n", flow_m3_s > 0 ? "in" : "out",
+                        scene::names<scene::Face>[static_cast<std::size_t>(side)],
+                        std::abs(flow_m3_s) * 1e9);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string explain(const scene::Scene& scene, int ranks) {
@@ -261,6 +284,7 @@ std::string explain(const scene::Scene& scene, int ranks) {
     text += sound(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));
     text += fmt::format("  {} x {} x {} = {:.0f} cells\n", n[0], n[1], n[2], cells);
+    text += inlets(config);
     if (fluid.refinement) text += refinement(scene);
     const Markers markers = markers_of(scene);
     return text + memory(scene, ranks, markers) + conditioning(scene, config, markers) +

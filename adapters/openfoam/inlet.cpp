@@ -107,11 +107,6 @@ T shape_at(const scene::Fluid& fluid, const fluid::Boundary& side, const Axes& a
     return shape;
 }
 
-bool is_open(const fluid::Boundary& side, const std::array<double, 2>& at_m) {
-    return std::ranges::all_of(in_opening<double>(side, at_m),
-                               [](double s) { return s <= 1; });
-}
-
 // What brings the mean over the opening to 1, and the shape by face of this rank's part.
 struct Shape {
     double factor = 0;
@@ -138,9 +133,13 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
             const auto s = shape_at<double>(fluid, inlet, axes, at);
             if (is_here(axes[0], i) && is_here(axes[1], j)) shape.here.push_back(s);
             flux += s * area;
-            if (is_open(inlet, at)) open_area += area;
+            open_area += area;
         }
     }
+    if (const auto* disc = fluid::opening<fluid::Disc>(inlet))
+        open_area = std::numbers::pi * disc->diameter_m * disc->diameter_m / 4;
+    else if (const auto* rectangle = fluid::opening<fluid::Rectangle>(inlet))
+        open_area = rectangle->size_m[0] * rectangle->size_m[1];
     if (flux > 0) shape.factor = open_area / flux;
     return shape;
 }

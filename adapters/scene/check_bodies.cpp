@@ -234,10 +234,13 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
         const double side = scene.fluid->box_m[i];
         const double centre = (*body.initial.position_m)[i];
         const double slack = 1e-9 * side;  // a body as wide as the box may touch it
-        const bool below = centre - half[i] < -slack;
-        if (!below && centre + half[i] <= side + slack) continue;
+        // Through a periodic side it may reach, and then is on the other one, too.
+        const bool periodic = scene.fluid->period_m()[i] > 0;
+        const double reach = periodic && 2 * half[i] <= side + slack ? 0 : half[i];
+        const bool below = centre - reach < -slack;
+        if (!below && centre + reach <= side + slack) continue;
         const double end = below ? centre - half[i] : centre + half[i];
-        const double from = half[i], to = side - half[i];
+        const double from = reach, to = side - reach;
         refuse(marks.value({"bodies", body.name, "initial", "position"}),
                fmt::format("\"{}\" reaching {} = {}, outside the fluid box", body.name,
                            axis_names[i], metres(end)),

@@ -161,6 +161,13 @@ struct Fluid : fluid::Options {
     std::optional<Vec3> initial_velocity_m_s;
     std::optional<TaylorGreen> taylor_green;  // in its place
 
+    // Of the box along periodic axes, else 0.
+    Vec3 period_m() const {
+        Vec3 period{};
+        for (std::size_t d = 0; d < 3; ++d)
+            period[d] = boundaries[2 * d].kind == BoundaryKind::periodic ? box_m[d] : 0;
+        return period;
+    }
     // Where bodies are.
     double finest_spacing_m() const {
         return std::ldexp(spacing_m, refinement ? -refinement->levels : 0);

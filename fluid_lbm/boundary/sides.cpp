@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "fluid_lbm/collision/cells.h"
 #include "fluid_lbm/refuse.h"
@@ -39,7 +40,33 @@ double falloff_between_sides(const FluidConfig& config, InletProfile profile, in
     return falloff(profile, low ? 1 - at / width : at / width);
 }
 
-// Of the cell whose face lies at `at`, in-plane coordinates in cells; not yet scaled.
+// How much of [low, high] is covered by [from, to].
+double overlap(double low, double high, double from, double to) {
+    return std::max(0.0, std::min(high, to) - std::max(low, from));
+}
+
+// Part of the square around `at` that a disc covers: strips across it and along it, each
+// with its exact chord, so that it goes evenly with the disc's place and does not depend
+// on which axis is which.
+double share_of_disc(const std::array<double, 2>& at, const std::array<double, 2>& centre,
+                     double radius) {
+    constexpr int strips = 16;
+    double sum = 0;
+    for (std::size_t along = 0; along < 2; ++along) {
+        const std::size_t across = 1 - along;
+        for (int i = 0; i < strips; ++i) {
+            const double x = at[along] - 0.5 + (i + 0.5) / strips - centre[along];
+            const double chord = std::sqrt(std::max(0.0, radius * radius - x * x));
+            sum += overlap(at[across] - 0.5, at[across] + 0.5, centre[across] - chord,
+                           centre[across] + chord);
+        }
+    }
+    return sum / (2 * strips);
+}
+
+// What flows through the face around `at`, in-plane coordinates in cells, of a profile
+// that is 1 at its highest; not yet scaled. Of an opening the mean over the face: a cell
+// that it cuts has its share, wherever the opening lies in the grid.
 double shape_of(const FluidConfig& config, int side, const std::array<double, 2>& at) {
     const Boundary& boundary = config.boundaries[side];
     const InletProfile profile = boundary.inlet.profile;
@@ -49,19 +76,32 @@ double shape_of(const FluidConfig& config, int side, const std::array<double, 2>
                falloff_between_sides(config, profile, axes[1], at[1]);
     }
     const double dx = config.spacing_m;
-    if (const Disc* disc = opening<Disc>(boundary)) {
-        return falloff(profile, 2 *
-                                    std::hypot(at[0] * dx - disc->centre_m[0],
-                                               at[1] * dx - disc->centre_m[1]) /
-                                    disc->diameter_m);
+    const Disc* disc = opening<Disc>(boundary);
+    const Rectangle* r = opening<Rectangle>(boundary);
+    const auto& centre_m = disc ? disc->centre_m : r->centre_m;
+    const std::array<double, 2> centre{centre_m[0] / dx, centre_m[1] / dx};
+    const std::array<double, 2> half =
+        disc ? std::array{disc->diameter_m / (2 * dx), disc->diameter_m / (2 * dx)}
+             : std::array{r->size_m[0] / (2 * dx), r->size_m[1] / (2 * dx)};
+    if (profile == InletProfile::uniform) {
+        if (disc) return share_of_disc(at, centre, half[0]);
+        double share = 1;
+        for (std::size_t i = 0; i < 2; ++i)
+            share *= overlap(at[i] - 0.5, at[i] + 0.5, centre[i] - half[i],
+                             centre[i] + half[i]);
+        return share;
     }
-    const Rectangle& r = *opening<Rectangle>(boundary);
-    double product = 1;
-    for (int i = 0; i < 2; ++i) {
-        product *=
-            falloff(profile, std::abs(at[i] * dx - r.centre_m[i]) * 2 / r.size_m[i]);
+    constexpr int points = 8;  // of the mean, along each axis
+    double sum = 0;
+    for (int j = 0; j < points; ++j) {
+        for (int i = 0; i < points; ++i) {
+            const double s = (at[0] - 0.5 + (i + 0.5) / points - centre[0]) / half[0];
+            const double t = (at[1] - 0.5 + (j + 0.5) / points - centre[1]) / half[1];
+            sum += disc ? falloff(profile, std::hypot(s, t))
+                        : falloff(profile, std::abs(s)) * falloff(profile, std::abs(t));
+        }
     }
-    return product;
+    return sum / (points * points);
 }
 
 std::array<double, 2> face_centre(int side, const Cell& cell) {
@@ -125,14 +165,6 @@ void check_inlet(const FluidConfig& config, int side) {
     check_lattice_speed(config, peak * units(config).velocity_m_s(), "inlet speed", side);
 }
 
-// Volume per time into the box.
-double inflow_m3_s(const FluidConfig& config, int side) {
-    const Boundary& boundary = config.boundaries[side];
-    if (boundary.kind != BoundaryKind::velocity_inlet) return 0;
-    return inward(side) * boundary.inlet.velocity_m_s[side / 2] *
-           open_cells(config, side) * config.spacing_m * config.spacing_m;
-}
-
 // Without an outlet the pressure grows without limit unless the inlets balance.
 void check_balance(const FluidConfig& config) {
     double sum = 0, largest = 0;
@@ -178,6 +210,9 @@ bool is_open(const FluidConfig& config, int side, const Cell& cell) {
     const Boundary& boundary = config.boundaries[side];
     if (!boundary.patch) return true;
     const std::array<double, 2> at = face_centre(side, cell);
+    // Of an inlet what has a part of it, but for rounding.
+    if (is(config, side, BoundaryKind::velocity_inlet))
+        return shape_of(config, side, at) > 1e-9;
     const double dx = config.spacing_m;
     if (const Disc* disc = opening<Disc>(boundary)) {
         return std::hypot(at[0] * dx - disc->centre_m[0],
@@ -188,16 +223,34 @@ bool is_open(const FluidConfig& config, int side, const Cell& cell) {
            std::abs(at[1] * dx - r.centre_m[1]) < r.size_m[1] / 2;
 }
 
+double opening_area_m2(const FluidConfig& config, int side) {
+    const Boundary& boundary = config.boundaries[side];
+    if (const Disc* disc = opening<Disc>(boundary))
+        return std::numbers::pi * disc->diameter_m * disc->diameter_m / 4;
+    if (const Rectangle* r = opening<Rectangle>(boundary))
+        return r->size_m[0] * r->size_m[1];
+    const std::array<int, 2> axes = in_plane(side);
+    return config.spacing_m * config.spacing_m * config.cells[axes[0]] *
+           config.cells[axes[1]];
+}
+
+double inflow_m3_s(const FluidConfig& config, int side) {
+    const Boundary& boundary = config.boundaries[side];
+    if (boundary.kind != BoundaryKind::velocity_inlet) return 0;
+    return inward(side) * boundary.inlet.velocity_m_s[side / 2] *
+           opening_area_m2(config, side);
+}
+
 std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int side) {
     double sum = 0;
-    int count = 0;
     for_each_cell(whole_side(config, side), [&](const Cell& cell) {
-        if (!is_open(config, side, cell)) return;
-        sum += shape_of(config, side, face_centre(side, cell));
-        ++count;
+        if (is_open(config, side, cell))
+            sum += shape_of(config, side, face_centre(side, cell));
     });
+    const double faces =
+        opening_area_m2(config, side) / (config.spacing_m * config.spacing_m);
     Vec3 peak = config.boundaries[side].inlet.velocity_m_s;
-    for (double& u : peak) u *= count / sum / units(config).velocity_m_s();
+    for (double& u : peak) u *= faces / sum / units(config).velocity_m_s();
     return [&config, side, peak](const Cell& cell) {
         const double shape = shape_of(config, side, face_centre(side, cell));
         return Vec3{peak[0] * shape, peak[1] * shape, peak[2] * shape};

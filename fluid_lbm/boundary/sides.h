@@ -48,12 +48,18 @@ void for_each_cell(const CellBox& box, Use&& use) {
     }
 }
 
-// Whether the centre of a cell's face on the side lies in the patch; true without one.
-// Global indices.
+// Whether an inlet's opening has a part of a cell's face on the side; an outlet's,
+// whether it has the face's centre. True without an opening. Global indices.
 bool is_open(const FluidConfig& config, int side, const Cell& cell);
 
-// Steady velocity [cells per step] at the face of an inlet's open cell, global indices.
-// Of an accepted configuration, which outlives the function.
+// Of the opening, or the whole side.
+double opening_area_m2(const FluidConfig& config, int side);
+// Volume per time that an inlet is asked to bring into the box, and brings; 0 of other
+// sides.
+double inflow_m3_s(const FluidConfig& config, int side);
+
+// Steady velocity [cells per step], the mean over its face, at the face of an inlet's
+// open cell, global indices. Of an accepted configuration, which outlives the function.
 std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int side);
 
 // Throws std::invalid_argument with a sentence on the first side that cannot run.

@@ -23,12 +23,24 @@ bool through_edge(const RowLayout& layout, int axis, int q, int index) {
 // these are the natural slots of the cells at the wall. A link through an edge takes the
 // mean velocity of the two walls that meet there (in a lid-driven cavity that halves the
 // error against a converged solution); what the box gains at one end of a wall it loses
-// at the other.
+// at the other. Where one of the ends is no wall that does not hold: at an inlet the
+// links through the edge are the inlet's, and what they gain at the other end is taken
+// from the link straight from the wall.
 class MovingWall final : public SideEffect {
   public:
     // velocity: lattice units, tangential.
-    MovingWall(int side, const CellBox& cells, const Vec3& velocity)
-        : side_(side), cells_(cells), velocity_(velocity) {}
+    MovingWall(int side, const CellBox& cells, const Vec3& velocity,
+               const std::array<Boundary, 6>& sides)
+        : side_(side), cells_(cells), velocity_(velocity) {
+        for (int a = 0; a < 3; ++a) {
+            for (int end = 0; end < 2; ++end) {
+                const BoundaryKind kind = sides[2 * a + end].kind;
+                inlet_[a][end] = kind == BoundaryKind::velocity_inlet;
+                balanced_[a] = balanced_[a] && (kind == BoundaryKind::no_slip ||
+                                                kind == BoundaryKind::periodic);
+            }
+        }
+    }
 
     void after_exchange(const Populations& populations, const RowLayout& layout,
                         double) override {
@@ -39,6 +51,7 @@ class MovingWall final : public SideEffect {
             if (cu == 0) continue;
             populations.visit([&](const auto& rows) {
                 add_to_cells(rows, layout, q, 6 * weight(q) * cu);
+                balance_edges(rows, layout, q, 6 * weight(q) * cu);
             });
         }
     }
@@ -68,9 +81,41 @@ class MovingWall final : public SideEffect {
         }
     }
 
+    // Of an axis one end of which is no wall: the half term that add_to_cells has given
+    // to a link through an edge goes again, from that link at an inlet, else from the
+    // straight one.
+    template <class Real>
+    void balance_edges(const PopulationRows<Real>& rows, const RowLayout& layout, int q,
+                       double term) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == axis_of(side_) || c[q][axis] == 0 || balanced_[axis]) continue;
+            const int end = c[q][axis] > 0 ? 0 : 1;
+            CellBox cells = cells_;
+            (end == 0 ? cells.hi : cells.lo)[axis] =
+                end == 0 ? cells.lo[axis] + 1 : cells.hi[axis] - 1;
+            const int index = cells.lo[axis];
+            if (!through_edge(layout, axis, q, index)) continue;
+            int from = q;
+            for (int s = 1; s < directions && !inlet_[axis][end]; ++s) {
+                const bool straight =
+                    c[s][axis_of(side_)] == inward(side_) && weight(s) > weight(q);
+                if (straight) from = s;
+            }
+            for (int z = cells.lo[2]; z < cells.hi[2]; ++z) {
+                for (int y = cells.lo[1]; y < cells.hi[1]; ++y) {
+                    Real* row = rows.row(from, layout.row(y, z));
+                    for (int x = cells.lo[0]; x < cells.hi[0]; ++x)
+                        row[x] = static_cast<Real>(row[x] - 0.5 * term);
+                }
+            }
+        }
+    }
+
     int side_;
     CellBox cells_;  // at the wall, local indices
     Vec3 velocity_;
+    std::array<std::array<bool, 2>, 3> inlet_{};
+    std::array<bool, 3> balanced_{true, true, true};  // of the ends along each axis
 };
 
 }  // namespace
@@ -78,7 +123,8 @@ class MovingWall final : public SideEffect {
 std::unique_ptr<SideEffect> make_moving_wall_effect(const SideContext& in, int side) {
     const auto cells = in.cells_at(side);
     if (!cells) return nullptr;
-    return std::make_unique<MovingWall>(side, *cells, wall_velocity(in.config, side));
+    return std::make_unique<MovingWall>(side, *cells, wall_velocity(in.config, side),
+                                        in.config.boundaries);
 }
 
 }  // namespace magfsi::fluid

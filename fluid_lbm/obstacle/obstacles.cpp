@@ -38,14 +38,18 @@ bool SolidMap::in_box(const Cell& local) const {
 }
 
 void SolidMap::mark(const Solid& solid, int number) {
-    const Bounds bounds = solid.bounds();
+    const Bounds box{{0, 0, 0},
+                     {1.0 * box_cells_[0], 1.0 * box_cells_[1], 1.0 * box_cells_[2]}};
+    const std::vector<Bounds> parts = solid.parts_in(box);
     std::vector<char> inside(box_cells_[0]);
     for (int z = -1; z <= size_[2]; ++z) {
         for (int y = -1; y <= size_[1]; ++y) {
             const Cell row = global({0, y, z});
-            const bool reached = in_box({0, y, z}) && row[1] + 1 > bounds.low[1] &&
-                                 row[1] < bounds.high[1] && row[2] + 1 > bounds.low[2] &&
-                                 row[2] < bounds.high[2];
+            const bool reached =
+                in_box({0, y, z}) && std::ranges::any_of(parts, [&](const Bounds& part) {
+                    return row[1] + 1 > part.low[1] && row[1] < part.high[1] &&
+                           row[2] + 1 > part.low[2] && row[2] < part.high[2];
+                });
             if (!reached) continue;
             inside.assign(inside.size(), 0);
             solid.mark_row(row[1] + 0.5, row[2] + 0.5, 0, inside);

@@ -2,6 +2,7 @@
 #include "fluid_lbm/obstacle/solid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -43,6 +44,86 @@ class LevelSetSolid final : public Solid {
 
   private:
     LevelSet body_;
+};
+
+// What lies beyond a periodic side is there again on the other one. An image is asked in
+// the coordinates of the solid itself.
+class SolidWithImages final : public Solid {
+  public:
+    SolidWithImages(std::shared_ptr<const Solid> solid, const std::array<int, 3>& period)
+        : solid_(std::move(solid)), period_(period), bounds_(solid_->bounds()) {}
+
+    Bounds bounds() const override { return bounds_; }
+
+    std::vector<Bounds> parts_in(const Bounds& box) const override {
+        std::vector<Bounds> parts;
+        each_image(box, [&](const Cell& by) {
+            parts.push_back({moved(bounds_.low, by), moved(bounds_.high, by)});
+        });
+        return parts;
+    }
+
+    bool holds(const Vec3& point) const override {
+        bool held = false;
+        each_image({point, point}, [&](const Cell& by) {
+            held = held || solid_->holds(moved_back(point, by));
+        });
+        return held;
+    }
+
+    void mark_row(double y, double z, int x_begin,
+                  std::span<char> inside) const override {
+        const double x_end = x_begin + static_cast<double>(inside.size());
+        each_image({{static_cast<double>(x_begin), y, z}, {x_end, y, z}},
+                   [&](const Cell& by) {
+                       solid_->mark_row(y - by[1], z - by[2], x_begin - by[0], inside);
+                   });
+    }
+
+    // Into the image that holds the point inside; of several that overlap there, the
+    // first that is met.
+    double entry(const Vec3& outside, const Vec3& inside) const override {
+        double first = 2;
+        each_image({inside, inside}, [&](const Cell& by) {
+            const Vec3 end = moved_back(inside, by);
+            if (solid_->holds(end))
+                first = std::min(first, solid_->entry(moved_back(outside, by), end));
+        });
+        return first <= 1 ? first : 0.5;
+    }
+
+  private:
+    static Vec3 moved(Vec3 x, const Cell& by) {
+        for (int a = 0; a < 3; ++a) x[a] += by[a];
+        return x;
+    }
+    static Vec3 moved_back(Vec3 x, const Cell& by) {
+        for (int a = 0; a < 3; ++a) x[a] -= by[a];
+        return x;
+    }
+    // use(shift) of images that reach into a box.
+    template <class Use>
+    void each_image(const Bounds& box, const Use& use) const {
+        Cell first{}, last{};
+        for (int a = 0; a < 3; ++a) {
+            if (period_[a] == 0) continue;
+            const double period = period_[a];
+            first[a] =
+                static_cast<int>(std::ceil((box.low[a] - bounds_.high[a]) / period));
+            last[a] =
+                static_cast<int>(std::floor((box.high[a] - bounds_.low[a]) / period));
+        }
+        for (int z = first[2]; z <= last[2]; ++z) {
+            for (int y = first[1]; y <= last[1]; ++y) {
+                for (int x = first[0]; x <= last[0]; ++x)
+                    use({x * period_[0], y * period_[1], z * period_[2]});
+            }
+        }
+    }
+
+    std::shared_ptr<const Solid> solid_;
+    std::array<int, 3> period_;
+    Bounds bounds_;
 };
 
 // Written so that a position that is not a number is refused, too.
@@ -104,14 +185,24 @@ std::shared_ptr<const Solid> make_solid(const ObstacleShape& shape, double spaci
         shape);
 }
 
+std::shared_ptr<const Solid> with_images(std::shared_ptr<const Solid> solid,
+                                         const std::array<int, 3>& period) {
+    if (period == std::array<int, 3>{}) return solid;
+    return std::make_shared<SolidWithImages>(std::move(solid), period);
+}
+
 Solids make_solids(const FluidConfig& config) {
     Solids solids;
+    std::array<int, 3> period = config.box_period;
+    for (int a = 0; a < 3 && !config.is_patch; ++a)
+        period[a] = periodic_axes(config)[a] ? config.cells[a] : 0;
     for (const Obstacle& obstacle : config.obstacles) {
         try {
-            solids.push_back(make_solid(obstacle.shape, config.spacing_m, config.cells));
+            const auto solid = make_solid(obstacle.shape, config.spacing_m, config.cells);
+            solids.push_back(with_images(solid, period));
             if (config.is_patch) continue;
             if (const auto* stl = std::get_if<StlSurface>(&obstacle.shape))
-                check_size(*stl, solids.back()->bounds(), config);
+                check_size(*stl, solid->bounds(), config);
             check_place(solids.back()->bounds(), config);
         } catch (const std::invalid_argument& fault) {
             refuse("fluid obstacle \"", obstacle.name, "\" ", fault.what());

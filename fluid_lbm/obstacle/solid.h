@@ -16,7 +16,11 @@ class Solid {
   public:
     virtual ~Solid() = default;
 
-    virtual Bounds bounds() const = 0;
+    virtual Bounds bounds() const = 0;  // of one of its images
+    // Of each image that reaches into a box of cells.
+    virtual std::vector<Bounds> parts_in(const Bounds& /*box*/) const {
+        return {bounds()};
+    }
 
     virtual bool holds(const Vec3& point) const = 0;
 
@@ -52,8 +56,12 @@ struct StlExtent {
 };
 StlExtent stl_extent(const StlSurface& surface);
 
-// In the order of the configuration. Throws std::invalid_argument with a sentence on the
-// first obstacle that cannot be.
+// The same and its images, a period of cells apart along each axis that has one, else 0.
+std::shared_ptr<const Solid> with_images(std::shared_ptr<const Solid> solid,
+                                         const std::array<int, 3>& period);
+
+// In the order of the configuration, with images across periodic sides. Throws
+// std::invalid_argument with a sentence on the first obstacle that cannot be.
 Solids make_solids(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

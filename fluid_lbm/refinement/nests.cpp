@@ -10,27 +10,18 @@ namespace magfsi::fluid {
 
 namespace {
 
-// The bodies' cells on a grid.
+// The bodies' cells on a grid. A corner on the border of two cells lies in that of the
+// two which is within: what rounding makes of it, and of its mirror image, does not
+// count.
 CellBox cells_around(const BodyBox& bodies_m, double spacing_m) {
+    constexpr double rounding = 1e-9;  // cells
     CellBox box;
     for (int d = 0; d < 3; ++d) {
-        box.lo[d] = static_cast<int>(std::floor(bodies_m[0][d] / spacing_m));
-        box.hi[d] = static_cast<int>(std::floor(bodies_m[1][d] / spacing_m)) + 1;
-    }
-    return box;
-}
-
-// A box that leaves the bodies room to move. Its size stays as it was while it is large
-// enough and not much too large: a patch that only moves keeps its memory.
-CellBox roomy(const CellBox& least, int slack_cells, const CellBox* before) {
-    CellBox box = grown(least, slack_cells);
-    if (!before) return box;
-    for (int d = 0; d < 3; ++d) {
-        const int wanted = box.hi[d] - box.lo[d], was = before->hi[d] - before->lo[d];
-        const int need = least.hi[d] - least.lo[d];
-        const int size = was > need + 1 && was <= wanted + 2 * slack_cells ? was : wanted;
-        box.lo[d] -= floor_half(size - wanted);
-        box.hi[d] = box.lo[d] + size;
+        box.lo[d] = static_cast<int>(std::floor(bodies_m[0][d] / spacing_m + rounding));
+        box.hi[d] = static_cast<int>(std::ceil(bodies_m[1][d] / spacing_m - rounding));
+        if (box.hi[d] > box.lo[d]) continue;  // else a sheet in the border itself
+        --box.lo[d];
+        ++box.hi[d];
     }
     return box;
 }
@@ -177,11 +168,7 @@ class Placement {
     NestPlaces nest_around(const std::vector<std::size_t>& bodies) const {
         const auto levels = static_cast<std::size_t>(rule_.levels);
         std::vector<CellBox> boxes(levels);
-        const std::size_t home = home_[bodies.front()];
-        const bool was = home < before_.size() && members_[home] == bodies;
-        const CellBox old = was ? before_[home].back().covered() : CellBox{};
-        boxes[levels - 1] =
-            roomy(least_box(bodies), rule_.slack_cells, was ? &old : nullptr);
+        boxes[levels - 1] = grown(least_box(bodies), rule_.slack_cells);
         for (std::size_t l = levels - 1; l > 0; --l)
             boxes[l - 1] = grown(halved(boxes[l]), around_cells);
         NestPlaces places;

@@ -63,6 +63,10 @@ LevelPlace finer_place(const LevelPlace& below, const std::array<bool, 3>& perio
             if (!low_ring) covered.lo[d] = 0;
             if (!high_ring) covered.hi[d] = n;
         }
+        if (covered.hi[d] - covered.lo[d] < least_cells) {
+            covered.lo[d] -= low_ring ? 1 : 0;
+            covered.hi[d] += high_ring ? 1 : 0;
+        }
         place.inside.lo[d] = 2 * covered.lo[d];
         place.inside.hi[d] = 2 * covered.hi[d];
         place.stored.lo[d] = place.inside.lo[d] - (low_ring ? ring_cells : 0);
@@ -79,6 +83,7 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
     config.is_patch = true;
     Vec3 origin_m{};
     for (int d = 0; d < 3; ++d) {
+        config.box_period[d] = periodic_axes(coarse)[d] ? place.domain[d] : 0;
         config.cells[d] = place.stored.hi[d] - place.stored.lo[d];
         origin_m[d] = place.stored.lo[d] * config.spacing_m;
         if (place.period[d] > 0) continue;
@@ -112,8 +117,12 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
 
 void refuse_cut_obstacles(const FluidConfig& config, const Solids& solids,
                           const LevelPlace& place) {
+    Bounds stored;
+    for (int d = 0; d < 3; ++d) stored.high[d] = config.cells[d];
     for (std::size_t i = 0; i < solids.size(); ++i) {
-        const auto at = cut_at(place, solids[i]->bounds());
+        std::optional<Vec3> at;
+        for (const Bounds& part : solids[i]->parts_in(stored))
+            if (!at) at = cut_at(place, part);
         if (!at) continue;
         const double h_m = config.spacing_m;
         refuse(

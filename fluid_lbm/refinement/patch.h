@@ -22,6 +22,8 @@ constexpr int apart_cells = 4;
 // Covered cells, beside those that are not, that a level reads before they are
 // overwritten anew: in its step, and in the cubic that fills the ring.
 constexpr int band_cells = 1;
+// Cells that a patch covers along an axis, at least: a cubic through its own cells.
+constexpr int least_cells = 2;
 // Cells of a level around what the next finer one covers: what stencils need.
 constexpr int around_cells = apart_cells;
 

@@ -101,11 +101,12 @@ Expansion expansion_of(std::vector<Weights> weights, int first_coarse) {
     const auto alike = [&](std::size_t i) {
         return e.of[i].of == e.of[i + 2].of && e.of[i].first + 1 == e.of[i + 2].first;
     };
-    e.end = e.of.size();
-    while (e.begin + 2 < e.end &&
-           !(alike(e.begin) && e.begin + 3 < e.end && alike(e.begin + 1)))
+    while (e.begin + 3 < e.of.size() && !(alike(e.begin) && alike(e.begin + 1)))
         ++e.begin;
-    while (e.begin + 2 < e.end && !alike(e.end - 3)) --e.end;
+    // As far as each cell is like the one before the last: the cells of a pair end at
+    // a side of their own, one of them before the other.
+    e.end = std::min(e.begin + 2, e.of.size());
+    while (e.end < e.of.size() && alike(e.end - 2)) ++e.end;
     return e;
 }
 

@@ -180,6 +180,20 @@ void RefinedFluid::cover_all() {
             above.all_covered(level).run(level, above.level);
         }
     }
+    fill_rings();
+}
+
+// Of the levels that stand where the one below does: their last two steps have left
+// nothing of what the rings had.
+void RefinedFluid::fill_rings() {
+    if (begun_) return;
+    for (int l = 0; l + 1 < levels(); ++l) {
+        if (steps_done_ % steps_in_one(l) != 0) continue;
+        for (int nest = 0; nest < nests(); ++nest) {
+            FinerLevel& above = levels_->above(l, nest);
+            above.ring.run(levels_->at(l, nest), above.level);
+        }
+    }
 }
 
 void RefinedFluid::keep() {

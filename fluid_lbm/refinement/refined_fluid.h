@@ -65,12 +65,13 @@ class RefinedFluid {
     bool levels_are_level() const;  // all stand at one time
     std::int64_t moves() const { return moves_; }
     // From step to step levels are given only those covered cells that they need; now
-    // all, for somebody who reads them. Changes nothing in coming steps. Collective.
+    // all, and rings as before a step, for somebody who reads them. Changes nothing in
+    // coming steps. Collective.
     void cover_all();
 
     // Each place of the box counts once, with the finest level there. Collective.
     Totals totals() const;
-    double enstrophy_1_s2() const;
+    double enstrophy_1_s2();
     // Of level 0, which is given what finer levels have.
     PlaneFlow plane_flow(int axis, double at_m) {
         cover_all();
@@ -101,6 +102,7 @@ class RefinedFluid {
             for (int l = 1; l < levels(); ++l) use(l, nest);
     }
     void begin_step();
+    void fill_rings();
     void step_level(int number, int nest);
     void end_step();
     double excess_of_finer() const;

@@ -52,7 +52,8 @@ Totals RefinedFluid::totals() const {
     return all;
 }
 
-double RefinedFluid::enstrophy_1_s2() const {
+double RefinedFluid::enstrophy_1_s2() {
+    fill_rings();  // which derivatives beside them read
     Enstrophy all;
     for_each_patch([&](int l, int nest) {
         const Enstrophy part = level(l, nest).enstrophy(counted_of(l, nest));

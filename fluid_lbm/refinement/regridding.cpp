@@ -13,32 +13,6 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Where a patch crosses a periodic side it sees no obstacles beyond it.
-void refuse_obstacles_beyond(const Level& coarsest, const LevelPlace& place) {
-    const auto reaches_beyond = [&](int d) {
-        return place.period[d] == 0 &&
-               (place.stored.lo[d] < 0 || place.stored.hi[d] > place.domain[d]);
-    };
-    if (coarsest.solids.empty()) return;
-    if (!reaches_beyond(0) && !reaches_beyond(1) && !reaches_beyond(2)) return;
-    const CellBox reach = grown(place.covered(), apart_cells);
-    const double h_m = coarsest.state().config.spacing_m;
-    for (const CellRow& row : coarsest.fluid.solid_rows()) {
-        const CellBox cells{{row.x_begin, row.y, row.z},
-                            {row.x_end, row.y + 1, row.z + 1}};
-        for_each_image(coarsest.place.period, [&](const std::array<int, 3>& image) {
-            if (image == std::array<int, 3>{}) return;
-            const CellBox met = shared(shifted(cells, image), reach);
-            if (is_empty(met)) return;
-            refuse("the refined patch crosses a periodic side and meets an obstacle at (",
-                   (met.lo[0] + 0.5) * h_m, ", ", (met.lo[1] + 0.5) * h_m, ", ",
-                   (met.lo[2] + 0.5) * h_m,
-                   ") m, which it cannot hold: keep the bodies further from it, or leave "
-                   "fluid.refinement out");
-        });
-    }
-}
-
 // From patches of a level to one that stands elsewhere.
 void take_over(const Level& below, const std::vector<const Level*>& old, Level& level,
                const std::array<bool, 3>& periodic) {
@@ -120,7 +94,6 @@ void RefinedFluid::add_nest(const NestPlaces& places, const std::vector<Nest>& o
         at_rest.initial_velocity = nullptr;
         at_rest.initial_pressure = nullptr;
     }
-    refuse_obstacles_beyond(levels_->coarsest, places.front());
     const int number_of_nest = nests();
     Nest& nest = levels_->nests.emplace_back();
     for (std::size_t i = 0; i < places.size(); ++i) {

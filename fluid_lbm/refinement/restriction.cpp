@@ -319,20 +319,22 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
                     {first[0], first[1], first[2], first[3]}, piece.has_within(2, z),
                     plane.data() + j * row_size);
         }
-        const Weights w = fine_in(next, fine.place, 2);
-        if (next >= c.hi[2] || z + 1 < w.first + cubic_points) continue;
-        std::array<const double*, cubic_points> from;
-        for (std::size_t j = 0; j < across.size(); ++j) {
-            for (int k = 0; k < cubic_points; ++k)
-                from[k] = planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) %
-                                  cubic_points]
-                              .data() +
-                          j * row_size;
-            combine(w, next, cells, from, true, row_.data());
-            average_along_x(piece, row_.data(), to);
-            to += cell_numbers * length(c, 0);
+        // In a patch of four fine cells two coarse planes are made of the same four.
+        for (; next < c.hi[2]; ++next) {
+            const Weights w = fine_in(next, fine.place, 2);
+            if (z + 1 < w.first + cubic_points) break;
+            std::array<const double*, cubic_points> from;
+            for (std::size_t j = 0; j < across.size(); ++j) {
+                for (int k = 0; k < cubic_points; ++k)
+                    from[k] = planes_[static_cast<std::size_t>(w.first + k - f.lo[2]) %
+                                      cubic_points]
+                                  .data() +
+                              j * row_size;
+                combine(w, next, cells, from, true, row_.data());
+                average_along_x(piece, row_.data(), to);
+                to += cell_numbers * length(c, 0);
+            }
         }
-        ++next;
     }
 }
 

@@ -46,19 +46,24 @@ void sum_over_ranks(MPI_Comm comm, double* values, int count, MPI_Op op = MPI_SU
 }
 
 // The two layers of cells whose centres lie on either side of a plane; within half a cell
-// of an end of the box, the last layer.
+// of an end of the box, the last layer, or across a periodic side those of both ends.
 struct Layers {
-    int axis, low;  // global index of the lower of the two
-    double upper;   // weight of the upper
+    int axis, low, high;  // global indices of the lower and the upper
+    double upper;         // weight of the upper
     double weight(int index) const {
-        return index == low ? 1 - upper : index == low + 1 ? upper : 0;
+        return (index == low ? 1 - upper : 0) + (index == high ? upper : 0);
     }
 };
 
-Layers layers_at(int axis, double at_cells, int count) {
+Layers layers_at(int axis, double at_cells, int count, bool periodic) {
+    if (periodic) {
+        const double low = std::floor(at_cells - 0.5);
+        const int index = (static_cast<int>(low) + count) % count;
+        return {axis, index, (index + 1) % count, at_cells - 0.5 - low};
+    }
     const double centred = std::clamp(at_cells - 0.5, 0.0, count - 1.0);
     const int low = std::min(static_cast<int>(centred), std::max(0, count - 2));
-    return {axis, low, centred - low};
+    return {axis, low, low + 1, centred - low};
 }
 
 struct PlaneSums {  // over cells, each by the weight of its layer; lattice units
@@ -77,8 +82,10 @@ void add_cell(const RowMoments& m, std::size_t i, int axis, double weight,
 
 PlaneSums sum_layers(const Fluid::State& s, const Layers& layers) {
     const bool across_rows = layers.axis == 0;
-    const int begin = across_rows ? layers.low : 0;
-    const int end = across_rows ? std::min(layers.low + 2, s.layout.nx) : s.layout.nx;
+    const bool around = layers.high < layers.low;  // the ends of a periodic box
+    const int begin = across_rows && !around ? layers.low : 0;
+    const int end =
+        across_rows && !around ? std::min(layers.high + 1, s.layout.nx) : s.layout.nx;
     PlaneSums sum;
     RowMoments m;
     for (int z = 0; z < s.layout.nz; ++z) {
@@ -130,7 +137,8 @@ Totals Fluid::totals(std::span<const CellBox> parts) const {
 PlaneFlow Fluid::plane_flow(int axis, double at_m) const {
     const State& s = *state_;
     PlaneSums sum =
-        sum_layers(s, layers_at(axis, at_m / s.config.spacing_m, s.config.cells[axis]));
+        sum_layers(s, layers_at(axis, at_m / s.config.spacing_m, s.config.cells[axis],
+                                periodic_axes(s.config)[axis]));
     static_assert(sizeof sum == 6 * sizeof(double));
     sum_over_ranks(s.comm, &sum.flow, 6);
 

@@ -94,6 +94,14 @@ std::unique_ptr<BodyForce> make_force(LAMMPS_NS::LAMMPS* lammps, const MagtticeB
 
 // --- the effect
 
+// " periodic LX LY LZ" where there is a period along an axis.
+inline std::string periodic_words(const LammpsInput& input) {
+    const Vec3& length = input.period_m;
+    if (length == Vec3{}) return "";
+    return fmt::format(" periodic {:.17g} {:.17g} {:.17g}", length[0], length[1],
+                       length[2]);
+}
+
 // A fix of LAMMPS.
 struct FixStyle {
     const char* name = nullptr;

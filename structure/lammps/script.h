@@ -38,6 +38,8 @@ struct LammpsInput {
     std::optional<Platform> platform;  // stiffness 0: that of platform_of
     std::vector<Wall> walls;
     std::vector<PrescribedMotion> motions;
+    Vec3
+        period_m{};  // of axes along which bodies meet each other and walls again, else 0
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
     bool quiet = false;                 // fix quiet: how far from equilibrium
     bool reactions = false;  // with rollers: fix before_rollers keeps the forces on nodes

@@ -2,6 +2,7 @@
 #include "structure/magnetics/dipoles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "structure/refuse.h"
@@ -74,9 +75,26 @@ void Dipoles::set(std::size_t i, const Dipole& dipole) {
 
 void Dipoles::add_field(std::size_t i, std::size_t from, std::size_t to,
                         FieldSample& sample) const {
+    add_sum(x_, i, from, to, sample);
+}
+
+void Dipoles::add_field(std::size_t i, std::size_t from, std::size_t to,
+                        const Vec3& period_m, FieldSample& sample) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        near_[d] = x_[d];
+        if (period_m[d] == 0) continue;
+        const double here = x_[d][i];
+        for (std::size_t j = from; j < to; ++j)
+            near_[d][j] -= period_m[d] * std::nearbyint((x_[d][j] - here) / period_m[d]);
+    }
+    add_sum(near_, i, from, to, sample);
+}
+
+void Dipoles::add_sum(const std::array<std::vector<double>, 3>& x, std::size_t i,
+                      std::size_t from, std::size_t to, FieldSample& sample) const {
     DipoleArrays arrays;
     for (std::size_t d = 0; d < 3; ++d) {
-        arrays.x[d] = x_[d].data();
+        arrays.x[d] = x[d].data();
         arrays.m[d] = m_[d].data();
     }
     arrays.radius = radius_.data();

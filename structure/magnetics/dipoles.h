@@ -67,10 +67,16 @@ class Dipoles {
     // Adds the field at dipole i of those from `from` to before `to`, without itself.
     void add_field(std::size_t i, std::size_t from, std::size_t to,
                    FieldSample& sample) const;
+    // The same with the nearest image of each, along axes that have a period, else 0.
+    void add_field(std::size_t i, std::size_t from, std::size_t to, const Vec3& period_m,
+                   FieldSample& sample);
 
   private:
+    void add_sum(const std::array<std::vector<double>, 3>& x, std::size_t i,
+                 std::size_t from, std::size_t to, FieldSample& sample) const;
+
     DipoleSumFunction function_;
-    std::array<std::vector<double>, 3> x_, m_;
+    std::array<std::vector<double>, 3> x_, m_, near_;
     std::vector<double> radius_;
 };
 

@@ -2,7 +2,10 @@
 // Points sorted into cubic cells, to find those that are near each other.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -11,39 +14,111 @@
 
 namespace magfsi::structure {
 
+// Lengths after which all comes again along an axis; 0: never.
+using Periods = Vec3;
+
+// Of a point of a body to another of the same body at rest, where that one is an image,
+// image_m away: the body goes on there if it is as long as the period. Absent: what it
+// meets there is as another body.
+inline std::optional<double> rest_distance_m(const Vec3& a, const Vec3& b,
+                                             const Vec3& image_m,
+                                             const std::array<bool, 3>& goes_on) {
+    Vec3 there = b;
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (image_m[d] != 0 && !goes_on[d]) return {};
+        there[d] += image_m[d];
+    }
+    return distance_m(a, there);
+}
+
+// Along which axes a body at rest is as long as the period.
+inline std::array<bool, 3> goes_on_through_sides(std::span<const Vec3> nodes_m,
+                                                 const Periods& period_m) {
+    Bounds all;
+    for (const Vec3& x : nodes_m) all.add(x);
+    std::array<bool, 3> goes_on{};
+    for (std::size_t d = 0; d < 3; ++d)
+        goes_on[d] =
+            period_m[d] > 0 && all.high_m[d] - all.low_m[d] > (1 - 1e-6) * period_m[d];
+    return goes_on;
+}
+
 class NearPairs {
   public:
-    NearPairs(std::span<const Vec3> points_m, double edge_m) {
+    NearPairs(std::span<const Vec3> points_m, double edge_m,
+              const Periods& period_m = {}) {
         Bounds all;
-        for (const Vec3& x : points_m) all.add(x);
-        for (std::size_t i = 0; i < points_m.size(); ++i) {
+        for (std::size_t i = 0; i < points_m.size(); ++i)
+            add(i, points_m[i], edge_m, period_m);
+        for (const Entry& entry : entries_) all.add(entry.x_m);
+        for (std::size_t i = 0; i < entries_.size(); ++i) {
             Place place;
             for (std::size_t d = 0; d < 3; ++d)
-                place[d] = 1 + static_cast<std::int64_t>((points_m[i][d] - all.low_m[d]) /
-                                                         edge_m);
+                place[d] = 1 + static_cast<std::int64_t>(
+                                   (entries_[i].x_m[d] - all.low_m[d]) / edge_m);
             cells_[key(place)].push_back(i);
         }
     }
 
-    // visit(a, b), a and b numbers of points: each pair of the same or of neighbouring
-    // cells, once; all that are closer than an edge are among them.
+    // visit(a, b, image_m), a < b numbers of points: each pair of the same or of
+    // neighbouring cells, once for each image x_b + image_m of b; all that are closer
+    // than an edge are among them.
     template <class Visit>
     void visit(const Visit& visit) const {
+        const auto look = [&](std::size_t i, std::size_t j) {
+            const Entry &one = entries_[i], &other = entries_[j];
+            const Entry &a = one.number < other.number ? one : other,
+                        &b = one.number < other.number ? other : one;
+            if (a.number == b.number || a.is_image) return;
+            visit(a.number, b.number,
+                  Vec3{b.by_m[0] - a.by_m[0], b.by_m[1] - a.by_m[1],
+                       b.by_m[2] - a.by_m[2]});
+        };
         for (const auto& [own_key, own] : cells_) {
             for (std::size_t i = 0; i < own.size(); ++i)
-                for (std::size_t j = i + 1; j < own.size(); ++j) visit(own[i], own[j]);
+                for (std::size_t j = i + 1; j < own.size(); ++j) look(own[i], own[j]);
             const Place at = place(own_key);
             for (int n = 14; n < 27; ++n) {  // of the 27 around, those behind the middle
                 const auto other = cells_.find(
                     key({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1}));
                 if (other == cells_.end()) continue;
                 for (const std::size_t i : own)
-                    for (const std::size_t j : other->second) visit(i, j);
+                    for (const std::size_t j : other->second) look(i, j);
             }
         }
     }
 
   private:
+    // A point where it lies within the first period, or an image beside that.
+    struct Entry {
+        std::size_t number;
+        Vec3 x_m, by_m;
+        bool is_image;
+    };
+    void add(std::size_t number, const Vec3& x, double edge_m, const Periods& period_m) {
+        std::array<std::vector<double>, 3> by;  // the first one brings it home
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double length = period_m[d];
+            const double home = length > 0 ? -length * std::floor(x[d] / length) : 0;
+            by[d].push_back(home);
+            for (int n = 1; length > 0 && n * length < length + edge_m; ++n) {
+                for (const double there : {home - n * length, home + n * length})
+                    if (x[d] + there > -edge_m && x[d] + there < length + edge_m)
+                        by[d].push_back(there);
+            }
+        }
+        for (const double z : by[2]) {
+            for (const double y : by[1]) {
+                for (const double x_by : by[0])
+                    entries_.push_back(
+                        {number,
+                         {x[0] + x_by, x[1] + y, x[2] + z},
+                         {x_by, y, z},
+                         x_by != by[0][0] || y != by[1][0] || z != by[2][0]});
+            }
+        }
+    }
+
     using Place = std::array<std::int64_t, 3>;
     static constexpr int bits = 21;  // of each axis
     static std::uint64_t key(const Place& at) {
@@ -59,6 +134,7 @@ class NearPairs {
                 static_cast<std::int64_t>(key & mask)};
     }
 
+    std::vector<Entry> entries_;
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 

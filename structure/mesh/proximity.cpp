@@ -92,8 +92,9 @@ ProximityFinder::Ball ProximityFinder::ball_around(const Patch& patch,
     return out;
 }
 
-ProximityFinder::ProximityFinder(std::span<const Mesh* const> bodies, double near_m)
-    : near_m_(near_m) {
+ProximityFinder::ProximityFinder(std::span<const Mesh* const> bodies, double near_m,
+                                 const Vec3& period_m)
+    : period_m_(period_m), near_m_(near_m) {
     int first_node = 0;
     double largest = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -108,22 +109,30 @@ ProximityFinder::ProximityFinder(std::span<const Mesh* const> bodies, double nea
             for (int& node : patch.node) node += first_node;
             patches_.push_back(patch);
         }
+        goes_on_.push_back(goes_on_through_sides(bodies[b]->nodes, period_m));
         first_node += static_cast<int>(bodies[b]->nodes.size());
     }
     // Pairs to look at grow with its cube, the steps between two looks with it alone.
     reach_m_ = std::max(2 * largest, near_m);
 }
 
-bool ProximityFinder::are_neighbours(const Patch& a, const Patch& b) const {
-    if (a.body != b.body) return false;
-    return distance_m(a.rest.centre_m, b.rest.centre_m) <=
-           2 * (a.rest.radius_m + b.rest.radius_m);
+std::optional<double> ProximityFinder::rest_gap_m(const Patch& a, const Patch& b,
+                                                  const Vec3& image_m) const {
+    if (a.body != b.body) return {};
+    const auto apart =
+        rest_distance_m(a.rest.centre_m, b.rest.centre_m, image_m, goes_on_[a.body]);
+    if (!apart) return {};
+    return *apart - a.rest.radius_m - b.rest.radius_m;
 }
 
 // gap_m: a lower bound, of the balls around the two.
-void ProximityFinder::look_at(const Patch& a, const Patch& b, double gap_m,
-                              std::span<const Vec3> nodes_m, Proximities& found) const {
-    const Corners4 of_a = corners_of(a.node, nodes_m), of_b = corners_of(b.node, nodes_m);
+void ProximityFinder::look_at(const Patch& a, const Patch& b, const Vec3& image_m,
+                              double gap_m, std::span<const Vec3> nodes_m,
+                              Proximities& found) const {
+    const Corners4 of_a = corners_of(a.node, nodes_m);
+    Corners4 of_b = corners_of(b.node, nodes_m);
+    for (Vec3& corner : of_b)
+        for (std::size_t d = 0; d < 3; ++d) corner[d] += image_m[d];
     Proximity proximity{{a.body, b.body}, {a.element, b.element}, of_a[0], gap_m};
     auto at = gap_m < 0 ? piercing(of_a, of_b) : std::nullopt;
     if (gap_m < 0 && !at) at = piercing(of_b, of_a);
@@ -155,18 +164,19 @@ Proximities ProximityFinder::find(std::span<const Vec3> nodes_m) const {
     }
     Proximities found;
     found.apart_m = reach_m_;
-    NearPairs(centres, 2 * largest + reach_m_).visit([&](std::size_t i, std::size_t j) {
-        const double reach = radii[i] + radii[j] + reach_m_;
-        const Vec3 apart = minus(centres[i], centres[j]);
-        if (dot(apart, apart) >= reach * reach) return;
-        const Patch &a = patches_[std::min(i, j)], &b = patches_[std::max(i, j)];
-        if (are_neighbours(a, b)) return;
-        const double gap = std::sqrt(dot(apart, apart)) - radii[i] - radii[j];
-        const double at_rest = distance_m(a.rest.centre_m, b.rest.centre_m) -
-                               a.rest.radius_m - b.rest.radius_m;
-        if (a.body == b.body && gap >= 0.5 * at_rest) return;
-        look_at(a, b, gap, nodes_m, found);
-    });
+    NearPairs(centres, 2 * largest + reach_m_, period_m_)
+        .visit([&](std::size_t i, std::size_t j, const Vec3& image_m) {
+            const double reach = radii[i] + radii[j] + reach_m_;
+            const Vec3 apart = minus(minus(centres[i], centres[j]), image_m);
+            if (dot(apart, apart) >= reach * reach) return;
+            const Patch &a = patches_[i], &b = patches_[j];
+            const double gap = std::sqrt(dot(apart, apart)) - radii[i] - radii[j];
+            const auto at_rest = rest_gap_m(a, b, image_m);
+            const bool neighbours =
+                at_rest && *at_rest <= a.rest.radius_m + b.rest.radius_m;
+            if (neighbours || (at_rest && gap >= 0.5 * *at_rest)) return;
+            look_at(a, b, image_m, gap, nodes_m, found);
+        });
     return found;
 }
 

@@ -32,8 +32,10 @@ struct Proximities {
 // so that a thin sheet's two sides do not.
 class ProximityFinder {
   public:
-    // bodies: undeformed. near_m: what is closer is reported.
-    ProximityFinder(std::span<const Mesh* const> bodies, double near_m);
+    // bodies: undeformed. near_m: what is closer is reported. period_m: of axes through
+    // whose sides bodies see each other, else 0.
+    ProximityFinder(std::span<const Mesh* const> bodies, double near_m,
+                    const Vec3& period_m = {});
 
     // nodes_m: of all bodies, one after the other.
     Proximities find(std::span<const Vec3> nodes_m) const;
@@ -54,11 +56,15 @@ class ProximityFinder {
         Ball rest;
     };
     static Ball ball_around(const Patch& patch, std::span<const Vec3> nodes_m);
-    bool are_neighbours(const Patch& a, const Patch& b) const;
-    void look_at(const Patch& a, const Patch& b, double gap_m,
+    // Of one body at rest, b image_m away; absent where they are no parts of one.
+    std::optional<double> rest_gap_m(const Patch& a, const Patch& b,
+                                     const Vec3& image_m) const;
+    void look_at(const Patch& a, const Patch& b, const Vec3& image_m, double gap_m,
                  std::span<const Vec3> nodes_m, Proximities& found) const;
 
     std::vector<Patch> patches_;
+    Vec3 period_m_{};
+    std::vector<std::array<bool, 3>> goes_on_;  // of each body, through periodic sides
     double near_m_ = 0;
     double reach_m_ = 0;  // how far apart pairs are looked at
     double shortest_edge_m_ = INFINITY;

@@ -64,7 +64,8 @@ Overlap::Overlap(StructureRun& run)
     std::vector<const structure::Mesh*> meshes;
     for (const auto& body : run.input.bodies) meshes.push_back(&body.mesh);
     finders_ = std::make_unique<Finders>(
-        Finders{structure::ProximityFinder(meshes, near_cells * spacing_m_),
+        Finders{structure::ProximityFinder(meshes, near_cells * spacing_m_,
+                                           run.scene.fluid->period_m()),
                 bodies::SolidsAround(run.scene, run.input.bodies, run.start.position_m,
                                      near_cells * spacing_m_, deep_cells * spacing_m_)});
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Magnetised bodies act on each other (structure/magnetics/dipoles.h): fix ID group
-// magttice/dipoles [within] gathers the dipoles of all ranks before the forces of a step,
-// and `dipoles ID` of fix magttice makes a body's forces.
+// magttice/dipoles [within] [periodic LX LY LZ] gathers the dipoles of all ranks before
+// the forces of a step, and `dipoles ID` of fix magttice makes a body's forces.
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -32,9 +32,17 @@ struct Member {
 class FixMagtticeDipoles : public LAMMPS_NS::Fix {
   public:
     FixMagtticeDipoles(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
-        : Fix(lammps, narg, arg), within_(narg == 4) {
-        if (narg > 4 || (within_ && std::strcmp(arg[3], "within") != 0))
-            fail(*error, "fix {} magttice/dipoles takes nothing or the word \"within\"",
+        : Fix(lammps, narg, arg),
+          within_(narg > 3 && std::strcmp(arg[3], "within") == 0) {
+        const int words = within_ ? 4 : 3;
+        const bool periodic =
+            narg == words + 4 && std::strcmp(arg[words], "periodic") == 0;
+        for (int d = 0; periodic && d < 3; ++d)
+            period_m_[static_cast<std::size_t>(d)] = number(arg[words + 1 + d], lmp);
+        if ((narg != words && !periodic) || !(std::ranges::min(period_m_) >= 0))
+            fail(*error,
+                 "fix {} magttice/dipoles takes nothing but the words \"within\" and "
+                 "\"periodic\" with three lengths",
                  id);
         scalar_flag = 1;
         extscalar = 1;
@@ -65,11 +73,19 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
     }
 
   private:
-    void number();
+    void renumber();
     void gather();
+    void add_others(std::size_t at, std::size_t from, std::size_t to,
+                    FieldSample& sample) {
+        if (period_m_ == Vec3{})
+            dipoles_.add_field(at, from, to, sample);
+        else
+            dipoles_.add_field(at, from, to, period_m_, sample);
+    }
     void evaluate();
 
     bool within_;
+    Vec3 period_m_{};  // of axes along which bodies see each other's nearest image
     std::vector<Member*> members_;
     Dipoles dipoles_;
     std::vector<std::size_t> first_;  // number of each body's first dipole, then the end
@@ -79,7 +95,7 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
 };
 
 // Who owns which dipole; after atoms have changed their ranks.
-void FixMagtticeDipoles::number() {
+void FixMagtticeDipoles::renumber() {
     first_.assign(1, 0);
     std::vector<int> own;
     for (Member* member : members_) {
@@ -130,21 +146,20 @@ void FixMagtticeDipoles::gather() {
 
 void FixMagtticeDipoles::evaluate() {
     const auto changed = [](const Member* member) { return member->changed; };
-    if (std::ranges::any_of(members_, changed)) number();
+    if (std::ranges::any_of(members_, changed)) renumber();
     gather();
     for (std::size_t b = 0; b < members_.size(); ++b) {
         Member& member = *members_[b];
         for (std::size_t i = 0; i < member.owned.size(); ++i) {
             const std::size_t at = first_[b] + member.owned[i];
             FieldSample& sample = member.sample[i] = {};
+            add_others(at, 0, first_[b], sample);
             if (within_) {
-                dipoles_.add_field(at, 0, dipoles_.size(), sample);
+                dipoles_.add_field(at, first_[b], first_[b + 1], sample);
                 sample.field_t +=
                     own_field_t(member.all[member.owned[i]], member.dipole[i]);
-            } else {
-                dipoles_.add_field(at, 0, first_[b], sample);
-                dipoles_.add_field(at, first_[b + 1], dipoles_.size(), sample);
             }
+            add_others(at, first_[b + 1], dipoles_.size(), sample);
         }
     }
 }
@@ -233,8 +248,9 @@ extern const Effect dipoles_effect{
     .check = check_dipoles,
     .before_bodies =
         [](Lines& lines, const LammpsInput& input) {
-            lines.push_back(fmt::format("fix dipoles all magttice/dipoles{}",
-                                        input.dipoles->within_bodies ? " within" : ""));
+            lines.push_back(fmt::format("fix dipoles all magttice/dipoles{}{}",
+                                        input.dipoles->within_bodies ? " within" : "",
+                                        periodic_words(input)));
         },
     .body_words = [](const LammpsInput&, const Body& body) -> std::string {
         return body.magnetization_a_m.empty() ? "" : " dipoles dipoles";

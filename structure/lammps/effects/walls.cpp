@@ -23,14 +23,15 @@ namespace magfsi::structure {
 namespace {
 
 using namespace std::string_view_literals;
-constexpr auto word_friction = "friction"sv, word_lost = "lost_share"sv;
+constexpr auto word_friction = "friction"sv, word_periodic = "periodic"sv,
+               word_lost = "lost_share"sv;
 constexpr double rounding = 1e-9;
 constexpr double at_rest[3] = {0, 0, 0};
 
-// fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU]: a shape that pushes the
-// surfaces of bodies back, in their nodes and in the middles of their quads, half of the
-// area each: a quad would dip into a ball between its nodes. Each feels the plane that
-// touches the shape at its nearest point.
+// fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU] [periodic LX LY LZ]: a
+// shape that pushes the surfaces of bodies back, in their nodes and in the middles of
+// their quads, half of the area each: a quad would dip into a ball between its nodes.
+// Each feels the plane that touches the shape at its nearest point.
 class FixMagtticeSolid : public StickingFix {
   public:
     FixMagtticeSolid(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
@@ -66,7 +67,8 @@ class FixMagtticeSolid : public StickingFix {
     void push();
 
     std::optional<SolidShape> shape_;
-    Platform plane_;  // stiffness and friction of all
+    Vec3 period_m_{};  // of axes along which the shape is there again, else 0
+    Platform plane_;   // stiffness and friction of all
     void (FixMagtticeSolid::*push_)() = &FixMagtticeSolid::push<false>;
     std::vector<Point> all_, here_;
     double energy_j_ = 0;  // this rank's share, of the last forces
@@ -101,12 +103,16 @@ void FixMagtticeSolid::parse(int narg, char** arg) {
     } catch (const std::exception& cause) {
         fail(*error, "fix {} magttice/solid: {}", id, cause.what());
     }
-    const bool rough = narg == stiffness + 3 && arg[stiffness + 1] == word_friction;
-    if (narg != stiffness + 1 && !rough)
+    const bool rough = narg > stiffness + 2 && arg[stiffness + 1] == word_friction;
+    const int words = stiffness + (rough ? 3 : 1);
+    const bool periodic = narg == words + 4 && arg[words] == word_periodic;
+    if (narg != words && !periodic)
         fail(*error,
              "fix {} magttice/solid needs a shape, a stiffness and no more than "
-             "\"friction\" with one value",
+             "\"friction\" with one value and \"periodic\" with three",
              id);
+    for (int d = 0; periodic && d < 3; ++d)
+        period_m_[static_cast<std::size_t>(d)] = number(arg[words + 1 + d], lmp);
     plane_.stiffness_pa_m = number(arg[stiffness], lmp);
     if (rough) plane_.friction = number(arg[stiffness + 2], lmp);
     if (!(plane_.stiffness_pa_m > 0) || !(plane_.friction >= 0))
@@ -175,7 +181,7 @@ void FixMagtticeSolid::push() {
             for (std::size_t d = 0; d < 3; ++d) place[d] += 0.25 * x[a][d];
         }
         if (distance_m(place, point.seen_m) < point.clear_m) continue;
-        const SignedDistance to = signed_distance(*shape_, place);
+        const SignedDistance to = signed_distance(*shape_, place, period_m_);
         point.seen_m = place;
         point.clear_m = std::max(0.0, (1 - rounding) * to.distance_m);
         Platform plane = plane_;
@@ -249,9 +255,10 @@ void add_walls(Lines& lines, const LammpsInput& input) {
             lines.push_back(line);
         }
         if (wall.shape) {
-            lines.push_back(fmt::format("fix wall_{} {} magttice/solid {} {:.17g}{}",
+            lines.push_back(fmt::format("fix wall_{} {} magttice/solid {} {:.17g}{}{}",
                                         wall.name, group, shape_words(*wall.shape),
-                                        shape_stiffness_pa_m(input), rough));
+                                        shape_stiffness_pa_m(input), rough,
+                                        periodic_words(input)));
             continue;
         }
         const Platform& plane = wall.plane;

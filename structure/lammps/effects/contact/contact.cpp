@@ -76,6 +76,7 @@ void add_contact(Lines& lines, const LammpsInput& input) {
         fmt::format("pair_style magttice/contact {:.17g} {:.17g} excluded {:.17g}",
                     law.distance_m, law.stiffness_pa_m, law.excluded));
     if (law.friction > 0) lines.back() += fmt::format(" friction {:.17g}", law.friction);
+    lines.back() += periodic_words(input);
     lines.push_back("pair_coeff * *");
     lines.push_back("compute contact all magttice/contact");
 }

@@ -15,6 +15,7 @@
 #include <numeric>
 #include <utility>
 
+#include "structure/lammps/fix_magttice.h"
 #include "structure/mesh/near_pairs.h"
 
 namespace magfsi::structure {
@@ -33,16 +34,26 @@ PairMagtticeContact::~PairMagtticeContact() noexcept {
 
 void PairMagtticeContact::settings(int narg, char** arg) {
     law_ = {};
-    bool known = narg >= 2 && narg % 2 == 0;
-    for (int i = 2; known && i < narg; i += 2) {
-        const std::string keyword = arg[i];
-        known = keyword == "excluded" || keyword == "friction";
-        (keyword == "friction" ? law_.friction : law_.excluded) = number(arg[i + 1], lmp);
+    period_m_ = {};
+    bool known = narg >= 2;
+    for (int i = 2; known && i < narg;) {
+        const std::string keyword = arg[i++];
+        const int values = keyword == "periodic" ? 3 : 1;
+        known = i + values <= narg &&
+                (keyword == "excluded" || keyword == "friction" || keyword == "periodic");
+        for (int k = 0; known && k < values; ++k, ++i) {
+            const double value = number(arg[i], lmp);
+            if (keyword == "periodic")
+                period_m_[static_cast<std::size_t>(k)] = value;
+            else
+                (keyword == "friction" ? law_.friction : law_.excluded) = value;
+        }
     }
-    if (!known || !(law_.friction >= 0)) {
+    if (!known || !(law_.friction >= 0) || !(std::ranges::min(period_m_) >= 0)) {
         fail(*error,
              "pair_style magttice/contact takes a distance, a stiffness and no other "
-             "keyword than \"excluded\" or \"friction\", each with one value");
+             "keyword than \"excluded\" or \"friction\", each with one value, or "
+             "\"periodic\" with three");
     }
     law_.distance_m = number(arg[0], lmp);
     law_.stiffness_pa_m = number(arg[1], lmp);
@@ -81,6 +92,9 @@ void PairMagtticeContact::init_style() {
     surface_.clear();
     for (std::size_t id = 0; id < node_.size(); ++id)
         if (node_[id].area_m2 > 0) surface_.push_back(static_cast<int>(id));
+    goes_on_.clear();
+    for (const FixMagttice* body : bodies_of(*modify))
+        goes_on_.push_back(goes_on_through_sides(body->nodes_m(), period_m_));
     x_.resize(surface_.size());
     renewed_ = false;
 }
@@ -89,9 +103,12 @@ double PairMagtticeContact::init_one(int, int) {
     return law_.distance_m;
 }
 
-bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b) const {
+bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b,
+                                    const Vec3& image_m) const {
     if (a.body != b.body) return true;
-    return distance_m(a.at_rest_m, b.at_rest_m) >= law_.excluded * law_.distance_m;
+    const auto at_rest = rest_distance_m(a.at_rest_m, b.at_rest_m, image_m,
+                                         goes_on_[static_cast<std::size_t>(a.body)]);
+    return !at_rest || *at_rest >= law_.excluded * law_.distance_m;
 }
 
 // Nodes that may touch are listed within the distance and half of it, and again when one
@@ -164,16 +181,21 @@ void PairMagtticeContact::collect_candidates() {
     };
     candidates_.clear();
     watched_.clear();
-    NearPairs(x_, reach).visit([&](std::size_t i, std::size_t j) {
-        if (!(distance_m(x_[i], x_[j]) < reach)) return;
-        const auto [a, b] = std::minmax(i, j);
-        const SurfaceNode& node_a = node_[static_cast<std::size_t>(surface_[a])];
-        const SurfaceNode& node_b = node_[static_cast<std::size_t>(surface_[b])];
-        if (!may_touch(node_a, node_b)) return;
-        candidates_.push_back({a, b, node_a.area_m2 * node_b.area_m2, own(a), own(b)});
-        watched_.insert(watched_.end(), {a, b});
+    NearPairs(x_, reach, period_m_)
+        .visit([&](std::size_t a, std::size_t b, const Vec3& image_m) {
+            Vec3 there = x_[b];
+            for (std::size_t d = 0; d < 3; ++d) there[d] += image_m[d];
+            if (!(distance_m(x_[a], there) < reach)) return;
+            const SurfaceNode& node_a = node_[static_cast<std::size_t>(surface_[a])];
+            const SurfaceNode& node_b = node_[static_cast<std::size_t>(surface_[b])];
+            if (!may_touch(node_a, node_b, image_m)) return;
+            candidates_.push_back(
+                {a, b, image_m, node_a.area_m2 * node_b.area_m2, own(a), own(b)});
+            watched_.insert(watched_.end(), {a, b});
+        });
+    std::ranges::sort(candidates_, {}, [](const Candidate& pair) {
+        return std::pair(numbers_of(pair), pair.image_m);
     });
-    std::ranges::sort(candidates_, {}, numbers_of);
     std::ranges::sort(watched_);
     watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
 }
@@ -184,8 +206,8 @@ double PairMagtticeContact::squared(const Vec3& v) {
 
 // From the second node to the first.
 Vec3 PairMagtticeContact::apart_m(const Candidate& pair) const {
-    const Vec3 &a = x_[pair.a], &b = x_[pair.b];
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    const Vec3 &a = x_[pair.a], &b = x_[pair.b], &by = pair.image_m;
+    return {a[0] - b[0] - by[0], a[1] - b[1] - by[1], a[2] - b[2] - by[2]};
 }
 
 bool PairMagtticeContact::in_reach(const Vec3& apart) const {
@@ -276,13 +298,18 @@ bool PairMagtticeContact::put_back(std::span<const double> rows) {
     for (std::size_t at = 0; at < rows.size(); at += row_values) {
         const auto numbers = std::pair(static_cast<std::size_t>(rows[at]),
                                        static_cast<std::size_t>(rows[at + 1]));
-        const auto found = std::ranges::lower_bound(candidates_, numbers, {}, numbers_of);
-        if (found == candidates_.end() || numbers_of(*found) != numbers) {
+        const auto same = std::ranges::equal_range(candidates_, numbers, {}, numbers_of);
+        if (same.empty()) {
             all = false;
             continue;
         }
+        Vec3 apart{};
+        std::copy_n(rows.data() + at + 2, 3, apart.begin());
+        const auto found = std::ranges::min_element(same, {}, [&](const Candidate& pair) {
+            return distance_m(apart_m(pair), apart);
+        });
         StuckPair& stuck = stuck_[static_cast<std::size_t>(found - candidates_.begin())];
-        std::copy_n(rows.data() + at + 2, 3, stuck.apart_m.begin());
+        stuck.apart_m = apart;
         stuck.slip_m = rows[at + 5];
         stuck.held = true;
     }
@@ -323,7 +350,7 @@ PairMagtticeContact::State PairMagtticeContact::state() {
     out.slid_j = slid_j_;
     out.smallest_m = INFINITY;
     for (const Candidate& pair : candidates_)
-        out.smallest_m = std::min(out.smallest_m, distance_m(x_[pair.a], x_[pair.b]));
+        out.smallest_m = std::min(out.smallest_m, std::sqrt(squared(apart_m(pair))));
     each_contact([&](const Candidate& pair, const Vec3&, double distance) {
         if (pair.atom_a < 0) return;
         out.touching += 1;

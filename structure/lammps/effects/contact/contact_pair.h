@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU]: contact
-// between the surfaces of the bodies. See docs/fix_magttice.md.
+// pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU]
+// [periodic LX LY LZ]: contact between the surfaces of the bodies. See
+// docs/fix_magttice.md.
 #pragma once
 
 #include "pair.h"
@@ -46,13 +47,14 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     // Numbers in surface_, the lower one first.
     struct Candidate {
         std::size_t a, b;
+        Vec3 image_m;  // of the second, from where it is: periods
         double areas_m4;
         int atom_a, atom_b;  // local indices of those that this rank owns, else -1
     };
     static std::pair<std::size_t, std::size_t> numbers_of(const Candidate& pair) {
         return {pair.a, pair.b};
     }
-    bool may_touch(const SurfaceNode& a, const SurfaceNode& b) const;
+    bool may_touch(const SurfaceNode& a, const SurfaceNode& b, const Vec3& image_m) const;
     bool outdated() const;
     void renew();
     void gather(std::span<const std::size_t> numbers);
@@ -67,9 +69,11 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
 
     ContactLaw law_;
     double slid_j_ = 0;              // this rank's share, since the start
+    Vec3 period_m_{};                // of axes along which all comes again, else 0
     std::vector<SurfaceNode> node_;  // by atom ID
-    std::vector<int> surface_;       // IDs of those on surfaces
-    std::vector<Vec3> x_;            // of surface_: all at a renewal, then watched_ alone
+    std::vector<std::array<bool, 3>> goes_on_;  // of each body, by its period
+    std::vector<int> surface_;                  // IDs of those on surfaces
+    std::vector<Vec3> x_;  // of surface_: all at a renewal, then watched_ alone
     std::vector<Vec3> renewed_at_m_;
     std::vector<Candidate> candidates_;
     std::vector<StuckPair> stuck_;      // of candidates_, with friction
