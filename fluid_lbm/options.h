@@ -25,12 +25,11 @@ enum class Collision {
     bgk,
     trt,
     recursive_regularized,
-    recursive_odd,
     recursive_mrt
 };
 constexpr auto words_of(Collision) {
     return std::to_array<std::string_view>({"automatic", "bgk", "trt",
-                                            "recursive_regularized", "recursive_odd",
+                                            "recursive_regularized",
                                             "recursive_mrt"});
 }
 
