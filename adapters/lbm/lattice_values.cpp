@@ -136,9 +136,9 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
             text += fmt::format("; (omega L/c)^2 of the course is {:.2g}",
                                 square(2 * pi * wave->frequency_hz));
         // A fluid that moves from the start, as the inlet does, needs no ramp.
-        const bool at_once = inlet.ramp_s == 0 &&
-                             (inlet.course ? inlet.factor(0) != 0
-                                           : !fluid.initial_velocity_m_s);
+        const bool at_once =
+            inlet.ramp_s == 0 &&
+            (inlet.course ? inlet.factor(0) != 0 : !fluid.initial_velocity_m_s);
         const double start = inlet.ramp_s > 0 ? square(pi / inlet.ramp_s) : 0;
         if (at_once)
             text += "; the flow starts at once";
@@ -146,7 +146,8 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
             text += fmt::format("; of the ramp {:.2g}", start);
         if (at_once || start > overshoots)
             text += fmt::format(
-                ", so that the far end follows late and overshoots, and forces with it: a "
+                ", so that the far end follows late and overshoots, and forces with it: "
+                "a "
                 "ramp of {:.3g} ms has {:.2g}",
                 1e3 * pi * crossing_s / std::sqrt(overshoots), overshoots);
         text += "\n";

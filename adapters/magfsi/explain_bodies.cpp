@@ -121,7 +121,7 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         return fmt::format(
             "    inertia of the enclosed fluid: a force on the markers{}\n",
             bodies::has_drag(scene) ? ", as damping slows down nodes by their own mass"
-                                   : "");
+                                    : "");
     return fmt::format(
         "    inertia of the enclosed fluid: {:.3g} % subtracted from the nodes' mass, "
         "the "

@@ -90,13 +90,14 @@ class Obstacles {
     // arrangement: the new one. Notes what free slip reflects into obstacles.
     void note_sent(const Populations& populations, Arrangement arrangement);
     // After the sides, before outlets; arrangement: the new one. What a wall returns is
-    // interpolated along the link (Bouzidi et al. 2001): with d its distance from the cell
-    // A, B the cell behind, i towards the wall, o away from it and f* what cells sent,
+    // interpolated along the link (Bouzidi et al. 2001): with d its distance from the
+    // cell A, B the cell behind, i towards the wall, o away from it and f* what cells
+    // sent,
     //     2 d f*_i(A) + (1 - 2 d) f*_i(B)              for d < 1/2,
     //     f*_i(A) / (2 d) + (1 - 1 / (2 d)) f*_o(A)    else,
-    // plain half-way bounce-back at 1/2. The impulse on the body is c_i (f*_i + f_o) (Ladd 1994), f*_i what the cell sent to the
-    // wall, f_o what that returns, minus weight: gauge pressure. It is exactly what the
-    // fluid loses.
+    // plain half-way bounce-back at 1/2. The impulse on the body is c_i (f*_i + f_o)
+    // (Ladd 1994), f*_i what the cell sent to the wall, f_o what that returns, minus
+    // weight: gauge pressure. It is exactly what the fluid loses.
     void bounce(const Populations& populations, Arrangement arrangement);
     // Solid cells back to rest. After bounce(), which reads what has arrived there.
     void reset_solid_cells(const Populations& populations, const RowLayout& layout,
