@@ -72,17 +72,6 @@ double odd_rate(const FluidConfig& config) {
     return odd_rate(1 / relaxation_time(config), choose_magic_number(config));
 }
 
-// It wants walls that feel a magic number of 3/16 and stresses of one relaxation time,
-// well below 1, without ghost modes of fourth order: those of recursive_odd, up to where
-// it runs on finer grids of the same case.
-double curved_wall_share(const FluidConfig& config) {
-    const CollisionCase now = collision_case(config);
-    const bool curved = choose_collision(config) == Collision::recursive_odd &&
-                        !config.rheology && config.smagorinsky_constant == 0 &&
-                        now.relaxation_time < 0.75;
-    return curved ? curved_wall_share(now.cell_reynolds_number) : 0;
-}
-
 std::string collision_reason(const FluidConfig& config) {
     const double tau = relaxation_time(config);
     const Collision chosen = choose_collision(config);
@@ -104,9 +93,6 @@ std::string collision_reason(const FluidConfig& config) {
         text << "relaxation time " << tau << " is below " << trt_from
              << ", and a wall moves: regularised collision fails where it meets a "
                 "resting one";
-    } else if (chosen == Collision::recursive_odd) {
-        text << "relaxation time " << tau << " is below " << trt_from
-             << ", and straight walls of obstacles lie exactly half way";
     } else if (chosen == Collision::recursive_mrt) {
         text << "relaxation time " << tau << " is below " << trt_from
              << ", and the layers at bodies without slip do not depend on its time step";

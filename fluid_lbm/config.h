@@ -53,8 +53,6 @@ std::string collision_reason(const FluidConfig& config);
 double choose_magic_number(const FluidConfig& config);
 // Rate at which two-relaxation-time collision lets odd modes decay with it.
 double odd_rate(const FluidConfig& config);
-// How walls of obstacles return (obstacle/wall_return.h): from 0, straight, to 1, curved.
-double curved_wall_share(const FluidConfig& config);
 
 // Throws std::invalid_argument with a sentence on the first value that cannot run. What
 // the scene checks with its lines is not checked again.

@@ -20,18 +20,10 @@
 namespace magfsi::fluid {
 
 // streaming/kernels.cpp says which kernel each one is.
-enum class Collision {
-    automatic,
-    bgk,
-    trt,
-    recursive_regularized,
-    recursive_odd,
-    recursive_mrt
-};
+enum class Collision { automatic, bgk, trt, recursive_regularized, recursive_mrt };
 constexpr auto words_of(Collision) {
-    return std::to_array<std::string_view>({"automatic", "bgk", "trt",
-                                            "recursive_regularized", "recursive_odd",
-                                            "recursive_mrt"});
+    return std::to_array<std::string_view>(
+        {"automatic", "bgk", "trt", "recursive_regularized", "recursive_mrt"});
 }
 
 // What populations are stored as, and computed with. float halves memory and time;

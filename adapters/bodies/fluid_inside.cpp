@@ -35,7 +35,7 @@ void add_masses(std::vector<double>& all, const structure::Body& body) {
 }  // namespace
 
 double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body) {
-    if (!scene.fluid || scene.damping) return 0;
+    if (!scene.fluid || has_drag(scene)) return 0;
     double lightest = std::numeric_limits<double>::infinity();
     const auto& from = *std::ranges::find(scene.bodies, body.name, &scene::Body::name);
     for (const structure::Material& material : structure::used_materials(body))

@@ -17,6 +17,11 @@ namespace magfsi::bodies {
 // own.
 constexpr double largest_part_off_nodes = 2.0 / 3;
 
+// Whether damping slows down the nodes: of rate 0 it is no damping.
+inline bool has_drag(const scene::Scene& scene) {
+    return scene.damping && scene.damping->rate_1_s > 0;
+}
+
 // Of a body as bodies::to_body gives it, the density that comes off its nodes [kg/m3]:
 // the fluid's, or less for light bodies; 0 without a fluid, and where `damping` slows
 // down the nodes by their mass.

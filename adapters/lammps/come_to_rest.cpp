@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "adapters/bodies/fluid_inside.h"
 #include "adapters/bodies/scene_to_body.h"
 #include "coupler/participants/errors.h"
 #include "structure/body.h"
@@ -65,7 +66,7 @@ double stiffness_load_n(const std::vector<structure::Body>& bodies) {
 }
 
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene) {
-    if (!scene.damping)
+    if (!bodies::has_drag(scene))
         input.drag = structure::Drag{critical_drag_rate_1_s(input.bodies)};
     if (input.field) *input.field = structure::held_at(*input.field, 0);
     input.quiet = true;

@@ -123,17 +123,22 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
     using std::numbers::pi;
     std::string text;
     for (std::size_t face = 0; face < 6; ++face) {
+        if (fluid.boundaries[face].kind != fluid::BoundaryKind::velocity_inlet) continue;
         const fluid::Inlet& inlet = fluid.boundaries[face].inlet;
-        if (!inlet.course) continue;
         const double crossing_s =
             fluid.box_m[face / 2] / (v.spacing_m / v.step_s / std::sqrt(3.0));
         const auto square = [&](double omega) { return std::pow(omega * crossing_s, 2); };
         text += fmt::format("  {}: sound crosses the box in {:.3g} ms",
                             scene::names<scene::Face>[face], 1e3 * crossing_s);
-        if (const auto* wave = std::get_if<fluid::InletWave>(&*inlet.course))
+        const auto* wave =
+            inlet.course ? std::get_if<fluid::InletWave>(&*inlet.course) : nullptr;
+        if (wave != nullptr)
             text += fmt::format("; (omega L/c)^2 of the course is {:.2g}",
                                 square(2 * pi * wave->frequency_hz));
-        const bool at_once = inlet.ramp_s == 0 && inlet.factor(0) != 0;
+        // A fluid that moves from the start, as the inlet does, needs no ramp.
+        const bool at_once =
+            inlet.ramp_s == 0 &&
+            (inlet.course ? inlet.factor(0) != 0 : !fluid.initial_velocity_m_s);
         const double start = inlet.ramp_s > 0 ? square(pi / inlet.ramp_s) : 0;
         if (at_once)
             text += "; the flow starts at once";
@@ -141,8 +146,9 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
             text += fmt::format("; of the ramp {:.2g}", start);
         if (at_once || start > overshoots)
             text += fmt::format(
-                ", so that the far end follows late and overshoots: a ramp of {:.3g} ms "
-                "has {:.2g}",
+                ", so that the far end follows late and overshoots, and forces with it: "
+                "a "
+                "ramp of {:.3g} ms has {:.2g}",
                 1e3 * pi * crossing_s / std::sqrt(overshoots), overshoots);
         text += "\n";
     }

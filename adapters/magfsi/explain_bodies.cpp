@@ -117,7 +117,11 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
     const double fluid = scene.fluid->density_kg_m3;
     if (off == fluid)
         return "    inertia of the enclosed fluid: subtracted from the nodes' mass\n";
-    if (off == 0) return "    inertia of the enclosed fluid: a force on the markers\n";
+    if (off == 0)
+        return fmt::format(
+            "    inertia of the enclosed fluid: a force on the markers{}\n",
+            bodies::has_drag(scene) ? ", as damping slows down nodes by their own mass"
+                                    : "");
     return fmt::format(
         "    inertia of the enclosed fluid: {:.3g} % subtracted from the nodes' mass, "
         "the "

@@ -67,7 +67,6 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
     work.wall_cells = wall_cells(config);
     const fluid::Collision collision = fluid::choose_collision(config);
     work.recursive_collision = collision == fluid::Collision::recursive_regularized ||
-                               collision == fluid::Collision::recursive_odd ||
                                collision == fluid::Collision::recursive_mrt;
     work.single_precision = scene.fluid->precision != fluid::Precision::double_;
 }

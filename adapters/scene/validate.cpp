@@ -127,11 +127,33 @@ structure::Formula formula_value(const Node& scalar, const Field& field) {
     }
 }
 
+namespace {
+
+// Words that a key took once, and what to write in their place.
+struct RemovedWord {
+    std::string_view key, word, instead;
+};
+constexpr RemovedWord removed_words[] = {
+    {"collision", "recursive_odd",
+     "it made the fluid thicker in a stream, and was removed: leave the key out, or "
+     "write recursive_regularized"},
+};
+
+std::string advice_on_word(const std::string& word, const Field& field) {
+    for (const RemovedWord& entry : removed_words) {
+        if (entry.key == field.name && entry.word == word)
+            return std::string(entry.instead);
+    }
+    return did_you_mean(word, field.choices);
+}
+
+}  // namespace
+
 std::size_t choice_value(const Node& scalar, const Field& field) {
     const auto found = std::ranges::find(field.choices, scalar.scalar);
     if (found == field.choices.end())
         refuse(scalar.origin, fmt::format("{} as {}", describe(scalar), field.name),
-               expectation(field), did_you_mean(scalar.scalar, field.choices));
+               expectation(field), advice_on_word(scalar.scalar, field));
     return static_cast<std::size_t>(found - field.choices.begin());
 }
 

@@ -15,7 +15,7 @@ struct CollisionCase {
     double relaxation_time = 1;
     // Bodies hold the fluid without slip: their layers shall not depend on the time step.
     bool holds_no_slip = false;
-    double cell_reynolds_number = 0;  // of recursive_odd and recursive_mrt only
+    double cell_reynolds_number = 0;  // of recursive_mrt only
 };
 
 // Largest expected speed times spacing over viscosity; where that speed is not given (0),
@@ -43,22 +43,6 @@ constexpr double recursive_magic(double cell_reynolds_number) {
     return std::clamp(0.75 / (cell_reynolds_number * steep), 0.001, 3.0 / 16);
 }
 
-// Of recursive_odd: what puts half-way walls exactly half way (recursive_regularized.h),
-// up to a cell Reynolds number of 60. From there on it falls with the square (a ball of 8
-// cells diverges at 250 with 3/16, not with 0.05), to what drops these modes too.
-constexpr double recursive_odd_magic(double cell_reynolds_number, double slack) {
-    const double coarse = std::max(1.0, cell_reynolds_number / 60);
-    return std::max(slack / 2, (0.25 - slack / 6) / (coarse * coarse));
-}
-
-// Of recursive_odd, too: how much of what walls of obstacles return is that of a curved
-// profile (obstacle/wall_return.h), the rest of a straight one. It falls as the number
-// does.
-constexpr double curved_wall_share(double cell_reynolds_number) {
-    const double coarse = std::max(1.0, cell_reynolds_number / 60);
-    return 1 / (coarse * coarse);
-}
-
 // To six digits: a viscosity that is written down for 0.55 shall not fall on either side.
 constexpr bool reaches_trt(double relaxation_time) {
     return relaxation_time > trt_from - 1e-6;
@@ -75,14 +59,13 @@ inline bool has_moving_wall(const Options& options) {
 // (Taylor-Green at Reynolds number 100,000 on 32^3 cells). But where a moving wall meets
 // a resting one it diverged or lost its way (cavity at Reynolds number 1000 on 64^2
 // cells, relaxation time 0.519), which two relaxation times with an odd rate of 1 do not.
-// At obstacles it is half as accurate as recursive_odd, and that survives as much.
+// What only adds to the fluid (obstacles, rheology, eddies) does not change the choice.
 inline Collision choose_collision(const Options& options, const CollisionCase& now) {
     if (options.collision != Collision::automatic) return options.collision;
     const bool low = !reaches_trt(now.relaxation_time);
     if (!low || has_moving_wall(options)) return Collision::trt;
     if (now.holds_no_slip) return Collision::recursive_mrt;
-    const bool walls = !options.obstacles.empty() && options.smagorinsky_constant == 0;
-    return walls ? Collision::recursive_odd : Collision::recursive_regularized;
+    return Collision::recursive_regularized;
 }
 
 inline double choose_magic_number(const Options& options, const CollisionCase& now) {
@@ -90,8 +73,6 @@ inline double choose_magic_number(const Options& options, const CollisionCase& n
     const Collision chosen = choose_collision(options, now);
     if (chosen == Collision::recursive_mrt)
         return recursive_magic(now.cell_reynolds_number);
-    if (chosen == Collision::recursive_odd)
-        return recursive_odd_magic(now.cell_reynolds_number, now.relaxation_time - 0.5);
     // 3/16 puts half-way walls exactly half way; (tau - 1/2) / 2 makes the odd rate 1.
     return reaches_trt(now.relaxation_time) ? 3.0 / 16 : (now.relaxation_time - 0.5) / 2;
 }

@@ -8,13 +8,6 @@
 //                          1 for modes of third order is a magic number of
 //                          (tau - 1/2) / 2, which falls with the time step: so does the
 //                          layer of fluid that walls and immersed bodies carry along.
-//   recursive_odd          keeps three of them, the differences below. Through these goes
-//                          three quarters of what a shear flow along an axis couples to
-//                          (the flux of n_xy along y has 2/3 n_xy = 1/2 + 1/6 by
-//                          difference and sum), so that its walls feel a magic number of
-//                          (3 Lambda + (tau - 1/2) / 2) / 4, Lambda that of the
-//                          differences. The rest decays as above. (Rates apart for them
-//                          and for the sums: d'Humieres et al. 2002, their m and q.)
 //   recursive_mrt          keeps them: the deviation of odd third-order moments from the
 //                          recursion relaxes with the magic number's rate, the even modes
 //                          of fourth order with fourth_rate(). Walls and bodies then do
@@ -41,7 +34,6 @@ struct Recursive {
                                       const Rates<V>& rates, CellCheck<V>& check);
 };
 using RecursiveRegularized = Recursive<Collision::recursive_regularized>;
-using RecursiveOdd = Recursive<Collision::recursive_odd>;
 using RecursiveMrt = Recursive<Collision::recursive_mrt>;
 
 // The third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz;
@@ -238,11 +230,6 @@ MAGFSI_INLINE void Recursive<Kind>::collide(const LaneCells<V, Real>& f,
         add(t, kept.third);
         rebuild(f, m.excess, m.j, add(second, left), t, fourth_order(kept));
     } else {
-        if constexpr (Kind == Collision::recursive_odd) {
-            const ThirdOrder<V> kept = third_ghosts(f, all.low.j, u, ruu, n);
-            for (int i = 0; i < 3; ++i)
-                t.difference[i] += (1.0 - rates.odd) * kept.difference[i];
-        }
         rebuild(f, m.excess, m.j, add(second, left), t, NoFourthOrder{});
     }
 }

@@ -111,7 +111,6 @@ CutLink cut_link(const Populations& populations, const RowLayout& layout,
         link.from_wall[i] = slots[from_wall];
         link.to_wall[i] = slots[opposite(from_wall)];
     }
-    link.towards = static_cast<signed char>(opposite(from_wall));
     for (int a = 0; a < 3; ++a) link.push[a] = static_cast<signed char>(push[a]);
     link.distance = distance;
     link.obstacle = link.hit = static_cast<short>(obstacle);
@@ -186,31 +185,8 @@ Obstacles::Obstacles(const FluidConfig& config, const Solids& solids,
                      const RowLayout& layout)
     : map_(config, solids, owned),
       links_(cut_links(config, map_, solids, populations, layout)),
-      curved_share_(curved_wall_share(config)),
-      relaxation_time_(relaxation_time(config)),
       impulses_(solids.size() + 1) {
     find_rows(layout);
-    if (curved_share_ > 0) find_cells_at_walls(populations, layout);
-}
-
-// The links of one cell follow each other.
-void Obstacles::find_cells_at_walls(const Populations& populations,
-                                    const RowLayout& layout) {
-    const std::array<short, 3>* last = nullptr;
-    for (CutLink& link : links_.direct) {
-        if (link.distance <= 0.5) continue;
-        if (last == nullptr || *last != link.cell) {
-            const Cell cell{link.cell[0], link.cell[1], link.cell[2]};
-            populations.visit([&](const auto& rows) {
-                cells_at_walls_.push_back(
-                    {cell_slots(rows, layout, Arrangement::swapped, cell),
-                     cell_slots(rows, layout, Arrangement::natural, cell)});
-            });
-        }
-        last = &link.cell;
-        link.moments = static_cast<int>(cells_at_walls_.size()) - 1;
-    }
-    sent_moments_.resize(cells_at_walls_.size());
 }
 
 void Obstacles::count_only(const std::function<bool(const Cell& local)>& counts) {
@@ -243,34 +219,23 @@ void Obstacles::note_sent(const Populations& populations, Arrangement arrangemen
         for (const CutLink& link : links_.reflected) {
             sent_to_slip_.push_back(base[link.from_wall[static_cast<int>(arrangement)]]);
         }
-        for (std::size_t i = 0; i < cells_at_walls_.size(); ++i) {
-            const CellSlots& slots = cells_at_walls_[i][static_cast<int>(arrangement)];
-            SentMoments m;
-            for (int q = 0; q < directions; ++q) {
-                const double sent = base[slots[opposite(q)]];
-                m.excess += sent;
-                for (int a = 0; a < 3; ++a) m.j[a] += c[q][a] * sent;
-            }
-            sent_moments_[i] = m;
-        }
     });
 }
 
+namespace {
+
+// base: the populations; before, now: the arrangements of the step.
 template <class Real>
-double Obstacles::returned(const CutLink& link, const Real* base, int before,
-                           int now) const {
+double returned(const CutLink& link, const Real* base, int before, int now) {
     const double d = link.distance;
     // The outgoing population is at the opposite's old slot.
     const double sent = base[link.from_wall[before]];
     if (d == 0.5) return sent;
-    const double other = base[link.to_wall[d < 0.5 ? now : before]];
-    const double straight = straight_return(d, sent, other);
-    if (link.moments < 0) return straight;
-    const double curved =
-        curved_return({d, sent, other, base[link.to_wall[now]]}, link.towards,
-                      sent_moments_[link.moments], relaxation_time_);
-    return straight + curved_share_ * (curved - straight);
+    if (d < 0.5) return 2 * d * sent + (1 - 2 * d) * base[link.to_wall[now]];
+    return sent / (2 * d) + (1 - 1 / (2 * d)) * base[link.to_wall[before]];
 }
+
+}  // namespace
 
 void Obstacles::add_impulse(const CutLink& link, double populations) {
     for (int a = 0; a < 3; ++a) {

@@ -15,7 +15,6 @@
 #include "fluid_lbm/boundary/sides.h"
 #include "fluid_lbm/lattice/populations.h"
 #include "fluid_lbm/obstacle/solid.h"
-#include "fluid_lbm/obstacle/wall_return.h"
 
 namespace magfsi::fluid {
 
@@ -69,8 +68,6 @@ struct CutLink {
     short obstacle = 0;        // whose force it counts in
     short hit = 0;             // that it strikes
     std::array<short, 3> cell{};
-    signed char towards = 0;  // direction of the population sent to the wall
-    int moments = -1;         // of its cell, where the wall's return reads them
 };
 
 struct CutLinks {
@@ -90,14 +87,17 @@ class Obstacles {
     const SolidMap& map() const { return map_; }
 
     // After the exchange and before sides change what cells have sent to them;
-    // arrangement: the new one. Notes what free slip reflects into obstacles, and the
-    // moments of cells at walls.
+    // arrangement: the new one. Notes what free slip reflects into obstacles.
     void note_sent(const Populations& populations, Arrangement arrangement);
-    // After the sides, before outlets; arrangement: the new one. The wall returns what
-    // wall_return.h says, plain half-way bounce-back f*_i at a distance of 1/2. The
-    // impulse on the body is c_i (f*_i + f_o) (Ladd 1994), f*_i what the cell sent to the
-    // wall, f_o what that returns, minus weight: gauge pressure. It is exactly what the
-    // fluid loses.
+    // After the sides, before outlets; arrangement: the new one. What a wall returns is
+    // interpolated along the link (Bouzidi et al. 2001): with d its distance from the
+    // cell A, B the cell behind, i towards the wall, o away from it and f* what cells
+    // sent,
+    //     2 d f*_i(A) + (1 - 2 d) f*_i(B)              for d < 1/2,
+    //     f*_i(A) / (2 d) + (1 - 1 / (2 d)) f*_o(A)    else,
+    // plain half-way bounce-back at 1/2. The impulse on the body is c_i (f*_i + f_o)
+    // (Ladd 1994), f*_i what the cell sent to the wall, f_o what that returns, minus
+    // weight: gauge pressure. It is exactly what the fluid loses.
     void bounce(const Populations& populations, Arrangement arrangement);
     // Solid cells back to rest. After bounce(), which reads what has arrived there.
     void reset_solid_cells(const Populations& populations, const RowLayout& layout,
@@ -115,21 +115,11 @@ class Obstacles {
 
   private:
     void find_rows(const RowLayout& layout);
-    void find_cells_at_walls(const Populations& populations, const RowLayout& layout);
-    // base: the populations; before, now: the arrangements of the step.
-    template <class Real>
-    double returned(const CutLink& link, const Real* base, int before, int now) const;
     void add_impulse(const CutLink& link, double populations);
 
     SolidMap map_;
     CutLinks links_;
-    double curved_share_;  // of what walls return
-    double relaxation_time_;
     std::vector<double> sent_to_slip_;  // by reflected link
-    // Cells with curved links, by CutLink::moments: slots of the old arrangement, by the
-    // new.
-    std::vector<std::array<CellSlots, 2>> cells_at_walls_;
-    std::vector<SentMoments> sent_moments_;
     std::vector<CellRow> rows_;
     std::vector<Vec3> impulses_;
 };

@@ -59,7 +59,7 @@ template <class Real, class T>
 constexpr KernelTable<Real> table() {
     return {{kernels_of<Real, T, Bgk>(), kernels_of<Real, T, TwoRelaxationTimes>(),
              kernels_of<Real, T, RecursiveRegularized>(),
-             kernels_of<Real, T, RecursiveOdd>(), kernels_of<Real, T, RecursiveMrt>()}};
+             kernels_of<Real, T, RecursiveMrt>()}};
 }
 
 }  // namespace

@@ -195,27 +195,6 @@ inline Cell recursive_mrt(const Cell& f, const Vec3& force, double omega, double
     return out;
 }
 
-// Regularised collision and what is kept of three odd modes, H_xzz - H_xyy and so on.
-inline Cell recursive_odd(const Cell& f, const Vec3& force, double omega, double magic) {
-    const double rate = 1 / (0.5 + magic / (1 / omega - 0.5));
-    const Flow s = flow(f, force);
-    const Tensor n = viscous_stress(f, force);
-    Cell out = recursive_regularized(f, force, omega);
-    for (int axis = 0; axis < 3; ++axis) {
-        Cell mode;
-        double norm = 0, deviation = 0;
-        for (int q = 0; q < directions; ++q) {
-            const int a = c[q][axis], b = c[q][(axis + 1) % 3], d = c[q][(axis + 2) % 3];
-            mode[q] = a * (b * b - d * d);
-            norm += weight(q) * mode[q] * mode[q];
-            deviation += mode[q] * (f[q] - weight(q) * third_order(q, s, n));
-        }
-        for (int q = 0; q < directions; ++q)
-            out[q] += (1 - rate) * weight(q) * mode[q] * deviation / norm;
-    }
-    return out;
-}
-
 // Populations of a flow at lattice speeds around 0.1, far from equilibrium.
 inline Cell random_cell(std::mt19937& random) {
     std::uniform_real_distribution<double> deviation(-0.3, 0.3);

@@ -195,8 +195,6 @@ class Kernels : public testing::TestWithParam<Case> {
         if (collision == Collision::trt) return reference::trt(f, force, omega, magic);
         if (collision == Collision::recursive_mrt)
             return reference::recursive_mrt(f, force, omega, magic);
-        if (collision == Collision::recursive_odd)
-            return reference::recursive_odd(f, force, omega, magic);
         return reference::recursive_regularized(f, force, omega);
     }
     // Populations are of order 0.1 and moments sum 19 of order 1: a few dozen roundings

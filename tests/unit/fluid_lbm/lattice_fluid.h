@@ -14,7 +14,7 @@ namespace magfsi::fluid {
 
 inline const auto every_collision =
     testing::Values(Collision::bgk, Collision::trt, Collision::recursive_regularized,
-                    Collision::recursive_odd, Collision::recursive_mrt);
+                    Collision::recursive_mrt);
 inline const auto every_precision =
     testing::Values(Precision::double_, Precision::float_, Precision::float_double);
 

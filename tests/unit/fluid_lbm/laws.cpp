@@ -195,20 +195,22 @@ INSTANTIATE_TEST_SUITE_P(
                     std::tuple{regularized, 2, 1}));
 
 // ---- A shear wave carried by a uniform wind decays and keeps its shape as at rest. The
-// wind is n cells over the run, so that the wave returns to its place.
+// wind is whole wave lengths over the run, so that the wave returns to its place.
 
 constexpr int wave_length = 32;
 constexpr int wave_steps = 640;
 constexpr double wind = static_cast<double>(wave_length) / wave_steps;  // 0.05
 constexpr double wave_height = 1e-3;
 
-// Transverse velocity after the run over the initial amplitude: cosine and sine part.
-std::array<double, 2> final_wave(Collision collision, double speed) {
+// Velocity along y after the run, of a wave along x, over the initial amplitude: cosine
+// and sine part.
+std::array<double, 2> final_wave(Collision collision, double relaxation_time,
+                                 const Vec3& stream) {
     constexpr int n = wave_length;
     constexpr double k = 2 * std::numbers::pi / n;
-    FluidConfig config = lattice_fluid({n, 4, 4}, 0.6, collision);
-    config.initial_velocity = [speed](const Vec3& x) {
-        return Vec3{speed, wave_height * std::cos(k * x[0]), 0};
+    FluidConfig config = lattice_fluid({n, 4, 4}, relaxation_time, collision);
+    config.initial_velocity = [&](const Vec3& x) {
+        return Vec3{stream[0], stream[1] + wave_height * std::cos(k * x[0]), stream[2]};
     };
     Fluid fluid(MPI_COMM_WORLD, config);
     advance(fluid, wave_steps);
@@ -221,27 +223,46 @@ std::array<double, 2> final_wave(Collision collision, double speed) {
     return wave;
 }
 
+bool is_recursive(Collision collision) {
+    return collision == Collision::recursive_regularized ||
+           collision == Collision::recursive_mrt;
+}
+
 class GalileanInvariance : public testing::TestWithParam<Collision> {};
 
 TEST_P(GalileanInvariance, OfAShearWave) {
-    const auto rest = final_wave(GetParam(), 0);
-    const auto carried = final_wave(GetParam(), wind);
+    const auto rest = final_wave(GetParam(), 0.6, {});
+    const auto carried = final_wave(GetParam(), 0.6, {wind, 0, 0});
     std::printf("amplitude at rest %.5f, carried %.5f, out of phase %.5f\n", rest[0],
                 carried[0], carried[1]);
     // The second-order equilibrium of BGK and TRT lacks the third moment: its viscosity
     // falls by 3 U^2 = 0.75 %, times an exponent of 0.83. The recursive third order
     // restores it for this flow up to dispersion, of order (k dx)^4.
-    const bool recursive = GetParam() == Collision::recursive_regularized ||
-                           GetParam() == Collision::recursive_odd ||
-                           GetParam() == Collision::recursive_mrt;
-    EXPECT_NEAR(carried[0] / rest[0], 1, recursive ? 1e-3 : 0.008);
+    EXPECT_NEAR(carried[0] / rest[0], 1, is_recursive(GetParam()) ? 1e-3 : 0.008);
     // Two relaxation times: advection is exact to third order only for Lambda = 1/12; at
     // 3/16 the wave is shifted by (3/16 - 1/12) k^3 a cell and terms of higher order:
     // 0.025 over 32 cells in the lowest.
-    // Three of six modes with 1/4: of the same kind, seen 0.007.
     const bool trt = GetParam() == Collision::trt;
-    const bool odd = GetParam() == Collision::recursive_odd;
-    EXPECT_NEAR(carried[1] / rest[0], 0, trt ? 0.03 : odd ? 0.01 : 1e-3);
+    EXPECT_NEAR(carried[1] / rest[0], 0, trt ? 0.03 : 1e-3);
+}
+
+// At small viscosities a stream must not make the fluid thicker either: odd modes that
+// relax slowly and couple to others that do not (three of six with a magic number of 1/4)
+// added 8 % here, 30 % at twice the speed and half the length, and with that a cylinder's
+// wake did not shed at Reynolds number 200.
+TEST_P(GalileanInvariance, OfTheViscosityInAStream) {
+    for (const double tau : {0.507, 0.52}) {
+        const double at_rest = std::log(final_wave(GetParam(), tau, {})[0]);
+        for (const Vec3& stream : {Vec3{2 * wind, 0, 0}, Vec3{0, 2 * wind, 0}}) {
+            const auto wave = final_wave(GetParam(), tau, stream);
+            const double ratio = std::log(std::hypot(wave[0], wave[1])) / at_rest;
+            std::printf("tau %.3f, stream along %c: viscosity over that at rest %.4f\n",
+                        tau, stream[0] > 0 ? 'x' : 'y', ratio);
+            // 3 U^2 = 3 % of BGK and TRT, see above, of which an odd rate of 1 makes one
+            // and a half times as much; of the others (k dx)^4 = 0.15 %.
+            EXPECT_NEAR(ratio, 1, is_recursive(GetParam()) ? 0.01 : 0.05);
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Collisions, GalileanInvariance, every_collision);

@@ -57,7 +57,7 @@ class Force : public testing::TestWithParam<Body> {};
 
 TEST_P(Force, IsTheMomentumThatTheFluidLoses) {
     expect_momentum_kept(GetParam(), 0.6);
-    expect_momentum_kept(GetParam(), 0.52);  // walls return what a curved profile has
+    expect_momentum_kept(GetParam(), 0.52);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -72,63 +72,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Body{"CylinderBetweenSymmetries", Cylinder{{5, 6, 5}, 4.4, 2, {}},
                          true}),
     [](const auto& shape) { return std::string(shape.param.name); });
-
-// ---- Between plates off the grid a parabola stays what it is where walls return curved
-// profiles; straight ones move the walls.
-
-// Largest difference to the parabola, over its top.
-double parabola_error(int normal, double relaxation_time, double cell_reynolds_number) {
-    const int along = (normal + 1) % 3, across = (normal + 2) % 3;
-    const double low = 1.7, high = 12.4;  // 0.8 and 0.9 from the next cells' centres
-    std::array<int, 3> cells{};
-    cells[normal] = 14;
-    cells[along] = cells[across] = 2;
-    FluidConfig config = lattice_fluid(cells, relaxation_time, Collision::recursive_odd);
-    config.expected_speed_m_s = cell_reynolds_number * config.viscosity_m2_s;
-    config.magic_number = 0.25 - (relaxation_time - 0.5) / 6;  // whatever that speed
-    const double top = 1e-3;
-    const auto parabola = [&](const Vec3& x) {
-        const double z = x[normal];
-        Vec3 u{};
-        if (z > low && z < high)
-            u[along] = 4 * top * (z - low) * (high - z) / std::pow(high - low, 2);
-        return u;
-    };
-    config.initial_velocity = parabola;
-    config.body_force_n_m3.emplace(Vec3{});
-    (*config.body_force_n_m3)[along] =
-        8 * config.viscosity_m2_s * top / std::pow(high - low, 2);
-    Vec3 from{-1, -1, -1}, to{3, 3, 3};
-    to[normal] = low;
-    config.obstacles.push_back({"below", Block{from, to}});
-    from[normal] = high;
-    to[normal] = 15;
-    config.obstacles.push_back({"above", Block{from, to}});
-    Fluid fluid(MPI_COMM_WORLD, config);
-    const double diffusion_time = std::pow(high - low, 2) / config.viscosity_m2_s;
-    advance(fluid, static_cast<int>(diffusion_time));
-    double largest = 0;
-    for_each_velocity(fluid, [&](const std::array<int, 3>& x, const Vec3& u) {
-        const Vec3 centre{x[0] + 0.5, x[1] + 0.5, x[2] + 0.5};
-        if (centre[normal] < low || centre[normal] > high) return;
-        const double half_force = 0.5 * (*config.body_force_n_m3)[along];
-        largest =
-            std::max(largest, std::abs(u[along] + half_force - parabola(centre)[along]));
-    });
-    return largest / top;
-}
-
-TEST(CurvedReturn, LeavesParabolas) {
-    for (const int normal : {0, 1, 2}) {
-        const double straight = parabola_error(normal, 0.52, 1e6);
-        const double curved = parabola_error(normal, 0.52, 10);
-        std::printf("across %c: straight %.2e, curved %.2e of the top\n", "xyz"[normal],
-                    straight, curved);
-        // Half of the force of a step, which its momentum has too much: nu u'' / 2.
-        EXPECT_LT(curved, 1e-3);
-        EXPECT_GT(straight, 20 * curved);
-    }
-}
 
 // ---- Cells in an obstacle stay at rest whatever pushes them: no velocity, no vorticity,
 // no share in mass, energy or the check of the cells.

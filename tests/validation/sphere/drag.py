@@ -87,10 +87,8 @@ class Quick(Drag):
 
 
 def without_slip(reynolds, cells=8):
-    """Drag of markers and of the solid on a coarse grid, over the solid's own limit. With straight
-    walls that is by their second order from this grid and one twice as fine; curved walls are there
-    on that one (at Reynolds number 150 within 0.8 % of their drag on 24 cells, which has the limit of
-    straight ones, too: docs/coupling_measurements.md) and converge from both sides."""
+    """Drag of markers and of the solid on a coarse grid, over the solid's own limit: by the second
+    order of its walls from this grid and one twice as fine."""
     def of_solid(n):
         return coefficient(n, {**SOLID, **settings, "fluid.lattice_speed": speed * cells / n
                                if reynolds < 10 else speed, "fluid.collision": collision},
@@ -98,11 +96,11 @@ def without_slip(reynolds, cells=8):
     # A relaxation time of at most 1; one collision for both grids, whose order is that of walls:
     # the automatic one of the coarse grid.
     speed = min(0.08, reynolds / cells / 6)
-    collision = "trt" if reynolds < 50 else "recursive_odd"
+    collision = "trt" if reynolds < 50 else "recursive_regularized"
     settings = {"fluid.viscosity": f"{1e6 * SPEED * DIAMETER / reynolds} mm2/s",
                 "fluid.lattice_speed": speed, "time.end": "0.2 s" if reynolds < 10 else "0.8 s"}
     coarse, fine = of_solid(cells), of_solid(2 * cells)
-    limit = fine if collision == "recursive_odd" else fine + (fine - coarse) / 3
+    limit = fine + (fine - coarse) / 3
     markers = coefficient(cells, {**NO_SLIP, **settings}, "ball.fluid_force_x[N]")
     testing.report(f"Reynolds number {reynolds}, {cells} cells: markers {markers:.4f}, solid "
                    f"{coarse:.4f}, twice as fine {fine:.4f}; limit {limit:.4f}: markers "
