@@ -116,9 +116,7 @@ std::vector<Triangle> read_ascii(const std::string& text, const std::string& fil
     return triangles;
 }
 
-// Behind blanks and a mark of byte order.
 bool begins_with_solid(std::string_view text) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     std::string word;
     return Words(text.substr(0, 1000)).next(word) && word == "solid";
 }
@@ -126,7 +124,8 @@ bool begins_with_solid(std::string_view text) {
 }  // namespace
 
 std::vector<Triangle> read_stl(const std::string& file) {
-    const std::string bytes = contents(file);
+    std::string bytes = contents(file);
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);  // a mark of byte order
     const bool binary = is_binary(bytes);
     if (!binary && !begins_with_solid(bytes)) {
         refuse_file(file, "has ", bytes.size(),

@@ -267,9 +267,9 @@ Closed read_closed(const std::string& file, double scale, const Point& shift) {
         for (std::size_t i = 0; i < 3; ++i) t[i] = joined.vertices[corners[i]];
     }
     turn_outwards(out.triangles, joined.part, size);
-    std::ranges::sort(joined.part);
-    out.parts =
-        static_cast<int>(std::ranges::unique(joined.part).begin() - joined.part.begin());
+    out.parts = 0;
+    for (std::uint32_t t = 0; t < joined.part.size(); ++t)
+        out.parts += joined.part[t] == t ? 1 : 0;
     for (Triangle& t : out.triangles) {
         for (Point& corner : t) {
             for (std::size_t a = 0; a < 3; ++a) corner[a] = shift[a] + scale * corner[a];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // CSV files after those that sheets, oscilloscopes, numpy, pandas, COMSOL and people
 // write: each is read right, or refused with its line and what to do.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -124,12 +125,14 @@ GridValues grid(const std::string& text) {
 }
 
 // Corners of a cube of 2 mm, Bz alone: 1 mT.
-std::string corners(const char* separator = ",") {
+std::string corners(const std::string& separator = ",") {
     std::string out;
     for (int i = 0; i < 8; ++i) {
-        for (const int x : {i % 2, i / 2 % 2, i / 4})
-            out += (x == 0 ? "-1" : "1") + std::string(separator);
-        out += "0" + std::string(separator) + "0" + separator + "0.001\n";
+        for (const int x : {i % 2, i / 2 % 2, i / 4}) {
+            out += x == 0 ? "-1" : "1";
+            out += separator;
+        }
+        out += fmt::format("0{0}0{0}0.001\n", separator);
     }
     return out;
 }

@@ -135,7 +135,8 @@ TEST(Names, AreFitForLammps) {
     EXPECT_EQ(lammps_names(bodies),
               (std::vector<std::string>{"left_arm_1", "left_arm_1_2", "all_2", "body"}));
     EXPECT_EQ(id_ranges({1, 5, 9, 13, 14, 20}), "1:13:4 14 20");
-    EXPECT_THROW(quoted("a$b"), std::invalid_argument);
+    EXPECT_EQ(path_in_script("/a b"), "\"/a b\"");
+    EXPECT_EQ(path_in_script("/a$b"), "/a%24b");
 }
 
 constexpr double pi = std::numbers::pi;
