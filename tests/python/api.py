@@ -28,6 +28,9 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "fluid.colour"):
             scene["fluid.colour"]
 
+    def test_an_empty_map_is_an_effect_with_its_defaults(self):
+        self.assertEqual(magfsi.load(STRIP, {"contact": {}}).settings["contact"], "{}")
+
     def test_a_wrong_scene_is_one_clear_error(self):
         with self.assertRaisesRegex(magfsi.SceneError, "viscosity: found .*allowed") as raised:
             magfsi.load(testing.SMALL, fluid={"viscosity": "2 parsec"})
