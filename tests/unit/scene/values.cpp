@@ -137,9 +137,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"1e99999999999 m", "m", "allowed a length"},
         Wrong{"", "m", "allowed a length"}, Wrong{"mm", "m", "allowed a length"},
         Wrong{"- 5 mm", "m", "allowed a length"},
-        Wrong{"0x10 m", "m", "unknown unit \"x\""}, Wrong{"1,5 mm", "m", "unknown unit"},
+        Wrong{"0x10 m", "m", "unknown unit \"x\""},
+        Wrong{"1,5 mm", "m", "write \"1.5 mm\" if the comma is one"},
         Wrong{"1_000 m", "m", "unknown unit"}, Wrong{"5 mm 3", "m", "unknown unit"},
-        Wrong{"1 2 m", "m", "unknown unit"}, Wrong{"5 (m/s)", "m/s", "unknown unit"}));
+        Wrong{"1 2 m", "m", "the digits of a number together"},
+        Wrong{"5 (m/s)", "m/s", "unknown unit"}));
 
 TEST(Format, picks_the_handy_prefix) {
     EXPECT_EQ(format_si(2e-4, "m"), "200 um");
