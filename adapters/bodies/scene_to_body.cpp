@@ -96,10 +96,11 @@ structure::Mesh convert(const std::string& file, double unit_m) {
                            messages.string());
     if (status == 0) return structure::read_mesh_file(mesh);
     if (status == crashed)
-        throw std::invalid_argument(fmt::format(
-            "mesh {}: Gmsh's library crashes on it; open it in Gmsh and save it again, or "
-            "mesh its geometry anew",
-            file));
+        throw std::invalid_argument(
+            fmt::format("mesh {}: Gmsh's library crashes on it; open it in Gmsh and save "
+                        "it again, or "
+                        "mesh its geometry anew",
+                        file));
     std::string message = text_of(messages);
     while (!message.empty() && message.back() == '\n') message.pop_back();
     throw std::invalid_argument(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // libFuzzer's targets on the readers of files: tests/fuzz/run.sh. MAGFSI_FUZZ_READER: the
-// reader's name. Either a file is read, or it is refused with std::invalid_argument or, of
-// a mesh, std::runtime_error; whatever else happens is a finding.
+// reader's name. Either a file is read, or it is refused with std::invalid_argument or,
+// of a mesh, std::runtime_error; whatever else happens is a finding.
 #include <unistd.h>
 
 #include <cstdint>
