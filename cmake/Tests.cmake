@@ -31,8 +31,10 @@ function(magfsi_test_program name)
   target_link_libraries(${name} PRIVATE magfsi_options ${arg_LIBRARIES} Eigen3::Eigen fmt::fmt)
   target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
   if(NOT "OpenMP::OpenMP_CXX" IN_LIST arg_LIBRARIES)  # which sets macros of its own
-    # GCC 12's false alarm at std::string (its bug 105651).
-    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+    # GCC 12's false alarms at std::string (its bug 105651).
+    target_compile_options(${name} PRIVATE 
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
     target_precompile_headers(${name} REUSE_FROM magfsi_precompiled_tests)
   endif()
 endfunction()
