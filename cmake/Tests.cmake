@@ -32,9 +32,9 @@ function(magfsi_test_program name)
   target_compile_options(${name} PRIVATE ${MAGFSI_TEST_OPTIONS})
   if(NOT "OpenMP::OpenMP_CXX" IN_LIST arg_LIBRARIES)  # which sets macros of its own
     # GCC 12's false alarms at std::string (its bug 105651).
-    target_compile_options(${name} PRIVATE 
-      $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
     target_precompile_headers(${name} REUSE_FROM magfsi_precompiled_tests)
   endif()
 endfunction()
