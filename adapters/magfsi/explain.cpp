@@ -150,12 +150,13 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
         text += fmt::format("  warning: {}\n", line);
     for (const std::filesystem::path& file : scene::files_elsewhere(scene))
         text += fmt::format("  reads {}, outside of the scene's folder\n", file.string());
-    text += explain_files(scene);
     if (!scene.bodies.empty()) text += explain_structure(scene);
     if (scene.control) text += explain_control(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene);
-    return text;
+    // Last: what cannot be read has been refused by its user, with the place in the
+    // scene.
+    return text + explain_files(scene);
 }
 
 std::vector<std::string> warnings(const std::string& explanation) {

@@ -252,6 +252,8 @@ class MpirunGuard {
     pid_t shell_ = -1;
 };
 
+}  // namespace
+
 // A terminal that goes asks for an end, too, unless nohup has it ignored.
 void pass_on_signals() {
     struct sigaction action {
@@ -263,6 +265,8 @@ void pass_on_signals() {
     if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
         sigaction(SIGHUP, &action, nullptr);
 }
+
+namespace {
 
 // Until mpirun ends. Returns whether it hung and had to be ended.
 bool filter_errors(int pipe, MpirunMessages& messages) {

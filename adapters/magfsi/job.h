@@ -28,6 +28,10 @@ enum class OnStop { end, checkpoint };
 // that is not far enough.
 void need_stack();
 
+// From here on requests to end (SIGINT, SIGTERM, SIGHUP) wait for the job that starts,
+// and are passed on to it. run_job calls it, too.
+void pass_on_signals();
+
 // Runs it to the end. It ends, too, when this process dies.
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop);
 

@@ -349,6 +349,7 @@ int run(const RunOptions& options) {
     check_exchange(scene, options, out);
     if (scene.control) need_controller();
     need_stack();
+    pass_on_signals();
     (void)find_mpirun();
     warn_of_host_name();
     setenv("MAGFSI_COMMAND", options.command.c_str(), 1);  // for run.json
