@@ -13,56 +13,15 @@
 #include <optional>
 
 #include "structure/refuse.h"
+#include "structure/table_text.h"
 #include "words/plain_text.h"
 
 namespace magfsi::structure {
 namespace {
 
+using namespace table_text;
+
 constexpr const char* decimal_comma = "; if its commas are decimal ones, write points";
-constexpr char blanks = ' ';  // as the separator: any number of blanks and tabs
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::string lower(std::string_view text) {
-    std::string out;
-    for (const char c : text)
-        out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return out;
-}
-
-// "B_x" and "BX" are Bx, "Time" is t.
-std::string simple(std::string_view name) {
-    std::string out = lower(name);
-    std::erase(out, '_');
-    return out == "time" ? "t" : out;
-}
-
-bool is_name(std::string_view text) {
-    return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
-           std::ranges::all_of(text, [](char c) {
-               return c == '_' || c == '.' ||
-                      std::isalnum(static_cast<unsigned char>(c)) != 0;
-           });
-}
-
-// What separates the values of a line: what it has of these outside of quotes.
-char separator_of(std::string_view line) {
-    bool quoted = false;
-    std::string outside;
-    for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (!quoted) outside += c;
-    }
-    for (const char c : {';', '\t', ','}) {
-        if (outside.find(c) != std::string::npos) return c;
-    }
-    return blanks;
-}
-
 // The fields of a line, without quotes. Empty ones at the end that are more than
 // `wanted`, as sheets leave them, are left out.
 std::vector<std::string> fields_of(std::string_view line, char separator,

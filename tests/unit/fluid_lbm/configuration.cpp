@@ -286,9 +286,9 @@ TEST(Config, PatchesThatDoNotFit) {
         "patch on x_max reaches from -0.5 to 10.5 m along z");
     refuses(
         [](FluidConfig& c) {
-            c.boundaries[0].patch = Disc{{5, 5}, 0.5};
+            c.boundaries[1].patch = Disc{{5, 5}, 0.5};
         },
-        "patch on x_min holds the centre of no cell");
+        "patch on x_max holds the centre of no cell");
 }
 
 TEST(Config, ObstaclesThatCannotBe) {

@@ -253,7 +253,7 @@ TEST(GmshRefusals, AFaceAwayFromTheBody) {
 
 TEST(GmshRefusals, AnInsideOutElement) {
     test::expect_says(refusal(text_file("bowtie.msh", one_cube("1 2 3 4 6 5 7 8"))),
-                      {"element 0", "inverted or flat"});
+                      {"element 1 of the mesh", "inverted or flat"});
 }
 
 TEST(GmshRefusals, AMirroredElementIsTurnedInstead) {
