@@ -116,7 +116,8 @@ class Watched(unittest.TestCase):
 class WhileItRuns(unittest.TestCase):
     def test_grows_and_ends(self):
         process, folder = testing.get_going(
-            testing.SMALL, {"time.end": "2 s", "coupling.overlap": "allow",
+            # Without weight, which would take it to the bottom while the page is looked at.
+            testing.SMALL, {"time.end": "2 s", "gravity": "", "coupling.overlap": "allow",
                             "output.structure.every": "0.2 ms"})
         try:
             watcher, port, token = watched(folder)
