@@ -56,7 +56,7 @@ constexpr const char* known_lines[] = {"more process has sent help message",
                                        "Set MCA parameter \"orte_base_help_aggregate\"",
                                        "ORTE_ERROR_LOG",
                                        "Read -1, expected",
-                                       "Unable to find reachable pairing",
+                                       "btl_tcp_proc",
                                        "Epoll MOD("};
 
 volatile pid_t child = 0;
@@ -112,6 +112,9 @@ class MpirunMessages {
                 in_banner_ = true;
         } else if (line.starts_with("mpirun: Forwarding signal") ||
                    line.starts_with("prterun: Forwarding signal") ||
+                   // Open MPI 5, of networks of a machine that it does not need; the
+                   // lines of two processes may be mixed.
+                   line.starts_with("Unable to find reachable pairing") ||
                    (line.starts_with('[') && has_any({&line, 1}, known_lines))) {
             return;
         } else if (in_banner_) {
