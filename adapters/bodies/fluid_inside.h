@@ -17,7 +17,7 @@ namespace magfsi::bodies {
 // own.
 constexpr double largest_part_off_nodes = 2.0 / 3;
 
-// Whether damping slows down the nodes: of rate 0 it is no damping.
+// True if damping slows down the nodes; a rate of 0 is no damping.
 inline bool has_drag(const scene::Scene& scene) {
     return scene.damping && scene.damping->rate_1_s > 0;
 }

@@ -74,7 +74,7 @@ class Bins {
     std::map<Bin, std::vector<std::size_t>> bins_;
 };
 
-// Of the shape functions at a point of an element.
+// Gradients of the eight shape functions at a point of an element [1/m].
 std::array<Eigen::Vector3d, 8> shape_gradient(const structure::Mesh& mesh,
                                               const structure::MaterialPoint& point) {
     const auto sign = [](std::size_t a, int axis) { return a >> axis & 1U ? 1.0 : -1.0; };

@@ -71,7 +71,7 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
         text += "# The coupled run adds the fluid's force: fix fluid all magfsi/fluid\n";
     }
     for (const std::string& line : script.setup) {
-        // Of a path that LAMMPS cannot have: it runs from within the folder, then.
+        // LAMMPS cannot read this path: the script is run from within the folder.
         text += line.starts_with("read_data /proc/") ? "read_data bodies.data" : line;
         text += '\n';
     }
