@@ -17,6 +17,7 @@
 #include "coupler/immersed_boundary/direct_forcing.h"
 #include "coupler/immersed_boundary/no_slip.h"
 #include "coupler/participants/errors.h"
+#include "structure/body.h"
 #include "structure/lattice/lattice.h"
 
 namespace magfsi::lammps {
@@ -36,7 +37,8 @@ constexpr double allowed = 0.95;
 constexpr double chosen = 0.9;
 constexpr int max_refinement = 16;
 
-// The largest drag rate of a node: sum over its markers of N_a kappa over its mass.
+// The largest drag rate of a node that can move: sum over its markers of N_a kappa over
+// its mass.
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
     const auto& boundary = scene.coupling->immersed_boundary;
@@ -57,7 +59,9 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
                     m.point.weight[a] * kappa;
             }
         }
+        const auto held = structure::held_axes(solids[b]);
         for (std::size_t n = 0; n < mass.size(); ++n) {
+            if (held[n] == structure::HeldAxes{true, true, true}) continue;
             largest = std::max(largest, drag[n] / mass[n]);
         }
     }
@@ -76,7 +80,9 @@ Substeps chosen_substeps(const scene::Scene& scene) {
     if (scene.time.equilibrium) {
         s.count = 0;
         s.coupled_step_s = scene::path_step_s(scene);
-        s.lammps_step_s = elastic_margin * s.elastic_limit_s;
+        s.lammps_step_s = std::isinf(s.elastic_limit_s)
+                              ? s.coupled_step_s
+                              : elastic_margin * s.elastic_limit_s;
         return s;
     }
     const auto wanted = scene::coupled_step_s(scene);

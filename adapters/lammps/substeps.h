@@ -18,8 +18,10 @@ struct Substeps {
     int count = 1;
     double coupled_step_s = 0;
     double lammps_step_s = 0;
-    double elastic_limit_s = 0;  // stable step of the lattice
-    double drag_limit_s = 0;     // of the immersed-boundary force; 0 without fluid
+    // Stable steps, infinite where no node can move: of the lattice, and of the
+    // immersed-boundary force (0 without fluid).
+    double elastic_limit_s = 0;
+    double drag_limit_s = 0;
 };
 
 // LAMMPS steps of a run in which the number of them in a coupled step may change.

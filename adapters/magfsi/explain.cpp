@@ -131,10 +131,13 @@ std::string explain_coupling(const scene::Scene& scene) {
     text += fmt::format("  density of the bodies over the fluid's: {:.3g}", low);
     if (high > low) text += fmt::format(" to {:.3g}", high);
     // 2 over the limit is the rate at which the lightest node takes on the fluid's speed.
-    text += fmt::format(
-        "; the lightest node follows the fluid at {:.3g} of its slip per coupled step\n",
-        2 * s.coupled_step_s / s.drag_limit_s);
-    return text + fmt::format("  recommended: {}\n", recommended(scene, low));
+    if (std::isfinite(s.drag_limit_s)) {
+        text += fmt::format(
+            "; the lightest node follows the fluid at {:.3g} of its slip per coupled "
+            "step",
+            2 * s.coupled_step_s / s.drag_limit_s);
+    }
+    return text + "\n" + fmt::format("  recommended: {}\n", recommended(scene, low));
 }
 
 }  // namespace
@@ -184,9 +187,9 @@ nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
     }
     if (!scene.bodies.empty() && !scene.time.equilibrium) {
         const lammps::Substeps s = lammps::choose_substeps(scene);
-        out["structure"] = {{"step_s", s.lammps_step_s},
-                            {"substeps", s.count},
-                            {"stable_step_s", s.elastic_limit_s}};
+        out["structure"] = {{"step_s", s.lammps_step_s}, {"substeps", s.count}};
+        if (std::isfinite(s.elastic_limit_s))
+            out["structure"]["stable_step_s"] = s.elastic_limit_s;
     }
     if (const auto cost = prediction(scene, ranks)) out["predicted"] = to_json(*cost);
     out["warnings"] = warnings(explain(scene, ranks));

@@ -317,9 +317,11 @@ std::string explain_steps(const scene::Scene& scene) {
     std::string text =
         fmt::format("  coupled step {:.4g} us = {} LAMMPS steps of {:.4g} us\n",
                     s.coupled_step_s * 1e6, s.count, s.lammps_step_s * 1e6);
+    if (std::isinf(s.elastic_limit_s))
+        return text + "    every node is clamped: one step is enough\n";
     text += fmt::format("    stable step of the lattice        {:.4g} us\n",
                         s.elastic_limit_s * 1e6);
-    if (s.drag_limit_s > 0) {
+    if (s.drag_limit_s > 0 && std::isfinite(s.drag_limit_s)) {
         text += fmt::format("    stable step of the fluid's force  {:.4g} us\n",
                             s.drag_limit_s * 1e6);
     }

@@ -105,6 +105,13 @@ Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& elem
     return x;
 }
 
+// Such an element adds nothing to the stiffness of what can move.
+bool is_held(const Hexahedron& element, const std::vector<HeldAxes>& held) {
+    return std::ranges::all_of(element, [&](int node) {
+        return held[static_cast<std::size_t>(node)] == HeldAxes{true, true, true};
+    });
+}
+
 }  // namespace
 
 double stable_step_s(const Body& body) {
@@ -116,7 +123,9 @@ double stable_step_s(const Body& body) {
     const Material* of = nullptr;            // and its material
     const auto masses_kg = element_masses_kg(body);
     std::size_t last = 0;
+    const std::vector<HeldAxes> held = held_axes(body);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        if (is_held(body.mesh.elements[e], held)) continue;
         const Positions8 x = local_positions(body.mesh.nodes, body.mesh.elements[e]);
         const Material& material = material_of(body, e);
         // Neighbours of one shape, as in a block of bricks, need only one solution.
@@ -140,6 +149,7 @@ double stable_elastic_step_s(Body body) {
 
 double step_limit_s(const Body& body, double stiffness_pa_m) {
     const double own = stable_step_s(body);
+    if (std::isinf(own)) return own;  // nothing of it can move
     const double frequency = 2 / stable_elastic_step_s(body);
     // From the definition of the body's own step.
     const double damping = 2 / own - 0.5 * own * frequency * frequency;

@@ -15,8 +15,9 @@ namespace magfsi::structure {
 // highest natural frequency of the mesh, which is the highest of any one element with its
 // own lumped mass, K_e p = omega^2 M_e p (K_e the stiffness at rest). Where materials
 // meet, each element keeps the mass of its own. A body under large compression is stiffer
-// than at rest: run at 0.9 of this step. Throws std::invalid_argument on a density that
-// is not positive.
+// than at rest: run at 0.9 of this step. An element whose nodes are all held along every
+// axis does not count; the step of a body of such elements alone is infinite. Throws
+// std::invalid_argument on a density that is not positive.
 //
 // A viscous material (Kelvin-Voigt) needs a shorter step, since the velocity-Verlet
 // scheme takes the damping force at the velocity of half a step before: with c the

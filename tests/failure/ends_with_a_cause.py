@@ -108,6 +108,10 @@ class Lost(unittest.TestCase):
         self.assertIn("within 2 s", run.err)
 
 
+DELAYS_S = (0, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5)
+EVERY_DELAY = 1  # 3: only every third of them
+
+
 class Stopped(unittest.TestCase):
     def ask_to_end(self, process, folder):
         process.send_signal(signal.SIGTERM)
@@ -126,7 +130,7 @@ class Stopped(unittest.TestCase):
     def test_asked_to_end_while_it_starts(self):
         """Whatever is there already: mpirun, the solvers, their first step."""
         for more in ({}, {"checkpoint.every": "1 s"}):
-            for delay_s in (0, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5):
+            for delay_s in DELAYS_S[::EVERY_DELAY]:
                 with self.subTest(more, delay_s=delay_s):
                     folder = testing.new_folder()
                     process = testing.start(
@@ -249,4 +253,4 @@ class BadInput(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    testing.main(EVERY_DELAY=EVERY_DELAY)

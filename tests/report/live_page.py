@@ -19,7 +19,9 @@ from magfsi import runs, testing
 def watched(folder):
     """The process, its port and its token."""
     process = subprocess.Popen([sys.executable, "-P", "-m", "magfsi.watch", str(folder)],
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               # A shell has its background jobs ignore it.
+                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     line = process.stdout.readline()
     found = re.search(r"http://127\.0\.0\.1:(\d+)/([\w-]+)/", line)
     if not found:
@@ -87,11 +89,11 @@ class Watched(unittest.TestCase):
             self.assertEqual(ask(self.port, path)[0], 403, path)
 
     def test_other_methods_are_refused_and_change_nothing(self):
-        before = sorted((p.name, p.stat().st_mtime_ns) for p in self.folder.iterdir())
+        before = sorted((p.name, p.lstat().st_mtime_ns) for p in self.folder.iterdir())
         for method in ("POST", "PUT", "DELETE", "PATCH", "OPTIONS", "HEAD", "TRACE", "CONNECT"):
             self.assertEqual(self.get("files/probes.csv", method=method)[0], 405, method)
         self.assertEqual(self.get("", method="MKCOL")[0], 501)
-        self.assertEqual(sorted((p.name, p.stat().st_mtime_ns) for p in self.folder.iterdir()), before)
+        self.assertEqual(sorted((p.name, p.lstat().st_mtime_ns) for p in self.folder.iterdir()), before)
 
     def test_other_hosts_are_refused(self):
         """A page elsewhere whose name leads to the loopback sends its own name."""

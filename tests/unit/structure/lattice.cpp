@@ -108,6 +108,30 @@ TEST(TwoMaterials, TakeTheStableStepOfTheFaster) {
     EXPECT_NEAR(stable_step_s(both) / stable_step_s(stiff), 1, 1e-12);
 }
 
+TEST(StableStep, IsThatOfElementsThatCanMove) {
+    Body bar = test::soft_and_stiff_bar();
+    bar.mesh.faces["all"].resize(bar.mesh.nodes.size());
+    std::iota(bar.mesh.faces["all"].begin(), bar.mesh.faces["all"].end(), 0);
+    const double step = stable_step_s(bar);
+    // The nodes of the stiff elements, which hold those beside them on one side only.
+    for (std::size_t e = 0; e < bar.mesh.elements.size(); ++e) {
+        if (bar.element_material[e] == 0) continue;
+        const Hexahedron& nodes = bar.mesh.elements[e];
+        bar.mesh.faces["stiff"].insert(bar.mesh.faces["stiff"].end(), nodes.begin(),
+                                       nodes.end());
+    }
+    bar.clamps = {"stiff"};
+    Body soft = bar;
+    soft.clamps.clear();
+    soft.other_materials.clear();
+    soft.element_material.clear();
+    EXPECT_NEAR(stable_step_s(bar) / stable_step_s(soft), 1, 1e-12);
+    EXPECT_GT(stable_step_s(bar), 1.1 * step);
+    bar.clamps = {"all"};
+    EXPECT_EQ(stable_step_s(bar), INFINITY);
+    EXPECT_EQ(step_limit_s(bar, 1e9), INFINITY);
+}
+
 TEST(TwoMaterials, AreRefusedWithoutANumberForEachElement) {
     Body body = test::soft_and_stiff_bar();
     body.element_material.back() = 2;

@@ -25,7 +25,8 @@ SPACING = None  # of the fluid around the patch; None: the scene's own
 
 
 def settings(extra):
-    return {**({"fluid.spacing": SPACING} if SPACING else {}), **extra}
+    return {**({"fluid.spacing": SPACING} if SPACING else {}),
+            "time.end": f"{PERIODS * PERIOD_S} s", **extra}
 
 
 class Swim:
@@ -119,6 +120,7 @@ class Gait(unittest.TestCase):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--spacing")
+    parser.add_argument("--periods", type=int, default=PERIODS)
     known, rest = parser.parse_known_args()
-    SPACING = known.spacing
+    SPACING, PERIODS = known.spacing, known.periods
     unittest.main(argv=sys.argv[:1] + rest)
