@@ -57,7 +57,8 @@ LocalFlow flow_at(const FluidConfig& config, const Vec3& centre_m) {
 }
 
 // Throws if the rows leave this rank's box or the values do not match them.
-void check_rows(const CellBox& box, std::span<const CellRow> rows, std::size_t values) {
+void check_rows(const CellBox& box, std::span<const CellRow> rows, std::size_t values,
+                std::size_t values_per_cell = 3) {
     std::size_t cells = 0;
     for (const CellRow& row : rows) {
         const bool inside = row.y >= box.lo[1] && row.y < box.hi[1] &&
@@ -69,8 +70,9 @@ void check_rows(const CellBox& box, std::span<const CellRow> rows, std::size_t v
         }
         cells += row.size();
     }
-    if (values != 3 * cells) {
-        refuse(values, " values were given for ", cells, " cells; 3 per cell are needed");
+    if (values != values_per_cell * cells) {
+        refuse(values, " values were given for ", cells, " cells; ", values_per_cell,
+               " per cell are needed");
     }
 }
 
@@ -233,6 +235,18 @@ void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out) const
             const double factor = unit / (1 + m.excess[i]);
             for (int a = 0; a < 3; ++a) *to++ = factor * m.j[a][i];
         }
+    }
+}
+
+void Fluid::relative_density(std::span<const CellRow> rows, std::span<double> out) const {
+    const CellBox& box = state_->owned();
+    check_rows(box, rows, out.size(), 1);
+    RowMoments m;
+    double* to = out.data();
+    for (const CellRow& row : rows) {
+        row_moments(state_->view(), row.y - box.lo[1], row.z - box.lo[2], row.x_begin,
+                    row.x_end, m);
+        for (int i = 0; i < row.size(); ++i) *to++ = 1 + m.excess[i];
     }
 }
 

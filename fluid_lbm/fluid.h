@@ -74,6 +74,9 @@ class Fluid {
     // per cell, rows one after the other.
     void velocity(std::span<const CellRow> rows, std::span<double> out) const;
 
+    // Density over that at rest, one value per cell, rows one after the other.
+    void relative_density(std::span<const CellRow> rows, std::span<double> out) const;
+
     // Force density [N/m3] of the next step only, three values a cell (Guo's scheme).
     // Rows may overlap nowhere. Replaces what was set before.
     void set_force(std::span<const CellRow> rows, std::span<const double> force);

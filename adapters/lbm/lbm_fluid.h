@@ -22,6 +22,9 @@ class LbmFluid final : public fluids::FluidSolver {
     void velocity(std::span<const CellRow> rows, std::span<double> out) override {
         fluid_.velocity(rows, out);
     }
+    void relative_density(std::span<const CellRow> rows, std::span<double> out) override {
+        fluid_.relative_density(rows, out);
+    }
     void set_force(std::span<const CellRow> rows,
                    std::span<const double> density) override {
         fluid_.set_force(rows, density);

@@ -42,6 +42,10 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
         felt_.resize(3 * spread_rows_.cells());
         fluid_.velocity(spread_rows_.rows(), felt_);
     }
+    if (forcing_ == Forcing::no_slip) {
+        felt_density_.resize(spread_rows_.cells());
+        fluid_.relative_density(spread_rows_.rows(), felt_density_);
+    }
     if (!more) density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(impulse, coupled_step_s_, density_);
     fluid_.set_force(spread_rows_.rows(), density_);
@@ -78,8 +82,10 @@ void FluidSide::add_passed(double density_kg_m3, const Vec3& body_force,
                            NoSlipAnswer& answer) {
     const double half_s = coupled_step_s_ / (2 * density_kg_m3);
     std::vector<double> passing(density_.size());
-    for (std::size_t i = 0; i < passing.size(); ++i)
-        passing[i] = felt_[i] + half_s * (density_[i] + body_force[i % 3]);
+    for (std::size_t i = 0; i < passing.size(); ++i) {
+        passing[i] =
+            felt_[i] + half_s / felt_density_[i / 3] * (density_[i] + body_force[i % 3]);
+    }
     spread_rows_.interpolate(passing, answer.passed);
 }
 

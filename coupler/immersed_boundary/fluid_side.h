@@ -73,7 +73,8 @@ class FluidSide {
     std::vector<Vec3> sampled_;
     // Of no_slip: the cells' velocities that the markers of the last spread felt.
     std::vector<double> felt_;
-    std::vector<Vec3> volume_;  // in the first component
+    std::vector<double> felt_density_;  // over that at rest, one a cell
+    std::vector<Vec3> volume_;          // in the first component
 };
 
 }  // namespace magfsi::coupler

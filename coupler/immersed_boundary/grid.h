@@ -62,6 +62,11 @@ class GridFluid {
     // state before the coming step's force acts.
     virtual void velocity(std::span<const GridRow> rows, std::span<double> out) = 0;
 
+    // Density over that at rest in cells of this rank, one value per cell, row after row,
+    // of the same state. Only forcing without slip asks. All 1 without an override: an
+    // incompressible fluid.
+    virtual void relative_density(std::span<const GridRow> rows, std::span<double> out);
+
     // Force density [N/m3] of the coming step only.
     virtual void set_force(std::span<const GridRow> rows,
                            std::span<const double> density) = 0;

@@ -5,16 +5,10 @@
 // (Poinsot and Lele 1992; u_n along the outward normal, rho0 = 1):
 //   (p - cs u_n)(t + 1) = (p - cs u_n)(t) - k (p(t) - p_target),  k = 0.25 cs / L.
 // A fixed pressure would reflect sound fully, a fixed velocity too. The populations that
-// have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow. All
-// 19 are then rebuilt from rho, u and the stress, with the bounce-back of the
-// non-equilibrium part for the unknown ones (regularised: Latt et al. 2008), which stays
-// stable close to relaxation time 1/2. The tangential velocity is that of the next cell
-// inwards.
+// have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow.
 #include <cmath>
 
-#include "fluid_lbm/boundary/boundaries.h"
-#include "fluid_lbm/lattice/equilibrium.h"
-#include "fluid_lbm/refuse.h"
+#include "fluid_lbm/boundary/outflow.h"
 
 namespace magfsi::fluid {
 
@@ -45,46 +39,6 @@ LocalFlow flow_at_outlet(const double (&f)[directions], const LocalFlow& inside,
     return flow;
 }
 
-void rebuild(double (&f)[directions], int axis, int outward, const LocalFlow& flow) {
-    double balance[directions], stress[3][3] = {};
-    for (int q = 0; q < directions; ++q) {
-        balance[q] = weight(q) * equilibrium_over_weight(q, flow);
-        if (c[q][axis] * outward < 0) continue;
-        // Those that enter: f - f_eq as of the opposite, which has the same c c.
-        const double both = c[q][axis] == 0 ? 1 : 2;
-        for (int a = 0; a < 3; ++a) {
-            for (int b = 0; b < 3; ++b) {
-                stress[a][b] += both * c[q][a] * c[q][b] * (f[q] - balance[q]);
-            }
-        }
-    }
-    for (int q = 0; q < directions; ++q) {
-        double off = 0;
-        for (int a = 0; a < 3; ++a) {
-            for (int b = 0; b < 3; ++b) {
-                off += (c[q][a] * c[q][b] - (a == b ? cs2 : 0)) * stress[a][b];
-            }
-        }
-        f[q] = balance[q] + 4.5 * weight(q) * off;
-    }
-}
-
-template <class Real>
-void gather(const Real* base, const CellSlots& slots, double (&f)[directions]) {
-    for (int q = 0; q < directions; ++q) f[q] = base[slots[q]];
-}
-
-// An outlet reads the cell inside of each of its own.
-void check_depth(const Decomposition& decomposition, int side) {
-    const int axis = axis_of(side);
-    for (const CellBox& box : decomposition.boxes) {
-        if (box.hi[axis] - box.lo[axis] > 1) continue;
-        refuse("fluid box is cut into parts of one cell along ", axis_name[axis],
-               ", and the pressure outlet at ", side_name[side],
-               " needs two; choose fewer fluid ranks");
-    }
-}
-
 // This rank's, local indices.
 std::vector<Cell> open_cells(const SideContext& in, int side, const CellBox& side_cells) {
     std::vector<Cell> cells;
@@ -104,14 +58,10 @@ class PressureOutlet final : public SideEffect {
     void end_step(const Populations& populations, Arrangement arrangement) override;
 
   private:
-    struct OpenCell {
-        CellSlots slots[2], inner_slots[2];  // by arrangement
-        double entering = 0;                 // p - cs u_n
-    };
-
     int axis_, outward_;
     double target_pressure_, pull_;
-    std::vector<OpenCell> cells_;
+    std::vector<OutflowCell> cells_;
+    std::vector<double> entering_;  // p - cs u_n
 };
 
 PressureOutlet::PressureOutlet(const SideContext& in, int side, const CellBox& side_cells)
@@ -119,34 +69,21 @@ PressureOutlet::PressureOutlet(const SideContext& in, int side, const CellBox& s
       outward_(-inward(side)),
       target_pressure_(cs2 * (in.config.boundaries[side].outlet_pressure_pa /
                               units(in.config).pressure_pa())),
-      pull_(pull_strength * cs / in.config.cells[axis_]) {
-    const std::vector<Cell> cells = open_cells(in, side, side_cells);
-    cells_.resize(cells.size());
-    in.populations.visit([&](const auto& rows) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            Cell inner = cells[i];
-            inner[axis_] -= outward_;
-            for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
-                const int which = static_cast<int>(a);
-                cells_[i].slots[which] = cell_slots(rows, in.layout, a, cells[i]);
-                cells_[i].inner_slots[which] = cell_slots(rows, in.layout, a, inner);
-            }
-        }
-    });
-}
+      pull_(pull_strength * cs / in.config.cells[axis_]),
+      cells_(outflow_cells(in, side, open_cells(in, side, side_cells))),
+      entering_(cells_.size()) {}
 
 void PressureOutlet::before_sweep(const Populations& populations,
                                   Arrangement arrangement) {
     populations.visit([&](const auto& rows) {
         const auto* const base = rows.row(0, 0);
-        for (OpenCell& cell : cells_) {
-            const CellSlots& slots = cell.slots[static_cast<int>(arrangement)];
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
             double f[directions];
-            gather(base, slots, f);
+            gather(base, cells_[i].slots[static_cast<int>(arrangement)], f);
             const LocalFlow flow = flow_of(f);
             const double pressure = cs2 * flow.density_excess,
                          u_n = outward_ * flow.velocity[axis_];
-            cell.entering = pressure - cs * u_n - pull_ * (pressure - target_pressure_);
+            entering_[i] = pressure - cs * u_n - pull_ * (pressure - target_pressure_);
         }
     });
 }
@@ -155,17 +92,14 @@ void PressureOutlet::before_sweep(const Populations& populations,
 void PressureOutlet::end_step(const Populations& populations, Arrangement arrangement) {
     populations.visit([&](const auto& rows) {
         auto* base = rows.row(0, 0);
-        for (const OpenCell& cell : cells_) {
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
             const int now = static_cast<int>(arrangement);
-            const CellSlots& slots = cell.slots[now];
             double f[directions], inner[directions];
-            gather(base, slots, f);
-            gather(base, cell.inner_slots[now], inner);
+            gather(base, cells_[i].slots[now], f);
+            gather(base, cells_[i].inner_slots[now], inner);
             rebuild(f, axis_, outward_,
-                    flow_at_outlet(f, flow_of(inner), axis_, outward_, cell.entering));
-            for (int q = 0; q < directions; ++q) {
-                base[slots[q]] = static_cast<std::decay_t<decltype(*base)>>(f[q]);
-            }
+                    flow_at_outlet(f, flow_of(inner), axis_, outward_, entering_[i]));
+            scatter(f, cells_[i].slots[now], base);
         }
     });
 }

@@ -2,11 +2,12 @@
 // Sides with a prescribed velocity: half-way bounce-back gains 6 w rho0 c.u on each
 // population that enters (Ladd 1994), rho0 = 1. The sum over a face is rho0 u.n exactly:
 // the mass flux is the prescribed one. Where a side meets a moving wall the links through
-// the edge are the inlet's.
+// the edge are the inlet's. Where the flow leaves by a face, its tangential velocity is
+// not the prescribed one but that of the next cell inwards (outflow.h).
 #include <cmath>
 #include <numbers>
 
-#include "fluid_lbm/boundary/boundaries.h"
+#include "fluid_lbm/boundary/outflow.h"
 
 namespace magfsi::fluid {
 
@@ -20,10 +21,17 @@ class VelocityInlet final : public SideEffect {
 
     void after_exchange(const Populations& populations, const RowLayout& layout,
                         double time) override {
-        double factor =
+        factor_ =
             time >= ramp_ ? 1 : 0.5 * (1 - std::cos(std::numbers::pi * time / ramp_));
-        if (course_) factor *= course_(time * step_s_);
-        populations.visit([&](const auto& rows) { add(rows, layout, factor); });
+        if (course_) factor_ *= course_(time * step_s_);
+        populations.visit([&](const auto& rows) { add(rows, layout, factor_); });
+    }
+
+    void end_step(const Populations& populations, Arrangement arrangement) override {
+        if (leaving_.empty()) return;
+        populations.visit([&](const auto& rows) {
+            let_out(rows.row(0, 0), static_cast<int>(arrangement));
+        });
     }
 
   private:
@@ -37,6 +45,8 @@ class VelocityInlet final : public SideEffect {
     template <class Real>
     void add(const PopulationRows<Real>& rows, const RowLayout& layout,
              double factor) const;
+    template <class Real>
+    void let_out(Real* base, int arrangement) const;
 
     int side_;
     CellBox cells_;                // this rank's at the side, local indices
@@ -49,7 +59,15 @@ class VelocityInlet final : public SideEffect {
     std::vector<Vec3> velocity_;
     std::vector<char> open_;
     std::vector<Cell> open_cells_;  // this rank's, local indices
+    double factor_ = 0;             // of the velocity in this step
+    // One an open cell where flow leaves at any time, else empty.
+    std::vector<OutflowCell> leaving_;
 };
+
+// A course may turn the flow round.
+bool may_leave(const FluidConfig& config, int side) {
+    return config.boundaries[side].inlet.factor || inflow_m3_s(config, side) < 0;
+}
 
 VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& side_cells)
     : side_(side),
@@ -84,6 +102,7 @@ VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& sid
     for_each_cell(cells_, [&](const Cell& local) {
         if (open_[index(local)]) open_cells_.push_back(local);
     });
+    if (may_leave(in.config, side)) leaving_ = outflow_cells(in, side, open_cells_);
 }
 
 // Change of the velocity over one cell; one-sided at the rim of the opening.
@@ -135,9 +154,28 @@ void VelocityInlet::add(const PopulationRows<Real>& rows, const RowLayout& layou
     }
 }
 
+template <class Real>
+void VelocityInlet::let_out(Real* base, int arrangement) const {
+    const int axis = axis_of(side_);
+    for (std::size_t i = 0; i < open_cells_.size(); ++i) {
+        const double entering =
+            factor_ * inward(side_) * velocity_[index(open_cells_[i])][axis];
+        if (!(entering < 0)) continue;
+        double f[directions], inner[directions];
+        gather(base, leaving_[i].slots[arrangement], f);
+        gather(base, leaving_[i].inner_slots[arrangement], inner);
+        LocalFlow flow = flow_of(inner);
+        flow.density_excess = flow_of(f).density_excess;
+        flow.velocity[axis] = inward(side_) * entering / (1 + flow.density_excess);
+        rebuild(f, axis, -inward(side_), flow);
+        scatter(f, leaving_[i].slots[arrangement], base);
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<SideEffect> make_velocity_inlet_effect(const SideContext& in, int side) {
+    if (may_leave(in.config, side)) check_depth(in.decomposition, side);
     const auto cells = in.cells_at(side);
     return cells ? std::make_unique<VelocityInlet>(in, side, *cells) : nullptr;
 }

@@ -51,6 +51,7 @@ class RefinedFluid {
     std::vector<CellBox> covered(int level, int nest) const;
     // As of Fluid, in those cells.
     void velocity(std::span<const CellRow> rows, std::span<double> out) const;
+    void relative_density(std::span<const CellRow> rows, std::span<double> out) const;
     void set_force(std::span<const CellRow> rows, std::span<const double> force);
     void step();
     void keep();
@@ -109,6 +110,10 @@ class RefinedFluid {
     void count_links_once();
     void add_pushes(int number, int nest, double sign);
     int nest_with(const CellRow& row) const;
+    // What a Fluid says of rows of cells, from the patches that have them.
+    using ReadRows = void (Fluid::*)(std::span<const CellRow>, std::span<double>) const;
+    void read(std::span<const CellRow> rows, std::span<double> out,
+              std::size_t values_per_cell, ReadRows from) const;
     // Boxes of a level where no finer one is, in its fluid's indices.
     std::vector<CellBox> counted_of(int level, int nest) const;
     void regrid(const std::vector<NestPlaces>& places);
