@@ -68,7 +68,8 @@ void keys(Io& io, Boundary& side) {
         wall(quantity("velocity", "m/s", "Along the wall."), side.wall_velocity_m_s);
     });
     io.word_with_map(side.kind, BoundaryKind::velocity_inlet,
-                     "Given velocity, inwards or outwards.", true, [&](auto& inlet) {
+                     "Velocity that is given. Where it points out of the box only its part across "
+                     "the side counts: along the side the fluid leaves as it comes.", true, [&](auto& inlet) {
         inlet(quantity("velocity", "m/s", "Mean over the opening."),
               side.inlet.velocity_m_s);
         inlet(key("profile", "Over the opening; it does not fall towards periodic and "

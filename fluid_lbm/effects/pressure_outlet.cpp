@@ -6,6 +6,8 @@
 //   (p - cs u_n)(t + 1) = (p - cs u_n)(t) - k (p(t) - p_target),  k = 0.25 cs / L.
 // A fixed pressure would reflect sound fully, a fixed velocity too. The populations that
 // have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow.
+// Where fluid enters it comes straight in: a tangential velocity that is taken from
+// inside and carried in again grows.
 #include <cmath>
 
 #include "fluid_lbm/boundary/outflow.h"
@@ -33,7 +35,8 @@ LocalFlow flow_at_outlet(const double (&f)[directions], const LocalFlow& inside,
     // rho' + (1 + rho') u_n = known and cs2 rho' - cs u_n = entering: the smaller root.
     const double b = 0.5 * (cs2 + cs + entering), rest = cs2 * known - entering;
     const double u_n = rest / (b + std::sqrt(b * b + cs * rest));
-    LocalFlow flow = inside;
+    LocalFlow flow;
+    if (u_n > 0) flow = inside;
     flow.density_excess = (known - u_n) / (1 + u_n);
     flow.velocity[axis] = outward * u_n;
     return flow;
