@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from magfsi import runs, testing
+from magfsi.report import data
 
 FIELDS = {"time.end": "2 ms", "output.structure.every": "0.5 ms",
           "output.fluid": "{every: 1 ms, fields: [velocity]}"}
@@ -94,6 +95,16 @@ class Report(unittest.TestCase):
         self.assertIn("<img src=x", self.shown["scene"])
         for _, attributes in self.page.elements:
             self.assertFalse({"src", "href"} & set(attributes), attributes)
+
+
+class Facts(unittest.TestCase):
+    def test_a_box_with_openings_is_not_closed(self):
+        def closed(side):
+            return data.is_closed({"fluid": {"boundaries": {"x_min": "no_slip", "x_max": side}}})
+        for side in {"velocity_inlet": {}}, {"pressure_outlet": {}}:
+            self.assertFalse(closed(side), side)
+        for side in "periodic", "free_slip", {"moving_wall": {"velocity": [1, 0, 0]}}:
+            self.assertTrue(closed(side), side)
 
 
 class Others(unittest.TestCase):

@@ -67,7 +67,7 @@ def field_vectors(scene, columns):
     if all(name in columns for name in names):
         return [columns[name] for name in names]
     field, strength = scene.get("magnetic_field", {}), columns.get("field[T]")
-    law = next((field[key] for key in ("table", "constant", "oscillating") if key in field), {})
+    law = next((field[key] for key in ("table", "constant", "oscillation") if key in field), {})
     angle = law.get("direction")
     angle = angle[0] if isinstance(angle, list) and len(angle) == 1 else angle
     plane = field.get("plane", "")
@@ -93,7 +93,7 @@ def largest(columns, name):
 
 def is_closed(scene):
     sides = scene.get("fluid", {}).get("boundaries", {}).values()
-    return not any(kind in side for side in sides for kind in ("inlet", "outlet"))
+    return not any(kind in side for side in sides for kind in ("velocity_inlet", "pressure_outlet"))
 
 
 def mass_drift(scene, columns):
