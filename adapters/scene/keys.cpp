@@ -33,54 +33,65 @@ void keys(Io& io, Time& time) {
 
 template <class Io>
 void keys(Io& io, Control& control) {
-    io(key("script", "A Python file with a class Controller (docs/control.md); it runs with the "
-           "rights of who starts the run."), control.script);
-    io(quantity("every", "s", "Time between two calls, a whole number of probes.every; the first is "
-                "at time 0.").above(0), control.every_s);
-    io(key("probes", "Columns of probes.csv that it sees, with or without their unit.").optional(),
+    io(key("script",
+           "Name of a Python file with a class Controller (docs/control.md). It runs "
+           "with the rights of the user who starts the run."), control.script);
+    io(quantity("every", "s",
+           "Time between two calls, a whole number of probes.every. The first call is at "
+           "time 0.").above(0), control.every_s);
+    io(key("probes",
+           "Columns of probes.csv that the controller sees, with or without their unit.").optional(),
        control.probes);
-    io(quantity("timeout", "s", "Longest wait for an answer.").above(0).by_default(),
+    io(quantity("timeout", "s", "Longest time that an answer may take.").above(0).by_default(),
        control.timeout_s);
 }
 
 template <class Io>
 void keys(Io& io, Gravity& gravity) {
-    io(quantity("acceleration", "m/s2", "Strength.").at_least(0), gravity.acceleration_m_s2);
-    io(key("direction", "Where it pulls; any length.").by_default(), gravity.direction);
+    io(quantity("acceleration", "m/s2", "Strength of the acceleration.").at_least(0),
+       gravity.acceleration_m_s2);
+    io(key("direction",
+           "Direction in which gravity pulls. Its length does not matter.").by_default(),
+       gravity.direction);
 }
 
 template <class Io>
 void keys(Io& io, Damping& damping) {
-    io(quantity("rate", "1/s", "Force = -rate * mass * velocity.").at_least(0),
+    io(quantity("rate", "1/s",
+           "Rate of the damping: each node feels the force -rate * mass * velocity.").at_least(0),
        damping.rate_1_s);
 }
 
 template <class Io>
 void keys(Io& io, PointProbe& point) {
     io(key("body", "Name of the body.").identifier(), point.body);
-    io(quantity("at", "m", "Place in the undeformed body, in its frame."), point.at_m);
+    io(quantity("at", "m",
+           "Position of the point in the undeformed body, in its frame."), point.at_m);
 }
 
 template <class Io>
 void keys(Io& io, FluidPlane& plane) {
-    io(key("axis", "Its normal; flow along it is positive."), AxisRef{plane.axis});
-    io(quantity("at", "m", "Where it cuts the axis."), plane.at_m);
+    io(key("axis", "Normal of the plane. Flow along it is positive."), AxisRef{plane.axis});
+    io(quantity("at", "m", "Coordinate at which the plane cuts the axis."), plane.at_m);
 }
 
 template <class Io>
 void keys(Io& io, BodyPart& part) {
     io(key("body", "Name of the body.").identifier(), part.body);
-    io(quantity("box", "m", "Lower and upper corner, in the body's frame: elements whose "
-                "centre lies there; without it, the whole body."), part.box_m);
+    io(quantity("box", "m",
+           "Lower and upper corner of a box in the body's frame. Elements whose centre "
+           "lies there belong to the part; without it, all do."), part.box_m);
 }
 
 template <class Io>
 void keys(Io& io, IntegralProbe& integral) {
     io.alternatives(integral.over,
-        key("plane", "Across the box, outside obstacles: volume flow, flux of momentum (of "
-            "density times velocity), mean gauge pressure."),
-        key("part", "Mean displacement by mass, momentum and, in a fluid, the fluid's force "
-            "on it."));
+        key("plane",
+           "Integrals over a plane across the box, outside obstacles: volume flow, flux "
+           "of momentum (of density times velocity), mean gauge pressure."),
+        key("part",
+           "Integrals over a part of a body: mean displacement by mass, momentum and, in "
+           "a fluid, the fluid's force on it."));
 }
 
 template <class Io>
@@ -90,15 +101,18 @@ void keys(Io& io, Probes& probes) {
            "moved, what does that, by its clamps, rollers or motion. Nodes of two faces count "
            "in the first one; magnetic_load: force of all of the field, and its torque about the "
            "centre of mass.").optional(), probes.bodies);
-    io(key("points", "Material points by name: position and displacement.").optional(),
+    io(key("points",
+           "Material points by name, of which position and displacement are written.").optional(),
        probes.points);
     io(key("integrals", "Integrals by name, over a plane of the fluid or a part of a body.")
            .optional(), probes.integrals);
     io(key("fluid", "Columns for the fluid.").optional(), probes.fluid);
-    io(key("interface_balance", "Momentum and power given and received, and the impulse to the "
-           "fluid, in columns.").by_default(), probes.interface_balance);
-    io(key("energy_audit", "Energies, works and losses of all bodies and what the fluid has "
-           "of them, in columns, with the residual.").by_default(), probes.energy_audit);
+    io(key("interface_balance",
+           "If true, columns tell momentum and power given and received at the bodies, "
+           "and the impulse to the fluid.").by_default(), probes.interface_balance);
+    io(key("energy_audit",
+           "If true, columns tell energies, works and losses of all bodies, what the "
+           "fluid has of them, and the residual.").by_default(), probes.energy_audit);
 }
 
 template <class Io>
@@ -113,70 +127,85 @@ void keys(Io& io, StructureOutput& output) {
 template <class Io>
 void keys(Io& io, FluidOutput& output) {
     io(quantity("every", "s", "Time between files.").above(0), output.every_s);
-    io(key("fields", "What is written. pressure: gauge; obstacle: 1 inside obstacles.")
+    io(key("fields",
+           "Fields that are written. pressure is gauge pressure; obstacle is 1 inside "
+           "obstacles.")
            .by_default(), output.fields);
 }
 
 template <class Io>
 void keys(Io& io, Output& output) {
-    io(key("structure", "Bodies: structure.pvd."), output.structure);
-    io(key("fluid", "Fluid: fluid.pvd."), output.fluid);
+    io(key("structure", "Fields of the bodies, in structure.pvd."), output.structure);
+    io(key("fluid", "Fields of the fluid, in fluid.pvd."), output.fluid);
 }
 
 template <class Io>
 void keys(Io& io, Checkpoint& checkpoint) {
-    io(quantity("every", "s", "Time between states; the two newest are kept.").above(0),
+    io(quantity("every", "s", "Time between two states. The two newest are kept.").above(0),
        checkpoint.every_s);
     io(key("on_divergence", "What magfsi run does when the run diverges: end, or go back to "
            "the last state kept and on from there with half of every step (the "
            "lattice-Boltzmann fluid, and bodies alone or in the serial scheme).").by_default(),
        checkpoint.on_divergence);
-    io(key("max_retries", "In a run.").at_least(1).at_most(8).by_default(),
+    io(key("max_retries", "Largest number of retries in a run.").at_least(1).at_most(8).by_default(),
        checkpoint.max_retries);
 }
 
 template <class Io>
 void keys(Io& io, Accuracy& accuracy) {
-    io(quantity("error", "", "Largest error of the probes, of the largest value of their course, "
-                "such as 3 %.").above(0).at_most(0.5), accuracy.error);
-    io(key("probes", "Columns of probes.csv that it is for; without them, how bodies move, or "
-           "without bodies all.").optional(), accuracy.probes);
-    io(key("norm", "Which number of the course.").by_default(), accuracy.norm);
-    io(quantity("budget", "s", "For the runs that find the setting.").above(0).by_default(),
+    io(quantity("error", "",
+           "Largest error of the probes in parts of the largest value of their course, "
+           "such as 3 %.").above(0).at_most(0.5), accuracy.error);
+    io(key("probes",
+           "Columns of probes.csv to which the tolerance applies. Without them, those of "
+           "the bodies' motion, or without bodies all.").optional(), accuracy.probes);
+    io(key("norm", "Number of a probe's course whose error is meant.").by_default(), accuracy.norm);
+    io(quantity("budget", "s", "Time that the runs which find the setting may take.")
+           .above(0).by_default(),
        accuracy.budget_s);
 }
 
 template <class Io>
 void keys(Io& io, Scene& scene) {
-    io(key("name", "Of the scene: it names the run folder, runs/NAME.").by_default(), scene.name);
+    io(key("name", "Name of the scene, which names the run folder, runs/NAME.").by_default(),
+       scene.name);
     io(key("time", "Length of the run and its step."), scene.time);
     io(key("bodies", "Soft magnetic bodies by name.").optional(), scene.bodies);
     io(key("magnetic_field",
            "Applied field: a law of time for all of space, sources that vary in space, or "
            "both."),
        scene.magnetic_field);
-    io(key("dipoles", "Magnetised bodies act on each other: each element is a dipole. Every pair counts in every "
-           "step (docs/effects.md)."),
+    io(key("dipoles",
+           "Forces of magnetised bodies on each other: each element is a dipole. Every "
+           "pair counts in every step (docs/effects.md)."),
        scene.dipoles);
-    io(key("control", "A program that sees probes and sets the magnetic field as the run goes on."),
+    io(key("control",
+           "Program that sees probes and sets the magnetic field as the run goes on."),
        scene.control);
     io(key("gravity", "Weight of the bodies; in a fluid, less their buoyancy."), scene.gravity);
     io(key("damping", "Drag on every node of the bodies."), scene.damping);
     io(key("platform", "Plane that bodies cannot pass and may leave freely."), scene.platform);
-    io(key("contact", "Between the surfaces of bodies, and of a body with itself; in a fluid also "
-           "with the sides of its box that are not periodic, and with its obstacles."),
+    io(key("contact",
+           "Contact between the surfaces of bodies, and of a body with itself; in a "
+           "fluid also with the sides of its box that are not periodic, and with its "
+           "obstacles."),
        scene.contact);
     io(key("fluid", "Viscous fluid in a box with its lowest corner at the origin."),
        scene.fluid);
-    io(key("coupling", "How bodies and fluid meet; all keys have defaults."), scene.coupling);
+    io(key("coupling", "Options of how bodies and fluid meet. All keys have defaults."),
+       scene.coupling);
     io(key("probes", "Time series in probes.csv."), scene.probes);
     io(key("output", "Fields for ParaView.").optional(), scene.output);
-    io(key("report", "report.html, a page with all of the run, written when ./magfsi run has ended.")
+    io(key("report",
+           "If on, report.html, a page with all of the run, is written when ./magfsi run "
+           "has ended.")
            .by_default(), scene.report);
-    io(key("checkpoint", "Keeps the state, so that the run can go on from there (--restart)."),
+    io(key("checkpoint",
+           "States that are kept, so that the run can go on from there (--restart)."),
        scene.checkpoint);
-    io(key("accuracy", "magfsi run takes the cheapest spacing, step, mesh and substeps within this "
-           "tolerance in place of the scene's (magfsi cost)."), scene.accuracy);
+    io(key("accuracy",
+           "Tolerance within which magfsi run takes the cheapest spacing, step, mesh and "
+           "substeps in place of the scene's (magfsi cost)."), scene.accuracy);
 }
 
 MAGFSI_KEYS_OF(Scene)

@@ -9,34 +9,40 @@ namespace magfsi::scene {
 
 template <class Io>
 void keys(Io& io, Iteration& iteration) {
-    io(key("acceleration", "How the next guess is made.").by_default(),
+    io(key("acceleration", "Method that makes the next guess.").by_default(),
        iteration.acceleration);
     io(key("velocity_tolerance", "The step has converged when the fluid responds to the "
            "guess of its velocities at the markers with the same velocities, up to this part "
            "of their root mean square.").above(0).at_most(0.1).by_default(),
        iteration.velocity_tolerance);
-    io(key("max_iterations", "Per step.").at_least(2).at_most(1000).by_default(),
+    io(key("max_iterations", "Largest number of iterations in a step.")
+           .at_least(2).at_most(1000).by_default(),
        iteration.max_iterations);
-    io(key("on_no_convergence", "After max_iterations: end the run, or continue with the "
-           "next step and count this one.").by_default(),
+    io(key("on_no_convergence",
+           "What happens after max_iterations: end ends the run, continue goes on with "
+           "the next step and counts this one.").by_default(),
        iteration.on_no_convergence);
-    io(key("initial_guess", "constant: the velocities at the step's start; linear: "
+    io(key("initial_guess",
+           "First guess of a step. constant: the velocities at the step's start; linear: "
            "extrapolated from the step before.").by_default(),
        iteration.initial_guess);
     io(key("relaxation", "Part of the residual that is added to the guess; aitken and "
            "iqn_ils begin with it.").above(0).at_most(1).by_default(),
        iteration.relaxation);
-    io(key("max_used_iterations", "Of iqn_ils: columns of the least-squares model at most.")
+    io(key("max_used_iterations",
+           "Largest number of columns in the least-squares model of iqn_ils.")
            .at_least(1).at_most(200).by_default(),
        iteration.max_used_iterations);
-    io(key("reused_steps", "Of iqn_ils: earlier coupled steps whose iterations are used.")
+    io(key("reused_steps",
+           "Number of earlier coupled steps whose iterations iqn_ils uses.")
            .at_least(0).at_most(100).by_default(),
        iteration.reused_steps);
-    io(key("filter", "Of iqn_ils: a column is dropped when its part that is independent of "
-           "the newer ones is below filter_limit of all columns (qr1), or of itself (qr2).")
+    io(key("filter",
+           "Rule by which iqn_ils drops a column: if its part that is independent of the "
+           "newer ones is below filter_limit of all columns (qr1), or of itself (qr2).")
            .by_default(),
        iteration.filter);
-    io(key("filter_limit", "Of iqn_ils.").above(0).at_most(0.9).by_default(),
+    io(key("filter_limit", "Limit of the filter of iqn_ils.").above(0).at_most(0.9).by_default(),
        iteration.filter_limit);
 }
 
@@ -49,8 +55,9 @@ void keys(Io& io, ImmersedBoundary& boundary) {
            "others, and where a key is given that belongs to the penalty."),
        boundary.forcing);
     io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
-    io(key("markers", "Where markers sit: midway between the large faces of a sheet, below "
-           "both of them, or through the volume; without it, below both faces of sheets and "
+    io(key("markers",
+           "Place of the markers: midway between the large faces of a sheet, below both "
+           "of them, or through the volume. Without it, below both faces of sheets and "
            "through other bodies."),
        boundary.markers);
     io(key("marker_spacing", "Largest distance of markers, in fluid spacings; beyond about 1 the "
@@ -60,15 +67,19 @@ void keys(Io& io, ImmersedBoundary& boundary) {
     io(key("retraction", "Depth of markers below the surface, in fluid spacings: the kernel "
            "smears them beyond it.").at_least(0).at_most(1).by_default(),
        boundary.retraction);
-    io(key("rim_retraction", "The same at the rim of a sheet.").at_least(0).at_most(2)
+    io(key("rim_retraction",
+           "Depth of markers below the rim of a sheet, in fluid spacings.").at_least(0).at_most(2)
            .by_default(),
        boundary.rim_retraction);
-    io(key("strength", "beta of eq. (13) as a fraction of 2 rho dV / dt; 1 is direct forcing.")
+    io(key("strength",
+           "Coefficient beta of eq. (13) as a fraction of 2 rho dV / dt. With 1 it is "
+           "direct forcing.")
            .above(0).at_most(4).by_default(),
        boundary.strength);
-    io(key("iterations", "Of the forcing in a coupled step (multi-direct forcing): each after "
-           "the first removes part of the remaining slip; 1 is direct forcing, beyond 2 "
-           "sheets may oscillate.").at_least(1).at_most(4).by_default(),
+    io(key("iterations",
+           "Number of iterations of the forcing in a coupled step (multi-direct "
+           "forcing). Each after the first removes part of the remaining slip; 1 is "
+           "direct forcing, beyond 2 sheets may oscillate.").at_least(1).at_most(4).by_default(),
        boundary.iterations);
 }
 
@@ -78,8 +89,9 @@ void keys(Io& io, Coupling& coupling) {
            "time, and the fluid feels the bodies one step late; implicit: they repeat each "
            "step until it has converged.").by_default(),
        coupling.scheme);
-    io(key("structure", "bodies: those of the scene; own: a program of yours, which run "
-           "--structure names.").by_default(),
+    io(key("structure",
+           "Origin of the bodies. bodies: those of the scene; own: a program of yours, "
+           "which run --structure names.").by_default(),
        coupling.structure);
     io(key("sampled_velocity", "The fluid's velocity that bodies feel in their substeps. "
            "frozen: that at the step's start, or the mean of two samples (parallel, "
@@ -87,17 +99,19 @@ void keys(Io& io, Coupling& coupling) {
            "ends, in the serial scheme through the last two. Without it: linear if implicit, "
            "else frozen."),
        coupling.sampled_velocity);
-    io(key("iteration", "Of the implicit scheme: how a step is repeated."),
+    io(key("iteration", "Options of the implicit scheme: how a step is repeated."),
        coupling.iteration);
-    io(key("substeps", "Structure steps in a coupled step; without it, from the bodies' "
-           "stable step.").at_least(1).at_most(100000),
+    io(key("substeps",
+           "Number of structure steps in a coupled step. Without it, it follows from the "
+           "bodies' stable step.").at_least(1).at_most(100000),
        coupling.substeps);
     io(quantity("timeout", "s", "Longest wait for the partner before the run is given up; "
                 "without it, one that lives is waited for.").above(0),
        coupling.timeout_s);
-    io(key("overlap", "Of a body with itself, another, an obstacle or a side of the box: "
-           "stop ends the run, after a warning where surfaces come within half a cell; "
-           "allow does not look.").by_default(),
+    io(key("overlap",
+           "What happens where a body overlaps with itself, another one, an obstacle or "
+           "a side of the box. stop ends the run, after a warning where surfaces come "
+           "within half a cell; allow does not look.").by_default(),
        coupling.overlap);
     io(key("immersed_boundary", "Direct forcing between markers and fluid, eq. (13).")
            .optional(),

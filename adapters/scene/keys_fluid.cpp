@@ -9,16 +9,18 @@ namespace magfsi::scene {
 
 template <class Io>
 void keys(Io& io, Rectangle& rectangle) {
-    io(quantity("centre", "m", "Along the two axes of the side, in the order x, y, z."),
+    io(quantity("centre", "m",
+           "Centre of the opening along the two axes of the side, in the order x, y, z."),
        rectangle.centre_m);
-    io(quantity("size", "m", "Along the same axes.").above(0), rectangle.size_m);
+    io(quantity("size", "m", "Lengths of the opening along the same axes.").above(0), rectangle.size_m);
 }
 
 template <class Io>
 void keys(Io& io, Disc& disc) {
-    io(quantity("centre", "m", "Along the two axes of the side, in the order x, y, z."),
+    io(quantity("centre", "m",
+           "Centre of the opening along the two axes of the side, in the order x, y, z."),
        disc.centre_m);
-    io(quantity("diameter", "m", "Of the opening.").above(0), disc.diameter_m);
+    io(quantity("diameter", "m", "Diameter of the opening.").above(0), disc.diameter_m);
 }
 
 template <class Io>
@@ -29,20 +31,24 @@ void patch_keys(Io& io, Boundary& side) {
 
 template <class Io>
 void keys(Io& io, InletWave& wave) {
-    io(key("mean", "Of the factor.").by_default(), wave.mean);
-    io(key("amplitude", "Of the factor."), wave.amplitude);
-    io(quantity("frequency", "1/s", "Periods per second.").above(0), wave.frequency_hz);
-    io(quantity("phase", "rad", "At time 0; 90 deg begins at the largest.").by_default(),
+    io(key("mean", "Mean of the factor.").by_default(), wave.mean);
+    io(key("amplitude", "Amplitude of the factor."), wave.amplitude);
+    io(quantity("frequency", "1/s", "Number of periods per second.").above(0), wave.frequency_hz);
+    io(quantity("phase", "rad",
+           "Phase at time 0. With 90 deg the factor begins at its largest.").by_default(),
        wave.phase_rad);
 }
 
 template <class Io>
 void keys(Io& io, InletTable& table) {
-    io(key("file", "CSV with the columns t[s] (also ms, us) and factor in place of time and factor; "
-           "its path counts from the scene's folder.").optional(), table.file);
+    io(key("file",
+           "Name of a CSV file with the columns t[s] (also ms, us) and factor in place "
+           "of time and factor. Its path counts from the scene's folder.").optional(), table.file);
     io(quantity("time", "s", "Times of the rows, ascending.").optional(), table.time_s);
-    io(key("factor", "One per row.").optional(), table.factor);
-    io(key("repeat", "Start again after the last row; the first is held before.").by_default(), table.repeat);
+    io(key("factor", "Factors of the velocity, one per row.").optional(), table.factor);
+    io(key("repeat",
+           "If true, the table starts again after its last row. Before its first time "
+           "the factor holds the first value.").by_default(), table.repeat);
 }
 
 template <class Io>
@@ -55,9 +61,11 @@ void keys(Io& io, InletFormula& formula) {
 template <class Io>
 void keys(Io& io, InletCourse& course) {
     io.alternatives(course,
-        key("oscillation", "mean + amplitude sin(2 pi frequency t + phase)."),
-        key("table", "Linear between rows, held before and after."),
-        quantity("formula", "", "Of the time t."));
+        key("oscillation", "Factor mean + amplitude sin(2 pi frequency t + phase)."),
+        key("table",
+           "Factor that is linear between the rows of a table, and held before the first "
+           "and after the last."),
+        quantity("formula", "", "Factor as a formula of the time t."));
 }
 
 template <class Io>
@@ -65,21 +73,22 @@ void keys(Io& io, Boundary& side) {
     io.whole(side.kind);
     io.word_with_map(side.kind, BoundaryKind::no_slip, "Moving wall.",
                      side.wall_velocity_m_s != Vec3{}, [&](auto& wall) {
-        wall(quantity("velocity", "m/s", "Along the wall."), side.wall_velocity_m_s);
+        wall(quantity("velocity", "m/s", "Velocity of the wall, along itself."),
+       side.wall_velocity_m_s);
     });
     io.word_with_map(side.kind, BoundaryKind::velocity_inlet,
                      "Velocity that is given. Where it points out of the box only its part across "
                      "the side counts: along the side the fluid leaves as it comes.", true, [&](auto& inlet) {
-        inlet(quantity("velocity", "m/s", "Mean over the opening."),
+        inlet(quantity("velocity", "m/s", "Mean velocity over the opening."),
               side.inlet.velocity_m_s);
-        inlet(key("profile", "Over the opening; it does not fall towards periodic and "
-                  "free-slip sides.").by_default(), side.inlet.profile);
-        inlet(quantity("ramp", "s", "Grows from rest over this time, as (1 - cos) / 2.")
+        inlet(key("profile", "Shape of the velocity over the opening. It does not fall towards "
+                  "periodic and free-slip sides.").by_default(), side.inlet.profile);
+        inlet(quantity("ramp", "s", "Time over which the velocity grows from rest, as (1 - cos) / 2.")
                   .at_least(0).by_default(), side.inlet.ramp_s);
         inlet(key("course", "Factor of the velocity over time: a pulse."), side.inlet.course);
         patch_keys(inlet, side);
     });
-    io.word_with_map(side.kind, BoundaryKind::pressure_outlet, "Lets flow and sound out.",
+    io.word_with_map(side.kind, BoundaryKind::pressure_outlet, "Opening that lets flow and sound out.",
                      true, [&](auto& outlet) {
         outlet(quantity("pressure", "Pa", "Gauge pressure far out.").by_default(),
                side.outlet_pressure_pa);
@@ -89,16 +98,18 @@ void keys(Io& io, Boundary& side) {
 
 template <class Io>
 void keys(Io& io, Sphere& sphere) {
-    io(quantity("centre", "m", "In the box."), sphere.centre_m);
-    io(quantity("diameter", "m", "Its size.").above(0), sphere.diameter_m);
+    io(quantity("centre", "m", "Centre of the ball."), sphere.centre_m);
+    io(quantity("diameter", "m", "Diameter of the ball.").above(0), sphere.diameter_m);
 }
 
 template <class Io>
 void keys(Io& io, Cylinder& cylinder) {
-    io(quantity("centre", "m", "Middle of its length."), cylinder.centre_m);
-    io(quantity("diameter", "m", "Its size.").above(0), cylinder.diameter_m);
-    io(key("axis", "Its direction.").by_default(), AxisRef{cylinder.axis});
-    io(quantity("length", "m", "Without it, through the box.").above(0), cylinder.length_m);
+    io(quantity("centre", "m", "Middle of the cylinder's length."), cylinder.centre_m);
+    io(quantity("diameter", "m", "Diameter of the cylinder.").above(0), cylinder.diameter_m);
+    io(key("axis", "Axis along which the cylinder lies.").by_default(), AxisRef{cylinder.axis});
+    io(quantity("length", "m",
+           "Length of the cylinder. Without it, it goes through the whole box.").above(0),
+       cylinder.length_m);
 }
 
 template <class Io>
@@ -110,133 +121,163 @@ void keys(Io& io, Block& block) {
 
 template <class Io>
 void keys(Io& io, StlSurface& surface) {
-    io(key("file", "ASCII or binary STL; its path counts from the scene's folder."),
+    io(key("file",
+           "Name of an STL file, ASCII or binary. Its path counts from the scene's "
+           "folder."),
        surface.file);
-    io(quantity("unit", "m", "Length of the file's unit.").above(0).by_default(),
+    io(quantity("unit", "m", "Length that one unit of the file stands for.").above(0).by_default(),
        surface.unit_m);
-    io(quantity("shift", "m", "Where the file's origin comes to.").by_default(),
+    io(quantity("shift", "m", "Position in the box of the file's origin.").by_default(),
        surface.shift_m);
 }
 
 template <class Io>
 void keys(Io& io, Obstacle& obstacle) {
-    io.alternatives(obstacle.shape, key("sphere", "A ball."),
-                    key("cylinder", "Along an axis."),
-                    quantity("box", "m", "Lower and upper corner."),
-                    key("stl", "Closed surface of triangles."));
+    io.alternatives(obstacle.shape, key("sphere", "Ball."),
+                    key("cylinder", "Cylinder along an axis."),
+                    quantity("box", "m", "Lower and upper corner of a block."),
+                    key("stl", "Solid within a closed surface of triangles."));
 }
 
 template <class Io>
 void keys(Io& io, Grading& grading) {
     io(quantity("uniform", "m", "Lower and upper corner of the part with cubic cells."),
        grading.uniform_m);
-    io(key("growth", "Largest ratio of neighbouring cells.").above(1).at_most(1.5)
+    io(key("growth", "Largest ratio of the lengths of neighbouring cells.").above(1).at_most(1.5)
            .by_default(),
        grading.growth);
 }
 
 template <class Io>
 void keys(Io& io, Refinement& refinement) {
-    io(key("levels", "How often the spacing halves towards the bodies.").at_least(1).at_most(3)
+    io(key("levels", "Number of times that the spacing is halved towards the bodies.")
+           .at_least(1).at_most(3)
            .by_default(), refinement.levels);
-    io(quantity("margin", "m", "Between the bodies and the sides of the patch that follows them; "
-                "without it, what the kernel and the speeds need.").above(0),
+    io(quantity("margin", "m",
+           "Distance between the bodies and the sides of the patch that follows them. "
+           "Without it, it is what the kernel and the speeds need.").above(0),
        refinement.margin_m);
-    io(quantity("box", "m", "Lower and upper corner of a patch that stays where it is."),
+    io(quantity("box", "m",
+           "Lower and upper corner of a patch that stays where it is."),
        refinement.box_m);
 }
 
 template <class Io>
 void keys(Io& io, TaylorGreen& vortex) {
-    io(quantity("speed", "m/s", "Its largest.").above(0), vortex.speed_m_s);
+    io(quantity("speed", "m/s", "Largest speed of the vortex.").above(0), vortex.speed_m_s);
 }
 
 template <class Io>
 void keys(Io& io, Carreau& law) {
-    io(quantity("infinite_viscosity", "m2/s", "At the highest rates; above the fluid's own it "
-                "thickens.").above(0), law.infinite_m2_s);
-    io(quantity("time", "s", "One over the rate at which thinning begins.").above(0), law.time_s);
-    io(key("exponent", "Of the stress in between.").above(0).at_most(1), law.exponent);
-    io(key("transition", "Yasuda's: how sharply it begins.").above(0).at_most(10).by_default(),
+    io(quantity("infinite_viscosity", "m2/s",
+           "Kinematic viscosity at the highest rates of shear. Above the fluid's own "
+           "viscosity the fluid thickens.").above(0), law.infinite_m2_s);
+    io(quantity("time", "s",
+           "Time constant: one over the rate of shear at which thinning begins.").above(0), law.time_s);
+    io(key("exponent", "Exponent n of the shear stress at rates in between.").above(0).at_most(1),
+       law.exponent);
+    io(key("transition", "Yasuda's exponent, which says how sharply thinning begins.")
+           .above(0).at_most(10).by_default(),
        law.transition);
 }
 
 template <class Io>
 void keys(Io& io, PowerLaw& law) {
-    io(key("exponent", "Of the stress; below 1 it thins, above it thickens.").above(0).at_most(2),
+    io(key("exponent",
+           "Exponent n of the shear stress. Below 1 the fluid thins, above 1 it "
+           "thickens.").above(0).at_most(2),
        law.exponent);
-    io(quantity("rate", "1/s", "At which the fluid has the viscosity that is given for it.").above(0),
+    io(quantity("rate", "1/s", "Rate of shear at which the fluid has its viscosity.").above(0),
        law.rate_1_s);
-    io(quantity("least", "m2/s", "No viscosity below it.").above(0), law.least_m2_s);
-    io(quantity("most", "m2/s", "None above it.").above(0), law.most_m2_s);
+    io(quantity("least", "m2/s", "Lower bound of the kinematic viscosity.").above(0), law.least_m2_s);
+    io(quantity("most", "m2/s", "Upper bound of the kinematic viscosity.").above(0), law.most_m2_s);
 }
 
 template <class Io>
 void keys(Io& io, Rheology& rheology) {
-    io.alternatives(rheology.law, key("carreau", "From the fluid's viscosity at rest to another one at "
-                                      "high rates."),
-                    key("power_law", "A power of the rate, within limits."));
+    io.alternatives(rheology.law, key("carreau",
+           "Viscosity that goes from the fluid's own at rest to another one at high "
+           "rates of shear."),
+                    key("power_law",
+           "Viscosity that is a power of the rate of shear, within bounds."));
 }
 
 template <class Io>
 void keys(Io& io, Fluid& fluid) {
-    io(key("solver", "lbm: built in; openfoam: pimpleFoam.").by_default(), fluid.solver);
-    io(quantity("box", "m", "Length along x, y and z.").above(0), fluid.box_m);
-    io(quantity("spacing", "m", "Edge of the cubic cells (with refinement: of those away from the bodies); divides the "
-                "box.").above(0),
+    io(key("solver", "Fluid solver: lbm is built in, openfoam is pimpleFoam.").by_default(),
+       fluid.solver);
+    io(quantity("box", "m", "Lengths of the box along x, y and z.").above(0), fluid.box_m);
+    io(quantity("spacing", "m",
+           "Edge of the cubic cells (with refinement: of those away from the bodies). It "
+           "must divide the box.").above(0),
        fluid.spacing_m);
-    io(quantity("density", "kg/m3", "Mass by volume.").above(0), fluid.density_kg_m3);
-    io(quantity("viscosity", "m2/s", "Kinematic viscosity; or the next one.").above(0)
+    io(quantity("density", "kg/m3", "Mass per volume.").above(0), fluid.density_kg_m3);
+    io(quantity("viscosity", "m2/s",
+           "Kinematic viscosity. dynamic_viscosity can stand in its place.").above(0)
            .optional(), fluid.viscosity_m2_s);
     double dynamic_pa_s = 0;  // becomes the kinematic one as it is read
-    io(quantity("dynamic_viscosity", "Pa s", "The same times the density.").above(0).optional(),
+    io(quantity("dynamic_viscosity", "Pa s", "Kinematic viscosity times the density.")
+           .above(0).optional(),
        dynamic_pa_s);
     if (dynamic_pa_s > 0) fluid.viscosity_m2_s = dynamic_pa_s / fluid.density_kg_m3;
-    io(quantity("expected_speed", "m/s", "Largest speed that the run should resolve; needed "
-                "without time.step.").above(0).optional(),
+    io(quantity("expected_speed", "m/s",
+           "Largest speed that the run should resolve. It is needed without time.step.")
+           .above(0).optional(),
        fluid.expected_speed_m_s);
-    io(key("lattice_speed", "That speed in cells per step: sets the step when time.step is "
+    io(key("lattice_speed",
+           "Expected speed in cells per step, which sets the step where time.step is "
            "absent.").above(0).at_most(0.25).by_default(),
        fluid.lattice_speed);
-    io(key("courant", "The same for openfoam.").above(0).at_most(1).by_default(),
+    io(key("courant", "Expected speed in cells per step for solver openfoam.")
+           .above(0).at_most(1).by_default(),
        fluid.courant);
-    io(key("grading", "Larger cells away from the bodies, for openfoam; the lattice stays "
+    io(key("grading",
+           "Larger cells away from the bodies, for solver openfoam. The lattice stays "
            "uniform."), fluid.grading);
-    io(key("refinement", "Finer cells and steps around the bodies, or in a part of the box; for "
+    io(key("refinement",
+           "Finer cells and steps around the bodies, or in a part of the box, for solver "
            "lbm."), fluid.refinement);
     io(key("collision", "Collision model of the lattice Boltzmann method.").by_default(),
        fluid.collision);
     io(key("magic_number", "Lambda of the collisions trt and recursive_mrt: how odd modes relax. "
            "Without it 3/16, which puts walls exactly half way, or in trt what makes the odd "
            "rate 1 if the relaxation time is below 0.55; in recursive_mrt 0.75 over the Reynolds "
-           "number of a cell, from 0.001 to 3/16, falling with the square from 60 on.").above(0).at_most(1),
+           "number of a cell, from 0.001 to 3/16, falling with the square from 60 on.")
+           .above(0).at_most(1),
        fluid.magic_number);
-    io(key("precision", "Of populations in memory: double; float halves memory and time; "
-           "float_double computes in double.").by_default(),
+    io(key("precision",
+           "Precision of the populations in memory. float takes half of the memory and "
+           "of the time of double; float_double computes in double.").by_default(),
        fluid.precision);
     io.group(key("smagorinsky", "Eddy viscosity of unresolved turbulence.").optional(),
              fluid.smagorinsky_constant > 0, [&](auto& model) {
-        model(key("constant", "Of the filter; 0.1 to 0.2 is usual.").above(0).at_most(1),
+        model(key("constant", "Constant of the filter. Usual values are 0.1 to 0.2.")
+           .above(0).at_most(1),
               fluid.smagorinsky_constant);
     });
-    io(key("rheology", "How the viscosity depends on the rate of shear, sqrt(2 S:S); for lbm."),
+    io(key("rheology",
+           "Law by which the viscosity depends on the rate of shear, sqrt(2 S:S), for "
+           "solver lbm."),
        fluid.rheology);
-    io.group(key("boundaries", "What bounds the box, side by side.").optional(), true,
+    io.group(key("boundaries", "Boundary conditions of the six sides of the box.").optional(), true,
              [&](auto& sides) {
         for (std::size_t side = 0; side < 6; ++side)
-            sides(key(names<Face>[side], "Wall at rest; periodic goes in pairs; free_slip is "
-                      "a plane of symmetry; a map gives a wall or an inlet its velocity, an "
-                      "outlet its pressure.").by_default(),
+            sides(key(names<Face>[side], "Kind of the side. no_slip: a wall at rest; periodic: together with the "
+                      "opposite side; free_slip: a plane of symmetry. A map gives a wall or an "
+                      "inlet its velocity, an outlet its pressure.").by_default(),
                   fluid.boundaries[side]);
     });
     io(key("obstacles", "Rigid bodies at rest in the fluid, by name.").optional(),
        fluid.obstacles);
-    io(quantity("initial_velocity", "m/s", "Uniform; without it, at rest."),
+    io(quantity("initial_velocity", "m/s",
+           "Uniform velocity of the fluid at time 0. Without it the fluid is at rest."),
        fluid.initial_velocity_m_s);
-    io(key("taylor_green", "Starts as the Taylor-Green vortex, one period along each side of "
-           "a periodic cube."), fluid.taylor_green);
-    io(quantity("body_force", "N/m3", "On the fluid everywhere, such as a pressure "
-                "gradient."), fluid.body_force_n_m3);
+    io(key("taylor_green",
+           "Start from the Taylor-Green vortex, one period along each side of a periodic "
+           "cube."), fluid.taylor_green);
+    io(quantity("body_force", "N/m3",
+           "Force per volume on the fluid everywhere, such as a pressure gradient."),
+       fluid.body_force_n_m3);
 }
 
 MAGFSI_KEYS_OF(Fluid)

@@ -94,7 +94,7 @@ class Finds(unittest.TestCase):
         self.assertEqual((ended.code, ended.summary()["outcome"]), (1, "stopped"), ended.err)
 
     def test_failed_runs_and_broken_bounds_are_points(self):
-        search = Search(SHORT.replace("range: [0 mT, 0.4 mT]", "range: [0 mT, 900 T]")
+        search = Search(SHORT.replace("range: [0 mT, 0.4 mT]", "range: [0 mT, 50 T]")
                         + "require:\n  low: {formula: lift, at_most: 0.005}\n")
         done = search.run()
         self.assertEqual(done.code, 0, done.err)

@@ -303,7 +303,7 @@ TEST_F(Ball, HasTheDragOfTheFineGrid) {
 // named, for whoever reads forces. For others it goes on, with what it had before a move.
 TEST_F(Ball, IsNotCutByAPatchThatFollowsIfItsForceIsRead) {
     const std::vector<BodyBox> behind{{Vec3{20, 6, 6}, Vec3{26, 12, 12}}},
-        across{{Vec3{14, 6, 6}, Vec3{20, 12, 12}}};
+        across{{Vec3{14, 6, 6}, Vec3{20, 13, 12}}};
     RefinedConfig config{
         .coarse = Ball::config(1), .rule = {.slack_cells = 0}, .obstacle_forces = true};
     RefinedFluid fluid(MPI_COMM_WORLD, config, behind);
