@@ -84,7 +84,8 @@ class Fluid {
     void step();
     // For a step that is taken again with other forces: notes the state between two
     // steps, and goes back to it from the end of the step, any number of times. Between
-    // go_back() and step() only set_force() may be called, in the same rows.
+    // go_back() and step() only set_force(), velocity() and relative_density() may be
+    // called, in the same rows.
     void keep();
     void go_back();
     // Seconds that this rank has waited for its neighbours in steps so far.

@@ -22,54 +22,6 @@ namespace {
 using namespace table_text;
 
 constexpr const char* decimal_comma = "; if its commas are decimal ones, write points";
-// The fields of a line, without quotes. Empty ones at the end that are more than
-// `wanted`, as sheets leave them, are left out.
-std::vector<std::string> fields_of(std::string_view line, char separator,
-                                   std::size_t wanted = 0) {
-    std::vector<std::string> out(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        const bool blank = c == ' ' || c == '\t';
-        if (c == '"' && quoted && line.substr(i + 1).starts_with('"')) {
-            out.back() += line[i++];
-        } else if (c == '"') {
-            quoted = !quoted;
-        } else if (!quoted && separator == blanks && blank) {
-            // "t [s]" is one field.
-            const std::size_t next = line.find_first_not_of(" \t", i);
-            const bool unit = next != std::string_view::npos &&
-                              (line[next] == '[' || line[next] == '(');
-            if (!unit && !out.back().empty()) out.emplace_back();
-        } else if (!quoted && c == separator) {
-            out.emplace_back();
-        } else {
-            out.back() += c;
-        }
-    }
-    for (std::string& field : out) field = trimmed(field);
-    while (out.size() > 1 && out.size() > wanted && out.back().empty()) out.pop_back();
-    return out;
-}
-
-// A field of a header: its name, and its unit as it is written.
-struct Written {
-    std::string name;
-    std::optional<std::string> unit;
-};
-Written in_parts(std::string_view field) {
-    const auto at = field.find_first_of("([/");
-    if (at == std::string_view::npos) return {std::string(field), {}};
-    std::string_view unit = field.substr(at);
-    const char closes = unit[0] == '(' ? ')' : ']';
-    if (unit[0] == '/')  // t/s
-        unit.remove_prefix(1);
-    else if (unit.back() == closes)
-        unit = unit.substr(1, unit.size() - 2);
-    else
-        return {std::string(field), {}};  // an expression
-    return {std::string(trimmed(field.substr(0, at))), std::string(trimmed(unit))};
-}
 
 struct Line {
     int number = 0;

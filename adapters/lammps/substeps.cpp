@@ -37,8 +37,8 @@ constexpr double allowed = 0.95;
 constexpr double chosen = 0.9;
 constexpr int max_refinement = 16;
 
-// The largest drag rate of a node that can move: sum over its markers of N_a kappa over
-// its mass.
+// The largest drag rate of a node that can move. The rate is the sum of N_a kappa over
+// its markers, divided by its mass.
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
     const auto& boundary = scene.coupling->immersed_boundary;

@@ -18,8 +18,8 @@ struct Substeps {
     int count = 1;
     double coupled_step_s = 0;
     double lammps_step_s = 0;
-    // Stable steps, infinite where no node can move: of the lattice, and of the
-    // immersed-boundary force (0 without fluid).
+    // Stable steps of the lattice and of the immersed-boundary force (0 without fluid).
+    // They are infinite where no node can move.
     double elastic_limit_s = 0;
     double drag_limit_s = 0;
 };

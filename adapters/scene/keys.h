@@ -261,6 +261,18 @@ void keys(Io& io, Platform& platform);
 template <class Io>
 void keys(Io& io, ContactLaw& contact);
 template <class Io>
+void keys(Io& io, Box& mesh);  // keys_mesh.cpp
+template <class Io>
+void keys(Io& io, ObliquePlate& mesh);
+template <class Io>
+void keys(Io& io, MeshFile& mesh);
+template <class Io>
+void keys(Io& io, VoxelMesh& mesh);
+template <class Io>
+void keys(Io& io, Arc& mesh);
+template <class Io>
+void keys(Io& io, Helix& mesh);
+template <class Io>
 void keys(Io& io, MagneticField& field);  // keys_field.cpp
 template <class Io>
 void keys(Io& io, FieldTerm& term);

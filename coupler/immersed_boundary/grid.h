@@ -63,8 +63,8 @@ class GridFluid {
     virtual void velocity(std::span<const GridRow> rows, std::span<double> out) = 0;
 
     // Density over that at rest in cells of this rank, one value per cell, row after row,
-    // of the same state. Only forcing without slip asks. All 1 without an override: an
-    // incompressible fluid.
+    // of the state that velocity() tells. Only forcing without slip needs it. A fluid
+    // that does not override it is incompressible: its relative density is 1.
     virtual void relative_density(std::span<const GridRow> rows, std::span<double> out);
 
     // Force density [N/m3] of the coming step only.
@@ -80,8 +80,9 @@ class GridFluid {
 
     // For schemes that repeat a step: keep() notes the state between two steps, in
     // memory; go_back() returns to it from the step's end, as often as is wanted. Between
-    // go_back() and the next advance() only set_force() is called, in the same rows. A
-    // fluid without these can take part in the other schemes only.
+    // go_back() and the next advance() only set_force(), velocity() and
+    // relative_density() are called, in the same rows. A fluid without these can take
+    // part in the other schemes only.
     virtual void keep();
     virtual void go_back();
 };

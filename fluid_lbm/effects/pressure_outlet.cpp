@@ -6,8 +6,8 @@
 //   (p - cs u_n)(t + 1) = (p - cs u_n)(t) - k (p(t) - p_target),  k = 0.25 cs / L.
 // A fixed pressure would reflect sound fully, a fixed velocity too. The populations that
 // have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow.
-// Where fluid enters it comes straight in: a tangential velocity that is taken from
-// inside and carried in again grows.
+// Fluid that enters here has no tangential velocity: one that is taken from inside and
+// carried in again grows.
 #include <cmath>
 
 #include "fluid_lbm/boundary/outflow.h"

@@ -4,7 +4,9 @@
 // the mass flux is the prescribed one. Where a side meets a moving wall the links through
 // the edge are the inlet's. Where the flow leaves by a face, its tangential velocity is
 // not the prescribed one but that of the next cell inwards (outflow.h).
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "fluid_lbm/boundary/outflow.h"
@@ -60,7 +62,8 @@ class VelocityInlet final : public SideEffect {
     std::vector<char> open_;
     std::vector<Cell> open_cells_;  // this rank's, local indices
     double factor_ = 0;             // of the velocity in this step
-    // One an open cell where flow leaves at any time, else empty.
+    // Cells of fluid by which flow leaves at any time, local indices, and their places.
+    std::vector<Cell> leaving_cells_;
     std::vector<OutflowCell> leaving_;
 };
 
@@ -102,7 +105,11 @@ VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& sid
     for_each_cell(cells_, [&](const Cell& local) {
         if (open_[index(local)]) open_cells_.push_back(local);
     });
-    if (may_leave(in.config, side)) leaving_ = outflow_cells(in, side, open_cells_);
+    if (!may_leave(in.config, side)) return;
+    std::ranges::copy_if(
+        open_cells_, std::back_inserter(leaving_cells_),
+        [&](const Cell& cell) { return !(in.solids && in.solids->solid(cell)); });
+    leaving_ = outflow_cells(in, side, leaving_cells_);
 }
 
 // Change of the velocity over one cell; one-sided at the rim of the opening.
@@ -157,9 +164,9 @@ void VelocityInlet::add(const PopulationRows<Real>& rows, const RowLayout& layou
 template <class Real>
 void VelocityInlet::let_out(Real* base, int arrangement) const {
     const int axis = axis_of(side_);
-    for (std::size_t i = 0; i < open_cells_.size(); ++i) {
+    for (std::size_t i = 0; i < leaving_.size(); ++i) {
         const double entering =
-            factor_ * inward(side_) * velocity_[index(open_cells_[i])][axis];
+            factor_ * inward(side_) * velocity_[index(leaving_cells_[i])][axis];
         if (!(entering < 0)) continue;
         double f[directions], inner[directions];
         gather(base, leaving_[i].slots[arrangement], f);

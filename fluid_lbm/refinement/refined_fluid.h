@@ -110,7 +110,7 @@ class RefinedFluid {
     void count_links_once();
     void add_pushes(int number, int nest, double sign);
     int nest_with(const CellRow& row) const;
-    // What a Fluid says of rows of cells, from the patches that have them.
+    // Fills `out` by a member function of Fluid, asked of the patches that have the rows.
     using ReadRows = void (Fluid::*)(std::span<const CellRow>, std::span<double>) const;
     void read(std::span<const CellRow> rows, std::span<double> out,
               std::size_t values_per_cell, ReadRows from) const;

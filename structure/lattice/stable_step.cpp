@@ -105,7 +105,7 @@ Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& elem
     return x;
 }
 
-// Such an element adds nothing to the stiffness of what can move.
+// A held element adds nothing to the stiffness of what can move.
 bool is_held(const Hexahedron& element, const std::vector<HeldAxes>& held) {
     return std::ranges::all_of(element, [&](int node) {
         return held[static_cast<std::size_t>(node)] == HeldAxes{true, true, true};
@@ -166,7 +166,9 @@ double step_limit_s(const Body& body, double stiffness_pa_m) {
 CurrentStep::CurrentStep(const Body& body) {
     elements_.reserve(body.mesh.elements.size());
     const auto masses_kg = element_masses_kg(body);
+    const std::vector<HeldAxes> held = held_axes(body);
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
+        if (is_held(body.mesh.elements[e], held)) continue;
         const Material& material = material_of(body, e);
         Element& element = elements_.emplace_back();
         element.nodes = body.mesh.elements[e];

@@ -44,7 +44,7 @@ double step_limit_s(const Body& body, double stiffness_pa_m);
 // r rises where an element is compressed, and where it is flattened at constant volume,
 // for then its faces grow. The square of the body's highest frequency rises by no more
 // than the largest rise of r in an element. The pressure's own contribution, p d2V, is
-// left out; the margin of the step covers it.
+// left out; the margin of the step covers it. Elements that are held do not count.
 class CurrentStep {
   public:
     // Throws as stable_step_s does. Takes about 300 bytes an element.

@@ -103,7 +103,7 @@ class Facts(unittest.TestCase):
             return data.is_closed({"fluid": {"boundaries": {"x_min": "no_slip", "x_max": side}}})
         for side in {"velocity_inlet": {}}, {"pressure_outlet": {}}:
             self.assertFalse(closed(side), side)
-        for side in "periodic", "free_slip", {"moving_wall": {"velocity": [1, 0, 0]}}:
+        for side in "periodic", "free_slip", {"no_slip": {"velocity": [1, 0, 0]}}:
             self.assertTrue(closed(side), side)
 
 

@@ -130,6 +130,12 @@ TEST(StableStep, IsThatOfElementsThatCanMove) {
     bar.clamps = {"all"};
     EXPECT_EQ(stable_step_s(bar), INFINITY);
     EXPECT_EQ(step_limit_s(bar, 1e9), INFINITY);
+    // Nor does it become finite where what holds the nodes presses them together.
+    std::vector<Vec3> pressed = bar.mesh.nodes;
+    for (Vec3& x : pressed) x[0] *= 0.5;
+    EXPECT_EQ(CurrentStep(bar).rise_1_s2(pressed), 0);
+    bar.clamps.clear();
+    EXPECT_GT(CurrentStep(bar).rise_1_s2(pressed), 0);
 }
 
 TEST(TwoMaterials, AreRefusedWithoutANumberForEachElement) {

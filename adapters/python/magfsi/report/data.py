@@ -67,7 +67,7 @@ def field_vectors(scene, columns):
     if all(name in columns for name in names):
         return [columns[name] for name in names]
     field, strength = scene.get("magnetic_field", {}), columns.get("field[T]")
-    law = next((field[key] for key in ("table", "constant", "oscillation") if key in field), {})
+    law = next((field[key] for key in ("table", "constant") if key in field), {})
     angle = law.get("direction")
     angle = angle[0] if isinstance(angle, list) and len(angle) == 1 else angle
     plane = field.get("plane", "")
