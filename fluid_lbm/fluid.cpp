@@ -222,12 +222,15 @@ std::vector<CellRow> Fluid::solid_rows() const {
     return rows;
 }
 
-void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out) const {
+void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out,
+                     std::span<double> relative_density) const {
     const CellBox& box = state_->owned();
     check_rows(box, rows, out.size());
+    if (!relative_density.empty()) check_rows(box, rows, relative_density.size(), 1);
     const double unit = state_->unit.velocity_m_s();
     RowMoments m;
     double* to = out.data();
+    double* density = relative_density.data();
     for (const CellRow& row : rows) {
         row_moments(state_->view(), row.y - box.lo[1], row.z - box.lo[2], row.x_begin,
                     row.x_end, m);
@@ -235,18 +238,8 @@ void Fluid::velocity(std::span<const CellRow> rows, std::span<double> out) const
             const double factor = unit / (1 + m.excess[i]);
             for (int a = 0; a < 3; ++a) *to++ = factor * m.j[a][i];
         }
-    }
-}
-
-void Fluid::relative_density(std::span<const CellRow> rows, std::span<double> out) const {
-    const CellBox& box = state_->owned();
-    check_rows(box, rows, out.size(), 1);
-    RowMoments m;
-    double* to = out.data();
-    for (const CellRow& row : rows) {
-        row_moments(state_->view(), row.y - box.lo[1], row.z - box.lo[2], row.x_begin,
-                    row.x_end, m);
-        for (int i = 0; i < row.size(); ++i) *to++ = 1 + m.excess[i];
+        if (relative_density.empty()) continue;
+        for (int i = 0; i < row.size(); ++i) *density++ = 1 + m.excess[i];
     }
 }
 

@@ -72,10 +72,9 @@ class Fluid {
 
     // Velocity before this step's force acts (sum of c f over rho), [m/s], three values
     // per cell, rows one after the other.
-    void velocity(std::span<const CellRow> rows, std::span<double> out) const;
-
-    // Density over that at rest, one value per cell, rows one after the other.
-    void relative_density(std::span<const CellRow> rows, std::span<double> out) const;
+    // relative_density: unless it is empty, the density over that at rest, one per cell.
+    void velocity(std::span<const CellRow> rows, std::span<double> out,
+                  std::span<double> relative_density = {}) const;
 
     // Force density [N/m3] of the next step only, three values a cell (Guo's scheme).
     // Rows may overlap nowhere. Replaces what was set before.
@@ -84,8 +83,8 @@ class Fluid {
     void step();
     // For a step that is taken again with other forces: notes the state between two
     // steps, and goes back to it from the end of the step, any number of times. Between
-    // go_back() and step() only set_force(), velocity() and relative_density() may be
-    // called, in the same rows.
+    // go_back() and step() only velocity() and set_force() may be called, in
+    // the same rows.
     void keep();
     void go_back();
     // Seconds that this rank has waited for its neighbours in steps so far.

@@ -19,11 +19,9 @@ class LbmFluid final : public fluids::FluidSolver {
     LbmFluid(MPI_Comm comm, fluid::Fluid& fluid);
 
     const coupler::Grid& grid() const override { return grid_; }
-    void velocity(std::span<const CellRow> rows, std::span<double> out) override {
-        fluid_.velocity(rows, out);
-    }
-    void relative_density(std::span<const CellRow> rows, std::span<double> out) override {
-        fluid_.relative_density(rows, out);
+    void velocity(std::span<const CellRow> rows, std::span<double> out,
+                  std::span<double> relative_density) override {
+        fluid_.velocity(rows, out, relative_density);
     }
     void set_force(std::span<const CellRow> rows,
                    std::span<const double> density) override {

@@ -16,11 +16,9 @@ class RefinedLbm final : public fluids::FluidSolver {
                const coupler::Renewal& renewal);
 
     const coupler::Grid& grid() const override { return grid_; }
-    void velocity(std::span<const CellRow> rows, std::span<double> out) override {
-        fluid_.velocity(rows, out);
-    }
-    void relative_density(std::span<const CellRow> rows, std::span<double> out) override {
-        fluid_.relative_density(rows, out);
+    void velocity(std::span<const CellRow> rows, std::span<double> out,
+                  std::span<double> relative_density) override {
+        fluid_.velocity(rows, out, relative_density);
     }
     void set_force(std::span<const CellRow> rows,
                    std::span<const double> density) override {

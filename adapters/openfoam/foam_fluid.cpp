@@ -101,7 +101,9 @@ std::size_t FoamFluid::cell_at(int x, int y, int z) const {
                 static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(i[2]));
 }
 
-void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out) {
+void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out,
+                         std::span<double> relative_density) {
+    std::ranges::fill(relative_density, 1.0);
     const double* from = engine_->velocity();
     double* to = out.data();
     for (const coupler::GridRow& row : rows) {

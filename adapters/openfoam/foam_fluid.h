@@ -25,7 +25,8 @@ class FoamFluid final : public fluids::FluidSolver {
         : FoamFluid(comm, fluid, CaseTimes{.step_s = step_s}, case_folder) {}
 
     const coupler::Grid& grid() const override { return grid_; }
-    void velocity(std::span<const coupler::GridRow> rows, std::span<double> out) override;
+    void velocity(std::span<const coupler::GridRow> rows, std::span<double> out,
+                  std::span<double> relative_density) override;
     void set_force(std::span<const coupler::GridRow> rows,
                    std::span<const double> density) override;
     void advance() override;

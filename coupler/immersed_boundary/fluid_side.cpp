@@ -38,13 +38,11 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
     }
     if (forcing_ == Forcing::no_slip && known) {
         felt_ = velocity_;
+        felt_density_ = relative_density_;
     } else if (forcing_ == Forcing::no_slip) {
         felt_.resize(3 * spread_rows_.cells());
-        fluid_.velocity(spread_rows_.rows(), felt_);
-    }
-    if (forcing_ == Forcing::no_slip) {
         felt_density_.resize(spread_rows_.cells());
-        fluid_.relative_density(spread_rows_.rows(), felt_density_);
+        fluid_.velocity(spread_rows_.rows(), felt_, felt_density_);
     }
     if (!more) density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(impulse, coupled_step_s_, density_);
@@ -68,7 +66,8 @@ std::span<const Vec3> FluidSide::sample_forced(std::span<const Vec3> points_m,
 void FluidSide::read_cells(std::span<const Vec3> points_m) {
     sample_rows_.place(points_m);
     velocity_.resize(3 * sample_rows_.cells());
-    fluid_.velocity(sample_rows_.rows(), velocity_);
+    if (forcing_ == Forcing::no_slip) relative_density_.resize(sample_rows_.cells());
+    fluid_.velocity(sample_rows_.rows(), velocity_, relative_density_);
     read_now_ = true;
 }
 
@@ -100,7 +99,7 @@ void FluidSide::add_row_sums(std::span<const double> volume_m3, NoSlipAnswer& an
 
 InterfaceBalance FluidSide::received() {
     std::vector<double> velocity(3 * spread_rows_.cells());
-    fluid_.velocity(spread_rows_.rows(), velocity);
+    fluid_.velocity(spread_rows_.rows(), velocity, {});
     return received(velocity);
 }
 

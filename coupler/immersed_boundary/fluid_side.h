@@ -73,8 +73,10 @@ class FluidSide {
     std::vector<Vec3> sampled_;
     // Of no_slip: the cells' velocities that the markers of the last spread felt.
     std::vector<double> felt_;
-    std::vector<double> felt_density_;  // over that at rest, one a cell
-    std::vector<Vec3> volume_;          // in the first component
+    // Also of no_slip, one value a cell: the density over that at rest of the cells in
+    // velocity_ and in felt_.
+    std::vector<double> relative_density_, felt_density_;
+    std::vector<Vec3> volume_;  // in the first component
 };
 
 }  // namespace magfsi::coupler

@@ -63,11 +63,6 @@ Grid grid_from_text(const std::string& text) {
     return grid;
 }
 
-void GridFluid::relative_density(std::span<const GridRow> /*rows*/,
-                                 std::span<double> out) {
-    std::ranges::fill(out, 1.0);
-}
-
 void GridFluid::keep() {
     refuse_repetition();
 }

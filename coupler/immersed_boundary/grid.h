@@ -59,13 +59,11 @@ class GridFluid {
     virtual const Grid& grid() const = 0;
 
     // Velocity [m/s] in cells of this rank, three values per cell, row after row: the
-    // state before the coming step's force acts.
-    virtual void velocity(std::span<const GridRow> rows, std::span<double> out) = 0;
-
-    // Density over that at rest in cells of this rank, one value per cell, row after row,
-    // of the state that velocity() tells. Only forcing without slip needs it. A fluid
-    // that does not override it is incompressible: its relative density is 1.
-    virtual void relative_density(std::span<const GridRow> rows, std::span<double> out);
+    // state before the coming step's force acts. relative_density: one value per cell,
+    // the density over that at rest (1 in an incompressible fluid); empty unless forcing
+    // without slip needs it.
+    virtual void velocity(std::span<const GridRow> rows, std::span<double> out,
+                          std::span<double> relative_density) = 0;
 
     // Force density [N/m3] of the coming step only.
     virtual void set_force(std::span<const GridRow> rows,
@@ -80,9 +78,9 @@ class GridFluid {
 
     // For schemes that repeat a step: keep() notes the state between two steps, in
     // memory; go_back() returns to it from the step's end, as often as is wanted. Between
-    // go_back() and the next advance() only set_force(), velocity() and
-    // relative_density() are called, in the same rows. A fluid without these can take
-    // part in the other schemes only.
+    // go_back() and the next advance() only velocity() and set_force() are
+    // called, in the same rows. A fluid without these can take part in the other schemes
+    // only.
     virtual void keep();
     virtual void go_back();
 };

@@ -75,28 +75,22 @@ int RefinedFluid::nest_with(const CellRow& row) const {
     return nest;
 }
 
-void RefinedFluid::velocity(std::span<const CellRow> rows, std::span<double> out) const {
-    read(rows, out, 3, &Fluid::velocity);
-}
-
-void RefinedFluid::relative_density(std::span<const CellRow> rows,
-                                    std::span<double> out) const {
-    read(rows, out, 1, &Fluid::relative_density);
-}
-
-void RefinedFluid::read(std::span<const CellRow> rows, std::span<double> out,
-                        std::size_t values_per_cell, ReadRows from) const {
+void RefinedFluid::velocity(std::span<const CellRow> rows, std::span<double> out,
+                            std::span<double> relative_density) const {
     // Rows of one nest follow each other, as a rule.
-    for (std::size_t i = 0, first_value = 0; i < rows.size();) {
+    for (std::size_t i = 0, first_cell = 0; i < rows.size();) {
         const int nest = nest_with(rows[i]);
-        std::size_t end = nests() > 1 ? i : rows.size(), values = 0;
+        std::size_t end = nests() > 1 ? i : rows.size(), cells = 0;
         while (end < rows.size() && nest_with(rows[end]) == nest) ++end;
         for (std::size_t r = i; r < end; ++r)
-            values += values_per_cell * static_cast<std::size_t>(rows[r].size());
+            cells += static_cast<std::size_t>(rows[r].size());
         const Level& finest = levels_->at(levels() - 1, nest);
-        (finest.fluid.*from)(local_rows(finest, rows.subspan(i, end - i)),
-                             out.subspan(first_value, values));
-        first_value += values;
+        finest.fluid.velocity(local_rows(finest, rows.subspan(i, end - i)),
+                              out.subspan(3 * first_cell, 3 * cells),
+                              relative_density.empty()
+                                  ? relative_density
+                                  : relative_density.subspan(first_cell, cells));
+        first_cell += cells;
         i = end;
     }
 }

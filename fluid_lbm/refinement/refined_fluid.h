@@ -50,8 +50,8 @@ class RefinedFluid {
     // Cells of a patch, or of level 0, that finer patches have instead.
     std::vector<CellBox> covered(int level, int nest) const;
     // As of Fluid, in those cells.
-    void velocity(std::span<const CellRow> rows, std::span<double> out) const;
-    void relative_density(std::span<const CellRow> rows, std::span<double> out) const;
+    void velocity(std::span<const CellRow> rows, std::span<double> out,
+                  std::span<double> relative_density = {}) const;
     void set_force(std::span<const CellRow> rows, std::span<const double> force);
     void step();
     void keep();
@@ -110,10 +110,6 @@ class RefinedFluid {
     void count_links_once();
     void add_pushes(int number, int nest, double sign);
     int nest_with(const CellRow& row) const;
-    // Fills `out` by a member function of Fluid, asked of the patches that have the rows.
-    using ReadRows = void (Fluid::*)(std::span<const CellRow>, std::span<double>) const;
-    void read(std::span<const CellRow> rows, std::span<double> out,
-              std::size_t values_per_cell, ReadRows from) const;
     // Boxes of a level where no finer one is, in its fluid's indices.
     std::vector<CellBox> counted_of(int level, int nest) const;
     void regrid(const std::vector<NestPlaces>& places);

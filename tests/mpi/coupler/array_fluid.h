@@ -4,6 +4,7 @@
 // can be computed on one rank.
 #pragma once
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +35,9 @@ class ArrayFluid final : public GridFluid {
 
     const Grid& grid() const override { return grid_; }
 
-    void velocity(std::span<const GridRow> rows, std::span<double> out) override {
+    void velocity(std::span<const GridRow> rows, std::span<double> out,
+                  std::span<double> relative_density) override {
+        std::ranges::fill(relative_density, 1.0);
         expect_own(rows);
         const auto values = velocity_.read(rows);
         ASSERT_EQ(values.size(), out.size());
