@@ -4,8 +4,8 @@
 // can be computed on one rank.
 #pragma once
 
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <numbers>
