@@ -38,7 +38,11 @@ Vec3 half(const Vec3& v) {
 Matrix3d frame_along(const Vec3& axis) {
     const Vector3d to = vector(axis);
     if (!(to.norm() > 0)) refuse("an axis of length 0 found for a source of the field");
-    return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to).toRotationMatrix();
+    const Vector3d normal = Vector3d::UnitZ().cross(to);
+    // Every axis across z will do where the source's axis is z or its opposite.
+    const Vector3d about =
+        normal.norm() > 0 ? normal.normalized() : Vector3d(Vector3d::UnitX());
+    return Eigen::AngleAxisd(std::atan2(normal.norm(), to.z()), about).toRotationMatrix();
 }
 
 Matrix3d turned(const Vec3& axis, double angle_rad) {
