@@ -24,12 +24,12 @@ struct Body {
     std::vector<int> element_material;
     ElementVariant element = ElementVariant::assumed_strain;
     Inertia inertia = Inertia::lumped;
-    // magnetisation of the undeformed elements [A/m], one vector per element; empty if
+    // Magnetisation of the undeformed elements [A/m], one vector per element; empty if
     // the body is not magnetic
     std::vector<Vec3> magnetization_a_m;
-    // names of faces in mesh.faces whose nodes are held along all axes
+    // Names of faces in mesh.faces whose nodes are held along all axes
     std::vector<std::string> clamps;
-    // faces whose nodes are held along one axis
+    // Faces whose nodes are held along one axis
     std::vector<Roller> rollers;
 };
 

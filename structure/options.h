@@ -25,9 +25,9 @@ using Vec3 = std::array<double, 3>;
 
 // Block of hexahedra along the axes. The origin of the body's frame is its lowest corner.
 struct Box {
-    // edge lengths along x, y, z
+    // Edge lengths along x, y, z
     Vec3 size_m{};
-    // numbers of elements along x, y, z
+    // Numbers of elements along x, y, z
     std::array<int, 3> elements{};
 };
 
@@ -209,9 +209,8 @@ struct FieldTable {
 // Field that rotates in FieldProgram::plane.
 struct RotatingField {
     double magnitude_t = 0, start_rad = 0;
-    // turns per second, positive from the plane's first axis to its second
-    double frequency_hz =
-        0;  // turns per second, from the plane's first axis to its second
+    // Turns per second, positive from the plane's first axis to its second
+    double frequency_hz = 0;
 };
 // Constant field by its components in space. FieldProgram::plane does not matter for this
 // and the following laws.
@@ -241,7 +240,7 @@ struct PrecessingField {
     Vec3 axis{0, 0, 1};  // direction of any length
     double cone_rad = std::numbers::pi / 2;
     double frequency_hz = 0, start_rad = 0;
-    // duration of the start, in which the magnitude rises by (1 - cos(pi t / ramp)) / 2
+    // Duration of the start, in which the magnitude rises by (1 - cos(pi t / ramp)) / 2
     double ramp_s = 0;
 };
 // Field by formulas of the time, one per component.

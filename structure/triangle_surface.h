@@ -49,7 +49,7 @@ class TriangleSurface {
 
     std::vector<surface::Triangle> triangles_;  // in the order of the leaves
     std::vector<Box> boxes_;                    // the first holds all
-    // true for triangles inside another part; empty if the surface has one part
+    // True for triangles inside another part; empty if the surface has one part
     std::vector<bool> hidden_;
 };
 

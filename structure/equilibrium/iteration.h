@@ -9,7 +9,7 @@ namespace magfsi::structure {
 
 // Result of an iteration. Both kinds end when the residual reaches the goal.
 struct Iterate {
-    // positions of the nodes [m], x y z of each in turn
+    // Positions of the nodes [m], x y z of each in turn
     Eigen::VectorXd x;
     StaticProblem::Response response;  // at x
     int iterations = 0;

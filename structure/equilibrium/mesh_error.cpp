@@ -43,9 +43,9 @@ class Middles {
     }
 
   private:
-    // nodes of the refined mesh, owned by the caller
+    // Nodes of the refined mesh, owned by the caller
     std::vector<Vec3>& nodes_;
-    // number of the node by its parents, ascending
+    // Number of the node by its parents, ascending
     std::map<std::vector<int>, int> number_;
 };
 

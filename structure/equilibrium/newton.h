@@ -23,7 +23,7 @@ struct EquilibriumOptions {
 struct Equilibrium {
     std::vector<Vec3> nodes_m;  // positions of the nodes
     int load_steps = 0;
-    // number of factorised tangents, those of failed steps included
+    // Number of factorised tangents, those of failed steps included
     int iterations = 0;
     // Number of releases: times that the equilibrium could not be followed. After a
     // release the shape may lie on another branch.

@@ -34,9 +34,9 @@ struct StaticLoads {
     Vec3 gravity_m_s2{};
     double gradient = 0;  // acting share of the surroundings' field gradient
     double sources = 0;   // acting share of the field of the surroundings' sources
-    // time at which the sources' places and strengths are taken [s]
+    // Time at which the sources' places and strengths are taken [s]
     double sources_s = 0;
-    // displacement of each driven group; empty: zeros
+    // Displacement of each driven group; empty: zeros
     std::vector<Vec3> driven_m{};
 };
 
@@ -52,7 +52,7 @@ struct NodalLoads {
     Eigen::VectorXd dead_n;  // forces of field and weight
     double gradient = 0;     // this and the next two as in StaticLoads
     double sources = 0, sources_s = 0;
-    // displacement of driven nodes, zero elsewhere; empty if no node is driven
+    // Displacement of driven nodes, zero elsewhere; empty if no node is driven
     Eigen::VectorXd driven_m;
 
     // True if nothing loads the body.
@@ -97,13 +97,13 @@ class StaticProblem {
 
     // Forces and energies at given positions.
     struct Response {
-        // sum of all forces [N], zero where a node is held
+        // Sum of all forces [N], zero where a node is held
         Eigen::VectorXd residual_n;
         // Largest component of the loads, for relative residuals: dead load, forces of
         // gradient and sources, and the forces that move driven nodes.
         double load_n = 0;
         double elastic_j = 0;
-        // elastic energy plus energy of platform and loads; equilibria are its stationary
+        // Elastic energy plus energy of platform and loads; equilibria are its stationary
         // points
         double total_j = 0;
         double smallest_j = 1;
@@ -175,7 +175,7 @@ class StaticProblem {
         moments_;  // moment matrix of each element; empty without sources
     std::vector<double> surface_m2_;  // share of each node; empty without a platform
     Eigen::Vector3d platform_normal_ = Eigen::Vector3d::Zero();
-    // values of the nodes; charge_ is q_a of eq. (6) [A m]
+    // Values of the nodes; charge_ is q_a of eq. (6) [A m]
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;
     std::vector<ElementReference> references_;
     // held_: axes by node; held_along_: axes along which any node is held

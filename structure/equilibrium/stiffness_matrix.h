@@ -54,7 +54,7 @@ class StiffnessMatrix {
                         const std::vector<std::vector<int>>& neighbours);
     void throw_if_out_of_memory();
 
-    // elements of the mesh, which must outlive this object
+    // Elements of the mesh, which must outlive this object
     const std::vector<Hexahedron>& elements_;
     std::vector<HeldAxes> held_;
     std::vector<double> volume_m3_;  // three entries per node; zero where held

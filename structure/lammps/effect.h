@@ -129,7 +129,7 @@ LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) {
 struct Effect {
     using Commands = void (*)(Lines& lines, const LammpsInput&);
 
-    // name in effects.inc, for messages
+    // Name in effects.inc, for messages
     const char* name;
     // True if this input has the effect.
     bool (*asked)(const LammpsInput&);

@@ -12,7 +12,7 @@ namespace magfsi::structure {
 // A pair style with such a state.
 class KeepsPairs {
   public:
-    // number of values in a row, one row per pair
+    // Number of values in a row, one row per pair
     static constexpr std::size_t row_values = 6;
 
     virtual ~KeepsPairs() = default;

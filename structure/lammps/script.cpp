@@ -18,7 +18,7 @@ namespace {
 // Nodes of all bodies, numbered one body after the other.
 struct Assembly {
     std::vector<DataAtom> atoms;
-    Bounds bounds;  // of the bodies at their places, but not relaxed
+    Bounds bounds;  // bounds of the bodies at their places, but not relaxed
     std::vector<int> first_node;
     std::vector<std::string> name;  // unique, fit for LAMMPS IDs and file names
     double longest_diagonal_m = 0;  // largest of all elements at the start

@@ -30,7 +30,7 @@ struct Wall {
 // have.
 struct LammpsInput {
     std::vector<Body> bodies;
-    // one per body, or none: bodies start where their meshes are
+    // One per body, or none: bodies start where their meshes are
     std::vector<Placement> placements;
     std::optional<FieldProgram> field;
     std::optional<GradientInput> gradient;  // independent of `field`
@@ -41,14 +41,13 @@ struct LammpsInput {
     std::optional<Platform> platform;  // stiffness 0: with_stiffness() fills it in
     std::vector<Wall> walls;
     std::vector<PrescribedMotion> motions;
-    // length of the period along each axis across which bodies meet each other and walls;
+    // Length of the period along each axis across which bodies meet each other and walls;
     // 0 along axes without one
-    Vec3
-        period_m{};  // of axes along which bodies meet each other and walls again, else 0
+    Vec3 period_m{};
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
-    // adds fix quiet, which measures the distance from equilibrium
+    // Adds fix quiet, which measures the distance from equilibrium
     bool quiet = false;
-    // with rollers: adds fix before_rollers, which stores the forces on nodes for
+    // adds, with rollers, fix before_rollers, which stores the forces on nodes for
     // reactions
     bool reactions = false;
     double time_step_s = 0;
@@ -64,13 +63,12 @@ double surface_spring_pa_m(const LammpsInput& input, const Body& body);
 
 // A script and the names that its user needs.
 struct LammpsScript {
-    // lines up to the run command, which is left out
+    // Lines up to the run command, which is left out
     std::vector<std::string> setup;
-    // atom ID of each body's node 0, from 1 on, and at the end that of the next body
+    // Atom ID of each body's node 0, from 1 on, and at the end that of the next body
     std::vector<int> first_node;
-    // each body's fix magttice, which has its energies, work and smallest J
-    std::vector<std::string>
-        fix_id;  // each body's fix magttice (energies, work, smallest J)
+    // Each body's fix magttice, which has its energies, work and smallest J
+    std::vector<std::string> fix_id;
 };
 
 // Writes bodies.data and each body's NAME.lattice into the folder and returns the script,

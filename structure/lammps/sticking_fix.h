@@ -37,9 +37,9 @@ class StickingFix : public LAMMPS_NS::Fix {
     }
 
   private:
-    // number of stick points per atom
+    // Number of stick points per atom
     int each_ = 0;
-    // stick points of atom 0, then of atom 1, ...
+    // Stick points of atom 0, then of atom 1, ...
     std::vector<StickPoint> sticks_;
 };
 

@@ -77,7 +77,7 @@ struct ElementReference {
     Matrix8 spring_matrix;  // [m]
     Positions8 gradient;    // b_a = integral of grad N_a [m2]
     double volume = 0;      // V0 [m3]
-    // integral of N_a [m3]
+    // Integral of N_a [m3]
     std::array<double, 8> node_volume{};
     HourglassReference hourglass;  // used by the energy of assumed_strain and by the
                                    // viscosity of all variants
@@ -151,7 +151,7 @@ Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& 
 // dissipation. eta is the material's viscosity.
 struct ViscousState {
     double dissipation_w = 0;  // minus the power of the forces, never negative
-    // on each node
+    // On each node
     Positions8 force_n;
 };
 

@@ -31,11 +31,11 @@ PlateStiffness lattice_plate(ElementVariant variant, const Positions8& layer_m,
 // Relative errors of the mesh's stiffness in small deformation: found over exact, less 1,
 // so that negative is too soft. If a mode has two directions, the worse one counts.
 struct ElementAdvice {
-    double bending_error = 0;  // of plates and narrow beams, about both in-plane axes
+    double bending_error = 0;  // for plates and narrow beams, about both in-plane axes
     double twist_error = 0;
     double dome_error = 0;    // both curvatures equal
     double saddle_error = 0;  // curvatures of opposite sign
-    // faults and remedy in words; empty if no error is above 5 %
+    // Faults and remedy in words; empty if no error is above 5 %
     std::string text;
     double worst() const;  // the error of largest magnitude
 };

@@ -25,7 +25,7 @@ struct Member {
     std::vector<DipoleElement> all;  // all dipoles of the body, the same on every rank
     std::vector<std::size_t> owned;  // indices in `all` of this rank's dipoles
     std::vector<std::array<int, 8>> nodes;  // local or ghost indices, for each of `owned`
-    // present dipoles and the field of the others at them, for each of `owned`
+    // Present dipoles and the field of the others at them, for each of `owned`
     std::vector<Dipole> dipole;
     std::vector<FieldSample> sample;
     bool changed = true;  // true if `owned` has changed since the last numbering
@@ -102,7 +102,7 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
     std::vector<int> counts_, starts_;  // per rank: values in all_, and where they start
     std::vector<int>
         numbers_;  // number of each dipole in the order of all_, rank by rank
-    // six values per dipole: centre [m] and moment [A m2]
+    // Six values per dipole: centre [m] and moment [A m2]
     std::vector<double> mine_, all_;
 };
 

@@ -56,8 +56,8 @@ class GradientForce : public BodyForce {
   private:
     FieldGradient gradient_;
     std::vector<GradientElement> of_body_;   // all elements of the body
-    std::vector<GradientElement> elements_;  // those of this rank
-    // local or ghost indices, for each of elements_
+    std::vector<GradientElement> elements_;  // elements of this rank
+    // Local or ghost indices, for each of elements_
     std::vector<std::array<int, 8>> nodes_;
     double energy_j_ = 0;
 };

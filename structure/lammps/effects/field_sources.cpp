@@ -64,7 +64,7 @@ class FixMagtticeSources : public LAMMPS_NS::Fix {
 
   private:
     std::optional<SourceField> field_;
-    // time of fix_modify held [s]
+    // Time of fix_modify held [s]
     std::optional<double> held_s_;
     LAMMPS_NS::bigint placed_ = -1;  // step whose time field_ is set to; -1: none
 };
@@ -152,11 +152,11 @@ class SourceForce : public BodyForce {
     std::string who_, fix_id_;
     FixMagtticeSources* sources_ = nullptr;
     std::vector<Matrix8> of_body_;  // all elements of the body
-    std::vector<Matrix8> moments_;  // those of this rank
-    // local or ghost indices, for each of moments_
+    std::vector<Matrix8> moments_;  // elements of this rank
+    // Local or ghost indices, for each of moments_
     std::vector<std::array<int, 8>> nodes_;
     std::vector<int> seen_;  // indices of all atoms in nodes_, ascending, each once
-    // field by atom index
+    // Field by atom index
     std::vector<FieldSample> samples_;
     std::vector<double>
         force_n_;         // forces of the sources alone, three per atom, ghosts included

@@ -133,7 +133,7 @@ class UniformField : public BodyForce {
 
   private:
     struct Component {
-        // name of the variable; empty: value_t is constant
+        // Name of the variable; empty: value_t is constant
         std::string name;
         int variable = -1;
         double value_t = 0;

@@ -59,15 +59,14 @@ std::string viscosity_words(const LammpsInput&, const Body& body) {
 
 }  // namespace
 
-extern const Effect viscosity_effect{.name = "viscosity",
-                                     .asked =
-                                         [](const LammpsInput& input) {
-                                             return std::ranges::any_of(input.bodies,
-                                                                        is_viscous);
-                                         },
-                                     .body_words = viscosity_words,
-                                     // fix magttice itself reads the value, as it belongs
-                                     // to its first material: no words here.
-                                     .force = {"viscosity", 0, make_force<ViscousForce>}};
+extern const Effect viscosity_effect{
+    .name = "viscosity",
+    .asked =
+        [](const LammpsInput& input) {
+            return std::ranges::any_of(input.bodies, is_viscous);
+        },
+    .body_words = viscosity_words,
+    // fix magttice itself reads the value, which belongs to its first material.
+    .force = {"viscosity", 0, make_force<ViscousForce>}};
 
 }  // namespace magfsi::structure

@@ -50,7 +50,7 @@ class FixMagtticeSolid : public StickingFix {
     void pre_reverse(int, int) override { (this->*push_)(); }
     void min_pre_reverse(int, int) override { (this->*push_)(); }
     double compute_scalar() override;  // energy of the springs [J], collective
-    // energy lost to friction since the start [J], collective
+    // Energy lost to friction since the start [J], collective
     double compute_vector(int) override;
     void* extract(const char* name, int& dimension) override;
 
@@ -80,7 +80,7 @@ class FixMagtticeSolid : public StickingFix {
                        // without one
     Platform plane_;   // stiffness and friction of all contact planes
     void (FixMagtticeSolid::*push_)() = &FixMagtticeSolid::push<false>;
-    // points of all bodies, and those of this rank
+    // Points of all bodies, and those of this rank
     std::vector<Point> all_, here_;
     double energy_j_ = 0;  // this rank's share, at the last forces
     double slid_j_ = 0;    // energy lost since the start, this rank's share

@@ -20,10 +20,9 @@ class ComputeMagtticeContact : public LAMMPS_NS::Compute {
     ~ComputeMagtticeContact() override;
     void init() override;
     double compute_scalar() override;  // energy [J]
-    // energy [J], number of touching pairs, smallest distance [m], energy lost to
+    // Energy [J], number of touching pairs, smallest distance [m], energy lost to
     // friction [J]
-    void compute_vector()
-        override;  // energy, touching pairs, smallest distance, lost to friction
+    void compute_vector() override;
 
   private:
     PairMagtticeContact* pair_ = nullptr;

@@ -30,7 +30,7 @@ struct StuckPair {
     Vec3 apart_m{};
     double slip_m =
         0;  // part of apart_m across the line between them, at the last evaluation
-    // true while they touch
+    // True while they touch
     bool held = false;
 };
 

@@ -31,7 +31,7 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
 
     explicit PairMagtticeContact(LAMMPS_NS::LAMMPS* lammps);
     ~PairMagtticeContact() noexcept override;  // LAMMPS's bases may throw since 2022
-                                               // LAMMPS's bases may throw since 2022
+
     void settings(int narg, char** arg) override;
     void coeff(int narg, char** arg) override;
     void init_style() override;
@@ -82,23 +82,23 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     ContactLaw law_;
     double slid_j_ = 0;  // energy lost since the start, this rank's share
     Vec3 period_m_{};    // length of the period along each axis, 0 along axes without one
-    std::vector<SurfaceNode> node_;  // by atom ID, for all atoms
-    // for each body the periods through which it continues into its own image
+    std::vector<SurfaceNode> node_;  // one per atom, by atom ID
+    // For each body the periods through which it continues into its own image
     std::vector<std::array<bool, 3>> goes_on_;
     std::vector<int> surface_;  // atom IDs of the surface nodes, ascending
-    // positions by number in surface_; between renewals only those in watched_ are up to
+    // Positions by number in surface_; between renewals only those in watched_ are up to
     // date
     std::vector<Vec3> x_;
-    // positions at the last renewal
+    // Positions at the last renewal
     std::vector<Vec3> renewed_at_m_;
     std::vector<Candidate> candidates_;
     std::vector<StuckPair> stuck_;      // one per candidate; empty without friction
     std::vector<double> remembered_;    // rows of kept_pairs() that wait for a renewal
     std::vector<std::size_t> watched_;  // numbers of all nodes in candidates_, ascending
     std::vector<int> owned_;            // local indices of this rank's part of surface_
-    // number in surface_ of each of owned_
+    // Number in surface_ of each of owned_
     std::vector<std::size_t> own_number_;
-    // false until the first renewal of a run
+    // False until the first renewal of a run
     bool renewed_ = false;
 };
 

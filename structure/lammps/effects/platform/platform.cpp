@@ -60,7 +60,7 @@ class FixMagtticePlatform : public StickingFix {
     Platform platform_;
     // The function for this platform, chosen once, so that no node tests for friction.
     void (FixMagtticePlatform::*add_forces_)(double) = nullptr;
-    std::vector<SurfaceNode> node_;  // by atom ID, for all atoms
+    std::vector<SurfaceNode> node_;  // one per atom, by atom ID
     std::vector<PressedNode>
         surface_;  // surface nodes of this rank that are in the group
 
