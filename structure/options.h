@@ -114,7 +114,7 @@ constexpr auto words_of(ElementVariant) {
 }
 
 // Distribution of an element's mass on its nodes (lattice/inertia.h).
-// lumped: an eighth on each node.
+// lumped: by the integrals of the shape functions, an eighth on each node of a brick.
 // corrected: masses moved so that bodies of two or more elements along each axis have the
 // moments of inertia of the solid.
 enum class Inertia { lumped, corrected };
@@ -338,18 +338,18 @@ struct PrescribedMotion {
 struct Platform {
     Vec3 point_m{};
     Vec3 normal{0, 0, 1};  // unit vector, towards the bodies
-    double stiffness_pa_m =
-        0;                // pressure over penetration [Pa/m]; 0: derived from the bodies
+    // Pressure over penetration [Pa/m]; 0: derived from the bodies
+    double stiffness_pa_m = 0;
     double friction = 0;  // Coulomb's coefficient mu; 0: smooth
-    double damping_pa_s_m =
-        0;  // pressure over speed of approach [Pa s/m], only while touching
+    // Pressure over speed of approach [Pa s/m], only while touching
+    double damping_pa_s_m = 0;
 };
 
 // Contact between the surfaces of different bodies, and of a body with itself.
 struct ContactLaw {
     double distance_m = 0;  // distance below which nodes repel; 0: the smallest thickness
-    double stiffness_pa_m =
-        0;  // pressure over approach [Pa/m]; 0: derived from the bodies
+    // Pressure over approach [Pa/m]; 0: derived from the bodies
+    double stiffness_pa_m = 0;
     // Pairs of nodes of one body repel only if their distance at rest is at least this
     // many times distance_m.
     double excluded = 2;

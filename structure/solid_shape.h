@@ -35,8 +35,8 @@ struct Surface {
     std::string file;
     double unit_m = 1;
     Vec3 shift_m{};
-    std::shared_ptr<const TriangleSurface>
-        triangles;  // shared by all copies of the shape
+    // Shared by all copies of the shape
+    std::shared_ptr<const TriangleSurface> triangles;
 };
 // Reads the file. Throws std::invalid_argument as the constructor of TriangleSurface
 // does, and if the path cannot be written as one word of a LAMMPS line.

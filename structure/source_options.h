@@ -30,8 +30,8 @@ struct CylinderMagnet {
 // Thin circular loop.
 struct CircularCoil {
     double diameter_m = 0;
-    Vec3 axis{0, 0,
-              1};  // direction of any length; the current runs right-handed about it
+    // Direction of any length; the current runs right-handed about it
+    Vec3 axis{0, 0, 1};
     double current_a = 0, turns = 1;
 };
 // Two equal coils on one axis, distance_m apart. opposed: the current of the second one,
@@ -91,7 +91,8 @@ using SourceMotion =
     std::variant<Oscillation, DisplacementRamp, FormulaMotion, SourcePath>;
 
 struct AxisRotation {
-    Vec3 axis{0, 0, 1};  // direction of any length; the angle is right-handed
+    // Direction of any length; the angle is right-handed
+    Vec3 axis{0, 0, 1};
     double angle_rad = 0;
 };
 // Rotation of a source about an axis, right-handed: at a frequency [Hz] or by a formula

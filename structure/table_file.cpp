@@ -366,8 +366,8 @@ class TableReader {
     std::span<const ColumnKind> known_;
     TableStyle style_;
     std::optional<char> separator_;  // if the file gives it in a line "sep="
-    std::vector<Line> comments_,
-        rows_;  // rows_ begins with the header if it is no comment
+    // rows_ begins with the header if it is no comment
+    std::vector<Line> comments_, rows_;
     std::vector<Column> columns_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reader of CSV files of numbers, as people and programs write them. A header names the
 // columns with their units, such as x[mm],Mx[kA/m] or "t (s)";"Bx (mT)"; each further
-// line is a row. Values are separated by commas, semicolons, tabs or blanks (the first of
+// line is a row. Values are separated by semicolons, tabs, commas or blanks (the first of
 // these that the line has, or what a first line "sep=;" says) and may be quoted. Empty
 // lines and lines that begin with # or % are skipped, except that a comment before the
 // rows may be the header (numpy, COMSOL). Units may stand in a line of their own below

@@ -11,8 +11,8 @@
 
 namespace magfsi::structure::table_text {
 
-inline constexpr char blanks =
-    ' ';  // separator that stands for any number of blanks and tabs
+// Separator that stands for any number of blanks and tabs
+inline constexpr char blanks = ' ';
 
 inline std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");

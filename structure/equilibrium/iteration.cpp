@@ -205,9 +205,9 @@ bool factorize_mixed(StaticProblem& problem, bool& stable) {
     return false;
 }
 
-// Factorises the tangent on the weakest foundation [N/m] that makes it positive definite,
-// in factors of ten from a tenth of the last one on. Returns the foundation, or infinity
-// if 30 attempts fail.
+// Factorises the tangent on the weakest foundation [Pa/m2] that makes it positive
+// definite, in factors of ten from a tenth of the last one on. Returns the foundation, or
+// infinity if 30 attempts fail.
 double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x,
                          const NodalLoads& load, double last) {
     const double first = 1e-2 * problem.bending_stiffness_scale();

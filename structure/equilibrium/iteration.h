@@ -14,8 +14,8 @@ struct Iterate {
     StaticProblem::Response response;  // at x
     int iterations = 0;
     bool converged = false;
-    bool stable_start =
-        true;  // mixed_iteration: the tangent at the start was positive definite
+    // mixed_iteration: the tangent at the start was positive definite
+    bool stable_start = true;
     // mixed_iteration: largest component of the first step, the linear response to the
     // load
     double first_step_m = 0;

@@ -171,8 +171,8 @@ class StaticProblem {
     Body body_;
     Surroundings surroundings_;
     std::vector<GradientElement> gradient_elements_;
-    std::vector<Matrix8>
-        moments_;  // moment matrix of each element; empty without sources
+    // Moment matrix of each element; empty without sources
+    std::vector<Matrix8> moments_;
     std::vector<double> surface_m2_;  // share of each node; empty without a platform
     Eigen::Vector3d platform_normal_ = Eigen::Vector3d::Zero();
     // Values of the nodes; charge_ is q_a of eq. (6) [A m]
@@ -184,7 +184,7 @@ class StaticProblem {
     ElementKernel kernel_;
     StiffnessMatrix matrix_;
     double volume_m3_ = 0;
-    // largest_modulus_pa_: of K + G over the materials
+    // largest_modulus_pa_: largest K + G of the materials
     double largest_shear_modulus_pa_ = 0, largest_modulus_pa_ = 0;
     double bending_scale_ = 0, shortest_side_m_ = 0, longest_side_m_ = 0;
 };

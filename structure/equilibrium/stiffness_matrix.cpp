@@ -49,8 +49,8 @@ StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> hel
                                  std::span<const double> node_volumes_m3)
     : elements_(mesh.elements), held_(held.begin(), held.end()) {
     for (std::size_t n = 0; n < held_.size(); ++n) {
-        if (node_volumes_m3[n] == 0)
-            held_[n] = {true, true, true};  // node without elements
+        // Node without elements
+        if (node_volumes_m3[n] == 0) held_[n] = {true, true, true};
         for (bool is_held : held_[n]) {
             volume_m3_.push_back(is_held ? 0 : node_volumes_m3[n]);
         }

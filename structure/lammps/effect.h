@@ -42,8 +42,8 @@ struct NodeRange {
 struct OwnedElements {
     std::vector<int> element;              // numbers in Lattice::elements
     std::vector<std::array<int, 8>> atom;  // local or ghost indices of their nodes
-    int missing_id =
-        0;  // ID of a node that this rank does not have, even as a ghost; else 0
+    // ID of a node that this rank does not have, even as a ghost; else 0
+    int missing_id = 0;
 };
 
 // Data of a fix magttice's body for the forces of effects. Lattice and positions live as

@@ -20,10 +20,12 @@ namespace magfsi::structure {
 //   fix ID group magttice/drag RATE
 //   fix ID group magttice/motion COURSE ...
 //   fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU] [damping C]
+//   fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU] [periodic LX LY LZ]
 //   fix ID group magttice/quiet
-//   pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR]
+//   pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU]
+//              [periodic LX LY LZ]
 //   compute ID group magttice/contact
-// and those of the other effects in effects.inc (see docs/fix_magttice.md).
+// (see docs/fix_magttice.md).
 void register_styles(LAMMPS_NS::LAMMPS& lammps);
 
 // Sets the function that a failing style calls in place of LAMMPS's own error exit, which

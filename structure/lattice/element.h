@@ -79,8 +79,8 @@ struct ElementReference {
     double volume = 0;      // V0 [m3]
     // Integral of N_a [m3]
     std::array<double, 8> node_volume{};
-    HourglassReference hourglass;  // used by the energy of assumed_strain and by the
-                                   // viscosity of all variants
+    // Used by the energy of assumed_strain and by the viscosity of all variants
+    HourglassReference hourglass;
 };
 
 // Reference state for nodes at rest. Throws std::invalid_argument, with the element's

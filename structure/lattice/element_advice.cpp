@@ -13,8 +13,8 @@
 namespace magfsi::structure {
 namespace {
 
-using Curvatures = Eigen::Matrix<double, 24, 3>;  // columns: displacements of the nodes
-                                                  // for each unit curvature
+// columns: displacements of the nodes for each unit curvature
+using Curvatures = Eigen::Matrix<double, 24, 3>;
 
 Curvatures kirchhoff_displacement(const Positions8& x, int thickness_axis) {
     const int p = (thickness_axis + 1) % 3;

@@ -73,7 +73,7 @@ MAGFSI_INLINE VolumeTerm mean_volume_of_brick(const ElementBatches& b, const Rea
     return term;
 }
 
-// Adds V0/8 dU/dJ cof(F), the volume term's stress on F, to `stress`.
+// Adds V0/8 slope cof(F), an eighth of the volume term's stress on F, to `stress`.
 MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const Real& v0,
                                      const Vec (&f)[3], Vec (&stress)[3]) {
     const Vec cofactor[3] = {cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])};

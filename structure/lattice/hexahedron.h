@@ -11,8 +11,8 @@
 
 namespace magfsi::structure {
 
-using Positions8 =
-    Eigen::Matrix<double, 8, 3>;  // one node per row, node a = i + 2 j + 4 k
+// One node per row, node a = i + 2 j + 4 k
+using Positions8 = Eigen::Matrix<double, 8, 3>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 // Local coordinate, -1 or 1, of node a along direction d.

@@ -36,8 +36,8 @@ namespace magfsi::structure {
 // Constants of an element's dipole.
 struct DipoleElement {
     int element = 0;  // number in the mesh
-    std::array<double, 8>
-        charge_a_m{};  // part of the nodal charges q_a that comes from this element
+    // Part of the nodal charges q_a that comes from this element
+    std::array<double, 8> charge_a_m{};
     // Radius of its sphere: half of the shortest edge
     double radius_m = 0;
     double volume_m3 = 0;  // at rest

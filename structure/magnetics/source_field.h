@@ -16,7 +16,8 @@ struct FieldSample {
     Eigen::Matrix3d gradient_t_m = Eigen::Matrix3d::Zero();
 };
 
-// Sources of the field at their present places and strengths. All ranks have all of them.
+// Sources of the field at the places and strengths of one time. Each object has all
+// sources.
 class SourceField {
   public:
     // Places the sources at time 0 and reads the files of grids. Throws

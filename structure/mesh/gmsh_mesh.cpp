@@ -20,8 +20,8 @@ namespace {
 
 constexpr int hexahedron_of_8_nodes = 5;  // Gmsh's number of the element type
 
-using NodeNumbers = std::unordered_map<std::size_t, int>;  // key: Gmsh's tag of a node;
-                                                           // value: its number here
+// key: Gmsh's tag of a node; value: its number here
+using NodeNumbers = std::unordered_map<std::size_t, int>;
 
 // Initialised Gmsh library, which has one state for the whole process.
 class GmshSession {

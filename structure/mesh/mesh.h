@@ -35,8 +35,8 @@ struct Mesh {
     std::vector<Hexahedron> elements;
     // Node numbers of named faces, "x_min" and others
     std::map<std::string, std::vector<int>> faces;
-    std::vector<MaterialPoint>
-        centre_line;  // points from the left to the right end; may be empty
+    // Points from the left to the right end; may be empty
+    std::vector<MaterialPoint> centre_line;
 
     // Regions carry materials and magnetisations. region[e] is the index of element e's
     // region in region_names. Both are empty for a mesh without regions.

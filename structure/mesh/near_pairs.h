@@ -81,8 +81,8 @@ class NearPairs {
             for (std::size_t i = 0; i < own.size(); ++i)
                 for (std::size_t j = i + 1; j < own.size(); ++j) look(own[i], own[j]);
             const Place at = place(own_key);
-            for (int n = 14; n < 27;
-                 ++n) {  // each pair of cells once: the 13 after the middle of 27
+            // Each pair of cells once: the 13 after the middle of 27
+            for (int n = 14; n < 27; ++n) {
                 const auto other = cells_.find(
                     key({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1}));
                 if (other == cells_.end()) continue;
@@ -100,8 +100,8 @@ class NearPairs {
         bool is_image;
     };
     void add(std::size_t number, const Vec3& x, double edge_m, const Periods& period_m) {
-        std::array<std::vector<double>, 3>
-            by;  // the first entry moves the point to the first period
+        // The first entry moves the point to the first period
+        std::array<std::vector<double>, 3> by;
         for (std::size_t d = 0; d < 3; ++d) {
             const double length = period_m[d];
             const double home = length > 0 ? -length * std::floor(x[d] / length) : 0;

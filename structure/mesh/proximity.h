@@ -73,8 +73,8 @@ class ProximityFinder {
 
     std::vector<Patch> patches_;
     Vec3 period_m_{};
-    std::vector<std::array<bool, 3>>
-        goes_on_;  // per body: true along axes on which it continues
+    // Per body: true along axes on which it continues
+    std::vector<std::array<bool, 3>> goes_on_;
     double near_m_ = 0;
     double reach_m_ = 0;  // gap up to which pairs are examined
     double shortest_edge_m_ = INFINITY;

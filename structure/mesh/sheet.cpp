@@ -53,8 +53,8 @@ FaceOfElement follow(const Neighbours& behind, const FaceOfElement& start,
 // All chords of a mesh. Each element is on three of them.
 struct Chords {
     std::vector<Chord> all;
-    std::vector<std::array<int, 3>>
-        of_element;  // numbers of the chords, by local direction
+    // Numbers of the chords, by local direction
+    std::vector<std::array<int, 3>> of_element;
 };
 
 Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
@@ -160,9 +160,8 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
                          const SurfaceQuad& bottom, const SurfaceQuad& top) {
     SheetColumn column{{}, {}, bottom, top};
     const auto& b = bottom.node;
-    column.levels.push_back(
-        {b[0], b[3], b[2],
-         b[1]});  // reversed, so that it is counter-clockwise as seen from the top
+    // reversed, so that it is counter-clockwise as seen from the top
+    column.levels.push_back({b[0], b[3], b[2], b[1]});
     follow(behind, {bottom.element, bottom.face}, [&](const FaceOfElement& at) {
         column.elements.push_back(at.element);
         const Hexahedron& nodes = mesh.elements[at.element];
@@ -282,8 +281,8 @@ std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues) {
 }
 
 std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet) {
-    std::set<std::pair<int, int>>
-        sides;  // element and face of each quad of the two sides
+    // Element and face of each quad of the two sides
+    std::set<std::pair<int, int>> sides;
     for (const SheetColumn& column : sheet.columns) {
         sides.emplace(column.bottom.element, column.bottom.face);
         sides.emplace(column.top.element, column.top.face);

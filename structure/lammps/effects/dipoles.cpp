@@ -94,14 +94,14 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
     void evaluate();
 
     bool within_;
-    Vec3 period_m_{};  // period along each axis, across which the nearest image acts; 0
-                       // without one
+    // Period along each axis, across which the nearest image acts; 0 without one
+    Vec3 period_m_{};
     std::vector<Member*> members_;
     Dipoles dipoles_;
     std::vector<std::size_t> first_;  // number of each body's first dipole, then the end
     std::vector<int> counts_, starts_;  // per rank: values in all_, and where they start
-    std::vector<int>
-        numbers_;  // number of each dipole in the order of all_, rank by rank
+    // Number of each dipole in the order of all_, rank by rank
+    std::vector<int> numbers_;
     // Six values per dipole: centre [m] and moment [A m2]
     std::vector<double> mine_, all_;
 };

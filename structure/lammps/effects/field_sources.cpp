@@ -158,8 +158,8 @@ class SourceForce : public BodyForce {
     std::vector<int> seen_;  // indices of all atoms in nodes_, ascending, each once
     // Field by atom index
     std::vector<FieldSample> samples_;
-    std::vector<double>
-        force_n_;         // forces of the sources alone, three per atom, ghosts included
+    // Forces of the sources alone, three per atom, ghosts included
+    std::vector<double> force_n_;
     bool known_ = false;  // force_n_ is of the present atom indices
     double energy_j_ = 0;
 };

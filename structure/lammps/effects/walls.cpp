@@ -76,9 +76,9 @@ class FixMagtticeSolid : public StickingFix {
     void push();
 
     std::optional<SolidShape> shape_;
-    Vec3 period_m_{};  // length of the shape's period along each axis, 0 along axes
-                       // without one
-    Platform plane_;   // stiffness and friction of all contact planes
+    // Length of the shape's period along each axis, 0 along axes without one
+    Vec3 period_m_{};
+    Platform plane_;  // stiffness and friction of all contact planes
     void (FixMagtticeSolid::*push_)() = &FixMagtticeSolid::push<false>;
     // Points of all bodies, and those of this rank
     std::vector<Point> all_, here_;

@@ -28,8 +28,8 @@ ContactForce contact_force(const ContactLaw& law, double areas_m4, double distan
 struct StuckPair {
     // x_i - x_j when they stuck
     Vec3 apart_m{};
-    double slip_m =
-        0;  // part of apart_m across the line between them, at the last evaluation
+    // Part of apart_m across the line between them, at the last evaluation
+    double slip_m = 0;
     // True while they touch
     bool held = false;
 };

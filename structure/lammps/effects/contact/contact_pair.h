@@ -51,8 +51,8 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     // Pair of nodes that are near enough to touch before the next renewal, a < b.
     struct Candidate {
         std::size_t a, b;
-        Vec3 image_m;  // shift of the second node to its image near the first: whole
-                       // periods
+        // Shift of the second node to its image near the first: whole periods
+        Vec3 image_m;
         double areas_m4;
         int atom_a, atom_b;  // local indices of the atoms if this rank owns them, else -1
     };

@@ -61,8 +61,8 @@ class FixMagtticePlatform : public StickingFix {
     // The function for this platform, chosen once, so that no node tests for friction.
     void (FixMagtticePlatform::*add_forces_)(double) = nullptr;
     std::vector<SurfaceNode> node_;  // one per atom, by atom ID
-    std::vector<PressedNode>
-        surface_;  // surface nodes of this rank that are in the group
+    // Surface nodes of this rank that are in the group
+    std::vector<PressedNode> surface_;
 
     // This rank's share at the last evaluation.
     double normal_n_ = 0, energy_j_ = 0, smallest_gap_m_ = 0;
