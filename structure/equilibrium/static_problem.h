@@ -145,8 +145,8 @@ class StaticProblem {
     double shortest_side_m() const { return shortest_side_m_; }
     double longest_side_m() const { return longest_side_m_; }
 
-    // Positions of an element's nodes relative to their mean, which keeps digits far from
-    // the origin.
+    // Positions of an element's nodes relative to their mean, which avoids a loss of
+    // digits far from the origin.
     Positions8 element_positions(std::size_t element, const Eigen::VectorXd& x) const;
 
   private:

@@ -47,7 +47,7 @@ struct LammpsInput {
     std::optional<ContactLaw> contact;  // distance or stiffness 0: those of contact_law
     // Adds fix quiet, which measures the distance from equilibrium
     bool quiet = false;
-    // adds, with rollers, fix before_rollers, which stores the forces on nodes for
+    // Adds fix before_rollers if there are rollers: it stores the forces on nodes, for
     // reactions
     bool reactions = false;
     double time_step_s = 0;

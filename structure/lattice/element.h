@@ -18,9 +18,9 @@ namespace magfsi::structure {
 
 using Matrix24 = Eigen::Matrix<double, 24, 24>;  // row 3 a + d: node a, direction d
 
-// Spring matrix L [m] with W_springs = G/2 sum_ab L_ab x_a . x_b. Its negative
-// off-diagonal entries are the 28 spring stiffnesses of eqs. (2) to (4); flat bricks have
-// negative stiffnesses, and that is right.
+// Spring matrix L [m] with W_springs = G/2 sum_ab L_ab x_a . x_b. Its off-diagonal
+// entries with the sign reversed are the 28 spring stiffnesses of eqs. (2) to (4); flat
+// bricks have negative stiffnesses, and that is right.
 //
 // full: L_ab = integral of grad N_a . grad N_b.
 // mean_f: L = b b^T / V0 + Gamma C Gamma^T, the family of matrices that reproduces linear

@@ -13,7 +13,7 @@
 namespace magfsi::structure {
 namespace {
 
-// columns: displacements of the nodes for each unit curvature
+// Displacements of the nodes, a column for each unit curvature
 using Curvatures = Eigen::Matrix<double, 24, 3>;
 
 Curvatures kirchhoff_displacement(const Positions8& x, int thickness_axis) {

@@ -238,8 +238,8 @@ MAGFSI_INLINE Real energy_of(const ElementBatches& b, const Real& v0, const Real
            v0 * term.log_j * (0.5 * b.lame_lambda_pa * term.log_j - b.shear_modulus_pa);
 }
 
-// Adds all forces other than those of the springs. `springs` grows by a quarter of their
-// energy if it is a hourglass energy.
+// Adds the forces of the volume term and, for assumed_strain, those of the hourglass
+// energy, a quarter of which is added to `springs`.
 template <KernelKind kind>
 MAGFSI_INLINE VolumeTerm beyond_springs(const ElementBatches& b, long batch, int lane,
                                         const Real& v0, const Vec (&u)[8], Vec (&g)[8],

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Energy, tangent and damping of the strains of the hourglass vectors (assumed_strain).
+// Strains of the hourglass vectors: energy and tangent (assumed_strain), damping (all
+// variants).
 #include <Eigen/Dense>
 
 #include "structure/lattice/element.h"
@@ -47,7 +48,7 @@ Positions8 products_gradient(const HourglassReference& reference,
     return out;
 }
 
-// in-plane directions of each group
+// In-plane directions of each group
 constexpr int plane_edges[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
 // Products u_i . v_j (strain) and u_i . u_j (metric), their changes, or the derivatives

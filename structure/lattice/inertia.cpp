@@ -57,7 +57,7 @@ Masses spread_kg(const Body& body) {
     Masses out;
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         Positions8 x = gather(body.mesh.nodes, body.mesh.elements[e]);
-        x.rowwise() -= x.row(0).eval();  // keeps digits far from the origin
+        x.rowwise() -= x.row(0).eval();  // avoids a loss of digits far from the origin
         const auto volume = integrate_hexahedron(x, static_cast<int>(e)).node_volume;
         auto& masses = out.emplace_back();
         for (std::size_t a = 0; a < 8; ++a)

@@ -101,7 +101,8 @@ void check(const Body& body, const Material& material) {
     }
 }
 
-// Positions relative to the element's first node, which keeps digits far from the origin.
+// Positions relative to the element's first node, which avoids a loss of digits far from
+// the origin.
 Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& element) {
     Positions8 x = gather(nodes_m, element);
     x.rowwise() -= x.row(0).eval();

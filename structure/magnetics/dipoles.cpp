@@ -44,7 +44,7 @@ std::vector<DipoleElement> dipole_elements(const std::vector<Vec3>& nodes_m,
 Dipole dipole_of(const DipoleElement& element, const std::array<int, 8>& nodes,
                  const double* x) {
     // The charges sum to zero, so that the moment does not depend on the origin; the
-    // first node as the origin keeps digits.
+    // first node as the origin avoids a loss of digits.
     const Eigen::Map<const Vector3d> first(x + 3L * nodes[0]);
     Dipole out{Vector3d::Zero(), Vector3d::Zero()};
     for (std::size_t a = 0; a < 8; ++a) {

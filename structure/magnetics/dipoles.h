@@ -82,7 +82,7 @@ class Dipoles {
                  std::size_t from, std::size_t to, FieldSample& sample) const;
 
     DipoleSumFunction function_;
-    // centres, moments and nearest images of the centres, each by axis and number
+    // Centres, moments and nearest images of the centres, each by axis and number
     std::array<std::vector<double>, 3> x_, m_, near_;
     std::vector<double> radius_;
 };

@@ -160,7 +160,7 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
                          const SurfaceQuad& bottom, const SurfaceQuad& top) {
     SheetColumn column{{}, {}, bottom, top};
     const auto& b = bottom.node;
-    // reversed, so that it is counter-clockwise as seen from the top
+    // Reversed, so that it is counter-clockwise as seen from the top
     column.levels.push_back({b[0], b[3], b[2], b[1]});
     follow(behind, {bottom.element, bottom.face}, [&](const FaceOfElement& at) {
         column.elements.push_back(at.element);
