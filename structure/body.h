@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A body: its mesh, what it is made of, its magnetisation and what holds it. SI
-// throughout.
+// A deformable body: its mesh, materials, magnetisation and supports. All quantities in
+// SI.
 #pragma once
 
 #include <set>
@@ -12,19 +12,24 @@
 
 namespace magfsi::structure {
 
+// A body as the solvers take it. It owns all of its data; one body is one fix magttice.
 struct Body {
     std::string name;
     Mesh mesh;
     Material material;
-    // For a body of several materials, which are numbered: 0 is `material`, 1 the first
-    // of other_materials. element_material has the number of each element; it may be
-    // empty where all elements are of `material`.
+    // Numbers of materials: 0 is `material`, 1 is the first of other_materials.
+    // element_material holds the number of each element, in the order of mesh.elements;
+    // it may be empty if all elements are made of `material`.
     std::vector<Material> other_materials;
     std::vector<int> element_material;
     ElementVariant element = ElementVariant::assumed_strain;
     Inertia inertia = Inertia::lumped;
-    std::vector<Vec3> magnetization_a_m;  // one an element; empty: not magnetic
-    std::vector<std::string> clamps;      // faces held still
+    // Magnetisation of the undeformed elements [A/m], one vector per element; empty if
+    // the body is not magnetic
+    std::vector<Vec3> magnetization_a_m;
+    // Names of faces in mesh.faces whose nodes are held along all axes
+    std::vector<std::string> clamps;
+    // Faces whose nodes are held along one axis
     std::vector<Roller> rollers;
 };
 
@@ -38,10 +43,11 @@ inline const Material& material_of(const Body& body, std::size_t element) {
 // All materials of the body, in the order of their numbers.
 std::vector<Material> all_materials(const Body& body);
 
-// Only those that at least one element is made of.
+// The materials that at least one element is made of, in the order of their numbers. The
+// body must have passed check_materials.
 std::vector<Material> used_materials(const Body& body);
 
-// Whether one of its materials has a viscosity.
+// True if at least one of the body's materials has a viscosity.
 bool is_viscous(const Body& body);
 
 // Throws std::invalid_argument unless element_material has one number from 0 to `others`
@@ -49,23 +55,27 @@ bool is_viscous(const Body& body);
 void check_materials(const std::vector<int>& element_material, std::size_t elements,
                      std::size_t others);
 
-// The nodes of a face. Throws std::invalid_argument where the mesh lacks it; how: what is
-// said of the body there, such as "clamped".
+// The nodes of a face, as numbers in mesh.nodes. how: the participle in the error
+// message, such as "clamped". Throws std::invalid_argument, with the names of the faces
+// that there are, if the mesh has no face of this name.
 const std::vector<int>& face_nodes(const Body& body, const std::string& face,
                                    const char* how);
 
-// For each node the axes along which a clamp or a roller holds it. Clamps on the faces
-// `moved` are left out. Throws as face_nodes does.
+// For each node the axes (x, y, z) along which a clamp or a roller holds it. Clamps on
+// the faces `moved`, those of a prescribed motion, are left out. Throws as face_nodes
+// does.
 using HeldAxes = std::array<bool, 3>;
 std::vector<HeldAxes> held_axes(const Body& body,
                                 const std::set<std::string>& moved = {});
 
-// What holds a body, face by face: its clamps, then its rollers, a face each. Along each
-// axis a node belongs to the first face that holds it.
+// A face with a clamp or a roller, and the nodes that it holds along x, y and z. Each
+// axis of a node is listed at one face only, so that reaction forces summed by face count
+// each node once: clamps take it first, then rollers, each in the order of the body.
 struct HeldFace {
     std::string name;
-    std::array<std::vector<int>, 3> nodes;  // held along x, y, z
+    std::array<std::vector<int>, 3> nodes;
 };
+// All held faces of the body. Throws std::invalid_argument as face_nodes does.
 std::vector<HeldFace> held_faces(const Body& body);
 
 }  // namespace magfsi::structure

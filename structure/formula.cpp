@@ -15,10 +15,14 @@ namespace magfsi::structure {
 
 namespace {
 
+// The remainder of a / b with the sign of b, for periodic formulas; std::fmod has that of
+// a.
 double mod(double a, double b) {
     return a - b * std::floor(a / b);
 }
 
+// One compiled formula with its own variable t: muParser reads the variable by its
+// address.
 class Compiled {
   public:
     explicit Compiled(const std::string& si) {
@@ -41,7 +45,8 @@ class Compiled {
     double t_ = 0;
 };
 
-// muParser would store to its variable.
+// muParser takes t = 1 as an assignment to its variable, which would outlast the
+// evaluation.
 void refuse_assignment(const std::string& si) {
     for (std::size_t i = 0; i < si.size(); ++i) {
         if (si[i] != '=') continue;
@@ -52,11 +57,12 @@ void refuse_assignment(const std::string& si) {
     }
 }
 
+// The compiled formula, from this thread's store. The store is emptied at 100 formulas.
 Compiled& compiled(const std::string& si) {
     static thread_local std::unordered_map<std::string, std::unique_ptr<Compiled>> kept;
     if (const auto found = kept.find(si); found != kept.end()) return *found->second;
     refuse_assignment(si);
-    // A controller may send another one each time.
+    // A controller may send another formula at each call.
     if (kept.size() > 100) kept.clear();
     try {
         return *(kept[si] = std::make_unique<Compiled>(si));
@@ -65,8 +71,9 @@ Compiled& compiled(const std::string& si) {
     }
 }
 
-// By differences of five points: to 1e-6 of an oscillation of 1 kHz. Formulas need no
-// value before time 0, so that the start has that of 20 us later.
+// Central differences over five points, of fourth order: exact to 1e-6 for an oscillation
+// of 1 kHz. The middle point is kept at least two spacings after time 0, as formulas need
+// no value before it: derivatives at the start are those at 20 us.
 constexpr double apart_s = 1e-5;
 
 std::array<double, 3> difference(const std::array<Formula, 3>& place_m, double time_s,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Formulas of the time, read by muParser (https://beltoforion.de/en/muparser).
+// Formulas of the time t, evaluated by muParser (https://beltoforion.de/en/muparser).
 #pragma once
 
 #include <array>
@@ -7,29 +7,31 @@
 
 namespace magfsi::structure {
 
-// Of the time t. written: with units, as the scene has it. si: in numbers of SI, a word
-// without spaces, from which it is evaluated.
+// A formula of the time t [s]. written: the text of the scene, with units. si: the same
+// in numbers of SI, one word without blanks; it is the one that is evaluated.
 struct Formula {
     std::string written{"0"}, si{"0"};
 };
 
-// Value in SI. Throws std::runtime_error that names formula and time where it is no
-// finite number, and std::invalid_argument where the text is no formula. A text is
-// compiled at its first use and kept.
+// Value of the formula `si` at a time, in the SI unit of its quantity. Throws
+// std::runtime_error, with formula and time, if the value is NaN or infinite, and
+// std::invalid_argument if the text is no formula. Each thread compiles a text at its
+// first use and keeps it.
 double value_at(const std::string& si, double time_s);
 
+// The same for three formulas, the components along x, y and z.
 std::array<double, 3> value_at(const std::array<Formula, 3>& component, double time_s);
 
-// Of a motion by formulas: from where it is at time 0 [m], and its first and second
-// derivative by time [m/s, m/s2].
+// Displacement [m] from the place at time 0, velocity [m/s] and acceleration [m/s2] of a
+// point whose place is given by formulas. The derivatives are finite differences.
 std::array<double, 3> displacement(const std::array<Formula, 3>& place_m, double time_s);
 std::array<double, 3> velocity(const std::array<Formula, 3>& place_m, double time_s);
 std::array<double, 3> acceleration(const std::array<Formula, 3>& place_m, double time_s);
 
-// As value_at of one, but NaN and infinity come back as they are.
+// value_at for one formula, except that NaN and infinity are returned instead of thrown.
 double value_or_nan(const std::string& si, double time_s);
 
-// How such a value is called: "not a number" or "infinite".
+// Name of a value that is not finite: "not a number" or "infinite".
 const char* fault_of(double value);
 
 }  // namespace magfsi::structure

@@ -20,6 +20,8 @@ Vec3 times(double factor, const Vec3& v) {
     return {factor * v[0], factor * v[1], factor * v[2]};
 }
 
+// Displacement, velocity and acceleration of each kind of course, and `way`, a vector
+// with a component other than 0 along each axis on which the course moves its nodes.
 Vec3 displacement(const Oscillation& o, double time_s) {
     return times(
         std::sin(2 * pi * o.frequency_hz * time_s + o.phase_rad) - std::sin(o.phase_rad),
@@ -69,14 +71,14 @@ Vec3 acceleration(const FormulaMotion& f, double time_s) {
     return acceleration(f.component_m, time_s);
 }
 
-// Along an axis on which it may move.
+// A formula other than the plain 0 counts as motion along its axis.
 Vec3 way(const FormulaMotion& f) {
     Vec3 out{};
     for (std::size_t d = 0; d < 3; ++d) out[d] = f.component_m[d].si == "0" ? 0 : 1;
     return out;
 }
 
-// Held where it is, or on rollers across the motion's way.
+// True if a node is held along all axes, or along one on which the motion would move it.
 bool holds(const HeldAxes& held, const Vec3& way) {
     if (held == HeldAxes{true, true, true}) return true;
     return (held[0] && way[0] != 0) || (held[1] && way[1] != 0) ||

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What users choose of bodies and loads. SI. The scene file describes these types
-// themselves (adapters/scene/keys_bodies.cpp). The words of an enumeration stand beside
-// it, in its order.
+// Options of bodies, loads and contact, in SI. The scene file describes these types
+// (adapters/scene/keys_bodies.cpp) and so gets its keys from them. The names of an
+// enumeration's values are in words_of beside it, in the order of the values.
 #pragma once
 
 #include <array>
@@ -18,26 +18,29 @@
 
 namespace magfsi::structure {
 
+// A vector (x, y, z).
 using Vec3 = std::array<double, 3>;
 
 // --- meshes -------------------------------------------------------------------------
 
-// Block of hexahedra; the body's frame has its origin in its lowest corner.
+// Block of hexahedra along the axes. The origin of the body's frame is its lowest corner.
 struct Box {
+    // Edge lengths along x, y, z
     Vec3 size_m{};
+    // Numbers of elements along x, y, z
     std::array<int, 3> elements{};
 };
 
-// Plate of parallelogram cells: the flat crease pattern of Miura-ori (zigzag), or a
-// sheared block (mesh/block_mesh.h).
+// Plate of parallelogram cells: the crease pattern of Miura-ori before folding (zigzag
+// true), or a sheared block (mesh/block_mesh.h).
 struct ObliquePlate {
-    std::array<int, 2> cells{};  // along x (columns) and y (rows)
-    double length_a_m = 0;       // a cell's side along x
-    double length_b_m = 0;       // and the one at the angle
-    double angle_rad = 0;        // between the two, above 0 and below 180 degrees
+    std::array<int, 2> cells{};  // number along x (columns) and along y (rows)
+    double length_a_m = 0;       // side of a cell along x
+    double length_b_m = 0;       // the other side of a cell
+    double angle_rad = 0;        // angle between the two sides, above 0 and below pi
     double thickness_m = 0;
     std::array<int, 3> elements_per_cell{1, 1, 1};  // along a, along b, layers
-    bool zigzag = true;
+    bool zigzag = true;  // true: each second row is sheared the other way
 };
 
 // Hexahedra of a Gmsh file; its physical groups are regions and faces.
@@ -46,26 +49,29 @@ struct MeshFile {
     double unit_m = 1;  // length of the file's unit
 };
 
-// Cubes whose middle lies inside the closed surface of an STL file, in a grid around it.
+// Box that defines a face: the nodes inside it.
 struct FaceBox {
     std::string name;
-    std::array<Vec3, 2> box_m{};  // the face is of the nodes inside; bounds included
+    std::array<Vec3, 2> box_m{};  // lowest and highest corner, both included
 };
+// Mesh of cubes: those of a regular grid whose middle lies inside the closed surface of
+// an STL file (mesh/voxel_mesh.h).
 struct VoxelMesh {
     std::string file;
     double spacing_m = 0;        // edge of the cubes
     double unit_m = 1;           // length of the file's unit
-    std::vector<FaceBox> faces;  // by name
+    std::vector<FaceBox> faces;  // further faces, by name
 };
 
-// A block that is bent or wound along a curve: its middle line, of the elements' first
+// Block that is bent or wound along a curve: its middle line, in the elements' first
 // direction, lies on the curve (mesh/swept_mesh.h).
 struct Arc {
     double radius_m = 0;
-    double angle_rad = 0;               // 2 pi: a ring
+    double angle_rad = 0;               // 2 pi gives a closed ring
     std::array<double, 2> section_m{};  // width and thickness
     std::array<int, 3> elements{};      // along the curve, the width and the thickness
 };
+// Block wound along a helix: section and elements as for an arc, pitch per turn.
 struct Helix {
     double radius_m = 0, pitch_m = 0, turns = 0;
     std::array<double, 2> section_m{};
@@ -77,35 +83,40 @@ using MeshOptions = std::variant<Box, ObliquePlate, MeshFile, VoxelMesh, Arc, He
 
 // --- material and element -----------------------------------------------------------
 
-// Neo-Hookean solid of eq. (1).
+// Neo-Hookean solid, eq. (1) of the paper.
 struct Material {
     double shear_modulus_pa = 0;
-    double lame_lambda_pa = 0;  // K of eq. (1)
-    // Inertia; in a fluid this is rho_solid - rho_fluid (enclosed fluid counted once).
+    double lame_lambda_pa = 0;  // first Lame constant, the paper's K
+    // Density for the inertia. Of a body in a fluid it is rho_solid - rho_fluid, as the
+    // fluid solver moves the enclosed fluid, too.
     double density_kg_m3 = 0;
-    double viscosity_pa_s = 0;  // Kelvin-Voigt (lattice/element.h); 0: none
+    // Kelvin-Voigt viscosity eta (lattice/element.h); 0: purely elastic
+    double viscosity_pa_s = 0;
 };
 
-// Of the elements of these regions of the mesh, in place of the body's material.
+// A material for the elements of some regions of the mesh, in place of the body's
+// material.
 struct RegionMaterial {
     std::vector<std::string> regions;
     Material material;
 };
 
-// full: the paper's element (exact volume, full spring matrix).
-// mean_f: J from the mean deformation gradient and hourglass coefficients 3
-// min(l_i,l_j)^2: accurate in bending with few layers.
+// Variants of the hexahedron (lattice/element.h).
+// full: the paper's element: exact volume, full spring matrix.
+// mean_f: J from the mean deformation gradient, and hourglass coefficients 3 min(l_i,
+// l_j)^2 of the edge lengths l: accurate in bending with few layers.
 // assumed_strain: all of the energy from the mean deformation gradient, and a hourglass
-// energy that is exact for linear bending and twist (lattice/element.h): accurate in
-// every mode with one layer, for edges of any ratio.
+// energy that is exact for linear bending and twist: accurate in every mode with one
+// layer, for edges of any ratio.
 enum class ElementVariant { full, mean_f, assumed_strain };
 constexpr auto words_of(ElementVariant) {
     return std::to_array<std::string_view>({"full", "mean_f", "assumed_strain"});
 }
 
-// lumped: an element's mass spread evenly on its nodes. corrected: moved so that bodies
-// of two and more elements along each axis have their moments of inertia
-// (lattice/inertia.h).
+// Distribution of an element's mass on its nodes (lattice/inertia.h).
+// lumped: by the integrals of the shape functions, an eighth on each node of a brick.
+// corrected: masses moved so that bodies of two or more elements along each axis have the
+// moments of inertia of the solid.
 enum class Inertia { lumped, corrected };
 constexpr auto words_of(Inertia) {
     return std::to_array<std::string_view>({"lumped", "corrected"});
@@ -113,60 +124,66 @@ constexpr auto words_of(Inertia) {
 
 // --- magnetisation, evaluated at the centres of the undeformed elements ---------------
 
+// The same vector in all elements.
 struct UniformMagnetization {
     Vec3 vector_a_m{};
 };
 
-// M(s) = amplitude [cos(2 pi s / wavelength + phase) along + sin(...) into] with s from
-// the body's lowest coordinate on the axis `along`: the strip's profile, eq. (10).
+// M(s) = amplitude [cos(2 pi s / wavelength + phase) e_along + sin(2 pi s / wavelength +
+// phase) e_into], with s counted from the body's lowest coordinate on the axis `along`:
+// the strip's profile, eq. (10) of the paper.
 struct HarmonicMagnetization {
     double amplitude_a_m = 0;
     double wavelength_m = 0;
     double phase_rad = 0;
-    int along = 0;  // axes: 0 x, 1 y, 2 z
+    int along = 0;  // axes of the mesh: 0 x, 1 y, 2 z
     int into = 2;
 };
 
-// Holds the centres inside the box (bounds included) and the polygon of the x-y plane; an
-// absent box or an empty polygon does not restrict.
+// Domain of one magnetisation: elements whose centre is inside the box (bounds included)
+// and inside the polygon in the x-y plane. An absent box or an empty polygon does not
+// restrict.
 struct MagneticDomain {
     std::optional<std::array<Vec3, 2>> box_m;
     std::vector<std::array<double, 2>> polygon_xy_m;
     Vec3 vector_a_m{};
 };
 struct DomainMagnetization {
-    std::vector<MagneticDomain> domains;  // the first that holds a centre wins
+    std::vector<MagneticDomain> domains;  // the first that contains a centre wins
 };
 
-// Regions of the mesh; one that is not named carries none.
+// One vector for the elements of some regions of the mesh.
 struct RegionVector {
     std::vector<std::string> regions;
     Vec3 vector_a_m{};
 };
+// Magnetisation by regions. Elements of regions that are not named are not magnetised.
 struct RegionMagnetization {
     std::vector<RegionVector> regions;
 };
 
-// A CSV file of points and vectors (magnetics/magnetization.h).
+// Magnetisation from a CSV file of points and vectors (magnetics/magnetization.h).
 struct TableMagnetization {
     std::string file;
 };
 
-// Along a curve: strength times its tangent next to the element, turned in the plane from
-// its first axis towards its second by phase + 2 pi s / wavelength, s along the curve.
+// Magnetisation along a curve: strength times the tangent at the curve's point nearest to
+// the element's centre, rotated in the plane, from its first axis towards its second, by
+// phase + 2 pi s / wavelength, where s is the arc length.
 struct CurveMagnetization {
     double strength_a_m = 0;
-    std::vector<Vec3> points_m;  // of the curve; none: the mesh's centre line
-    double wavelength_m = 0;     // 0: turned by the phase alone
+    std::vector<Vec3> points_m;  // points of the curve; none: the mesh's centre line
+    double wavelength_m = 0;     // 0: the rotation is `phase` throughout
     double phase_rad = 0;
     std::array<int, 2> plane{0, 2};
 };
 
-// Away from a point, or from an axis through it.
+// Magnetisation that points away from a centre or, with an axis, away from the line
+// through the centre along it.
 struct RadialMagnetization {
-    double strength_a_m = 0;  // negative: towards it
+    double strength_a_m = 0;  // negative: towards the centre
     Vec3 centre_m{};
-    std::optional<Vec3> axis;  // its direction, of any length
+    std::optional<Vec3> axis;  // direction of any length
 };
 
 using Magnetization =
@@ -176,52 +193,57 @@ using Magnetization =
 
 // --- magnetic field -----------------------------------------------------------------
 
+// Field of one magnitude and direction; the angle is in FieldProgram::plane.
 struct ConstantField {
     double magnitude_t = 0;
     double direction_rad = 0;
 };
-// Linear between rows (eqs. 7-9); repeated with the period time.back() - time.front().
-// Outside the rows the end values hold. Two rows of one time are a jump: from that time
-// on the later one. Signed magnitudes flip the field.
+// Field by rows: linear between them (eqs. 7-9), constant outside of them, or repeated
+// with the period time_s.back() - time_s.front(). Two rows of one time are a jump: from
+// that time on the later one holds. A negative magnitude reverses the field.
 struct FieldTable {
     std::vector<double> time_s, magnitude_t;
-    std::vector<double> direction_rad;  // one, or one per row
+    std::vector<double> direction_rad;  // one value for all rows, or one per row
     bool repeat = false;
 };
+// Field that rotates in FieldProgram::plane.
 struct RotatingField {
     double magnitude_t = 0, start_rad = 0;
-    double frequency_hz =
-        0;  // turns per second, from the plane's first axis to its second
+    // Turns per second, positive from the plane's first axis to its second
+    double frequency_hz = 0;
 };
-// Of three components; the plane means nothing to them.
+// Constant field by its components in space. FieldProgram::plane does not matter for this
+// and the following laws.
 struct VectorField {
     Vec3 vector_t{};
 };
-// As FieldTable, by rows of vectors.
+// Table of vectors: as FieldTable, with the components linear between rows.
 struct VectorTable {
     std::vector<double> time_s;
     std::vector<Vec3> vector_t;
     bool repeat = false;
-    std::string file;    // CSV that the rows are in, instead
-    std::string source;  // the file that they have been read from
+    std::string file;    // name of a CSV file with the rows; empty: rows are given
+    std::string source;  // path that the rows have been read from
 };
-// amplitude sin(2 pi f t + phase)
+// Field amplitude sin(2 pi f t + phase), the same phase for all components.
 struct OscillatingField {
     Vec3 amplitude_t{};
     double frequency_hz = 0, phase_rad = 0;
 };
-// On a cone about the axis n, of a half angle c, right-handed:
-//   magnitude [n cos c + (u cos p + n x u sin p) sin c], p = start + 2 pi f t,
-// u the part across n of the coordinate axis that follows, in the order x, y, z, x, the
-// one nearest to n. A cone of 90 degrees is a rotation in the plane across n.
+// Field on a cone of half angle c about the axis n, precessing right-handed:
+//   magnitude [n cos c + (u cos p + n x u sin p) sin c], p = start + 2 pi f t.
+// u is the unit vector along the part perpendicular to n of a coordinate axis: the axis
+// that follows, in the order x, y, z, x, the one nearest to n. A cone of 90 degrees is a
+// rotation in the plane perpendicular to n.
 struct PrecessingField {
     double magnitude_t = 0;
-    Vec3 axis{0, 0, 1};  // of any length
+    Vec3 axis{0, 0, 1};  // direction of any length
     double cone_rad = std::numbers::pi / 2;
     double frequency_hz = 0, start_rad = 0;
-    double ramp_s = 0;  // within it the magnitude rises by (1 - cos(pi t / ramp)) / 2
+    // Duration of the start, in which the magnitude rises by (1 - cos(pi t / ramp)) / 2
+    double ramp_s = 0;
 };
-// Of the time, by component.
+// Field by formulas of the time, one per component.
 struct FormulaField {
     std::array<Formula, 3> component_t;
 };
@@ -229,31 +251,34 @@ struct FormulaField {
 using FieldLaw =
     std::variant<ConstantField, FieldTable, RotatingField, VectorField, VectorTable,
                  OscillatingField, PrecessingField, FormulaField>;
+// A further field that is added to the course.
 struct FieldTerm {
     FieldLaw law;
 };
+// The uniform magnetic field over time: the sum of `course` and of all terms in `plus`.
 struct FieldProgram {
     std::array<int, 2> plane{0, 2};  // angles run from the first axis to the second
     FieldLaw course;
-    std::vector<FieldTerm> plus{};  // their fields add to it
+    std::vector<FieldTerm> plus{};
 };
 
-// Of the flux density; symmetric and traceless, as Maxwell's equations ask without
-// currents (magnetics/magnetic_forces.h). Constant in time, it adds to the course.
+// Gradient of the flux density, constant in time; its field is added to the course. The
+// matrix must be symmetric and traceless, as Maxwell's equations demand of a field
+// without currents (magnetics/magnetic_forces.h).
 struct GradientInput {
     std::array<Vec3, 3> matrix_t_m{};  // row i, column j: dB_i / dx_j
-    Vec3 origin_m{};                   // where the course's field is the whole field
+    Vec3 origin_m{};                   // point where the gradient's own field is zero
 };
 
-// --- bodies' own field
-// ------------------------------------------------------------------
+// --- bodies' own field ----------------------------------------------------------------
 
-// Magnetised elements act on those of other bodies as dipoles (magnetics/dipoles.h).
+// Interaction of magnetised elements as dipoles (magnetics/dipoles.h), always between
+// elements of different bodies.
 struct DipoleOptions {
-    bool within_bodies = false;  // and on those of their own
+    bool within_bodies = false;  // true: also between elements of one body
 };
 
-// --- how a body starts and is held ----------------------------------------------------
+// --- start and supports ---------------------------------------------------------------
 
 // Rotation by an angle from the first axis of the plane towards the second.
 struct PlaneRotation {
@@ -261,65 +286,72 @@ struct PlaneRotation {
     double angle_rad = 0;
 };
 
-// A body's relaxed shape, turned and moved, in this order.
+// Initial shape and place of a body: relaxed, then rotated, then moved.
 struct Placement {
-    std::optional<Vec3> position_m;         // of the centre of volume
+    std::optional<Vec3> position_m;         // goal of the centre of volume
     std::optional<PlaneRotation> rotation;  // about the centre of volume
-    // The static shape in this constant field of the magnetic field's plane (xz without
-    // one), without any other load.
+    // Static shape in this constant field, without any other load. Its angle is in the
+    // plane of the magnetic field, or in xz if the scene has no field.
     std::optional<ConstantField> relaxed;
 };
 
 // Faces whose nodes keep their coordinate along one axis of space (0 x, 1 y, 2 z) and are
-// free along the others: a plane of symmetry, or plane strain with both faces held.
+// free along the others. One such face is a plane of symmetry; two opposite ones give
+// plane strain.
 struct Roller {
     std::vector<std::string> faces;
     int axis = 2;
 };
 
-// amplitude (sin(2 pi f t + phase) - sin(phase)). Phase 0: at full speed at once, to
-// both sides of the start; -pi / 2: from rest, to one side.
+// Displacement amplitude (sin(2 pi f t + phase) - sin(phase)). With phase 0 the motion
+// starts at full speed and goes to both sides; with -pi / 2 it starts from rest and goes
+// to one side.
 struct Oscillation {
     Vec3 amplitude_m{};
     double frequency_hz = 0;
     double phase_rad = 0;
 };
-// To the displacement within the duration, by (1 - cos(pi t / duration)) / 2; stays
-// there.
+// Smooth motion to a displacement, by the factor (1 - cos(pi t / duration)) / 2;
+// afterwards the face stays there.
 struct DisplacementRamp {
     Vec3 displacement_m{};
     double duration_s = 0;
 };
-// Of the time, by component. Of faces it counts from its value at time 0.
+// Motion by formulas of the time, one per component. The displacement of a face is the
+// difference from the value at time 0.
 struct FormulaMotion {
     std::array<Formula, 3> component_m;
 };
 using MotionCourse = std::variant<Oscillation, DisplacementRamp, FormulaMotion>;
 
-// Faces that something outside holds and moves: displacement from where they start, zero
-// at time 0.
+// Faces that are held and moved from outside by a displacement of the undeformed place,
+// which is zero at time 0.
 struct PrescribedMotion {
-    std::size_t body = 0;  // number of the body, for those who hold several
+    std::size_t body = 0;  // number of the body in the list of bodies
     std::vector<std::string> faces;
     MotionCourse course;
 };
 
-// --- what bodies touch ----------------------------------------------------------------
+// --- contact --------------------------------------------------------------------------
 
-// A plane that bodies cannot pass; they may leave it freely.
+// Plane that bodies cannot pass; they may lift off freely.
 struct Platform {
     Vec3 point_m{};
-    Vec3 normal{0, 0, 1};       // unit vector, towards the bodies
-    double stiffness_pa_m = 0;  // pressure over penetration; 0: from the bodies
-    double friction = 0;        // Coulomb's coefficient mu; 0: smooth
-    double damping_pa_s_m = 0;  // pressure over the speed of approach, while touching
+    Vec3 normal{0, 0, 1};  // unit vector, towards the bodies
+    // Pressure over penetration [Pa/m]; 0: derived from the bodies
+    double stiffness_pa_m = 0;
+    double friction = 0;  // Coulomb's coefficient mu; 0: smooth
+    // Pressure over speed of approach [Pa s/m], only while touching
+    double damping_pa_s_m = 0;
 };
 
-// Between the surfaces of bodies, and of a body with itself.
+// Contact between the surfaces of different bodies, and of a body with itself.
 struct ContactLaw {
-    double distance_m = 0;      // nodes closer than this repel; 0: the smallest thickness
-    double stiffness_pa_m = 0;  // pressure over approach; 0: from the bodies
-    // Nodes of one body whose distance at rest is below this many distances do not repel.
+    double distance_m = 0;  // distance below which nodes repel; 0: the smallest thickness
+    // Pressure over approach [Pa/m]; 0: derived from the bodies
+    double stiffness_pa_m = 0;
+    // Pairs of nodes of one body repel only if their distance at rest is at least this
+    // many times distance_m.
     double excluded = 2;
     double friction = 0;  // Coulomb's coefficient mu; 0: smooth
 };

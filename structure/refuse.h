@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Refusal of what a user has given.
+// Errors about input that a user can correct.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,8 @@
 
 namespace magfsi::structure {
 
-// sentence: what was found and what is allowed, as fmt::format takes it.
+// Throws std::invalid_argument. sentence: a format string of fmt that says what was found
+// and what is allowed.
 template <class... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> sentence, Args&&... args) {
     throw std::invalid_argument(fmt::format(sentence, std::forward<Args>(args)...));

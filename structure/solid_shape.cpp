@@ -31,8 +31,9 @@ SignedDistance of(const Ball& ball, const Vec3& point) {
     return {r - ball.radius_m, divided(way, r)};
 }
 
-// A box of any number of directions: out, how far beyond each pair of faces the point is
-// (negative between them), and the unit vector of that direction.
+// Signed distance to the intersection of n perpendicular slabs, such as a box. out:
+// distance of the point beyond each slab's faces, negative between them; outwards: the
+// slab's unit normal on the point's side.
 template <std::size_t n>
 SignedDistance of_faces(const std::array<double, n>& out,
                         const std::array<Vec3, n>& outwards) {
@@ -78,6 +79,8 @@ SignedDistance of(const Brick& brick, const Vec3& point) {
     return of_faces<3>(out, outwards);
 }
 
+// The side comes from the winding number, not from the normal of the nearest triangle,
+// which is ambiguous at edges.
 SignedDistance of(const Surface& surface, const Vec3& point) {
     const TriangleSurface::Nearest nearest = surface.triangles->nearest(point);
     Vec3 way = surface::minus(point, nearest.at_m);
@@ -108,6 +111,7 @@ std::string words_for(const Surface& surface) {
                        surface.unit_m, fmt::join(surface.shift_m, " "));
 }
 
+// The number in a word, "inf" included.
 double length_from(const std::string& word) {
     std::size_t read = 0;
     double value = NAN;
@@ -137,6 +141,7 @@ Bounds bounds_around(const Vec3& centre, const Vec3& half) {
     }
     return bounds;
 }
+// Bounding boxes, infinite along an endless rod.
 Bounds bounds_of(const Ball& ball) {
     return bounds_around(ball.centre_m, {ball.radius_m, ball.radius_m, ball.radius_m});
 }
@@ -163,8 +168,9 @@ SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m) {
     return std::visit([&](const auto& one) { return of(one, point_m); }, shape);
 }
 
-// That whose middle is nearest, along each axis, or the next one on the other side: of a
-// shape that is not symmetric either may come nearer.
+// Distance to the nearest of eight images: along each axis the one whose middle is
+// nearest and the next one on the other side, as a shape without symmetry may come nearer
+// there. Images whose bounding box is too far away are skipped.
 SignedDistance signed_distance(const SolidShape& shape, const Vec3& point_m,
                                const Vec3& period_m) {
     if (period_m == Vec3{}) return signed_distance(shape, point_m);

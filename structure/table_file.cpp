@@ -28,6 +28,8 @@ struct Line {
     std::string text;
 };
 
+// Reads one file. The lines are split at construction; columns() interprets them and may
+// be called once.
 class TableReader {
   public:
     TableReader(std::string_view what, const std::filesystem::path& file,
@@ -59,13 +61,15 @@ class TableReader {
     }
 
   private:
+    // A column of the file: its index in known_, known_.size() if it is skipped, and its
+    // unit.
     struct Column {
         std::size_t known = 0;
         ColumnUnit unit{};
     };
 
-    // Lines that say something, and apart those that are comments in front of them. Line
-    // ends are those of Linux, Windows or old Macintoshes.
+    // Splits the file into rows and into comments before them, with Linux, Windows or old
+    // Macintosh line ends. UTF-16 is refused.
     void read_lines() {
         std::ifstream stream(file_, std::ios::binary);
         if (!stream) refuse("cannot open the {} {}", what_, file_.string());
@@ -99,6 +103,7 @@ class TableReader {
         }
     }
 
+    // True for lines of values, quoted or signed ones included.
     static bool starts_a_number(std::string_view line) {
         return line.find_first_of("0123456789+-.\"") == 0 &&
                line.find_first_of("0123456789") < 3;
@@ -118,7 +123,8 @@ class TableReader {
         return fields_of(line, separator_ ? *separator_ : separator_of(line));
     }
 
-    // The column of a field, or their number.
+    // Index in known_ of the column that a header field names, known_.size() if it is
+    // none. A prefix up to a point is ignored.
     std::size_t known_of(std::string_view field) const {
         std::string name = in_parts(field).name;
         if (!is_name(name)) return known_.size();
@@ -129,7 +135,9 @@ class TableReader {
         return static_cast<std::size_t>(found - known_.begin());
     }
 
-    // As numpy and COMSOL write it: the last line in front of the rows that has them all.
+    // The header of files whose header is a comment (numpy, COMSOL): the last comment
+    // that names all needed columns, else the comment directly above the rows if it has
+    // as many fields.
     Line header_in_a_comment(const std::vector<std::string_view>& needed) const {
         for (auto line = comments_.rbegin(); line != comments_.rend(); ++line) {
             std::vector<std::string_view> there;
@@ -153,7 +161,7 @@ class TableReader {
                          example()));
     }
 
-    // "s,mT,mT,mT" below names without units.
+    // True for a line such as "s,mT,mT,mT" below names without units.
     bool is_row_of_units(const Line& header, std::string_view line) const {
         const auto names = header_fields(header.text), units = header_fields(line);
         if (starts_a_number(line) || names.size() != units.size()) return false;
@@ -216,8 +224,9 @@ class TableReader {
                         fmt::join(allowed, ", "), example(kind)));
     }
 
-    // "Length unit: mm", "Length unit","mm". Other lines about units are refused, for a
-    // number in the wrong unit is a wrong result. Without any, SI.
+    // Unit of a column without one, from comments such as "Length unit: mm" or "Length
+    // unit","mm". Other lines about units are refused, since a number in the wrong unit
+    // gives a wrong result. Without any such line, SI.
     std::string unit_of_comments(const Line& header, std::string_view field,
                                  const ColumnKind& kind) const {
         const bool length = kind.units.data() == std::data(units::length);
@@ -240,6 +249,7 @@ class TableReader {
         }
         return out;
     }
+    // True if a line has the word "unit" or a unit symbol of at least two letters.
     bool speaks_of_units(std::string_view text) const {
         std::string word;
         for (std::size_t i = 0; i <= text.size(); ++i) {
@@ -273,6 +283,8 @@ class TableReader {
                          field, fmt::join(all, ", "), example(known_.front())));
     }
 
+    // Throws if a needed column is missing or if only some of the optional ones are
+    // there.
     void check_columns(const Line& header,
                        const std::vector<std::string_view>& needed) const {
         std::vector<std::string_view> missing, others;
@@ -331,7 +343,7 @@ class TableReader {
 
     double number(const Line& line, const std::string& written) const {
         std::string text = written.substr(written.starts_with('+') ? 1 : 0);
-        std::ranges::replace(text, 'D', 'e');  // as Fortran has it
+        std::ranges::replace(text, 'D', 'e');  // Fortran's exponent: 1D-3
         std::ranges::replace(text, 'd', 'e');
         double value = 0;
         const char* end = text.data() + text.size();
@@ -353,8 +365,9 @@ class TableReader {
     const std::filesystem::path& file_;
     std::span<const ColumnKind> known_;
     TableStyle style_;
-    std::optional<char> separator_;      // if the file says it
-    std::vector<Line> comments_, rows_;  // rows_: with the header
+    std::optional<char> separator_;  // if the file gives it in a line "sep="
+    // rows_ begins with the header if it is no comment
+    std::vector<Line> comments_, rows_;
     std::vector<Column> columns_;
 };
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-// Where a time stands between the rows of a table: linear between them, the first held
-// before them, and after them the last held or all repeated with the period of the table.
-// Two rows of one time are a jump: from that time on the later one.
+// Interpolation between the rows of a table over time: linear between rows, the first
+// row's value before them; after them the last row's value or, with `repeat`, all rows
+// repeated with the period of the table. Two rows of one time are a jump: from that time
+// on the later one holds.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace magfsi::structure {
 
-// That share of the way from one row to the next.
+// A place between two rows: (1 - share) of `row` plus `share` of `next`.
 struct Between {
     std::size_t row = 0, next = 0;
     double share = 0;
 
-    // A column of one value holds for all rows.
+    // Value of a column at this place. A column of one value holds for all rows.
     double of(const std::vector<double>& value) const {
         if (value.size() == 1) return value.front();
         return value[row] + share * (value[next] - value[row]);
@@ -29,7 +29,7 @@ struct Between {
     }
 };
 
-// times: not falling. None: the only row.
+// Place of a time in a table. times: not descending; empty for a table of one row.
 inline Between rows_at(const std::vector<double>& times, bool repeat, double time) {
     if (times.empty()) return {};
     double t = time;

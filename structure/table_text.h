@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fields, words and separators in the lines of a table (table_file.cpp).
+// Text functions for the lines of a table (table_file.cpp): separators, fields, units.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace magfsi::structure::table_text {
 
-inline constexpr char blanks = ' ';  // as the separator: any number of blanks and tabs
+// Separator that stands for any number of blanks and tabs
+inline constexpr char blanks = ' ';
 
 inline std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
@@ -26,13 +27,15 @@ inline std::string lower(std::string_view text) {
     return out;
 }
 
-// "B_x" and "BX" are Bx, "Time" is t.
+// Name of a column for comparison, without case and underscores: "B_x" and "BX" are the
+// same as "Bx", "Time" the same as "t".
 inline std::string simple(std::string_view name) {
     std::string out = lower(name);
     std::erase(out, '_');
     return out == "time" ? "t" : out;
 }
 
+// True for letters, digits, underscores and points that do not begin with a digit.
 inline bool is_name(std::string_view text) {
     return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
            std::ranges::all_of(text, [](char c) {
@@ -41,7 +44,8 @@ inline bool is_name(std::string_view text) {
            });
 }
 
-// The separator of a line's values: the first of these that it has outside of quotes.
+// The separator of a line: the first of semicolon, tab and comma that occurs outside of
+// quotes; else blanks.
 inline char separator_of(std::string_view line) {
     bool quoted = false;
     std::string outside;
@@ -55,8 +59,8 @@ inline char separator_of(std::string_view line) {
     return blanks;
 }
 
-// The fields of a line, without quotes. Empty ones at the end that are more than
-// `wanted`, as sheets leave them, are left out.
+// The fields of a line, trimmed and without quotes; a doubled quote is a quote. Empty
+// fields at the end, as spreadsheets leave them, are dropped beyond the number `wanted`.
 inline std::vector<std::string> fields_of(std::string_view line, char separator,
                                           std::size_t wanted = 0) {
     std::vector<std::string> out(1);
@@ -69,7 +73,7 @@ inline std::vector<std::string> fields_of(std::string_view line, char separator,
         } else if (c == '"') {
             quoted = !quoted;
         } else if (!quoted && separator == blanks && blank) {
-            // "t [s]" is one field.
+            // A blank before a bracket does not separate: "t [s]" is one field.
             const std::size_t next = line.find_first_not_of(" \t", i);
             const bool unit = next != std::string_view::npos &&
                               (line[next] == '[' || line[next] == '(');
@@ -85,7 +89,8 @@ inline std::vector<std::string> fields_of(std::string_view line, char separator,
     return out;
 }
 
-// The parts of a field of a header: its name, and its unit as it is written.
+// A header field split into name and unit. The unit is as written: "x[mm]", "x (mm)" and
+// "x/mm" all give mm; without any of these it is absent.
 struct Written {
     std::string name;
     std::optional<std::string> unit;

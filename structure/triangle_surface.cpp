@@ -19,8 +19,9 @@ double squared(const Vec3& v) {
     return dot(v, v);
 }
 
-// Ericson, Real-Time Collision Detection (2005), 5.1.5: by the region of the triangle's
-// plane that the point lies over, a corner's, an edge's or the inside's.
+// Nearest point of a triangle, by the region of the triangle's plane that the point
+// projects to: a corner's, an edge's or the inside's (Ericson, Real-Time Collision
+// Detection (2005), section 5.1.5).
 Vec3 nearest_on(const Triangle& t, const Vec3& x) {
     const Vec3 ab = minus(t[1], t[0]), ac = minus(t[2], t[0]);
     const Vec3 ax = minus(x, t[0]), bx = minus(x, t[1]), cx = minus(x, t[2]);
@@ -49,14 +50,15 @@ TriangleSurface::TriangleSurface(const std::string& file, double unit_m,
 
 TriangleSurface::TriangleSurface(surface::Closed read)
     : triangles_(std::move(read.triangles)) {
-    // One without area is the edge of its neighbours.
+    // A triangle without area has no normal; its neighbours share its edges.
     std::erase_if(triangles_,
                   [](const Triangle& t) { return squared(surface::normal(t)) == 0; });
     add_boxes(0, static_cast<int>(triangles_.size()));
     if (read.parts > 1) find_hidden();
 }
 
-// In its middle and beside its corners, on both sides.
+// Marks the triangles inside another part of the surface: probe points just off both
+// sides, over the centroid and near the three corners, are all inside.
 void TriangleSurface::find_hidden() {
     const Vec3 size = minus(boxes_.front().high_m, boxes_.front().low_m);
     const double off = 1e-6 * std::sqrt(squared(size));
@@ -79,6 +81,8 @@ void TriangleSurface::find_hidden() {
     }
 }
 
+// Builds the subtree of triangles_[first, first + count), reorders these, and returns the
+// number of its root.
 int TriangleSurface::add_boxes(int first, int count) {
     const auto number = boxes_.size();
     boxes_.emplace_back();
@@ -119,6 +123,7 @@ void TriangleSurface::visit_leaf(const Box& box, const Visit& visit) const {
         visit(static_cast<std::size_t>(i));
 }
 
+// Counts the signed crossings of the ray from x along +x with the triangles.
 bool TriangleSurface::holds(const Vec3& x) const {
     int winding = 0;
     const auto look = [&](const auto& self, int number) -> void {
@@ -138,6 +143,8 @@ bool TriangleSurface::holds(const Vec3& x) const {
     return winding != 0;
 }
 
+// Branch-and-bound search: the nearer child first, and none that is farther than the
+// best.
 TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
     const auto squared_to = [&](int number) {
         const Box& box = boxes_[static_cast<std::size_t>(number)];

@@ -7,22 +7,23 @@
 namespace magfsi::structure {
 namespace {
 
-// Moves a body by a Newton step, the rigid rotation in it as a finite one. A linearised
-// step stretches a body that it turns, by half the angle squared; a free body that
-// follows the field's torque would thus be held back by its own stiffness. So the step is
-// split into its rotation (the least-squares fit, weighted by volume), carried out as
-// such, and the rest. The centre of volume stays along the axes where nothing holds the
-// body.
+// Moves a body by a Newton step with the rotation in it as a finite one. A linearised
+// step stretches a body that it turns, by half the angle squared, and a free body that
+// follows the field's torque would be held back by its own stiffness. The step is
+// therefore split into its rotation (least-squares fit, weighted by volume), which is
+// carried out exactly, and the rest. The centre of volume stays along the axes on which
+// nothing holds the body.
 class Motion {
   public:
     Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
            const Eigen::VectorXd& step);
 
-    // x moved by this fraction of the step; its derivative at 0 is the step (less the
-    // translation of a free body).
+    // Positions after a fraction of the step. The derivative at 0 is the step without the
+    // translation of a free body.
     Eigen::VectorXd at(double fraction) const;
-    // Fraction of the step that turns the body by no more than half a radian.
+    // Largest fraction, at most 1, that turns the body by no more than half a radian.
     double largest_fraction() const;
+    // The step without free translation and rotation.
     const Eigen::VectorXd& deformation() const { return step_; }
 
   private:
@@ -31,6 +32,8 @@ class Motion {
     Eigen::Vector3d rotation_ = Eigen::Vector3d::Zero();  // angle times axis
 };
 
+// Fits shift and rotation to the step: the angular velocity of a rigid body with the
+// step's angular momentum, nodes weighted by volume.
 Motion::Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
                const Eigen::VectorXd& step)
     : x_(x), step_(step) {
@@ -71,6 +74,7 @@ Motion::Motion(const StaticProblem& problem, const Eigen::VectorXd& x,
     }
 }
 
+// Adds the rest of the step first, then rotates about the centre of volume.
 Eigen::VectorXd Motion::at(double fraction) const {
     Eigen::VectorXd out = x_ + fraction * step_;
     const double angle = fraction * rotation_.norm();
@@ -89,11 +93,13 @@ double Motion::largest_fraction() const {
     return angle > largest_angle ? largest_angle / angle : 1.0;
 }
 
-// An iteration with elements beyond this does not converge any more; U is not convex
-// above J = e^(1 + G/K).
+// Range of the volume ratio within which an iteration still converges; the energy U is
+// not convex above J = e^(1 + G/K).
 constexpr double smallest_ratio = 0.1;
 constexpr double largest_ratio = 2.5;
 
+// The independent volume ratios theta and pressures p [Pa] of the mixed method, by
+// element.
 class MixedVolumes {
   public:
     MixedVolumes(StaticProblem& problem, const Eigen::VectorXd& x) : problem_(problem) {
@@ -108,7 +114,8 @@ class MixedVolumes {
         }
     }
 
-    // Fills the matrix and returns the right side. drive_m: as of mixed_iteration.
+    // Fills the problem's matrix and returns the right side [N]. drive_m: as for
+    // mixed_iteration.
     Eigen::VectorXd assemble(const Eigen::VectorXd& x, const NodalLoads& load,
                              const Eigen::VectorXd& drive_m) {
         Eigen::VectorXd right = problem_.surrounding_n(x, load);
@@ -118,7 +125,8 @@ class MixedVolumes {
         return right;
     }
 
-    // theta and p to their linearised values. False if one is out of range.
+    // Moves theta and p by a fraction of the way to their linearised values. False if a
+    // ratio is out of range.
     bool advance(const Eigen::VectorXd& x, const Eigen::VectorXd& step, double fraction) {
         const auto& references = problem_.references();
         bool sound = true;
@@ -142,6 +150,8 @@ class MixedVolumes {
     }
 
   private:
+    // Adds an element's tangent to the matrix and subtracts its inner forces, and the
+    // pull of driven nodes, from the right side.
     void add_element(std::size_t e, const Eigen::VectorXd& x,
                      const Eigen::VectorXd& drive_m, Eigen::VectorXd& right) {
         const ElementReference& reference = problem_.references()[e];
@@ -179,10 +189,11 @@ class MixedVolumes {
     std::vector<double> ratio_, pressure_;
 };
 
-// A stretched state on the way (a body half turned by a linearised step) can make the
-// tangent indefinite although the equilibrium is stable. A foundation in rough steps then
-// holds the unknowns back that have lost their stiffness; the volumes still move on.
-// stable: whether it took none.
+// Factorises the matrix of the mixed method. A stretched state on the way (a body half
+// turned by a linearised step) can make the tangent indefinite although the equilibrium
+// is stable; a foundation in rough steps then holds those unknowns back that have lost
+// their stiffness, while the volumes still move on. stable: true if no foundation was
+// needed. False if none of them is enough.
 bool factorize_mixed(StaticProblem& problem, bool& stable) {
     stable = true;
     const double scale = problem.bending_stiffness_scale();
@@ -194,8 +205,9 @@ bool factorize_mixed(StaticProblem& problem, bool& stable) {
     return false;
 }
 
-// Factorises the tangent on the weakest foundation, in factors of ten, that makes it
-// positive definite, from a tenth of the last one on. Returns the foundation.
+// Factorises the tangent on the weakest foundation [Pa/m2] that makes it positive
+// definite, in factors of ten from a tenth of the last one on. Returns the foundation, or
+// infinity if 30 attempts fail.
 double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x,
                          const NodalLoads& load, double last) {
     const double first = 1e-2 * problem.bending_stiffness_scale();
@@ -209,11 +221,13 @@ double factorize_shifted(StaticProblem& problem, const Eigen::VectorXd& x,
     return INFINITY;
 }
 
-// Halves the step until the energy falls enough; zero if it never does.
+// Fraction of the step that lowers the energy enough, by halving; zero if there is none.
+// slope: work of the residual along the whole step [J].
 double line_search(const StaticProblem& problem, const Motion& motion, const Iterate& now,
                    const NodalLoads& load, double slope) {
     const double before = now.response.total_j;
-    // Rounding of the energy: springs and volume terms of about G V cancel at rest.
+    // Rounding of the energy: the springs and volume terms, each about G V, cancel at
+    // rest.
     const double rounding =
         1e-14 * problem.largest_shear_modulus_pa() * problem.volume_m3();
     double fraction = motion.largest_fraction();

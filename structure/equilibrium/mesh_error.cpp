@@ -9,11 +9,13 @@
 namespace magfsi::structure {
 namespace {
 
-// Nodes in the middle of two, four or eight others, each made once.
+// Adds the nodes of a refined mesh: each is the mean of one, two, four or eight parents
+// and is made once.
 class Middles {
   public:
     explicit Middles(std::vector<Vec3>& nodes) : nodes_(nodes) {}
 
+    // Number of the node in the middle of these nodes.
     int of(std::vector<int> parents) {
         std::ranges::sort(parents);
         if (parents.size() == 1) return parents.front();
@@ -30,7 +32,7 @@ class Middles {
         return place->second;
     }
 
-    // Those between nodes of the group join it.
+    // Adds the new nodes all of whose parents are in the group.
     void extend(std::vector<int>& group) const {
         std::ranges::sort(group);
         const std::vector<int> old = group;
@@ -41,11 +43,14 @@ class Middles {
     }
 
   private:
+    // Nodes of the refined mesh, owned by the caller
     std::vector<Vec3>& nodes_;
+    // Number of the node by its parents, ascending
     std::map<std::vector<int>, int> number_;
 };
 
-// The node of an element at these quarters of its edges: 0, 1 or 2 halves along each.
+// Parents of a node of the refined element: those corners whose mean is the point that
+// lies `halves` (0, 1 or 2) half edges along each local direction.
 std::vector<int> parents(const Hexahedron& element, const std::array<int, 3>& halves) {
     std::vector<int> out;
     for (int a = 0; a < 8; ++a) {

@@ -13,18 +13,19 @@
 namespace magfsi::structure {
 namespace {
 
-// Within a load step the mixed iteration needs 4 to 8 steps or it does not converge.
+// Limits on iterations: within a load step the mixed one needs 4 to 8 or fails.
 constexpr int max_mixed = 12;
 constexpr int max_descent = 400;
-// Residual of the equilibria that a load step only passes through.
+// Relative residual of the equilibria between two points of the path.
 constexpr double passing_tolerance = 1e-4;
-// A load step that moves a node further than this share of the longest side is halved, so
-// that the branch is not lost in a jump.
+// Largest move of a node in a load step, as a share of the body's longest side. Steps
+// that move further are repeated smaller, so that no jump to another branch goes
+// unnoticed.
 constexpr double largest_share_moved = 0.5;
-// Steps, as shares of the way between two points of the path, are halved down to this;
-// then the body is released.
+// Smallest step, as a share of the way between two points of the path; if it fails, the
+// body is released.
 constexpr double smallest_step = 1.0 / 64;
-constexpr int max_load_steps = 500;  // between two points
+constexpr int max_load_steps = 500;  // between two points of the path
 
 double now_s() {
     return std::chrono::duration<double>(
@@ -32,7 +33,8 @@ double now_s() {
         .count();
 }
 
-// Of the tangent at x, on the foundation that stands in for the rigid motions.
+// Negative eigenvalues of the tangent at x. The foundation shifts the zero eigenvalues of
+// rigid motions to positive ones. Leaves the tangent factorised if there are none.
 int negative_eigenvalues(StaticProblem& problem, const Eigen::VectorXd& x,
                          const NodalLoads& load) {
     problem.assemble(x, load);
@@ -40,12 +42,13 @@ int negative_eigenvalues(StaticProblem& problem, const Eigen::VectorXd& x,
     return problem.matrix().negative_eigenvalues();
 }
 
-// The mode K m = w V m of lowest w, V the volumes of the nodes; largest component 1.
-// Found by inverse iteration with the tangent made positive definite by a shift.
+// Mode m of the lowest eigenvalue w of K m = w V m, with V the volumes of the nodes,
+// scaled to a largest component of 1. Inverse iteration on the tangent, made positive
+// definite by a shift.
 Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x,
                             const NodalLoads& load) {
-    // In factors of two: the shift exceeds -w by at most as much, and the iteration gains
-    // a factor of at least two to the next mode that is not negative.
+    // The shift grows in factors of two. It thus exceeds -w by at most as much, and the
+    // iteration gains a factor of at least two on the next mode that is not negative.
     double shift = problem.rigid_foundation();
     problem.assemble(x, load);
     problem.matrix().raise_foundation(shift);
@@ -53,7 +56,7 @@ Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x,
         shift = std::max(2 * shift, 1e-3 * problem.bending_stiffness_scale());
         problem.matrix().raise_foundation(shift);
     }
-    // Any start without symmetry; fixed, so that results repeat.
+    // The start has no symmetry and is fixed, so that results repeat.
     Eigen::VectorXd mode(x.size());
     for (Eigen::Index q = 0; q < x.size(); ++q) {
         mode[q] = std::sin(1.0 + 0.7 * static_cast<double>(q % 97));
@@ -68,7 +71,8 @@ Eigen::VectorXd lowest_mode(StaticProblem& problem, const Eigen::VectorXd& x,
     return mode;
 }
 
-// As Equilibrium::displacement_error; with the tangent that negative_eigenvalues left.
+// Equilibrium::displacement_error at x. The matrix must be the one that
+// negative_eigenvalues has factorised.
 double displacement_error(StaticProblem& problem, const Eigen::VectorXd& x,
                           const NodalLoads& load) {
     const auto deformation_m = [&](const Eigen::VectorXd& force_n) {
@@ -85,11 +89,12 @@ double displacement_error(StaticProblem& problem, const Eigen::VectorXd& x,
 
 }  // namespace
 
+// State on the way from one point of the path to the next.
 struct NewtonSolver::Progress {
     Eigen::VectorXd x;
     int load_steps = 0, iterations = 0, releases = 0;
     double start_s = now_s();
-    double load_factor = 0;  // of the way to the point ahead
+    double load_factor = 0;  // share of the way that was tried last
 
     void take(const Iterate& found) {
         x = found.x;
@@ -112,8 +117,8 @@ std::vector<Equilibrium> NewtonSolver::follow(const std::vector<Vec3>& start,
     state.x = checked_start(start);
     NodalLoads load = problem_.load(from);
     Goal here = goal(true);
-    // At rest flat elements leave more than the rounding of the mean edge; they are not
-    // to be released for that.
+    // Flat elements at rest leave a larger residual than the rounding of the mean edge
+    // tells; they are not to be released for that.
     if (load.none()) here.least_n *= 10;
     if (!StaticProblem::reached(here, problem_.response(state.x, load)))
         release_at(state, load);
@@ -144,7 +149,7 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
     const double largest_move = largest_share_moved * problem_.longest_side_m();
     double reached = 0;
     double step = 1;
-    bool settled = false;  // pushed off the branch here
+    bool settled = false;  // pushed off the branch in this step
     while (reached < 1) {
         const double ahead = std::min(reached + step, 1.0);
         const NodalLoads load = between(from, to, ahead);
@@ -153,7 +158,8 @@ void NewtonSolver::advance(Progress& state, const NodalLoads& from,
         const Iterate found = mixed_iteration(problem_, state.x, load, goal(ahead < 1),
                                               max_mixed, largest_move, drive_m);
         state.iterations += found.iterations;
-        // The first step is linear in the load step: it tells how far to go.
+        // The first step is linear in the load step and thus tells how large the next one
+        // may be.
         const double room = 0.7 * largest_move / found.first_step_m;
         if (found.converged) {
             state.take(found);
@@ -195,7 +201,7 @@ void NewtonSolver::push_off(Progress& state, const NodalLoads& load) {
     const auto pushed_j = [&](double way_m) {
         return problem_.response(balanced + way_m * mode, load).total_j;
     };
-    // Of two ways that mirror each other one is enough.
+    // Two ways of the same energy are mirror images, of which one is enough.
     const double one_j = pushed_j(push_m), other_j = pushed_j(-push_m);
     const bool mirrored =
         std::abs(one_j - other_j) <= 1e-4 * std::abs(one_j - pushed_j(0));
@@ -230,7 +236,8 @@ Eigen::VectorXd NewtonSolver::checked_start(const std::vector<Vec3>& start) cons
 
 int NewtonSolver::settle(Progress& state, const NodalLoads& load) {
     int unstable = negative_eigenvalues(problem_, state.x, load);
-    // A second mode may be left after the first; as many pushes as there are modes.
+    // A second mode may be left after the first: as many pushes as there are negative
+    // eigenvalues.
     const int pushes = options_.leave_unstable ? unstable : 0;
     for (int push = 0; push < pushes && unstable > 0; ++push) {
         push_off(state, load);

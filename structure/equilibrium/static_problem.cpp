@@ -18,7 +18,7 @@ const Body& with_elements(const Body& body) {
     refuse("body {} has no elements, at least one is needed", body.name);
 }
 
-// n . v n
+// Part of v along the unit vector n.
 Eigen::Vector3d along(const Eigen::Vector3d& n, const Eigen::Vector3d& v) {
     return n.dot(v) * n;
 }
@@ -28,7 +28,8 @@ Eigen::Vector3d normal_of(const std::optional<Platform>& platform) {
     return Eigen::Map<const Eigen::Vector3d>(platform->normal.data()).normalized();
 }
 
-// A smooth platform bears what presses on it, and nothing along it.
+// Refuses weight that no support carries. A smooth platform carries what presses on it
+// but nothing along it.
 void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_m_s2,
                     const Eigen::Vector3d& platform_normal) {
     const bool massive = std::ranges::any_of(
@@ -48,7 +49,7 @@ void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_
     }
 }
 
-// A gradient carries a body away, other than a uniform field.
+// A field gradient, unlike a uniform field, has a net force on a body.
 void refuse_to_be_carried(const Body& body, const HeldAxes& held) {
     if (held == HeldAxes{true, true, true}) return;
     refuse(
@@ -322,6 +323,7 @@ void StaticProblem::assemble(const Eigen::VectorXd& x, const NodalLoads& loads) 
     add_surroundings(x, loads);
 }
 
+// The platform's stiffness is that of the nodes in touch at x.
 void StaticProblem::add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads) {
     for (std::size_t e = 0; loads.gradient != 0 && e < references_.size(); ++e) {
         const Matrix8& coupling = gradient_elements_[e].coupling;

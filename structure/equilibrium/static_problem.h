@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The static problem of one body: loads that are constant or follow from its place,
+// Static problem of one body: loads that are constant or depend on the positions,
 // internal forces, energy and tangent.
 #pragma once
 
@@ -15,156 +15,181 @@
 
 namespace magfsi::structure {
 
-// What acts on a body beside a uniform field and its weight.
+// Loads that depend on the positions, and driven nodes. The uniform field and the weight
+// are in StaticLoads.
 struct Surroundings {
     std::optional<FieldGradient> gradient{};
-    std::shared_ptr<SourceField> sources{};  // null without one
-    // Smooth, with a stiffness: each node of the surface that is behind the plane is
-    // pushed back by area times stiffness times depth.
+    std::shared_ptr<SourceField> sources{};  // may be null
+    // Smooth platform with a stiffness [Pa/m]: each node of the surface that is behind
+    // the plane is pushed back by its area times stiffness times depth.
     std::optional<Platform> platform{};
-    // Groups of nodes that something moves; the body's clamps hold them.
+    // Groups of nodes with a prescribed displacement; clamps of the body hold them.
     std::vector<std::vector<int>> driven{};
 };
 
-// At one point of a path. The force q_a B of a uniform field and the weight keep their
-// direction.
+// Loads at one point of a path. The force q_a B of a uniform field and the weight do not
+// depend on the positions (dead loads).
 struct StaticLoads {
     Vec3 field_t{};
     Vec3 gravity_m_s2{};
-    double gradient = 0;           // acting share of the surroundings' field gradient
-    double sources = 0;            // and of their sources, which stand
-    double sources_s = 0;          // where they do at this time
-    std::vector<Vec3> driven_m{};  // displacement of each driven group; none: zeros
+    double gradient = 0;  // acting share of the surroundings' field gradient
+    double sources = 0;   // acting share of the field of the surroundings' sources
+    // Time at which the sources' places and strengths are taken [s]
+    double sources_s = 0;
+    // Displacement of each driven group; empty: zeros
+    std::vector<Vec3> driven_m{};
 };
 
-// What has no equilibrium: a body of parts that are not joined, one of which is not held
-// along all axes; a body with weight along a way on which neither a clamp, a roller nor
-// the platform holds it, which would fall without end; one that is free along an axis in
-// a field gradient, which carries it away. Throws std::invalid_argument.
+// Throws std::invalid_argument if the body cannot have an equilibrium: it consists of
+// separate parts, one of which is not held along all axes; it has weight along an axis on
+// which no clamp, roller or platform holds it, so that it would fall; or it is free along
+// an axis in a field gradient or in the field of sources, which carry it away.
 void require_held(const Body& body, const Vec3& gravity_m_s2,
                   const Surroundings& surroundings = {});
 
-// The same for the nodes.
+// Loads on the nodes. Vectors have three values per node.
 struct NodalLoads {
-    Eigen::VectorXd dead_n;  // of field and weight
-    double gradient = 0;     // these three as in StaticLoads
+    Eigen::VectorXd dead_n;  // forces of field and weight
+    double gradient = 0;     // this and the next two as in StaticLoads
     double sources = 0, sources_s = 0;
-    Eigen::VectorXd driven_m;  // displacement where driven, zero elsewhere; may be empty
+    // Displacement of driven nodes, zero elsewhere; empty if no node is driven
+    Eigen::VectorXd driven_m;
 
+    // True if nothing loads the body.
     bool none() const;
 };
-// Linear in between.
+// Linear interpolation: share 0 is `from`, 1 is `to`.
 NodalLoads between(const NodalLoads& from, const NodalLoads& to, double share);
 
-// What may be left of the residual.
+// Largest residual at which an iteration ends: tolerance times Response::load_n, but not
+// less than least_n.
 struct Goal {
-    double tolerance = 0;  // over Response::load_n
-    double least_n = 0;    // nothing below it is asked for
+    double tolerance = 0;
+    double least_n = 0;  // rounding of the internal forces [N]
 };
 
-// Three values a node throughout.
+// A body with its supports and surroundings, and the functions that the iterations need.
+// Vectors x, forces and residuals have three values per node, node by node.
 class StaticProblem {
   public:
-    // Throws std::invalid_argument on a body without elements, an unknown face or what
-    // build_lattice refuses.
+    // Throws std::invalid_argument on a body without elements or with an unknown face, if
+    // require_held refuses it without weight, and as build_lattice does.
     explicit StaticProblem(const Body& body, Surroundings surroundings = {});
 
     const Body& body() const { return body_; }
-    // Axes along which a clamp or a roller holds a node. Translations along the others,
-    // and turns about the field of a body that may turn so, cost no energy.
+    // Axes along which a clamp or a roller holds at least one node. Translations along
+    // the others, and turns about the field of a body that can turn so, cost no energy.
     const HeldAxes& held_along() const { return held_along_; }
     const Material& material(std::size_t element) const {
         return material_of(body_, element);
     }
-    // Of the platform, which holds a body along it; zero without one.
+    // Unit normal of the platform, along which it holds the body; zero without a
+    // platform.
     const Eigen::Vector3d& platform_normal() const { return platform_normal_; }
     double largest_shear_modulus_pa() const { return largest_shear_modulus_pa_; }
     const std::vector<ElementReference>& references() const { return references_; }
     const std::vector<double>& node_volumes_m3() const { return node_volume_m3_; }
     double volume_m3() const { return volume_m3_; }
 
-    // Throws std::invalid_argument on loads under which the body cannot rest.
+    // Forces of the loads on the undeformed body. Throws std::invalid_argument on weight
+    // along an axis on which nothing holds the body.
     NodalLoads load(const StaticLoads& loads) const;
 
+    // Forces and energies at given positions.
     struct Response {
-        Eigen::VectorXd residual_n;  // of all forces, zero where a node is held
-        // Largest component of dead load, force of gradient and sources and what drives
-        // driven nodes.
+        // Sum of all forces [N], zero where a node is held
+        Eigen::VectorXd residual_n;
+        // Largest component of the loads, for relative residuals: dead load, forces of
+        // gradient and sources, and the forces that move driven nodes.
         double load_n = 0;
         double elastic_j = 0;
-        double total_j = 0;  // less the work of all loads; what equilibria minimise
+        // Elastic energy plus energy of platform and loads; equilibria are its stationary
+        // points
+        double total_j = 0;
         double smallest_j = 1;
-        int element = -1;  // of smallest J
+        int element = -1;  // element of smallest J
     };
     Response response(const Eigen::VectorXd& x, const NodalLoads& loads) const;
-    // What clamps and rollers do to each node to hold it there.
+    // Forces of clamps and rollers on the nodes, zero where nothing holds.
     Eigen::VectorXd support_n(const Eigen::VectorXd& x, const NodalLoads& loads) const;
-    // Dead loads and those that follow from the body's place: of gradient, sources and
-    // platform.
+    // Sum of the dead loads and the forces of gradient, sources and platform [N].
     Eigen::VectorXd surrounding_n(const Eigen::VectorXd& x,
                                   const NodalLoads& loads) const;
 
-    // Largest component over the load; over the rounding where there is no load.
+    // Largest component of the residual over load_n; over the rounding if there is no
+    // load.
     double relative_residual(const Response& response) const;
-    // This share of the present load, but not less than the rounding of the internal
-    // forces.
+    // Goal of this relative residual, with the rounding of the internal forces as its
+    // floor.
     Goal goal(double tolerance) const { return {tolerance, rounding_n()}; }
     static bool reached(const Goal& goal, const Response& response);
 
+    // The tangent, filled by assemble() or by the mixed iteration.
     StiffnessMatrix& matrix() { return matrix_; }
-    // Puts the second derivative of the energy at x into the matrix.
+    // Fills the matrix with the second derivative of the energy at x.
     void assemble(const Eigen::VectorXd& x, const NodalLoads& loads = {});
-    // Adds that of gradient, sources and platform.
+    // Adds the second derivative of the energies of gradient, sources and platform.
     void add_surroundings(const Eigen::VectorXd& x, const NodalLoads& loads);
 
-    // G h^2 / L^4 of the shortest and longest side, G of the softest material: about a
-    // hundredth of the stiffness [Pa/m2] of the lowest bending mode.
+    // G h^2 / L^4 with h and L the shortest and longest side and G of the softest
+    // material: about a hundredth of the stiffness [Pa/m2] of the lowest bending mode.
     double bending_stiffness_scale() const { return bending_scale_; }
-    // Weak foundation [Pa/m2] that removes the rigid motions of a body that is not held
-    // along all axes from the tangent; zero for others. It is about 1e-5 of the stiffness
-    // of the lowest bending mode and 1e4 or more times the rounding of the tangent.
-    // Forces have no such term: an equilibrium does not feel it. Rigid translations and
-    // the turn about the field's axis get this stiffness; an instability that grows more
-    // slowly is not seen.
+    // Weak foundation [Pa/m2] that makes the tangent of a body that is not held along all
+    // axes positive for rigid motions; zero for other bodies. It is about 1e-5 of the
+    // stiffness of the lowest bending mode and at least 1e4 times the rounding of the
+    // tangent. Forces have no such term, so equilibria do not depend on it. Rigid
+    // translations and the turn about the field's axis get this stiffness; an instability
+    // that grows more slowly is not detected.
     double rigid_foundation() const;
+    // Edges of the undeformed body's bounding box.
     double shortest_side_m() const { return shortest_side_m_; }
     double longest_side_m() const { return longest_side_m_; }
 
+    // Positions of an element's nodes relative to their mean, which avoids a loss of
+    // digits far from the origin.
     Positions8 element_positions(std::size_t element, const Eigen::VectorXd& x) const;
 
   private:
     StaticProblem(const Body& body, const Lattice& lattice, Surroundings surroundings);
     void measure_stiffness();
+    // Adds the elastic forces; returns energy and smallest J.
     KernelResult add_internal(const Eigen::VectorXd& x, Eigen::VectorXd& force_n) const;
-    // Return energies.
+    // Add the forces of gradient and sources; return their energies [J].
     double add_gradient(const Eigen::VectorXd& x, double share,
                         Eigen::VectorXd& force_n) const;
     double add_sources(const Eigen::VectorXd& x, const NodalLoads& loads,
                        Eigen::VectorXd& force_n) const;
-    // The field at each node that belongs to a magnetised element.
+    // Field of the sources at each node at a time; sets the sources' time.
     std::vector<FieldSample> samples(const Eigen::VectorXd& x, double time_s) const;
+    // Adds the forces of the platform; returns their energy [J].
     double add_platform(const Eigen::VectorXd& x, Eigen::VectorXd& force_n) const;
+    // Depth of a node behind the platform's plane [m], negative in front of it.
     double depth_m(const Eigen::VectorXd& x, Eigen::Index node) const;
-    // Of the residual: what internal forces that balance each other leave.
+    // Residual [N] that rounding leaves of internal forces in balance.
     double rounding_n() const;
 
     Body body_;
     Surroundings surroundings_;
     std::vector<GradientElement> gradient_elements_;
-    std::vector<Matrix8> moments_;    // of each element; none without sources
-    std::vector<double> surface_m2_;  // of each node; empty without a platform
+    // Moment matrix of each element; empty without sources
+    std::vector<Matrix8> moments_;
+    std::vector<double> surface_m2_;  // share of each node; empty without a platform
     Eigen::Vector3d platform_normal_ = Eigen::Vector3d::Zero();
+    // Values of the nodes; charge_ is q_a of eq. (6) [A m]
     std::vector<double> node_volume_m3_, node_mass_kg_, charge_;
     std::vector<ElementReference> references_;
+    // held_: axes by node; held_along_: axes along which any node is held
     std::vector<HeldAxes> held_;
     HeldAxes held_along_{};
     ElementKernel kernel_;
     StiffnessMatrix matrix_;
     double volume_m3_ = 0;
+    // largest_modulus_pa_: largest K + G of the materials
     double largest_shear_modulus_pa_ = 0, largest_modulus_pa_ = 0;
     double bending_scale_ = 0, shortest_side_m_ = 0, longest_side_m_ = 0;
 };
 
+// Positions as one vector, x y z of each node in turn, and back.
 Eigen::VectorXd flat_positions(const std::vector<Vec3>& nodes_m);
 std::vector<Vec3> nodes_from(const Eigen::VectorXd& x);
 

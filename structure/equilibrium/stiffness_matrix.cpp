@@ -11,7 +11,8 @@
 namespace magfsi::structure {
 namespace {
 
-// Of each node those of the same elements that come after it, itself first; sorted.
+// For each node itself and those nodes of its elements that have larger numbers,
+// ascending.
 std::vector<std::vector<int>> later_neighbours(const Mesh& mesh) {
     std::vector<std::vector<int>> out(mesh.nodes.size());
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = {static_cast<int>(n)};
@@ -29,8 +30,8 @@ std::vector<std::vector<int>> later_neighbours(const Mesh& mesh) {
     return out;
 }
 
-// CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says; they take longer than
-// one.
+// Keeps CHOLMOD to one thread. It asks for four, whatever OMP_NUM_THREADS says, and they
+// take longer than one on these matrices.
 class OneThread {
   public:
     OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
@@ -48,7 +49,8 @@ StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> hel
                                  std::span<const double> node_volumes_m3)
     : elements_(mesh.elements), held_(held.begin(), held.end()) {
     for (std::size_t n = 0; n < held_.size(); ++n) {
-        if (node_volumes_m3[n] == 0) held_[n] = {true, true, true};  // of no element
+        // Node without elements
+        if (node_volumes_m3[n] == 0) held_[n] = {true, true, true};
         for (bool is_held : held_[n]) {
             volume_m3_.push_back(is_held ? 0 : node_volumes_m3[n]);
         }
@@ -63,6 +65,8 @@ StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> hel
     throw_if_out_of_memory();
 }
 
+// Columns come in threes, one for each coordinate of a node. The diagonal block holds its
+// lower triangle only, which is why it has 3 entries less.
 void StiffnessMatrix::allocate(const std::vector<std::vector<int>>& neighbours) {
     const auto size = static_cast<Eigen::Index>(volume_m3_.size());
     Eigen::Index entries = 0;
@@ -113,8 +117,7 @@ void StiffnessMatrix::add_element(std::size_t element, const Matrix24& tangent) 
     for (int b = 0; b < 8; ++b) {
         for (int d = 0; d < 3; ++d) {
             if (held_[nodes[b]][d]) continue;
-            // The first row of the column is the diagonal: d rows of the node are above
-            // it.
+            // The column starts at the diagonal: d rows of the node's block are above it.
             double* column =
                 matrix_.valuePtr() + matrix_.outerIndexPtr()[3 * nodes[b] + d] - d;
             for (int a = 0; a < 8; ++a) {
@@ -172,8 +175,8 @@ int StiffnessMatrix::negative_eigenvalues() {
     if (factorize()) return 0;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor;
     factor.analyzePattern(matrix_);
-    // A pivot of exactly zero stops the factorisation: move it by less than rounding
-    // does.
+    // A pivot of exactly zero stops the factorisation: the shift, smaller than rounding,
+    // moves it away from zero.
     double shift = 0;
     for (factor.factorize(matrix_); factor.info() != Eigen::Success;
          factor.factorize(matrix_)) {

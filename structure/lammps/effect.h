@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an effect of effects.inc is: an object of type Effect, called NAME_effect, in
-// effects/NAME.cpp or in a folder effects/NAME/. See docs/adding_an_effect.md.
+// Interface of the effects in effects.inc. Each is an object of type Effect, called
+// NAME_effect, in effects/NAME.cpp or in a folder effects/NAME/. See
+// docs/adding_an_effect.md.
 #pragma once
 
 #include "fix.h"
@@ -22,11 +23,12 @@
 
 namespace magfsi::structure {
 
+// Lines of a LAMMPS script.
 using Lines = std::vector<std::string>;
 
 // --- forces that need a body's elements
 
-// Node n of a body is the atom with ID first_id + n.
+// Atoms of a body: node n is the atom with ID first_id + n.
 struct NodeRange {
     int first_id = 1;
     int count = 0;
@@ -36,56 +38,62 @@ struct NodeRange {
     }
 };
 
-// This rank's elements: those whose first node it owns.
+// Elements of one body on this rank: those whose first node it owns.
 struct OwnedElements {
-    std::vector<int> element;
-    std::vector<std::array<int, 8>> atom;  // local or ghost indices
-    int missing_id = 0;                    // an atom that this rank cannot see, or 0
+    std::vector<int> element;              // numbers in Lattice::elements
+    std::vector<std::array<int, 8>> atom;  // local or ghost indices of their nodes
+    // ID of a node that this rank does not have, even as a ghost; else 0
+    int missing_id = 0;
 };
 
-// What a fix magttice knows of its body. The lattice and the positions of its nodes live
-// as long as the forces, the magnetisation only while they are made.
+// Data of a fix magttice's body for the forces of effects. Lattice and positions live as
+// long as the forces; the magnetisation must be copied, as it is freed after their
+// construction.
 struct MagtticeBody {
     std::string who;  // "fix ID magttice", for messages
     NodeRange range;
     const Lattice& lattice;
-    const std::vector<Vec3>& nodes_m;            // at rest
+    const std::vector<Vec3>& nodes_m;            // in the undeformed body
     const std::vector<Vec3>& magnetization_a_m;  // one per element
 };
 
-// Forces on the nodes of one body beside the elastic ones, which fix magttice adds at the
-// same place of a step.
+// Forces on the nodes of one body other than the elastic ones. fix magttice adds them at
+// the same place of a step, before the reverse communication, so that forces on ghost
+// atoms reach their owners.
 class BodyForce : protected LAMMPS_NS::Pointers {
   public:
-    // Of one step, this rank's share.
+    // Energies of one step, this rank's share.
     struct Turnover {
-        double work_j = 0;  // done on the body by the field
-        double lost_j = 0;  // to viscosity
+        double work_j = 0;  // work of the external field on the body
+        double lost_j = 0;  // dissipated by viscosity
     };
 
     explicit BodyForce(LAMMPS_NS::LAMMPS* lammps) : Pointers(lammps) {}
 
-    virtual void init() {}  // of a run
-    // The body's elements have changed their rank, or its atoms their indices.
+    // Called at the start of each run.
+    virtual void init() {}
+    // Called when elements have changed their rank or atoms their indices.
     virtual void rebuild(const OwnedElements& owned) = 0;
-    // Adds the forces to atom->f at the start of a run, where v is that of a whole step.
+    // Adds the forces to atom->f at the start of a run, where atom->v is at a whole step.
     virtual void add() = 0;
-    // Adds them within a step, where v is (x(n+1) - x(n)) / dt.
+    // Adds the forces within a step, where atom->v is (x(n+1) - x(n)) / dt.
     virtual Turnover advance() = 0;
+    // Adds the forces during an energy minimisation.
     virtual void minimize() { add(); }
-    // Beside the elastic energy; this rank's share, of the last forces.
+    // Energy beside the elastic one, this rank's share, at the last forces [J].
     virtual double energy_j() const { return 0; }
 };
 
-// A keyword of fix magttice that stands for such forces. make may throw
+// A keyword of fix magttice and the forces that it adds. make may throw
 // std::invalid_argument.
 struct BodyForceStyle {
     const char* keyword = nullptr;
-    int values = 0;  // words after the keyword
+    int values = 0;  // number of words after the keyword
     std::unique_ptr<BodyForce> (*make)(LAMMPS_NS::LAMMPS*, const MagtticeBody&,
                                        char** values) = nullptr;
 };
 
+// The usual BodyForceStyle::make: constructs a Force from the same arguments.
 template <class Force>
 std::unique_ptr<BodyForce> make_force(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body,
                                       char** values) {
@@ -94,7 +102,7 @@ std::unique_ptr<BodyForce> make_force(LAMMPS_NS::LAMMPS* lammps, const MagtticeB
 
 // --- the effect
 
-// " periodic LX LY LZ" where there is a period along an axis.
+// The words " periodic LX LY LZ" [m] of fixes that need the periods; empty without any.
 inline std::string periodic_words(const LammpsInput& input) {
     const Vec3& length = input.period_m;
     if (length == Vec3{}) return "";
@@ -102,57 +110,63 @@ inline std::string periodic_words(const LammpsInput& input) {
                        length[2]);
 }
 
-// A fix of LAMMPS.
+// A fix style of LAMMPS by its name.
 struct FixStyle {
     const char* name = nullptr;
     LAMMPS_NS::Fix* (*make)(LAMMPS_NS::LAMMPS*, int narg, char** arg) = nullptr;
 };
 
+// The usual FixStyle::make. LAMMPS owns the fix.
 template <class Fix>
 LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg) {
     return new Fix(lammps, narg, arg);
 }
 
-// All but the first two and the last two members are used only where the effect is asked
-// for. Null: nothing.
+// An effect: its check, its commands in the script, and its LAMMPS styles. The styles
+// (force, fix, register_styles) belong to the program and are there in every run; the
+// members from check to surface_spring_pa_m are used only if asked(input) is true. Null
+// members do nothing.
 struct Effect {
     using Commands = void (*)(Lines& lines, const LammpsInput&);
 
+    // Name in effects.inc, for messages
     const char* name;
+    // True if this input has the effect.
     bool (*asked)(const LammpsInput&);
-    // Throws std::invalid_argument on what it cannot do.
+    // Throws std::invalid_argument on input that the effect cannot handle.
     void (*check)(const LammpsInput&) = nullptr;
 
-    // Its commands, in the order of the script:
+    // Commands that come before the bodies are created.
     Commands before_bodies = nullptr;
-    // Words of the body's fix magttice: `force.keyword` and its values.
+    // Words of a body's line of fix magttice: force.keyword and its values.
     std::string (*body_words)(const LammpsInput&, const Body&) = nullptr;
     Commands commands = nullptr;  // after the bodies, before the time integration
     Commands after_integration = nullptr;
 
-    // The group that is integrated in place of all atoms.
+    // Group that is integrated in place of all atoms.
     const char* integrated_group = nullptr;
-    // Pressure over displacement [Pa/m] of what it presses on a body's surface with, for
-    // the stable step.
+    // Stiffness with which the effect presses on a body's surface, pressure over
+    // displacement [Pa/m], for the stable step.
     double (*surface_spring_pa_m)(const LammpsInput&, const Body&) = nullptr;
 
     BodyForceStyle force{};
     FixStyle fix{};
-    // Makes its computes and pair styles known.
+    // Registers computes and pair styles of the effect.
     void (*register_styles)(LAMMPS_NS::LAMMPS&) = nullptr;
 };
 
-// Those of this build.
+// All effects of this build, in the order of effects.inc.
 std::span<const Effect* const> effects();
-// Of these, in their order, those that are asked for.
+// The effects that this input asks for, in the same order.
 std::vector<const Effect*> asked_effects(const LammpsInput& input);
-// "all", or that of the effect that names another.
+// Group of the time integration: "all", unless an effect names another.
 std::string integrated_group(const LammpsInput& input);
 
 // --- for the LAMMPS styles of effects
 
-// Ends a run that cannot go on: hands the cause to the handler of register_styles.h, or
-// to LAMMPS's error->one. One rank is enough.
+// Ends a run that cannot go on. The cause goes to the handler of set_failure_handler
+// (register_styles.h), or to LAMMPS's error->one if there is none. One rank may call it
+// alone.
 [[noreturn]] void fail(LAMMPS_NS::Error& error, const std::string& cause);
 template <class First, class... Args>
 [[noreturn]] void fail(LAMMPS_NS::Error& error, fmt::format_string<First, Args...> cause,
@@ -161,16 +175,17 @@ template <class First, class... Args>
          fmt::format(cause, std::forward<First>(first), std::forward<Args>(args)...));
 }
 
-// A word of a command as a number; ends the run where it is none.
+// Number in a word of a command; ends the run with LAMMPS's error if the word is none.
 double number(const char* word, LAMMPS_NS::LAMMPS* lammps);
 
-// A node of the surface of a body, for styles that push on surfaces.
+// Surface share of a node, for styles that act on surfaces.
 struct SurfaceNode {
-    int body = -1;
-    double area_m2 = 0;  // surface_areas; 0: not on a surface
+    int body = -1;       // number of the body in the order of the script; -1: of no body
+    double area_m2 = 0;  // share of surface_areas (mesh/surface.h); 0: inside of the body
     Vec3 at_rest_m{};
 };
-// By atom ID, of all bodies of a run; empty without a fix magttice.
+// The nodes of all bodies by atom ID, the same on all ranks; empty without a fix
+// magttice.
 std::vector<SurfaceNode> surface_nodes(const LAMMPS_NS::Modify& modify);
 
 }  // namespace magfsi::structure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The effects of this build: the list and what is asked of all of them.
+// List of the effects of this build, and the functions that go through all of them.
 #include "structure/lammps/effect.h"
 #include "structure/refuse.h"
 
@@ -29,6 +29,8 @@ constexpr const Effect* registered[] = {
     nullptr};
 #undef MAGFSI_EFFECT
 
+// Throws std::invalid_argument if the input asks for an effect whose file is not in this
+// build.
 void refuse_absent(const LammpsInput& input) {
     const auto need = [](bool asked, std::string_view name) {
         const auto is_it = [&](const Effect* e) { return e->name == name; };
@@ -53,6 +55,7 @@ void refuse_absent(const LammpsInput& input) {
     }
 }
 
+// The handler of set_failure_handler, one for the process.
 std::function<void(const std::string&)>& failure_handler() {
     static std::function<void(const std::string&)> handler;
     return handler;
@@ -60,6 +63,8 @@ std::function<void(const std::string&)>& failure_handler() {
 
 }  // namespace
 
+// The array ends with a null, which keeps it valid for an empty list and is left out
+// here.
 std::span<const Effect* const> effects() {
     return std::span(registered).first(std::size(registered) - 1);
 }

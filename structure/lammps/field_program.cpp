@@ -25,7 +25,7 @@ constexpr const char* law_name<OscillatingField> = "oscillating";
 template <>
 constexpr const char* law_name<PrecessingField> = "precessing";
 
-// Rows of time, magnitude and direction.
+// Words are rows of time, magnitude and direction.
 template <>
 struct LawWords<FieldTable> {
     static std::string words(const FieldTable& table) {
@@ -53,7 +53,7 @@ struct LawWords<FieldTable> {
     }
 };
 
-// Rows of time and vector.
+// Words are rows of time and vector.
 template <>
 struct LawWords<VectorTable> {
     static std::string words(const VectorTable& table) {
@@ -84,7 +84,7 @@ struct LawWords<FormulaField> : FormulaWords<FormulaField> {};
 
 namespace {
 
-// The field of each course at a time, as magnitude and direction.
+// Laws in the plane: their field at a time, as magnitude and direction.
 ConstantField polar(const ConstantField& course, double) {
     return course;
 }
@@ -99,7 +99,7 @@ ConstantField polar(const FieldTable& course, double time_s) {
     return {at.of(course.magnitude_t), at.of(course.direction_rad)};
 }
 
-// Likewise, as a vector.
+// Other laws: their field at a time, as a vector in space.
 Vec3 vector_of(const VectorField& course, double) {
     return course.vector_t;
 }
@@ -124,6 +124,8 @@ double length(const Vec3& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
+// The formula stands at PrecessingField: u is made perpendicular to n by projection, and
+// `across` normalises it.
 Vec3 vector_of(const PrecessingField& course, double time_s) {
     Vec3 n = course.axis;
     const double scale = 1 / length(n);
@@ -152,6 +154,7 @@ Vec3 vector_of(const PrecessingField& course, double time_s) {
     return out;
 }
 
+// True for laws that polar() knows.
 template <class Law>
 constexpr bool in_plane = requires(const Law& law) {
     polar(law, 0.0);
@@ -215,6 +218,7 @@ void check_plane(const std::array<int, 2>& plane) {
     }
 }
 
+// Throws if a law has a check and fails it.
 void check_law(const FieldLaw& law) {
     std::visit(
         []<class Law>(const Law& one) {

@@ -25,9 +25,11 @@
 namespace magfsi::structure {
 namespace {
 
-// ID group style, then the file, the first atom, G and K.
+// Number of the first keyword: after ID, group, style, file, first atom, G and K.
 constexpr int first_keyword = 7;
 
+// The effect of a keyword. Throws std::invalid_argument, with the keywords that there
+// are.
 const BodyForceStyle& force_of(const std::string& keyword) {
     std::string allowed = "element, material";
     for (const Effect* effect : effects()) {
@@ -66,7 +68,7 @@ FixMagttice::~FixMagttice() {
     delete[] extlist;
 }
 
-// G, K and, of three values, the viscosity.
+// Material of the values G and K and, if there are three, the viscosity.
 Material FixMagttice::parse_material(char** arg, int values) {
     Material material;
     material.shear_modulus_pa = number(arg[0], lmp);
@@ -75,7 +77,7 @@ Material FixMagttice::parse_material(char** arg, int values) {
     return material;
 }
 
-// Returns the number of words of the keyword and its values.
+// Force keywords are only collected: their forces need the lattice, which is read last.
 int FixMagttice::parse_keyword(int left, char** arg, std::vector<AskedForce>& asked) {
     const std::string keyword = arg[0];
     const auto with = [&](int values) {
@@ -141,8 +143,8 @@ void FixMagttice::read_body(const std::string& file,
 
 int FixMagttice::setmask() {
     using namespace LAMMPS_NS::FixConst;
-    // Forces before the reverse communication, so that those on ghosts reach their
-    // owners.
+    // PRE_REVERSE is before the reverse communication, so that forces on ghosts reach
+    // their owners.
     return PRE_REVERSE | MIN_PRE_REVERSE | POST_NEIGHBOR | MIN_POST_NEIGHBOR;
 }
 
@@ -154,7 +156,7 @@ void FixMagttice::init() {
     if (std::string(update->integrate_style).find("respa") != std::string::npos) {
         fail(*error, who_ + " works with run_style verlet only");
     }
-    // Forces are in newtons, and in LAMMPS's other units they would be scaled.
+    // Forces are in newtons; other units of LAMMPS would scale them.
     if (std::strcmp(update->unit_style, "si") != 0)
         fail(*error, "{} found with units {}; allowed is units si", who_,
              update->unit_style);
@@ -180,6 +182,8 @@ void FixMagttice::init() {
     for (const auto& added : forces_) added->init();
 }
 
+// closest_image picks the copy of a node next to the element's first node, which matters
+// across a periodic side.
 OwnedElements FixMagttice::owned_elements() const {
     OwnedElements out;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -250,7 +254,7 @@ void FixMagttice::add_elastic_forces(double* f) const {
     if (kernel_.size() > 0) kernel_.add_forces(atom->x[0], f);
 }
 
-// The body is named as its group is. Positions that are NaN print as such.
+// The group's name is the body's. Positions that are NaN print as such.
 std::string FixMagttice::place(int element) const {
     const Hexahedron& nodes = lattice_.elements[static_cast<std::size_t>(element)];
     Vec3 rest{};
@@ -278,7 +282,7 @@ void FixMagttice::refuse_inverted(const KernelResult& result) {
          who_, result.element, update->ntimestep, j, place(result.element));
 }
 
-// Energies cost a second pass over the elements, so only those who ask pay for it.
+// Energies cost a second pass over the elements and are computed only on request.
 void FixMagttice::compute_energies() {
     if (energies_known_) return;
     energies_known_ = true;
@@ -317,6 +321,7 @@ int FixMagttice::modify_param(int narg, char** arg) {
     return 2;
 }
 
+// Sums over all ranks, written by rank 0, which takes them back whole in restart().
 void FixMagttice::write_restart(FILE* file) {
     const std::array<double, 2> totals{compute_vector(2), compute_vector(4)};
     if (comm->me != 0) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a pair style remembers of pairs of atoms, for checkpoints and repeated steps.
+// Interface to the state that a pair style keeps for pairs of atoms, such as friction
+// springs, for checkpoints and repeated steps.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +9,16 @@
 
 namespace magfsi::structure {
 
+// A pair style with such a state.
 class KeepsPairs {
   public:
+    // Number of values in a row, one row per pair
     static constexpr std::size_t row_values = 6;
 
     virtual ~KeepsPairs() = default;
-    // Rows of row_values numbers, the same on all ranks; and back.
+    // All pairs as rows of row_values numbers, the same on all ranks (collective).
     virtual std::vector<double> kept_pairs() const = 0;
+    // Replaces the state by such rows.
     virtual void put_pairs(std::span<const double> rows) = 0;
 };
 

@@ -59,8 +59,7 @@ void write_data_file(const std::vector<DataAtom>& atoms,
                      const std::filesystem::path& file) {
     Bounds box;
     for (const DataAtom& atom : atoms) box.add(atom.position_m);
-    // The shrink-wrapped boundary replaces these bounds; they only have to hold the
-    // atoms.
+    // The margin keeps atoms off the bounds; a shrink-wrapped boundary replaces these.
     const double margin = 0.01 * std::ranges::max(box.extent_m());
     write_text_file("data file", file, [&](fmt::ostream& out) {
         out.print("Nodes of all bodies, SI\n\n{} atoms\n1 atom types\n\n", atoms.size());

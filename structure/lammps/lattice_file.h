@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The files that a script names: the lattice file of fix magttice, one body's mesh and
-// magnetisation as text,
+// Files that a script names: the lattice file of fix magttice, which holds one body's
+// mesh and magnetisation as text,
 //
 //   # comment lines
 //   nodes N
 //   x y z                          N lines [m]
 //   elements M
 //   n0 ... n7  Mx My Mz  MATERIAL  M lines; node numbers from 0, magnetisation [A/m]; the
-//                                  number of the material may be left out: 0
+//                                  number of the material is 0 if it is left out
 //
-// and the LAMMPS data file (atom_style sphere) of the nodes of all bodies.
+// and the LAMMPS data file (atom_style sphere) with the nodes of all bodies.
 #pragma once
 
 #include <filesystem>
@@ -20,32 +20,36 @@
 
 namespace magfsi::structure {
 
+// Contents of a lattice file.
 struct LatticeFile {
     std::vector<Vec3> nodes_m;
     std::vector<Hexahedron> elements;
-    std::vector<Vec3> magnetization_a_m;  // one per element
-    std::vector<int> element_material;    // one per element; empty: all 0
+    std::vector<Vec3> magnetization_a_m;  // one vector per element
+    std::vector<int> element_material;    // one number per element; empty: all 0
 };
 
-// Numbers are written so that they read back exactly. Empty magnetisation is written as
-// zeros, an empty element_material not at all. Read, it is empty where all are 0. Both
-// throw std::runtime_error that names the file (and what was expected in it).
+// Write and read a lattice file. Numbers have 17 digits and are exact when read back.
+// Empty magnetisation is written as zeros, an empty element_material not at all; when
+// read, element_material is empty if all numbers are 0. Both throw std::runtime_error
+// with the file, and with what was expected in it.
 void write_lattice_file(const LatticeFile& lattice, const std::filesystem::path& file);
 LatticeFile read_lattice_file(const std::filesystem::path& file);
 
+// A node as LAMMPS gets it.
 struct DataAtom {
     Vec3 position_m{};
     double mass_kg = 0;
 };
 
-// Atom IDs count from 1 in the given order; one atom type; at rest. Diameters are zero,
-// for which LAMMPS takes the density column as the mass. The box is that of the atoms and
-// a little more. Throws std::runtime_error if the file cannot be written.
+// Writes a data file for read_data: atom IDs count from 1 in the given order, one atom
+// type, no velocities. Diameters are zero, for which LAMMPS takes the density column as
+// the mass. The box holds all atoms with a margin of 1 % of its longest edge. Throws
+// std::runtime_error if the file cannot be written.
 void write_data_file(const std::vector<DataAtom>& atoms,
                      const std::filesystem::path& file);
 
-// The variant of `fix magttice ... element WORD`. Throws std::invalid_argument on another
-// word.
+// Element variant of the word in `fix magttice ... element WORD`. Throws
+// std::invalid_argument on any other word.
 ElementVariant parse_element_name(const std::string& word);
 
 }  // namespace magfsi::structure

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Laws, the alternatives of a variant, as words of a LAMMPS command and back: a name and
-// numbers.
+// Laws, which are the alternatives of a std::variant, as words of a LAMMPS command and
+// back. The first word is the law's name.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,10 +22,12 @@
 
 namespace magfsi::structure {
 
+// Name of a law in commands. A law with the generic LawWords must specialise it.
 template <class Law>
 constexpr const char* law_name = nullptr;
 
-// Of a law whose members are all numbers: these in their order. Other laws specialise it.
+// Words of one law. The generic form is for structs whose members are all of type double:
+// the words are their values in the order of declaration. Other laws specialise it.
 template <class Law>
 struct LawWords {
     static_assert(law_name<Law> != nullptr, "give the law its word: law_name<Law>");
@@ -35,10 +37,11 @@ struct LawWords {
         return fmt::format("{} {:.17g}", law_name<Law>,
                            fmt::join(std::bit_cast<Numbers>(law), " "));
     }
+    // Number of values, for error messages.
     static std::string usage() {
         return fmt::format("{} has {}", law_name<Law>, Numbers{}.size());
     }
-    // Nothing where name or number of values are not those of the law.
+    // The law, or nothing if the name or the number of values is not that of the law.
     static std::optional<Law> read(const std::string& name,
                                    std::span<const double> values) {
         Numbers numbers{};
@@ -48,7 +51,8 @@ struct LawWords {
     }
 };
 
-// Of a law of three formulas: these, words without spaces.
+// Words of a law that is one array of three formulas: "formula" and the three texts, none
+// of which may contain blanks.
 template <class Law>
 struct FormulaWords {
     static std::string words(const Law& law) {
@@ -67,18 +71,19 @@ struct FormulaWords {
     }
 };
 
-// Throws std::invalid_argument where one is no formula.
+// Throws std::invalid_argument if one of the texts is no formula.
 inline void check_formulas(std::span<const Formula> formulas) {
     for (const Formula& one : formulas) value_or_nan(one.si, 0);
 }
 
+// Words of the law that the variant holds.
 template <class... Laws>
 std::string law_words(const std::variant<Laws...>& law) {
     return std::visit([]<class Law>(const Law& one) { return LawWords<Law>::words(one); },
                       law);
 }
 
-// The words as numbers. Throws std::invalid_argument.
+// The words as numbers. Throws std::invalid_argument, with the word, if one is no number.
 inline std::vector<double> numbers_of(std::span<const std::string> words) {
     std::vector<double> out;
     for (const std::string& word : words) {
@@ -95,11 +100,12 @@ inline std::vector<double> numbers_of(std::span<const std::string> words) {
     return out;
 }
 
-// The law that the words name. Throws std::invalid_argument, naming the laws there are.
+// Sets the variant to the law that the words give. Throws std::invalid_argument, with the
+// laws that there are, if there is no such law.
 template <class... Laws>
 void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
     if (words.empty()) refuse("a name is needed");
-    // Laws that are not of numbers alone.
+    // Laws that are not made of numbers alone come first.
     const auto read_words = [&]<class Law>(std::type_identity<Law>) {
         if constexpr (requires { LawWords<Law>::read_words(words); }) {
             if (std::optional<Law> law = LawWords<Law>::read_words(words)) {

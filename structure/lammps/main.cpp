@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi-lammps: the LAMMPS command line with our styles, for plain input scripts; and
-// `magfsi-lammps lattice NAME ...`, which makes the files of a block for them.
+// Program magfsi-lammps: the LAMMPS command line with our styles, for plain input
+// scripts; and `magfsi-lammps lattice NAME ...`, which writes the files of a block for
+// such scripts.
 #include <dlfcn.h>
 #include <mpi.h>
 #include "input.h"
@@ -22,6 +23,7 @@
 namespace magfsi::structure {
 namespace {
 
+// Arguments of `magfsi-lammps lattice`.
 struct Wanted {
     std::string name;
     Box box;
@@ -88,8 +90,9 @@ int lattice_command(int argc, char** argv) {
 }  // namespace
 }  // namespace magfsi::structure
 
-// The command `clear` makes LAMMPS anew, and ends in this function, of which the library
-// finds ours in place of its own: our styles outlive it.
+// LAMMPS's command `clear` deletes and creates its styles anew and calls post_create at
+// the end. This definition is found before the library's own; it calls that one and then
+// registers our styles again, so that they outlive `clear`.
 void LAMMPS_NS::LAMMPS::post_create() {
     void* const theirs = dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv");
     if (theirs != nullptr) reinterpret_cast<void (*)(LAMMPS*)>(theirs)(this);

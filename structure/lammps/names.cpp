@@ -14,7 +14,7 @@
 namespace magfsi::structure {
 namespace {
 
-// LAMMPS has 32 groups; these are taken.
+// Groups that a script may have besides those of bodies and motions. LAMMPS has 32.
 const std::vector<std::string> own_groups{"all",    "clamped", "moving",
                                           "held_x", "held_y",  "held_z"};
 constexpr std::size_t max_bodies_and_motions = 26;
@@ -58,6 +58,8 @@ std::string moved_group(std::size_t motion) {
     return fmt::format("moved_{}", motion + 1);
 }
 
+// True if a path in double quotes passes LAMMPS's parser unchanged: printable ASCII
+// without quotes, variables ($) and formats (%).
 bool is_quotable(const std::string& path) {
     return std::ranges::all_of(path, [](char c) {
         return c >= ' ' && c <= '~' && c != '"' && c != '$' && c != '%';

@@ -11,31 +11,33 @@
 
 namespace magfsi::structure {
 
-// One ID per body, fit for groups, fixes and file names: letters, digits and underscores
-// of its name, other characters as underscores; a repeated or reserved one gets a number.
-// Throws std::invalid_argument on more bodies and motions than LAMMPS has groups for.
+// One name per body that is fit for groups, fixes and file names: the letters, digits and
+// underscores of the body's name, with underscores for other characters; a repeated or
+// reserved name gets a number. Throws std::invalid_argument if there are more bodies and
+// motions than LAMMPS has groups for.
 std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
                                       std::size_t motions = 0);
 
-// Of the nodes that slide on rollers: held along this axis, 0 to 2.
+// Group of the nodes that rollers hold along an axis, 0 to 2.
 std::string held_group(std::size_t axis);
-// Of the nodes of a prescribed motion.
+// Group of the nodes of a prescribed motion, counted from 0.
 std::string moved_group(std::size_t motion);
 
-// A path as a word of a script, for our styles: in quotes, or where LAMMPS would change
-// it, as words::path_word.
+// A path as one word of a script, to be read by our styles: in quotes or, if LAMMPS would
+// change it, encoded by words::path_word.
 std::string path_in_script(const std::string& path);
-// For LAMMPS itself, on the rank that reads it: such a file is opened here, and named by
-// its descriptor as long as the process lives.
+// A path as one word of a script, to be read by LAMMPS itself on the calling rank. If
+// quotes are not enough, the file is opened here and named by its descriptor, which stays
+// open as long as the process lives. Throws std::runtime_error if it cannot be opened.
 std::string data_in_script(const std::string& path);
 
-// Rising IDs as LAMMPS ranges first:last:stride, "1:91:10 3".
+// Ascending IDs in LAMMPS's notation first:last:stride, such as "1:91:10 3".
 std::string id_ranges(const std::vector<int>& ids);
 
-// Atom ID of a body's node 0. Atoms are numbered from 1, one body after the other.
+// Atom ID of a body's node 0. Atoms are numbered from 1 on, one body after the other.
 int first_id(const LammpsInput& input, std::size_t body);
 
-// IDs of the nodes whose held axes satisfy the condition, ascending.
+// IDs of the nodes whose held axes satisfy a condition, ascending.
 std::vector<int> ids_where(const LammpsInput& input,
                            const std::function<bool(const HeldAxes&)>& condition);
 

@@ -13,6 +13,8 @@ double dot(const Vec3& a, const Vec3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// Stick point of a node at its first touch: x moved back along v to where the node passed
+// through the plane, by one step at most.
 StickPoint touched(const Vec3& x_m, const Vec3& v_m_s, double gap_m, double approach_m_s,
                    double dt_s) {
     StickPoint out{x_m, true};
@@ -23,7 +25,8 @@ StickPoint touched(const Vec3& x_m, const Vec3& v_m_s, double gap_m, double appr
     return out;
 }
 
-// Friction force and the energy of its spring.
+// Adds the friction force and the energy of its spring; drags the stick point if it
+// slides.
 void add_friction(const Platform& platform, double area_m2, const Vec3& x_m,
                   StickPoint& stick, PlatformContact& out) {
     Vec3 slip{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A plane that pushes nodes back: its stiffness, and penalty pressure and Coulomb
+// Platform that pushes nodes back: its stiffness, and penalty pressure and Coulomb
 // friction on one node.
 #pragma once
 
@@ -9,46 +9,49 @@
 
 namespace magfsi::structure {
 
-// Where a node sticks to the plane. One that has let go takes a new one when it touches.
+// Point of the plane to which a node's tangential spring is attached. It is released when
+// the node lifts off and set anew at the next touch.
 struct StickPoint {
     Vec3 at_m{};
     bool held = false;
 };
 
+// Forces and energies of one node.
 struct PlatformContact {
-    double gap_m = 0;     // negative: penetration
-    double normal_n = 0;  // never negative: the plane does not pull
-    Vec3 force_n{};       // on the node, friction included
-    double energy_j = 0;  // of the normal spring and the tangential one
-    double slid_j = 0;    // what dragging the stick point has cost
+    double gap_m = 0;     // along the normal; negative: penetration
+    double normal_n = 0;  // normal force, never negative, as the plane does not pull
+    Vec3 force_n{};       // force on the node, friction included
+    double energy_j = 0;  // energy of the normal and the tangential spring
+    double slid_j = 0;    // energy that sliding has dissipated in this evaluation
 };
 
-// One node of area A [m2]: normal force A (stiffness * penetration - damping * v.n), and
-// with friction the tangential spring of Cundall and Strack (Geotechnique 29, 1979), of
-// the same stiffness, whose force is limited to mu times the normal force: where it would
-// be larger, the stick point is dragged along. The force depends on the stick point and
-// on the position alone, so that evaluating it again at one position changes nothing
-// (restarts, setups, minimisers). A node that touches in a step of dt_s sticks where it
-// went through the plane: one that slides fast has its full friction at once. dt_s = 0:
-// it sticks where it is.
+// Contact of one node with the surface area A [m2]. The normal force is A (stiffness *
+// penetration - damping * v.n). Friction is the tangential spring of Cundall and Strack
+// (Geotechnique 29, 1979), of the same stiffness, with its force limited to mu times the
+// normal force: beyond that the stick point is dragged along. The force depends on the
+// stick point and the position alone, so that a second evaluation at the same position
+// changes nothing (restarts, setups, minimisers). A node that touches in a step of dt_s
+// sticks where it passed through the plane, so that one that slides fast has its full
+// friction at once; with dt_s = 0 it sticks at its present position.
 PlatformContact platform_contact(const Platform& platform, double area_m2,
                                  const double* x_m, const double* v_m_s, double dt_s,
                                  StickPoint& stick);
 
-// The same without friction.
+// Contact of one node without friction.
 PlatformContact frictionless_contact(const Platform& platform, double area_m2,
                                      const double* x_m, const double* v_m_s);
 
-// (lambda + 2 G) / (2 thickness): twice as soft as the material under a rigid plate. The
-// penetration under the pressure p is 2 p / (lambda + 2 G) of the thickness, below 1 % up
-// to p = (lambda + 2 G) / 200 (lambda = 20 G: 0.11 G). Weight (rho g h, 1e-4 G for a soft
-// sheet) and field (|M| |B|, a few hundredths of G) stay below. Throws
-// std::invalid_argument on a thickness that is not positive.
+// Default stiffness of a platform [Pa/m]: (lambda + 2 G) / (2 thickness), half of that of
+// a layer of the material under a rigid plate. The penetration under a pressure p is 2 p
+// / (lambda + 2 G) of the thickness, below 1 % up to p = (lambda + 2 G) / 200 (0.11 G for
+// lambda = 20 G). Weight (rho g h, 1e-4 G for a soft sheet) and field (|M| |B|, a few
+// hundredths of G) stay below. Throws std::invalid_argument on a thickness that is not
+// positive.
 double platform_stiffness_pa_m(const Material& material, double thickness_m);
 
-// With a missing stiffness put in: the largest
-// platform_stiffness_pa_m of the bodies' materials (thickness: the mesh's smallest
-// extent).
+// The platform with its stiffness filled in if it is 0: the largest
+// platform_stiffness_pa_m of the bodies' materials, with the smallest extent of each mesh
+// as the thickness.
 Platform with_stiffness(const Platform& platform, std::span<const Body> bodies);
 
 }  // namespace magfsi::structure

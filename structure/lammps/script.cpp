@@ -15,13 +15,13 @@
 namespace magfsi::structure {
 namespace {
 
-// All bodies together: nodes numbered one body after the other.
+// Nodes of all bodies, numbered one body after the other.
 struct Assembly {
     std::vector<DataAtom> atoms;
-    Bounds bounds;  // of the bodies before relaxing
+    Bounds bounds;  // bounds of the bodies at their places, but not relaxed
     std::vector<int> first_node;
-    std::vector<std::string> name;  // fit for LAMMPS IDs and file names
-    double longest_diagonal_m = 0;  // of an element, where it starts
+    std::vector<std::string> name;  // unique, fit for LAMMPS IDs and file names
+    double longest_diagonal_m = 0;  // largest of all elements at the start
 };
 
 void check_input(const LammpsInput& input) {
@@ -82,16 +82,17 @@ Assembly assemble(const LammpsInput& input) {
     return all;
 }
 
-// Boundaries are wrapped around the atoms at the start and not used after that: a body
-// may travel anywhere. Ranks share the bodies along their longest extent, evenly by
-// nodes.
+// Commands up to the atoms. Boundaries are wrapped around the atoms at the start and not
+// used later, so that a body may travel anywhere. Ranks share the bodies in slices along
+// their longest extent, with equal numbers of nodes.
 void add_system(Lines& lines, const Assembly& all, const std::string& data_file) {
-    // Along the bodies' length, also where they start rolled up.
+    // Bounds before relaxing: slices along a body's length are best even if it starts
+    // rolled up.
     const Vec3 extent_m = all.bounds.extent_m();
     const auto axis = std::ranges::max_element(extent_m) - extent_m.begin();
     std::array<const char*, 3> ranks{"1", "1", "1"};
     ranks[axis] = "*";
-    // Ghosts must reach across an element, even one that has been stretched by half.
+    // Ghost atoms must reach across an element that is stretched by half.
     const double cutoff = 1.5 * all.longest_diagonal_m;
     lines.insert(
         lines.end(),
@@ -104,7 +105,7 @@ void add_system(Lines& lines, const Assembly& all, const std::string& data_file)
          fmt::format("balance 1.0 shift {} 20 1.0", "xyz"[axis])});
 }
 
-// Writes the lattice files and fills fix_id.
+// Writes the lattice files, adds each body's group and fix magttice, and fills fix_id.
 void add_lattices(LammpsScript& script, const LammpsInput& input, const Assembly& all,
                   const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < input.bodies.size(); ++i) {
@@ -133,7 +134,7 @@ void add_lattices(LammpsScript& script, const LammpsInput& input, const Assembly
     }
 }
 
-// Of the effects that are asked for, those of one place in the script.
+// Adds the commands that the asked effects have for one place in the script.
 void add_effects(Lines& lines, const LammpsInput& input,
                  Effect::Commands Effect::*place) {
     for (const Effect* effect : asked_effects(input)) {

@@ -37,6 +37,7 @@ std::string rows(const char* word, const std::vector<double>& time_s,
     return out;
 }
 
+// Words of each shape, strength and motion, for std::visit.
 struct Writer {
     std::string operator()(const DipoleSource& s) const {
         return words("dipole", {s.moment_a_m2});
@@ -124,8 +125,8 @@ std::string text_of(const FieldSource& source) {
 
 // --- reading
 
-// A word, what follows it that is no number, and the numbers after it, which are taken
-// from the front.
+// A keyword, the texts after it that are no numbers (file or formulas), and the numbers
+// after these, which take() hands out in order.
 struct Group {
     std::string word;
     std::vector<std::string> texts;
@@ -148,7 +149,7 @@ struct Group {
     }
 };
 
-// A file, or formulas.
+// Number of texts, a file or formulas, that follow a keyword.
 std::size_t texts_after(const std::string& word) {
     if (word == "shift") return 3;
     const bool has_one =
@@ -160,6 +161,8 @@ bool is_word(const std::string& text) {
     return std::isalpha(static_cast<unsigned char>(text.front())) != 0;
 }
 
+// Splits a source's text at its keywords. Throws on a number or formula in the wrong
+// place.
 std::vector<Group> groups_of(const std::string& text) {
     std::vector<Group> out;
     std::istringstream stream(text);
@@ -177,6 +180,8 @@ std::vector<Group> groups_of(const std::string& text) {
     return out;
 }
 
+// The read_ functions interpret one group. They return false if its keyword is not
+// theirs.
 bool read_coil(Group& g, CircularCoil& coil) {
     coil.diameter_m = g.take();
     coil.axis = g.take3();

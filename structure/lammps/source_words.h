@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sources of the field as one text of words for a LAMMPS command, and back.
+// Sources of the magnetic field as the words of one LAMMPS argument, and back.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace magfsi::structure {
 
-// Sources after each other with a ; between them, each a kind and what follows it:
+// Sources are separated by semicolons. Each begins with its kind:
 //   dipole MX MY MZ
 //   cuboid SX SY SZ JX JY JZ
 //   cylinder DIAMETER HEIGHT AX AY AZ JX JY JZ
 //   coil DIAMETER AX AY AZ CURRENT TURNS
-//   pair DIAMETER AX AY AZ CURRENT TURNS DISTANCE, or opposed_pair likewise
+//   pair DIAMETER AX AY AZ CURRENT TURNS DISTANCE, or opposed_pair with the same numbers
 //   system [times T1 T2 ... | repeat_times T1 T2 ...]
 //       member PX PY PZ DIAMETER AX AY AZ TURNS CURRENT1 CURRENT2 ...  (for each coil)
 //       or member PX PY PZ DIAMETER AX AY AZ TURNS current FORMULA
 //   grid FILE
-// and then, each where it is asked for:
+// Place, strength and motion follow, each if given:
 //   at X Y Z
 //   rotated AX AY AZ ANGLE
 //   oscillating FREQUENCY PHASE, factors TIME F ..., repeat_factors TIME F ..., rising
@@ -28,8 +28,10 @@ namespace magfsi::structure {
 //   repeat_path TIME DX DY DZ ..., or shift FORMULA FORMULA FORMULA
 //   turning AX AY AZ FREQUENCY [X Y Z], or angle FORMULA about AX AY AZ [X Y Z]
 //   (about the source, or about a point)
-// Formulas are of t [s] in SI, without spaces (structure/formula.h).
-// Numbers read back exactly; names are not kept. Both throw std::invalid_argument.
+// All numbers are in SI, angles in radians, J is the remanence [T]. Formulas are
+// functions of t [s] without blanks (structure/formula.h). Numbers are exact when read
+// back; names of sources are not kept. Both functions throw std::invalid_argument on
+// words that are no sources.
 std::string source_words(const std::vector<FieldSource>& sources);
 std::vector<FieldSource> parse_source_words(const std::string& text);
 

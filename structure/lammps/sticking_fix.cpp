@@ -6,6 +6,7 @@
 namespace magfsi::structure {
 namespace {
 
+// Numbers that a stick point is packed into: place and state.
 constexpr int stick_values = 4;
 
 }  // namespace
@@ -51,12 +52,13 @@ int StickingFix::unpack_exchange(int i, double* buffer) {
     return each_ * stick_values;
 }
 
-// LAMMPS expects the number of values in the first one.
+// The first value of an atom's data is their number, as LAMMPS requires.
 int StickingFix::pack_restart(int i, double* buffer) {
     buffer[0] = size_restart(i);
     return 1 + pack_exchange(i, buffer + 1);
 }
 
+// Data of atom->extra: each fix has its own block, the nth of which is this one's.
 void StickingFix::unpack_restart(int i, int nth) {
     double* values = atom->extra[i];
     for (int skipped = 0; skipped < nth; ++skipped) values += static_cast<int>(*values);

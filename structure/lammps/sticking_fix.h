@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-// Stick points that a fix keeps with its atoms, over ranks and restarts.
+// Base class of fixes with friction: stick points of each atom, which move with the atom
+// between ranks and are part of LAMMPS's restart files.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,8 @@
 
 namespace magfsi::structure {
 
+// Each atom has the same number of stick points. Without keep_sticks it has none, and the
+// fix takes no part in exchanges and restarts.
 class StickingFix : public LAMMPS_NS::Fix {
   public:
     using Fix::Fix;
@@ -26,14 +28,18 @@ class StickingFix : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   protected:
-    // Once, when the fix is made, and only where something can stick: so many an atom.
+    // Creates `each` stick points per atom. Call it once, in the constructor of the fix,
+    // and only if something can stick.
     void keep_sticks(int each);
+    // A stick point of an atom by its local index.
     StickPoint& stick(int atom_index, int number) {
         return sticks_[static_cast<std::size_t>(each_ * atom_index + number)];
     }
 
   private:
+    // Number of stick points per atom
     int each_ = 0;
+    // Stick points of atom 0, then of atom 1, ...
     std::vector<StickPoint> sticks_;
 };
 

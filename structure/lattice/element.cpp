@@ -12,7 +12,7 @@ using Hourglass = Eigen::Matrix<double, 8, 4>;
 constexpr std::array<int, 4> hourglass_modes{3, 6, 5, 7};  // xy, yz, xz, xyz
 constexpr std::array<std::array<int, 2>, 3> mode_axes{{{0, 1}, {1, 2}, {0, 2}}};
 
-// Hourglass vectors made blind to linear fields: gamma = h - b (X^T h) / V0.
+// Hourglass vectors that vanish on linear fields: gamma = h - b (X^T h) / V0.
 Hourglass hourglass_vectors(const Positions8& nodes_m, const HexahedronIntegrals& in) {
     Hourglass gamma;
     for (int k = 0; k < 4; ++k) {
@@ -23,7 +23,8 @@ Hourglass hourglass_vectors(const Positions8& nodes_m, const HexahedronIntegrals
     return gamma;
 }
 
-// Square roots of the factors on the entries of C of the element full.
+// Square roots of the factors by which the variant scales the entries of the matrix C of
+// full.
 Eigen::Vector4d hourglass_scale(const Vec3& length, ElementVariant variant) {
     Eigen::Vector4d scale = Eigen::Vector4d::Ones();
     double smallest = INFINITY;
@@ -57,9 +58,9 @@ Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& in,
     return mean + gamma * c * gamma.transpose();
 }
 
-// x(xi) = sum_m u_m xi^m with the Hadamard modes u_m = 1/8 sum_a h_m(a) x_a. The integral
-// of det(dx/dxi) over [-1, 1]^3 leaves the terms that are even in each direction: V = 8
-// [r1.(r2 x r3) + (r1.(s12 x s31) + r2.(s23 x s12) + r3.(s31 x s23)) / 3].
+// The position is x(xi) = sum_m u_m xi^m with the Hadamard modes u_m = 1/8 sum_a h_m(a)
+// x_a. In the integral of det(dx/dxi) over [-1, 1]^3 the terms even in each direction
+// remain: V = 8 [r1.(r2 x r3) + (r1.(s12 x s31) + r2.(s23 x s12) + r3.(s31 x s23)) / 3].
 VolumeAndGradient exact_volume(const Positions8& x_m) {
     std::array<Eigen::Vector3d, 8> u;
     for (int m = 0; m < 8; ++m) {

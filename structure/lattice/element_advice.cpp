@@ -13,7 +13,8 @@
 namespace magfsi::structure {
 namespace {
 
-using Curvatures = Eigen::Matrix<double, 24, 3>;  // displacement of each unit curvature
+// Displacements of the nodes, a column for each unit curvature
+using Curvatures = Eigen::Matrix<double, 24, 3>;
 
 Curvatures kirchhoff_displacement(const Positions8& x, int thickness_axis) {
     const int p = (thickness_axis + 1) % 3;
@@ -32,7 +33,7 @@ Curvatures kirchhoff_displacement(const Positions8& x, int thickness_axis) {
     return u;
 }
 
-// Displacements of the lower and the upper level spread on the nodes.
+// Map from the displacements of the lower and the upper level to those of the nodes.
 Eigen::Matrix<double, 24, 6> level_map(const Positions8& layer, int thickness_axis) {
     const double middle = layer.col(thickness_axis).mean();
     Eigen::Matrix<double, 24, 6> out = Eigen::Matrix<double, 24, 6>::Zero();
@@ -43,9 +44,12 @@ Eigen::Matrix<double, 24, 6> level_map(const Positions8& layer, int thickness_ax
     return out;
 }
 
+// Errors up to this are not mentioned.
 constexpr double allowed_error = 0.05;
+// Largest number of layers that is advised.
 constexpr int max_layers = 16;
 
+// The error of largest magnitude, with its sign.
 double larger(std::initializer_list<double> errors) {
     double out = 0;
     for (double error : errors) {
@@ -54,7 +58,7 @@ double larger(std::initializer_list<double> errors) {
     return out;
 }
 
-// Of a beam along in-plane axis i, whose other curvature is free.
+// Bending stiffness of a beam along in-plane axis i, whose curvature across is free.
 double beam(const PlateStiffness& d, int i) {
     return d(i, i) - d(0, 1) * d(0, 1) / d(1 - i, 1 - i);
 }
@@ -98,7 +102,8 @@ std::string faults(const ElementAdvice& advice) {
     return out;
 }
 
-// The fewest layers of the same in-plane edges that help, or 0.
+// Smallest number of layers, with the same in-plane edges, whose errors are allowed, or
+// 0.
 int layers_that_help(ElementVariant variant, Vec3 edges_m, int axis, int layers,
                      const Material& material) {
     const double thickness = layers * edges_m[axis];
@@ -131,7 +136,8 @@ PlateStiffness lattice_plate(ElementVariant variant, const Positions8& layer_m,
     const Matrix24 stiffness = element_tangent(reference, material, layer_m);
     const auto spread = level_map(layer_m, thickness_axis);
 
-    // Energy 1/2 (f^T a f + 2 f^T b k + k^T c k) over the displacements f of the levels.
+    // The energy 1/2 (f^T a f + 2 f^T b k + k^T c k) is minimised over the levels'
+    // displacements f.
     const Eigen::Index unknowns = 3 * (layers + 1);
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(unknowns, unknowns);
     Eigen::MatrixXd b = Eigen::MatrixXd::Zero(unknowns, 3);
@@ -145,7 +151,7 @@ PlateStiffness lattice_plate(ElementVariant variant, const Positions8& layer_m,
         c += u.transpose() * stiffness * u;
         x.col(thickness_axis).array() += height;
     }
-    // The lowest level stays: translations cost nothing.
+    // The lowest level stays in place, as translations cost no energy.
     const Eigen::Index free = unknowns - 3;
     const Eigen::MatrixXd f =
         a.bottomRightCorner(free, free).ldlt().solve(b.bottomRows(free));

@@ -37,7 +37,7 @@ std::size_t batch_count(std::size_t elements) {
     return (elements + batch_lanes - 1) / batch_lanes;
 }
 
-// [batch][node][lane]; lanes past the last element repeat it.
+// Node indices in the order [batch][node][lane]. Lanes past the last element repeat it.
 std::vector<NodeLanes> pack_nodes(std::span<const std::array<int, 8>> nodes) {
     std::vector<NodeLanes> out(batch_count(nodes.size()) * 4);
     for (std::size_t position = 0; position < out.size() * 2; ++position) {
@@ -51,7 +51,8 @@ std::vector<NodeLanes> pack_nodes(std::span<const std::array<int, 8>> nodes) {
     return out;
 }
 
-// [batch][entry][lane] of value(element, entry).
+// Values of value(element, entry) in the order [batch][entry][lane]. Lanes past the last
+// element repeat it.
 template <class Value>
 std::vector<Lanes> pack_lanes(std::span<const int> elements, std::size_t entries,
                               const Value& value) {
@@ -70,14 +71,18 @@ std::vector<Lanes> pack_lanes(std::span<const int> elements, std::size_t entries
 constexpr std::array<ViscousKernelFunction, 3> viscous_functions{
     &sse2::run_viscous, &avx2::run_viscous, &avx512::run_viscous};
 
+// Entry k of the data that the viscous kernel reads for a brick: volume, gradient,
+// metric.
 double brick_entry(const ElementModes& modes, std::size_t k) {
-    // B_x of the mode x, B_y of y, B_z of z: rows 0, 1 and 3 of the gradient.
+    // The non-zero entries: B_x of the mode x, B_y of y, B_z of z, in rows 0, 1 and 3 of
+    // the gradient.
     constexpr std::array<std::size_t, 3> diagonal{0, 4, 11};
     if (k == 0) return modes.volume;
     if (k < 4) return modes.gradient[diagonal[k - 1]];
     return modes.metric[static_cast<std::size_t>(brick_metric_entries[k - 4])];
 }
 
+// Entry k for a general element: volume, gradient, metric, offsets.
 double general_entry(const ElementModes& modes, std::size_t k) {
     if (k == 0) return modes.volume;
     if (k < 22) return modes.gradient[k - 1];
@@ -85,6 +90,7 @@ double general_entry(const ElementModes& modes, std::size_t k) {
     return modes.offset[k - 31];
 }
 
+// NaN is refused as well: no comparison with it is true.
 void check_viscosity(const Material& material) {
     const double viscosity = material.viscosity_pa_s;
     if (viscosity >= 0 && !std::isinf(viscosity)) return;
@@ -157,6 +163,7 @@ KernelResult ElementKernel::run(const double* x, double* f, bool energy) const {
     return all;
 }
 
+// The kernel numbers elements within its batches; the result has the lattice's number.
 KernelResult ElementKernel::run(const Part& part, const double* x, double* f,
                                 bool energy) const {
     ElementBatches batches;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The element of eqs. (2) to (6) in Hadamard mode space, `width` elements at a time. See
-// ElementModes for the coefficients and element.h for the energy.
+// Kernel for the elements of eqs. (1) to (4) in Hadamard mode space, `width` elements at
+// a time. See ElementModes for the coefficients and element.h for the energy. u are the
+// modes of the positions, g is minus the force on them.
 #include "structure/lattice/element_lanes.h"
 
 namespace magfsi::structure::MAGFSI_ISA {
 namespace {
 
-// g[m] = sum_n spring[mn] u[n]: minus the force on mode m.
+// Spring forces g[m] = sum_n spring[mn] u[n]. spring: the diagonal for bricks, else the
+// upper triangle row by row.
 template <bool brick>
 MAGFSI_INLINE void spring_modes(const double* spring, const Vec (&u)[8], Vec (&g)[8]) {
     if constexpr (brick) {
@@ -27,7 +29,7 @@ MAGFSI_INLINE void spring_modes(const double* spring, const Vec (&u)[8], Vec (&g
     }
 }
 
-// What the volume term needs: U = V0 (K/2 ln^2 J - G ln J).
+// Volume term U = V0 (K/2 ln^2 J - G ln J) of an element: J, ln J and the slope.
 struct VolumeTerm {
     Real j, log_j, slope;  // slope = dU/dJ / V0 [Pa]
 };
@@ -37,7 +39,8 @@ MAGFSI_INLINE VolumeTerm volume_term(const ElementBatches& b, const Real& j) {
     return {j, log_j, (b.lame_lambda_pa * log_j - b.shear_modulus_pa) / j};
 }
 
-// Exact volume: d[m] = 1/8 dV/du_m.
+// Adds the forces of the exact volume. d[m] = 1/8 dV/du_m has the terms of exact_volume
+// in element.cpp.
 MAGFSI_INLINE VolumeTerm exact_volume(const ElementBatches& b, const Real& v0,
                                       const Vec (&u)[8], Vec (&g)[8]) {
     const Real third = splat(1.0 / 3);
@@ -58,7 +61,8 @@ MAGFSI_INLINE VolumeTerm exact_volume(const ElementBatches& b, const Real& v0,
     return term;
 }
 
-// Mean F of a brick is made of the three linear modes alone.
+// Adds the forces of the volume by the mean F, which in a brick depends on the three
+// linear modes only.
 MAGFSI_INLINE VolumeTerm mean_volume_of_brick(const ElementBatches& b, const Real& v0,
                                               const Vec (&u)[8], Vec (&g)[8]) {
     const Vec d1 = cross(u[2], u[4]);
@@ -69,7 +73,7 @@ MAGFSI_INLINE VolumeTerm mean_volume_of_brick(const ElementBatches& b, const Rea
     return term;
 }
 
-// 1/8 dJ/dF V0 = V0/8 cof(F), added to `stress`.
+// Adds V0/8 slope cof(F), an eighth of the volume term's stress on F, to `stress`.
 MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const Real& v0,
                                      const Vec (&f)[3], Vec (&stress)[3]) {
     const Vec cofactor[3] = {cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])};
@@ -79,18 +83,21 @@ MAGFSI_INLINE VolumeTerm mean_volume(const ElementBatches& b, const Real& v0,
     return term;
 }
 
-// What hourglass_energy says of one group: stress of its strain, and T, minus that of the
-// metric.
+// Derivatives of the hourglass energy of one group: stress on its strain, and minus that
+// on its metric.
 struct PlaneForces {
     Plane strain, metric;
 };
 
+// Moduli of the hourglass energy.
 struct PlateModuli {
     Real g, lambda;  // an eighth of V0 / 3 times G and lambda'
     double beta;
 };
 
-// metric: that of the present edges (11, 22, 12); rest: its inverse at rest.
+// Both derivatives for one group. metric: that of the present edges (11, 22, 12); rest:
+// inverse metric at rest. Names follow hourglass_energy: m = M, a = A, b = M0 eps, x = M0
+// eps M, n = M eps M.
 MAGFSI_INLINE PlaneForces plane_forces(const PlateModuli& c, const Plane& rest,
                                        const Plane& metric, const Plane& strain) {
     const Real half = 0.5 * strain.shear;
@@ -127,7 +134,7 @@ MAGFSI_INLINE PlaneForces plane_forces(const PlateModuli& c, const Plane& rest,
              w * m3}};
 }
 
-// Inverse metric of group k at rest.
+// Inverse metric of group k at rest. A brick's is diagonal.
 template <bool brick>
 MAGFSI_INLINE Plane rest_metric(const double* metric, int k) {
     if constexpr (brick) {
@@ -141,8 +148,8 @@ MAGFSI_INLINE Plane rest_metric(const double* metric, int k) {
     }
 }
 
-// Adds what hourglass_forces does, and the forces of the metric, and returns the energy /
-// 4.
+// Adds the forces of hourglass_forces and those of the metric; returns a quarter of the
+// energy.
 template <bool brick>
 MAGFSI_INLINE Real hourglass(const ElementBatches& b, const double* metric,
                              const Real& v0, const Vec (&u)[8], const Vec (&v)[3],
@@ -173,7 +180,8 @@ MAGFSI_INLINE Real hourglass(const ElementBatches& b, const double* metric,
     return dot(stress, strain);
 }
 
-// `springs` grows by a quarter of the hourglass energy.
+// Volume term and hourglass energy of a brick. Adds a quarter of the hourglass energy to
+// `springs`.
 MAGFSI_INLINE VolumeTerm assumed_strain_of_brick(const ElementBatches& b,
                                                  const double* data, const Real& v0,
                                                  const Vec (&u)[8], Vec (&g)[8],
@@ -187,7 +195,8 @@ MAGFSI_INLINE VolumeTerm assumed_strain_of_brick(const ElementBatches& b,
     return mean_volume_of_brick(b, v0, u, g);
 }
 
-// Hourglass vectors less what a homogeneous deformation makes of them, v_j = u_j - F X_j.
+// The same for a general element, where the part of a homogeneous deformation is taken
+// off the hourglass vectors first: v_j = u_j - F X_j.
 MAGFSI_INLINE VolumeTerm assumed_strain(const ElementBatches& b, const double* gradient,
                                         const double* data, const Real& v0,
                                         const Vec (&u)[8], Vec (&g)[8], Real& springs) {
@@ -208,11 +217,12 @@ MAGFSI_INLINE VolumeTerm assumed_strain(const ElementBatches& b, const double* g
     return term;
 }
 
-// Smallest J of each lane, and the batch (as a double) where it was.
+// Smallest J of each lane and the batch, as a double, in which it was found.
 struct Smallest {
     Real j, batch;
 };
 
+// NaN counts as minus infinity, so that it is reported.
 MAGFSI_INLINE void note_smallest(Smallest& smallest, const Real& j, double batch) {
     const Real seen = j == j ? j : splat(-__builtin_inf());
     const auto less = seen < smallest.j;
@@ -220,13 +230,16 @@ MAGFSI_INLINE void note_smallest(Smallest& smallest, const Real& j, double batch
     smallest.batch = less ? splat(batch) : smallest.batch;
 }
 
-// springs: a quarter of what the springs and the hourglass vectors hold.
+// Energy of the elements. springs: a quarter of the energy of springs and hourglass
+// vectors.
 MAGFSI_INLINE Real energy_of(const ElementBatches& b, const Real& v0, const Real& springs,
                              const VolumeTerm& term) {
     return 4.0 * springs - 1.5 * b.shear_modulus_pa * v0 +
            v0 * term.log_j * (0.5 * b.lame_lambda_pa * term.log_j - b.shear_modulus_pa);
 }
 
+// Adds the forces of the volume term and, for assumed_strain, those of the hourglass
+// energy, a quarter of which is added to `springs`.
 template <KernelKind kind>
 MAGFSI_INLINE VolumeTerm beyond_springs(const ElementBatches& b, long batch, int lane,
                                         const Real& v0, const Vec (&u)[8], Vec (&g)[8],
@@ -257,7 +270,8 @@ MAGFSI_INLINE VolumeTerm beyond_springs(const ElementBatches& b, long batch, int
     }
 }
 
-// Positions u in, forces on the nodes out.
+// One batch: takes the positions of the nodes in u and leaves the forces there; returns
+// J.
 template <KernelKind kind, bool want_energy>
 MAGFSI_INLINE Real element(const ElementBatches& b, long batch, int lane, Vec (&u)[8],
                            Real& energy) {
@@ -281,6 +295,7 @@ MAGFSI_INLINE Real element(const ElementBatches& b, long batch, int lane, Vec (&
     return term.j;
 }
 
+// The smallest J of all lanes; of equal ones that of the first lane.
 KernelResult first_smallest(const Smallest (&smallest)[batch_lanes / width]) {
     KernelResult out;
     out.smallest_j = __builtin_inf();
@@ -295,6 +310,7 @@ KernelResult first_smallest(const Smallest (&smallest)[batch_lanes / width]) {
     return out;
 }
 
+// All batches in order. Lanes past the last element repeat it and add nothing.
 template <KernelKind kind, bool want_energy>
 KernelResult run(const ElementBatches& b, const double* x, double* f) {
     Smallest smallest[batch_lanes / width];

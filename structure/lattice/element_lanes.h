@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the element kernels share, `width` elements at a time: node access, the logarithm,
-// Hadamard transforms, the mean deformation gradient, hourglass strains and stresses. For
-// the files of magfsi_isa_variants only; everything is internal to them.
+// Functions that the element kernels share, `width` elements at a time: node access,
+// logarithm, Hadamard transforms, mean deformation gradient, hourglass strains and
+// stresses. For files of magfsi_isa_variants only; everything has internal linkage, as
+// each instruction set has its own copy.
 #pragma once
 
 #include "isa/simd.h"
@@ -14,11 +15,13 @@
 namespace magfsi::structure::MAGFSI_ISA {
 namespace {
 
+// Number of doubles in a vector register.
 constexpr int width = vector_bytes / sizeof(double);
 
 using Real = Simd<double, width>::Vector;
 using Bits = Simd<long long, width>::Vector;
 using Pair = Simd<double, 2>::Vector;
+// A pair that need not be aligned to 16 bytes.
 typedef double LoosePair __attribute__((vector_size(16), aligned(8)));
 
 MAGFSI_INLINE Real load(const double* p) {
@@ -28,6 +31,7 @@ MAGFSI_INLINE Real splat(double value) {
     return magfsi::splat<Real>(value);
 }
 
+// Vectors of `width` elements, component by component.
 struct Vec {
     Real x, y, z;
 };
@@ -48,14 +52,14 @@ MAGFSI_INLINE Vec cross(const Vec& a, const Vec& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// ln of a positive, normal number to about 2 ulp: x = 2^e m with m in [0.71, 1.41), then
-// ln m = 2 atanh(s), s = (m - 1) / (m + 1), |s| < 0.172; the series' next term is 2e-17
-// of it. Anything else gives some number, which the check of J catches.
+// Logarithm of a positive normal number to about 2 ulp: x = 2^e m with m in [0.71, 1.41),
+// ln m = 2 atanh(s), s = (m - 1) / (m + 1), |s| < 0.172. The next term of the series is
+// 2e-17 of the sum. Other arguments give some number; the check of J finds them.
 MAGFSI_INLINE Real log_positive(const Real& x) {
     const Bits bits = reinterpret_cast<Bits>(x);
     const Bits mantissa = (bits & 0x000fffffffffffffLL) | 0x3fe0000000000000LL;
-    // The biased exponent as a double without an integer conversion, which SSE2 lacks: it
-    // fills the low bits of 2^52.
+    // The biased exponent becomes a double without an integer conversion, which SSE2
+    // lacks: it fills the low bits of 2^52.
     const Bits exponent = ((bits >> 52) & 0x7ffLL) | 0x4330000000000000LL;
     Real m = reinterpret_cast<Real>(mantissa);
     Real e = reinterpret_cast<Real>(exponent) - (4503599627370496.0 + 1022.0);
@@ -76,8 +80,8 @@ MAGFSI_INLINE Real log_positive(const Real& x) {
     return e * 0.693147180559945309417232 + 2.0 * s * (1.0 + z * p);
 }
 
-// Positions of one node of `width` elements; (x, y) come as one 16-byte load, so nothing
-// past the node is read.
+// Positions of one node of each of `width` elements. x and y are one 16-byte load, so
+// that nothing past the node is read.
 MAGFSI_INLINE Vec gather_node(const double* x, const int* node) {
     Pair xy[width];
     Real z;
@@ -106,8 +110,8 @@ MAGFSI_INLINE Vec gather_node(const double* x, const int* node) {
 #endif
 }
 
-// Adds v to the node of the first `count` lanes, one after the other: lanes may share a
-// node.
+// Adds v to the nodes of the first `count` lanes, one after the other, as lanes may share
+// a node.
 MAGFSI_INLINE void scatter_node(double* f, const int* node, const Vec& v, int count) {
     for (int l = 0; l < count; ++l) {
         double* p = f + 3 * static_cast<long>(node[l]);
@@ -117,7 +121,7 @@ MAGFSI_INLINE void scatter_node(double* f, const int* node, const Vec& v, int co
     }
 }
 
-// v[m] = sum_a h_m(a) v[a] in place.
+// Transform to Hadamard modes, v[m] = sum_a h_m(a) v[a], in place.
 MAGFSI_INLINE void to_modes(Vec (&v)[8]) {
     for (int s = 1; s < 8; s <<= 1) {
         for (int i = 0; i < 8; ++i) {
@@ -130,7 +134,7 @@ MAGFSI_INLINE void to_modes(Vec (&v)[8]) {
     }
 }
 
-// v[a] = sum_m h_m(a) v[m] in place.
+// Transform to nodes, v[a] = sum_m h_m(a) v[m], in place.
 MAGFSI_INLINE void to_nodes(Vec (&v)[8]) {
     for (int s = 1; s < 8; s <<= 1) {
         for (int i = 0; i < 8; ++i) {
@@ -143,7 +147,7 @@ MAGFSI_INLINE void to_nodes(Vec (&v)[8]) {
     }
 }
 
-// Columns of F = sum_m u_m B_m^T.
+// Columns of the mean deformation gradient F = sum_m u_m B_m^T.
 MAGFSI_INLINE void mean_gradient(const double* gradient, const Vec (&u)[8], Vec (&f)[3]) {
     for (Vec& column : f) column = {Real{}, Real{}, Real{}};
     for (int m = 1; m < 8; ++m) {
@@ -153,7 +157,8 @@ MAGFSI_INLINE void mean_gradient(const double* gradient, const Vec (&u)[8], Vec 
     }
 }
 
-// Stress on F (an eighth of V0 P, one column a reference direction) to the modes.
+// Adds the forces of a stress on F to the modes. stress: an eighth of V0 P, one column
+// per reference direction.
 MAGFSI_INLINE void add_stress(const double* gradient, const Vec (&stress)[3],
                               Vec (&g)[8]) {
     for (int m = 1; m < 8; ++m) {
@@ -163,8 +168,8 @@ MAGFSI_INLINE void add_stress(const double* gradient, const Vec (&stress)[3],
     }
 }
 
-// v_j less what a homogeneous deformation makes of it, F X_j; and back for the forces w_j
-// on v_j.
+// Subtracts from v_j the part F X_j of a homogeneous deformation. return_linear is the
+// adjoint: it takes the forces w_j on v_j to the stress on F.
 template <int count>
 MAGFSI_INLINE void take_off_linear(const double* offset, const Vec (&f)[3],
                                    Vec (&v)[count]) {
@@ -184,12 +189,12 @@ MAGFSI_INLINE void return_linear(const double* offset, const Vec (&w)[count],
     }
 }
 
-// Strain (E_11, E_22, 2 E_12) of one group, or the stress that belongs to it.
+// Strain (E_11, E_22, 2 E_12) of one group, or the stress that is conjugate to it.
 struct Plane {
     Real first, second, shear;
 };
 
-// The groups of hourglass_energy: strains that vary along x, y and z.
+// The three groups of hourglass_energy: strains that vary along x, y and z.
 struct Planes {
     Plane x, y, z;
 };
@@ -207,17 +212,18 @@ MAGFSI_INLINE Real dot(const Planes& a, const Planes& b) {
     return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
 }
 
-// An eighth of V0 (2 G / 3, lambda' / 3): the stress then adds to minus the forces on the
-// modes.
+// An eighth of V0 (2 G / 3, lambda' / 3): with this factor the stress adds directly to g.
 struct HourglassModuli {
     Real g, lambda;
 };
 
+// v0: volumes [m3].
 MAGFSI_INLINE HourglassModuli hourglass_moduli(double g, double lambda, const Real& v0) {
     return {v0 * (g / 12), v0 * (lambda / 24)};
 }
 
-// Products of the edge modes of u and the hourglass vectors v = xy, xz, yz.
+// Strains of the groups from the edge modes of u and the hourglass vectors v = xy, xz,
+// yz.
 MAGFSI_INLINE Planes hourglass_strain(const Vec (&u)[8], const Vec (&v)[3]) {
     const Vec &u1 = u[1], &u2 = u[2], &u3 = u[4];
     return {{dot(u2, v[0]), dot(u3, v[1]), dot(u2, v[1]) + dot(u3, v[0])},
@@ -225,7 +231,8 @@ MAGFSI_INLINE Planes hourglass_strain(const Vec (&u)[8], const Vec (&v)[3]) {
             {dot(u1, v[1]), dot(u2, v[2]), dot(u1, v[2]) + dot(u2, v[1])}};
 }
 
-// Orthogonal edges: p and q are the inverse squares of the half edges.
+// Stress of a group with orthogonal edges; p and q are the inverse squares of the half
+// edges.
 MAGFSI_INLINE Plane plane_stress(const HourglassModuli& c, const Real& p, const Real& q,
                                  const Plane& strain) {
     const Real first = p * strain.first;
@@ -235,7 +242,7 @@ MAGFSI_INLINE Plane plane_stress(const HourglassModuli& c, const Real& p, const 
             0.5 * c.g * p * q * strain.shear};
 }
 
-// Any edges: the inverse metric is [[p, r], [r, q]].
+// Stress of a group with any edges; the inverse metric is [[p, r], [r, q]].
 MAGFSI_INLINE Plane plane_stress(const HourglassModuli& c, const double* metric,
                                  const Plane& strain) {
     const Real p = load(metric);
@@ -251,7 +258,8 @@ MAGFSI_INLINE Plane plane_stress(const HourglassModuli& c, const double* metric,
             c.g * (m11 * r + m12 * q) + trace * r};
 }
 
-// metric: three entries for bricks (inverse squares of the half edges), nine in general.
+// Stresses of the three groups. metric: three entries for bricks (inverse squares of the
+// half edges), nine in general.
 template <bool brick>
 MAGFSI_INLINE Planes hourglass_stress(const HourglassModuli& c, const double* metric,
                                       const Planes& strain) {
@@ -268,7 +276,8 @@ MAGFSI_INLINE Planes hourglass_stress(const HourglassModuli& c, const double* me
     }
 }
 
-// Minus the forces: added to the edge modes of g, and put into w for the vectors v.
+// Minus the forces of the stresses s: added to the edge modes of g, stored in w for the
+// hourglass vectors v.
 MAGFSI_INLINE void hourglass_forces(const Planes& s, const Vec (&u)[8], const Vec (&v)[3],
                                     Vec (&g)[8], Vec (&w)[3]) {
     const Vec &u1 = u[1], &u2 = u[2], &u3 = u[4];

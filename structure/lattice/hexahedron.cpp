@@ -9,7 +9,7 @@
 namespace magfsi::structure {
 namespace {
 
-// dX_i / dxi_j
+// Jacobian dX_i / dxi_j of the map from local coordinates.
 Eigen::Matrix3d jacobian(const Positions8& nodes_m, const Vec3& xi) {
     return nodes_m.transpose() * shape_gradients(xi);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Energy, tangent and damping of the strains that the hourglass vectors make.
+// Strains of the hourglass vectors: energy and tangent (assumed_strain), damping (all
+// variants).
 #include <Eigen/Dense>
 
 #include "structure/lattice/element.h"
@@ -7,8 +8,8 @@
 namespace magfsi::structure {
 namespace {
 
-// Which products make a group's strain (E_11, E_22, 2 E_12). Row j of a hourglass vector:
-// 0 xy, 1 xz, 2 yz.
+// Products that make up a group's strain (E_11, E_22, 2 E_12), as numbers 3 i + j of u_i
+// . v_j, where j is 0 for xy, 1 for xz, 2 for yz.
 struct Group {
     int first_normal, second_normal;
     std::array<int, 2> shear;
@@ -19,11 +20,13 @@ constexpr std::array<Group, 3> groups{{
     {3 * 0 + 1, 3 * 1 + 2, {3 * 0 + 2, 3 * 1 + 1}},  // along z: x.xz, y.yz
 }};
 
+// Half edges and hourglass vectors at given positions.
 struct Vectors {
-    Eigen::Matrix3d edge;  // one a column
+    Eigen::Matrix3d edge;  // one per column
     Eigen::Matrix<double, 3, 4> hourglass;
 };
 
+// At velocities in place of positions it gives the rates of these vectors.
 Vectors vectors(const HourglassReference& reference, const Positions8& x) {
     Vectors out;
     out.edge = x.transpose() * reference.edge;
@@ -31,7 +34,7 @@ Vectors vectors(const HourglassReference& reference, const Positions8& x) {
     return out;
 }
 
-// sum_ij s_ij d(u_i . v_j)/dx_a.
+// Gradient sum_ij s_ij d(u_i . v_j)/dx_a.
 Positions8 products_gradient(const HourglassReference& reference,
                              const HourglassProducts& s, const Vectors& v) {
     Positions8 out = Positions8::Zero();
@@ -45,15 +48,18 @@ Positions8 products_gradient(const HourglassReference& reference,
     return out;
 }
 
-constexpr int plane_edges[3][2] = {{1, 2}, {0, 2}, {0, 1}};  // of the groups
+// In-plane directions of each group
+constexpr int plane_edges[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
-// u_i . v_j and u_i . u_j; or a change of theirs, or what they are worth.
+// Products u_i . v_j (strain) and u_i . u_j (metric), their changes, or the derivatives
+// of the energy by them.
 struct Products {
     Eigen::Matrix3d strain = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d metric = Eigen::Matrix3d::Zero();
 };
 
-// Strain, inverse metric and what follows from them in one group's plane.
+// Strain, inverse metric and derived quantities of one group, with the names of
+// hourglass_energy.
 struct PlaneState {
     const Eigen::Matrix2d& rest;  // M0
     double g, lambda, beta;
@@ -64,6 +70,7 @@ struct PlaneState {
     double q() const { return 1 - beta + beta * area; }
 };
 
+// The rows and columns of group k's plane.
 Eigen::Matrix2d in_plane(const Eigen::Matrix3d& full, int k) {
     Eigen::Matrix2d out;
     for (int i = 0; i < 2; ++i) {
@@ -73,7 +80,7 @@ Eigen::Matrix2d in_plane(const Eigen::Matrix3d& full, int k) {
     return out;
 }
 
-// Strain of group k, from rows of edges and columns xy, xz, yz.
+// Strain of group k. products: u_i . v_j with rows of edges and columns xy, xz, yz.
 Eigen::Matrix2d group_strain(const Eigen::Matrix3d& products, int k) {
     const auto at = [&](int number) { return products(number / 3, number % 3); };
     const Group& group = groups[k];
@@ -111,7 +118,7 @@ PlaneState plane_state(const HourglassReference& reference, const Material& mate
     return s;
 }
 
-// dE / d eps and dE / d metric over V0 / 3.
+// Derivatives of a group's energy by strain and metric, over V0 / 3.
 struct PlaneStress {
     Eigen::Matrix2d strain, metric;
 };
@@ -122,7 +129,8 @@ PlaneStress plane_stress(const PlaneState& s) {
         -(0.5 * s.g * s.a * s.mixed + s.q() * s.on_metric + s.beta * s.area * s.w * s.m)};
 }
 
-// Its change with that of strain and metric.
+// Linear change of plane_stress for the changes de of the strain and dmetric of the
+// metric.
 PlaneStress stress_change(const PlaneState& s, const Eigen::Matrix2d& de,
                           const Eigen::Matrix2d& dmetric) {
     const Eigen::Matrix2d dm = -s.m * dmetric * s.m;
@@ -143,12 +151,14 @@ PlaneStress stress_change(const PlaneState& s, const Eigen::Matrix2d& de,
     return out;
 }
 
-// As in Voigt's notation: what a stress 11, 22, 12 does work on.
+// Components 11, 22 and 2 * 12, on which a stress 11, 22, 12 does work (Voigt's
+// notation).
 Eigen::Vector3d strains(const Eigen::Matrix2d& symmetric) {
     return {symmetric(0, 0), symmetric(1, 1), 2 * symmetric(0, 1)};
 }
 
-// d stress / d strain of a plane, strain before metric.
+// Derivative of the stress by the strain, 6 x 6: components of strain first, then of
+// metric.
 Eigen::Matrix<double, 6, 6> plane_tangent(const PlaneState& s) {
     const Eigen::Matrix2d none = Eigen::Matrix2d::Zero();
     const std::array<Eigen::Matrix2d, 3> unit{Eigen::Matrix2d{{1, 0}, {0, 0}},
@@ -164,6 +174,7 @@ Eigen::Matrix<double, 6, 6> plane_tangent(const PlaneState& s) {
     return out;
 }
 
+// Adds a group's derivatives to those of the products.
 void add_plane(Products& out, const PlaneStress& stress, double factor, int k) {
     const auto add = [&](int number, double value) {
         out.strain(number / 3, number % 3) += factor * value;
@@ -183,6 +194,7 @@ Products products_of(const Vectors& v) {
     return {v.edge.transpose() * v.hourglass.leftCols<3>(), v.edge.transpose() * v.edge};
 }
 
+// Adds the damping of the hourglass vectors. The last part is that of the mode xyz.
 void add_hourglass(const ElementReference& element, const Material& material,
                    const Positions8& x, const Positions8& v, ViscousState& out) {
     const double viscosity = material.viscosity_pa_s;
@@ -211,8 +223,8 @@ void add_hourglass(const ElementReference& element, const Material& material,
 
 }  // namespace
 
-// With E = [[a, s/2], [s/2, b]] covariant and the inverse metric M the stress is
-// 2 G M E M + lambda' tr(M E) M.
+// The stress is V0/3 [2 G M E M + lambda' tr(M E) M] for the covariant strain E = [[a,
+// s/2], [s/2, b]] and the inverse metric M.
 HourglassProducts hourglass_stress(const HourglassReference& reference, double g,
                                    double lambda, const HourglassProducts& t) {
     HourglassProducts out = HourglassProducts::Zero();
@@ -272,7 +284,7 @@ HourglassState hourglass_energy(const HourglassReference& reference,
         const PlaneState state = plane_state(reference, material, p, k);
         const PlaneStress stress = plane_stress(state);
         add_plane(slope, stress, reference.volume_m3 / 3, k);
-        // Quadratic in the strain.
+        // The energy is quadratic in the strain.
         out.energy_j +=
             0.5 * reference.volume_m3 / 3 * stress.strain.cwiseProduct(state.e).sum();
     }
@@ -284,13 +296,13 @@ HourglassState hourglass_energy(const HourglassReference& reference,
     return out;
 }
 
-// d2E = dp^T (d2E/dp2) dp + dE/dp d2p over the products p, of which each plane has six.
+// d2E = dp^T (d2E/dp2) dp + dE/dp d2p with the products p, six for each group.
 Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& material,
                            const Positions8& x_m) {
     const Vectors v = vectors(reference, x_m);
     const Products p = products_of(v);
     const auto gamma = reference.hourglass.leftCols<3>();
-    const double third_m3 = reference.volume_m3 / 3;  // a plane's
+    const double third_m3 = reference.volume_m3 / 3;  // factor of each group
     Eigen::Matrix<double, 18, 24> change, stress;
     for (int q = 0; q < 24; ++q) {
         const int a = q / 3, d = q % 3;
@@ -318,6 +330,8 @@ Matrix24 hourglass_tangent(const HourglassReference& reference, const Material& 
     return out;
 }
 
+// The thickness follows the area at the rate that keeps the elastic stress through it
+// zero.
 double viscous_plate_lambda_pa_s(const Material& material) {
     const double thinning = material.lame_lambda_pa /
                             (material.lame_lambda_pa + 2 * material.shear_modulus_pa);
@@ -339,6 +353,7 @@ ViscousState viscous_element(const ElementReference& reference, const Material& 
     return out;
 }
 
+// One column per unit velocity, as the force is linear in the velocity.
 Matrix24 viscous_damping_at_rest(const ElementReference& reference,
                                  const Material& material, const Positions8& nodes_m) {
     Matrix24 out;

@@ -13,14 +13,15 @@ namespace magfsi::structure {
 namespace {
 
 using Masses = std::vector<std::array<double, 8>>;
-// Of each element and local direction: 1 where mass is to move up, -1 down, 0 where the
-// element lies inside or reaches from surface to surface.
+// Direction in which mass moves, for each element and local direction: 1 up, -1 down, 0
+// in elements inside the body or with both faces on the surface.
 using Inwards = std::vector<std::array<int, 3>>;
 
-// No node may lose more than 2 times this along a direction; 1/6 is what two elements
-// need.
+// Largest share. A node loses at most twice this of its mass along a direction. Two
+// elements need 1/6.
 constexpr double largest_share = 0.2;
 
+// Nodes of an element's lower or upper face along d, sorted.
 std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
     std::array<int, 4> out{};
     int count = 0;
@@ -31,6 +32,7 @@ std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
     return out;
 }
 
+// A face that only one element has is on the surface.
 Inwards inwards(const Mesh& mesh) {
     std::map<std::array<int, 4>, int> elements_at;
     for (const Hexahedron& element : mesh.elements) {
@@ -50,11 +52,12 @@ Inwards inwards(const Mesh& mesh) {
     return out;
 }
 
+// Masses without correction.
 Masses spread_kg(const Body& body) {
     Masses out;
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         Positions8 x = gather(body.mesh.nodes, body.mesh.elements[e]);
-        x.rowwise() -= x.row(0).eval();  // far from the origin no digits are lost
+        x.rowwise() -= x.row(0).eval();  // avoids a loss of digits far from the origin
         const auto volume = integrate_hexahedron(x, static_cast<int>(e)).node_volume;
         auto& masses = out.emplace_back();
         for (std::size_t a = 0; a < 8; ++a)
@@ -63,7 +66,8 @@ Masses spread_kg(const Body& body) {
     return out;
 }
 
-// The share of each local direction moved inwards; the mass of each element stays.
+// Moves the shares of the local directions inwards. The mass of each element is
+// unchanged.
 Masses moved(const Masses& spread, const Inwards& signs, const Vec3& share) {
     Masses out = spread;
     for (std::size_t e = 0; e < out.size(); ++e) {
@@ -80,6 +84,7 @@ Masses moved(const Masses& spread, const Inwards& signs, const Vec3& share) {
     return out;
 }
 
+// Mass and its first and second moments along each axis.
 struct Moments {
     double mass = 0;
     Vec3 first{}, second{};
@@ -91,6 +96,7 @@ struct Moments {
             second[d] += m * x[d] * x[d];
         }
     }
+    // Second moment about the centre of mass.
     double central(int d) const { return second[d] - first[d] * first[d] / mass; }
 };
 
@@ -124,12 +130,14 @@ Moments of_continuum(const Body& body) {
     return out;
 }
 
+// Finds the three shares that give the moments of the continuum, by fixed-point
+// iteration.
 Masses corrected_kg(const Body& body) {
     const Masses spread = spread_kg(body);
     const Inwards signs = inwards(body.mesh);
     const Moments wanted = of_continuum(body);
     Vec3 share{1.0 / 12, 1.0 / 12, 1.0 / 12};
-    // Each share acts nearly in proportion, and nearly on its own axis alone.
+    // Each share acts almost in proportion, and almost only on its own axis.
     const Moments none = of_nodes(body.mesh, spread);
     for (int iteration = 0; iteration < 10; ++iteration) {
         const Moments now = of_nodes(body.mesh, moved(spread, signs, share));

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the kernels read: elements in batches of eight, lane by lane. Plain pointers only,
-// because this header is compiled for several instruction sets (cmake/IsaVariants.cmake).
+// Data layout of the kernels: elements in batches of eight, lane by lane. Plain pointers
+// only, because this header is compiled for several instruction sets
+// (cmake/IsaVariants.cmake).
 #pragma once
 
 namespace magfsi::structure {
 
+// Elements in a batch, whatever the instruction set.
 inline constexpr int batch_lanes = 8;
 
+// Variant of the element, with a faster form for bricks.
 enum class KernelKind {
     brick_full,
     brick_mean_f,
@@ -31,43 +34,46 @@ constexpr int hourglass_entries(KernelKind kind) {
                                                         : 0;
 }
 
-// All arrays are 64-byte aligned, [batch][entry][lane]. Lanes past the last element
-// repeat it.
+// Elements of one material and kind. All arrays are 64-byte aligned in the order
+// [batch][entry][lane]. Lanes past the last element repeat it.
 struct ElementBatches {
     KernelKind kind = KernelKind::brick_full;
     int element_count = 0;
     const int* node = nullptr;         // 8 entries: index of node a in x and f
     const double* spring = nullptr;    // 7 entries for bricks, 28 in general [N/m]
-    const double* gradient = nullptr;  // mean F of a general element [1/m]
-    // brick: inverse squares of the half edges [1/m2]; general: ElementModes' metric and
-    // offset.
+    const double* gradient = nullptr;  // 21 entries for a general mean F, else none [1/m]
+    // Data of the hourglass energy. Bricks: inverse squares of the half edges [1/m2];
+    // general elements: metric and offset of ElementModes.
     const double* hourglass = nullptr;
     const double* volume = nullptr;  // 1 entry: V0 [m3]
     double shear_modulus_pa = 0;
     double lame_lambda_pa = 0;
 };
 
+// Result over all elements of a call.
 struct KernelResult {
-    double energy_j = 0;    // zero where it was not asked for
+    double energy_j = 0;    // zero if it was not requested
     double smallest_j = 1;  // minus infinity where J is NaN
-    int element = -1;       // of smallest J: its position among the batches' elements
+    // Position of the element of smallest J among the batches' elements; -1 without
+    // elements
+    int element = -1;
 };
 
-// Adds the forces [N] on the nodes to f, three values per node as in x [m]. With
-// want_energy also sums the elements' energies. Element order is fixed, and so is every
-// rounding.
+// A kernel. Adds the forces [N] on the nodes to f, three values per node as in the
+// positions x [m]. With want_energy it also sums the elements' energies. The order of the
+// elements is fixed, so that results are the same in every bit on every run.
 using ElementKernelFunction = KernelResult (*)(const ElementBatches& batches,
                                                const double* x, double* f,
                                                bool want_energy);
 
-// Entries per element of ViscousBatches::data: V0, then for bricks the three mean
-// gradients B_x, B_y, B_z [1/m] and the inverse squares of the half edges; in general the
+// Entries per element of ViscousBatches::data. Bricks: V0, the three mean gradients B_x,
+// B_y, B_z [1/m] and the inverse squares of the half edges. General elements: V0 and the
 // 21 gradients, 9 metrics and 12 offsets of ElementModes.
 constexpr int viscous_entries(bool bricks) {
     return bricks ? 7 : 43;
 }
 
-// Layout as ElementBatches.
+// Viscous elements of one material, in the layout of ElementBatches.
 struct ViscousBatches {
     bool bricks = true;
     int element_count = 0;
@@ -77,10 +83,12 @@ struct ViscousBatches {
     double plate_lambda_pa_s = 0;
 };
 
-// Adds the forces and returns the dissipation [W].
+// A viscous kernel. Adds the forces [N] at positions x [m] and velocities v [m/s] to f;
+// returns the dissipation [W].
 using ViscousKernelFunction = double (*)(const ViscousBatches& batches, const double* x,
                                          const double* v, double* f);
 
+// Each instruction set has both kernels in a namespace of its own.
 #define MAGFSI_KERNELS_OF(isa)                                                          \
     namespace isa {                                                                     \
     KernelResult run_elements(const ElementBatches&, const double* x, double* f, bool); \

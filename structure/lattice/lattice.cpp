@@ -10,15 +10,16 @@
 namespace magfsi::structure {
 namespace {
 
-// Rounding leaves off-diagonals of about 1e-16 of the largest entry in bricks; a mesh
-// that is distorted on purpose has them far above this.
+// Largest ratio of other entries to the largest one in a brick's matrices. Rounding
+// leaves about 1e-16; a mesh that is meant to be distorted has far more than this.
 constexpr double brick_tolerance = 1e-12;
 
-// With an in-plane edge of 0.9 h the coefficient of mean_f is 2.4 h^2, still above the
-// 2 h^2 that the full element has at r = 1: meshes with uneven edges need not be refused
-// before that.
+// Smallest in-plane edge over the thickness edge for mean_f. At 0.9 h the coefficient is
+// 2.4 h^2, still above the 2 h^2 of the full element at r = 1, so that meshes with
+// slightly uneven edges are accepted.
 constexpr double shortest_edge = 0.9;
 
+// In a brick only the linear modes x, y, z have a mean gradient.
 bool gradient_of_brick(const std::array<double, 21>& gradient) {
     double largest = 0;
     double other = 0;
@@ -32,6 +33,7 @@ bool gradient_of_brick(const std::array<double, 21>& gradient) {
     return other <= brick_tolerance * largest;
 }
 
+// Transforms the reference state to Hadamard modes and detects bricks.
 ElementModes element_modes(const ElementReference& reference, double shear_modulus_pa) {
     Matrix8 h;
     for (int a = 0; a < 8; ++a) {
@@ -93,7 +95,7 @@ void check_material(const Material& material) {
     }
 }
 
-// Local direction of the element that lies closest to a body axis.
+// The element's local direction that is closest to a body axis.
 int edge_along(const ElementEdges& edges, int axis) {
     int best = 0;
     for (int d = 1; d < 3; ++d) {
@@ -104,8 +106,8 @@ int edge_along(const ElementEdges& edges, int axis) {
     return best;
 }
 
-// Of the extents that tie for the smallest (a rod of square section), the one along which
-// this element is shortest.
+// The element's edge through the thickness, along the body's smallest extent. If extents
+// tie (a rod of square section), it is the shortest edge among them.
 int thickness_edge(const ElementEdges& edges, const Vec3& extent_m) {
     const double smallest = *std::ranges::min_element(extent_m);
     int best = -1;
@@ -117,10 +119,9 @@ int thickness_edge(const ElementEdges& edges, const Vec3& extent_m) {
     return best;
 }
 
-// mean_f takes the bending stiffness from 3 min(l_i, l_j)^2, which is that of the
-// thickness only where the thickness edge is the shortest one; with a shorter in-plane
-// edge a plate bends up to four times too easily. The thickness is the direction of the
-// body's smallest extent.
+// Throws if a plate of mean_f would bend too easily. mean_f takes the bending stiffness
+// from 3 min(l_i, l_j)^2, which is that of the thickness only if the thickness edge is
+// the shortest. With a shorter in-plane edge a plate bends up to four times too easily.
 void refuse_soft_bending(const std::vector<Vec3>& nodes_m,
                          const std::vector<Hexahedron>& elements) {
     const Vec3 extent_m = bounds(nodes_m).extent_m();
@@ -167,8 +168,9 @@ Lattice build_lattice(const std::vector<Vec3>& nodes_m,
     out.modes.reserve(elements.size());
     out.node_volume_m3.assign(nodes_m.size(), 0.0);
     out.node_mass_kg.assign(nodes_m.size(), 0.0);
-    // Volumes first and density last, material by material: the rounding of a body of one
-    // material does not depend on how many there could be.
+    // Volumes are summed by material and multiplied by the density at the end, so that
+    // the rounding of a body of one material does not depend on how many materials there
+    // are.
     std::vector volume_m3(materials.size(), out.node_volume_m3);
     out.bricks = true;
     for (std::size_t e = 0; e < elements.size(); ++e) {

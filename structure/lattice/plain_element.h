@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-// One element's energy and forces in the plainest form: what the fast kernels are held to
-// and measured against, and what fields of energy density are made of.
+// Energy and forces of one element in the plainest form: reference for tests and timings
+// of the fast kernels, and source of energy densities for output.
 #pragma once
 
 #include <cmath>
@@ -9,19 +8,21 @@
 
 namespace magfsi::structure {
 
+// Energy and forces of an element at given positions.
 struct ElementState {
     double energy_j = 0;      // zero at rest
     double volume_ratio = 0;  // J
     Positions8 force_n;       // -dE/dx_a
 };
 
+// Energy of eq. (1), its derivative and J. x_m: present positions of the nodes.
 inline ElementState element_energy(const ElementReference& reference,
                                    const Material& material, const Positions8& x_m) {
     const double g = material.shear_modulus_pa;
     const double k = material.lame_lambda_pa;
     const double v0 = reference.volume;
-    // Springs see differences only; taking the mean off keeps the rounding of a body that
-    // is far from the origin out of them.
+    // Springs depend on differences only. Without the mean, rounding does not grow with
+    // the body's distance from the origin.
     const Positions8 x = x_m.rowwise() - x_m.colwise().mean();
     const Positions8 spring_force = -g * reference.spring_matrix * x;
     const VolumeAndGradient v = element_volume(reference, x);

@@ -16,6 +16,7 @@ namespace {
 
 using Vector24 = Eigen::Matrix<double, 24, 1>;
 
+// Row 3 a + d is coordinate d of node a.
 Vector24 flat(const Positions8& p) {
     Vector24 out;
     for (int a = 0; a < 8; ++a) {
@@ -24,7 +25,8 @@ Vector24 flat(const Positions8& p) {
     return out;
 }
 
-// d2V / dx dx. The gradient is quadratic in x, so a central difference is exact.
+// Second derivative d2V / dx dx. The gradient is quadratic in x, so that a central
+// difference is exact.
 Matrix24 volume_curvature(const ElementReference& reference, const Positions8& x) {
     const double h = std::cbrt(reference.volume);
     Matrix24 out;
@@ -40,9 +42,9 @@ Matrix24 volume_curvature(const ElementReference& reference, const Positions8& x
     return out;
 }
 
-// K_e = G L + (K + G) / V0 dV dV^T - G d2V + hourglass_tangent, all at J = 1 [N/m]. That
-// is element_tangent there but for rounding, which would move the last digit of the time
-// step, and with it that of every result.
+// Stiffness at J = 1 [N/m]: K_e = G L + (K + G) / V0 dV dV^T - G d2V + hourglass_tangent.
+// It equals element_tangent there up to rounding, which would change the last digit of
+// the time step, and with it that of every result.
 Matrix24 stiffness_at_rest(const ElementReference& reference, const Material& material,
                            const Positions8& nodes_m) {
     const double g = material.shear_modulus_pa;
@@ -63,6 +65,7 @@ Matrix24 stiffness_at_rest(const ElementReference& reference, const Material& ma
     return out;
 }
 
+// Largest eigenvalue of the matrix over the masses, M^-1/2 A M^-1/2.
 double largest_over_mass(const Matrix24& matrix, const Vector24& inverse_root_mass) {
     const Matrix24 scaled =
         inverse_root_mass.asDiagonal() * matrix * inverse_root_mass.asDiagonal();
@@ -98,14 +101,16 @@ void check(const Body& body, const Material& material) {
     }
 }
 
-// From the element's first node, so that a body far from the origin loses no digits.
+// Positions relative to the element's first node, which avoids a loss of digits far from
+// the origin.
 Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& element) {
     Positions8 x = gather(nodes_m, element);
     x.rowwise() -= x.row(0).eval();
     return x;
 }
 
-// A held element adds nothing to the stiffness of what can move.
+// True if all nodes are held along all axes: such an element adds no stiffness to nodes
+// that can move.
 bool is_held(const Hexahedron& element, const std::vector<HeldAxes>& held) {
     return std::ranges::all_of(element, [&](int node) {
         return held[static_cast<std::size_t>(node)] == HeldAxes{true, true, true};
@@ -120,7 +125,7 @@ double stable_step_s(const Body& body) {
     for (const Material& material : used_materials(body)) check(body, material);
     double smallest = INFINITY;
     Positions8 solved = Positions8::Zero();  // shape of the element solved last
-    const Material* of = nullptr;            // and its material
+    const Material* of = nullptr;            // material of that element
     const auto masses_kg = element_masses_kg(body);
     std::size_t last = 0;
     const std::vector<HeldAxes> held = held_axes(body);
@@ -128,7 +133,7 @@ double stable_step_s(const Body& body) {
         if (is_held(body.mesh.elements[e], held)) continue;
         const Positions8 x = local_positions(body.mesh.nodes, body.mesh.elements[e]);
         const Material& material = material_of(body, e);
-        // Neighbours of one shape, as in a block of bricks, need only one solution.
+        // Elements of the same shape, as in a block of bricks, need only one solution.
         const bool alike =
             body.inertia == Inertia::lumped || masses_kg[e] == masses_kg[last];
         if (of == &material && alike && (x - solved).norm() <= 1e-9 * x.norm()) continue;
@@ -149,9 +154,9 @@ double stable_elastic_step_s(Body body) {
 
 double step_limit_s(const Body& body, double stiffness_pa_m) {
     const double own = stable_step_s(body);
-    if (std::isinf(own)) return own;  // nothing of it can move
+    if (std::isinf(own)) return own;  // no node can move
     const double frequency = 2 / stable_elastic_step_s(body);
-    // From the definition of the body's own step.
+    // The inverse of the relation that defines the body's own step.
     const double damping = 2 / own - 0.5 * own * frequency * frequency;
     const auto area = surface_areas(body.mesh.nodes, body.mesh.elements);
     const auto mass = build_lattice(body).node_mass_kg;

@@ -10,7 +10,7 @@ namespace magfsi::structure {
 Eigen::Matrix3d mean_deformation(const Positions8& x_m,
                                  const Positions8& reference_gradient_m2,
                                  double reference_volume_m3) {
-    // The gradients of an element sum to zero: taking the mean off changes rounding only.
+    // The gradients of an element sum to zero, so that the mean affects rounding only.
     const Positions8 x = x_m.rowwise() - x_m.colwise().mean();
     return x.transpose() * reference_gradient_m2 / reference_volume_m3;
 }

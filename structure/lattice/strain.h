@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the deformation of an element means: stretches, change of volume, stress.
+// Measures of an element's deformation: stretches, stress.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,12 +14,13 @@ Eigen::Matrix3d mean_deformation(const Positions8& x_m,
                                  const Positions8& reference_gradient_m2,
                                  double reference_volume_m3);
 
-// Square roots of the eigenvalues of F^T F, the largest first.
+// Principal stretches, the square roots of the eigenvalues of F^T F, largest first.
 Vec3 principal_stretches(const Eigen::Matrix3d& f);
 
 // Cauchy stress of eq. (1) in a homogeneous state, sigma = P F^T / J with P = dW/dF:
 //   sigma = (G (F F^T - 1) + K ln J 1) / J  [Pa],
-// zero where J is not positive. Order: xx, yy, zz, xy, yz, xz, VTK's of six components.
+// zero if J is not positive. The order is VTK's for six components: xx, yy, zz, xy, yz,
+// xz.
 std::array<double, 6> cauchy_stress_pa(const Material& material,
                                        const Eigen::Matrix3d& f);
 

@@ -7,25 +7,26 @@
 namespace magfsi::structure {
 namespace {
 
-// The volume is a sum of triple products c u_l . (u_m x u_n) of vectors that are linear
-// in the positions, u_m = sum_a p_am x_a.
+// Term c u_l . (u_m x u_n) of a volume, which is a sum of such triple products of vectors
+// that are linear in the positions, u_m = sum_a p_am x_a.
 struct TripleProduct {
     int l, m, n;
     double coefficient;
 };
 
-// Exact volume, u_m the Hadamard modes: V = 8 [r1.(r2 x r3) + (r1.(s12 x s31) +
-// r2.(s23 x s12) + r3.(s31 x s23)) / 3], the formula of exact_volume().
+// Exact volume with u_m the Hadamard modes: V = 8 [r1.(r2 x r3) + (r1.(s12 x s31) +
+// r2.(s23 x s12) + r3.(s31 x s23)) / 3], as in exact_volume().
 constexpr std::array<TripleProduct, 4> exact_terms{
     {{1, 2, 4, 8.0}, {1, 3, 5, 8.0 / 3}, {2, 6, 3, 8.0 / 3}, {4, 5, 6, 8.0 / 3}}};
-// V0 det F, u_m the columns of F.
+// Volume by the mean F over V0, det F, with u_m the columns of F.
 constexpr std::array<TripleProduct, 1> mean_terms{{{0, 1, 2, 1.0}}};
 
 template <int modes>
-using Weights = Eigen::Matrix<double, 8, modes>;  // p_am
+using Weights = Eigen::Matrix<double, 8, modes>;  // weights p_am
 
-// d2V / dx_a dx_b = sum over terms of the cross-product matrix of w_ab, a combination of
-// the u: d2/(du_l du_m) of u_l . (u_m x u_n) is -[u_n]x, and cyclic.
+// Second derivative d2V / dx_a dx_b: a sum over the terms of the cross-product matrix of
+// w_ab, a combination of the u. d2/(du_l du_m) of u_l . (u_m x u_n) is -[u_n]x, and
+// cyclically.
 template <int modes>
 Matrix24 hessian(std::span<const TripleProduct> terms, const Weights<modes>& p,
                  const Eigen::Matrix<double, modes, 3>& u) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kelvin-Voigt forces in Hadamard mode space, `width` elements at a time; see
-// viscous_element for the same in plain form.
+// Kernel for Kelvin-Voigt forces in Hadamard mode space, `width` elements at a time;
+// viscous_element is the same in plain form.
 #include "structure/lattice/element_lanes.h"
 
 namespace magfsi::structure::MAGFSI_ISA {
 namespace {
 
-// Of positions or of velocities: F (or its rate), modes, hourglass vectors xy, xz, yz and
-// xyz.
+// Kinematics of an element: modes, F, hourglass vectors xy, xz, yz (v) and xyz (last).
+// For velocities all of these are rates.
 struct Motion {
     Vec mode[8];
     Vec f[3];
@@ -15,6 +15,7 @@ struct Motion {
     Vec last[1];
 };
 
+// Computes the members from the nodes' values, which are in m.mode.
 template <bool brick>
 MAGFSI_INLINE void complete(const double* data, Motion& m) {
     to_modes(m.mode);
@@ -35,7 +36,8 @@ MAGFSI_INLINE void complete(const double* data, Motion& m) {
     }
 }
 
-// Minus the forces on F [an eighth of V0 P]; returns an eighth of the dissipation.
+// Stress of the mean F: an eighth of V0 P, with the sign of minus the forces. Returns an
+// eighth of the dissipation.
 MAGFSI_INLINE Real mean_part(const Real& eighth, double eta, const Motion& x,
                              const Motion& v, Vec (&stress)[3]) {
     Real rate[3][3];  // Edot
@@ -58,7 +60,8 @@ MAGFSI_INLINE Real mean_part(const Real& eighth, double eta, const Motion& x,
     return scale * sum;
 }
 
-// Mode xyz: adds to the edge modes of g, puts minus the force on the vector into w.
+// Damping of the mode xyz: adds to the edge modes of g and stores minus the force on the
+// vector in w. Returns an eighth of the dissipation.
 template <bool brick>
 MAGFSI_INLINE Real last_part(const Real& eighth, double eta, const double* metric,
                              const Motion& x, const Motion& v, Vec (&g)[8], Vec& w) {
@@ -83,7 +86,8 @@ MAGFSI_INLINE Real last_part(const Real& eighth, double eta, const double* metri
     return sum;
 }
 
-// Positions in x and velocities in v; out: forces in x.mode. Returns the dissipation.
+// One batch: takes positions in x and velocities in v and leaves the forces in x.mode;
+// returns the dissipation.
 template <bool brick>
 MAGFSI_INLINE Real element(const ViscousBatches& b, const double* data, Motion& x,
                            Motion& v) {
@@ -123,6 +127,7 @@ MAGFSI_INLINE Real element(const ViscousBatches& b, const double* data, Motion& 
     return 8.0 * dissipation;
 }
 
+// All batches in order. Lanes past the last element add nothing.
 template <bool brick>
 double run(const ViscousBatches& b, const double* x, const double* v, double* f) {
     double sum = 0;

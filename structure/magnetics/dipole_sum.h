@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The field of many dipoles at one of them, in the instruction set of the machine.
+// Field of many dipoles at one of them, in the instruction set of the machine.
 #pragma once
 
 namespace magfsi::structure {
 
-// By number, in separate arrays: centres [m], moments [A m2], radii [m].
+// Dipoles in separate arrays by number: centres [m], moments [A m2], radii [m].
 struct DipoleArrays {
     const double* x[3] = {};
     const double* m[3] = {};
     const double* radius = nullptr;
 };
 
-// Flux density [T] and its gradient [T/m], which is symmetric: xx, yy, zz, xy, xz, yz.
+// Flux density [T] and its symmetric gradient [T/m] in the order xx, yy, zz, xy, xz, yz.
 struct DipoleSum {
     double field_t[3] = {};
     double gradient_t_m[6] = {};
 };
 
-// Adds the field at the centre of dipole `at` of those from `from` to before `to`, itself
-// and others at its very place left out. As two spheres that are evenly magnetised act on
-// each other (dipoles.h).
+// Adds the field of the dipoles from, ..., to - 1 at the centre of dipole `at`; itself
+// and others at exactly its place are left out. The law is that of two uniformly
+// magnetised spheres (dipoles.h).
 using DipoleSumFunction = void (*)(const DipoleArrays& dipoles, int at, int from, int to,
                                    DipoleSum& sum);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The pair law of dipoles.h, several sources at a time.
+// The pair law of dipoles.h for several sources at a time.
 #include <immintrin.h>
 
 #include "isa/simd.h"
@@ -15,7 +15,8 @@ namespace {
 constexpr int width = vector_bytes / static_cast<int>(sizeof(double));
 using Real = Simd<double, width>::Vector;
 
-// Of numbers above 0; the library's has to look for others, one lane at a time.
+// Square root of positive numbers. The library's function tests for others, one lane at a
+// time.
 MAGFSI_INLINE Real square_root(const Real& a) {
 #if defined(MAGFSI_ISA_avx512)
     return _mm512_maskz_sqrt_pd(0xff, a);  // GCC 12 warns of the plain one
@@ -26,18 +27,19 @@ MAGFSI_INLINE Real square_root(const Real& a) {
 #endif
 }
 
-// d_i d_j phi = c d_i d_j - a delta_ij; e: -c' / r.
+// Coefficients of the pair law: d_i d_j phi = c d_i d_j - a delta_ij, and e = -c' / r.
 struct Law {
     Real a, c, e;
 };
 
+// square: squared distance; touch: sum of the two radii, below which the spheres overlap.
 MAGFSI_INLINE Law law(const Real& square, const Real& touch) {
     const Real r = square_root(square), inverse = 1.0 / r, inverse2 = inverse * inverse;
     Law apart;
     apart.a = inverse * inverse2;
     apart.c = 3.0 * apart.a * inverse2;
     apart.e = 5.0 * apart.c * inverse2;
-    // Of spheres of half that distance; u runs from 0 to 2.
+    // Overlapping spheres of half that distance as radius a; u = r / a runs from 0 to 2.
     const Real radius = 0.5 * touch, one = 1.0 / radius, one2 = one * one;
     const Real u = r * one, v = radius * inverse;
     Law within;
@@ -49,6 +51,7 @@ MAGFSI_INLINE Law law(const Real& square, const Real& touch) {
             overlap ? within.e : apart.e};
 }
 
+// Field and gradient, summed lane by lane. Lanes at distance 0 add nothing.
 struct Sums {
     Real field[3] = {}, gradient[6] = {};
 

@@ -43,7 +43,8 @@ std::vector<DipoleElement> dipole_elements(const std::vector<Vec3>& nodes_m,
 
 Dipole dipole_of(const DipoleElement& element, const std::array<int, 8>& nodes,
                  const double* x) {
-    // Charges sum to zero: from the first node on nothing is lost far from the origin.
+    // The charges sum to zero, so that the moment does not depend on the origin; the
+    // first node as the origin avoids a loss of digits.
     const Eigen::Map<const Vector3d> first(x + 3L * nodes[0]);
     Dipole out{Vector3d::Zero(), Vector3d::Zero()};
     for (std::size_t a = 0; a < 8; ++a) {
@@ -108,6 +109,7 @@ void Dipoles::add_sum(const std::array<std::vector<double>, 3>& x, std::size_t i
     sample.gradient_t_m += gradient;
 }
 
+// A uniformly magnetised sphere has -mu0 M / 3 as its demagnetising field.
 Vector3d own_field_t(const DipoleElement& element, const Dipole& dipole) {
     return (-4e-7 * std::numbers::pi / (3 * element.volume_m3)) * dipole.moment_a_m2;
 }

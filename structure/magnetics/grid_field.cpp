@@ -21,9 +21,11 @@ constexpr ColumnKind columns[] = {
     {"z", units::length},        {"Bx", units::flux_density},
     {"By", units::flux_density}, {"Bz", units::flux_density}};
 
-// Of points that a grid has in common, the same to rounding in the file.
+// Coordinates are the same if they differ by less than this share of the extent; files
+// round.
 constexpr double same = 1e-6;
 
+// The different coordinates, ascending.
 std::vector<double> places(std::vector<double> all) {
     std::ranges::sort(all);
     const double extent = all.back() - all.front();
@@ -42,11 +44,12 @@ std::size_t place_of(double x, const std::vector<double>& axis) {
     return static_cast<std::size_t>(std::llround((x - axis.front()) / spacing(axis)));
 }
 
-// Where a coordinate stands on an axis, and what the points from `first` on count there:
-// Lagrange's polynomials through four of them, or through as many as there are.
+// Interpolation along one axis: Lagrange's polynomials through the four points from
+// `first` on, or through all points of a shorter axis.
 struct Stencil {
     std::size_t first = 0, count = 0;
-    std::array<double, 4> weight{}, slope{};  // by point; slope: d weight / d coordinate
+    // Weight of each point, and its derivative by the coordinate
+    std::array<double, 4> weight{}, slope{};
 };
 
 Stencil stencil(double x, const std::vector<double>& axis) {

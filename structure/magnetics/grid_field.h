@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A flux density given on a regular grid: a CSV file with the columns x, y, z, Bx, By, Bz
-// of every point, in any order, as Magpylib (pandas) and COMSOL export them.
+// Flux density on a regular grid from a CSV file with the columns x, y, z, Bx, By, Bz and
+// one row per point, in any order, as Magpylib (pandas) and COMSOL export them.
 #pragma once
 
 #include <array>
@@ -12,16 +12,19 @@
 
 namespace magfsi::structure {
 
-// Between the points by cubics through the four nearest along each axis: the field's
-// error falls with the fourth power of the spacing, the gradient's with the third. The
-// gradient is that of the cubics, so that forces are those of an energy.
+// Interpolation of a grid by cubics through the four nearest points along each axis: the
+// field's error falls with the fourth power of the spacing, the gradient's with the
+// third. The gradient is the exact one of the cubics, so that forces derive from an
+// energy.
 class GridValues {
   public:
     GridValues() = default;
-    // axes: ascending, evenly spaced, two at least; values: x runs fastest.
+    // axes: ascending, evenly spaced, at least two points each; values: one per point, x
+    // runs fastest.
     GridValues(std::array<std::vector<double>, 3> axes_m, std::vector<Vec3> values_t);
 
-    // Throws std::runtime_error outside of the grid.
+    // Field [T] and gradient [T/m] at a point. Throws std::runtime_error outside of the
+    // grid.
     point_fields::Field<point_fields::Gradient> at(
         const point_fields::Point<point_fields::Gradient>& x) const;
 
@@ -33,7 +36,8 @@ class GridValues {
     std::vector<Vec3> values_t_;
 };
 
-// Throws std::invalid_argument, naming the file, where its points are no such grid.
+// Reads a grid. Throws std::invalid_argument, with the file, if it is no table
+// (table_file.h) or its points are no regular grid.
 GridValues read_grid(const std::filesystem::path& file);
 
 }  // namespace magfsi::structure

@@ -15,7 +15,8 @@ void check_count(std::size_t vectors, std::size_t elements) {
            vectors, elements);
 }
 
-// Gradients are typed with a few digits; what is left of the trace acts like a source.
+// Allowed defect of a gradient, relative to its largest entry: gradients are typed with a
+// few digits, but a trace that is left acts like a source.
 constexpr double allowed_defect = 1e-6;
 
 void check(const Eigen::Matrix3d& a) {
@@ -43,8 +44,8 @@ void check(const Eigen::Matrix3d& a) {
     }
 }
 
-// Each factor is of degree 3 at most in each direction, so 2x2x2 Gauss points are exact.
-// C_ab of moment_elements.
+// C_ab of moment_elements. Each factor has at most degree 3 in each direction, so that
+// 2x2x2 Gauss points are exact.
 Matrix8 moments_of(const Positions8& nodes_m, const Vec3& vector_a_m) {
     const Eigen::Vector3d magnetization_a_m(vector_a_m.data());
     Matrix8 half = Matrix8::Zero();
@@ -61,7 +62,7 @@ Matrix8 moments_of(const Positions8& nodes_m, const Vec3& vector_a_m) {
     return half;
 }
 
-// P_b of an element: the same wherever it is, as the columns of C sum to zero.
+// P_b of an element. It does not depend on the origin, as the columns of C sum to zero.
 Positions8 node_moments(const Matrix8& moments, const std::array<int, 8>& nodes,
                         const double* x) {
     Positions8 now;
@@ -128,8 +129,9 @@ double add_gradient_forces(std::span<const GradientElement> elements,
             now.row(n) =
                 Eigen::Map<const Eigen::RowVector3d>(x + 3L * nodes[e][n]) - origin;
         }
-        // Coupling times positions first: its rows sum to the charges, so a body that is
-        // far from the origin loses no digits here that its net force has.
+        // Coupling times positions comes first: the rows of the coupling sum to the
+        // charges, so that a body far from the origin loses no more digits than its net
+        // force has.
         const Positions8 force = elements[e].coupling * now * a;
         energy -= 0.5 * force.cwiseProduct(now).sum();
         for (int n = 0; n < 8; ++n) {

@@ -15,7 +15,8 @@
 namespace magfsi::structure {
 namespace {
 
-// Even-odd rule: a ray towards larger x crosses the outline an odd number of times.
+// True for points inside by the even-odd rule: a ray towards larger x crosses the outline
+// an odd number of times.
 bool inside_polygon(std::span<const std::array<double, 2>> outline, const Vec3& point) {
     bool inside = false;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
@@ -62,8 +63,8 @@ double squared_distance(const Vec3& a, const Vec3& b) {
     return sum;
 }
 
-// Points in the order of x: the search runs outwards from the centre's x and stops where
-// x alone is further away than the best.
+// Nearest of many points. They are sorted by x; the search runs outwards from the given x
+// and stops where the difference in x alone exceeds the best distance.
 class NearestRow {
   public:
     explicit NearestRow(const std::vector<Vec3>& points_m) : points_m_(points_m) {
@@ -99,6 +100,7 @@ class NearestRow {
     std::vector<std::size_t> by_x_;
 };
 
+// The vector of the nearest row for each element.
 std::vector<Vec3> nearest_vectors(const Mesh& mesh, const MagnetizationRows& rows,
                                   const std::filesystem::path& file) {
     const NearestRow nearest(rows.point_m);
@@ -157,9 +159,9 @@ Eigen::Vector3d to_eigen(const Vec3& x) {
     return Eigen::Vector3d(x[0], x[1], x[2]);
 }
 
-// A curve by points on it. Its tangent is the mean of the two pieces at a point between
-// them, and at an end what makes it linear over the last piece: exact for circles with
-// even points.
+// Curve through given points. The tangent at a point is the mean of those of the two
+// pieces; at an open end it is extrapolated linearly from the last piece, which is exact
+// for circles with evenly spaced points.
 class Curve {
   public:
     explicit Curve(const std::vector<Vec3>& points_m) {
@@ -188,10 +190,12 @@ class Curve {
         }
     }
 
+    // Arc length from the first point and unit tangent.
     struct Place {
         double s_m;
         Eigen::Vector3d tangent;
     };
+    // The place on the polygon nearest to x.
     Place nearest(const Eigen::Vector3d& x) const {
         Place best{};
         double least = INFINITY, s_m = 0;
@@ -212,8 +216,8 @@ class Curve {
     }
 
   private:
-    std::vector<Eigen::Vector3d> points_, tangents_;  // tangents of points
-    std::vector<double> lengths_m_;                   // of pieces
+    std::vector<Eigen::Vector3d> points_, tangents_;  // tangents_: at the points
+    std::vector<double> lengths_m_;                   // one per piece
 };
 
 }  // namespace

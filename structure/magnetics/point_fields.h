@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Flux density [T] of elementary sources at a point of their own frame, outside of them:
-// closed forms in a number type T, so that Gradient numbers give their exact gradients.
+// Flux density [T] of elementary sources at a point of their own frame, outside of them.
+// Closed forms in a number type T: with T = Gradient they give exact gradients, too.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace magfsi::structure::point_fields {
 
 inline constexpr double mu0 = 4e-7 * std::numbers::pi;  // [T m/A], to 1e-9
 
-// A number with its derivatives along x, y and z.
+// Number with its derivatives along x, y and z (forward-mode differentiation).
 struct Gradient {
     double value = 0;
     std::array<double, 3> d{};
@@ -20,6 +20,7 @@ struct Gradient {
     Gradient(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
     Gradient(double v, const std::array<double, 3>& derivatives)
         : value(v), d(derivatives) {}
+    // The coordinate along an axis, whose derivative along it is 1.
     static Gradient along(int axis, double v) {
         Gradient out(v);
         out.d[static_cast<std::size_t>(axis)] = 1;
@@ -27,11 +28,11 @@ struct Gradient {
     }
 };
 
-// f(a) with f' there.
+// Value f(a) of a function whose derivative at a is df.
 inline Gradient chain(const Gradient& a, double f, double df) {
     return {f, {df * a.d[0], df * a.d[1], df * a.d[2]}};
 }
-// Of a function of two numbers, with its derivatives by both.
+// Value f of a function of a and b whose derivatives are da and db.
 inline Gradient chain(const Gradient& a, const Gradient& b, double f, double da,
                       double db) {
     return {f,
@@ -68,6 +69,7 @@ inline Gradient atan2(const Gradient& y, const Gradient& x) {
 inline Gradient abs(const Gradient& a) {
     return a.value < 0 ? -a : a;
 }
+// The value without derivatives, for comparisons.
 inline double number(const Gradient& a) {
     return a.value;
 }
@@ -82,7 +84,7 @@ using Field = std::array<T, 3>;
 
 // --- dipole ---------------------------------------------------------------------------
 
-// mu0 / (4 pi) [3 (m . r) r / r^5 - m / r^3]
+// Field of a point dipole, mu0 / (4 pi) [3 (m . r) r / r^5 - m / r^3].
 template <class T>
 Field<T> dipole(const Point<T>& x, const std::array<double, 3>& moment_a_m2) {
     using std::sqrt;
@@ -98,7 +100,8 @@ Field<T> dipole(const Point<T>& x, const std::array<double, 3>& moment_a_m2) {
 
 // --- cuboid ---------------------------------------------------------------------------
 
-// ln[(v1 + r1) / (v0 + r0)], r^2 = v^2 + s for both: without cancellation below.
+// ln[(v1 + r1) / (v0 + r0)] with r^2 = v^2 + s for both, without cancellation for
+// negative v.
 template <class T>
 T log_ratio(const T& v1, const T& r1, const T& v0, const T& r0) {
     using std::log;
@@ -106,11 +109,11 @@ T log_ratio(const T& v1, const T& r1, const T& v0, const T& r0) {
     return log((v1 + r1) / (v0 + r0));
 }
 
-// A block of these half edges, polarised with J along its axis z: two faces of the charge
-// +-J (mu0 times that of the magnetisation); each gives, with u, v, w the distances from
-// a corner and R^2 = u^2 + v^2 + w^2, the differences over its corners of
+// Field of a block with these half edges and the polarisation 1 T along its axis z: two
+// faces of the charge +-1 T. With u, v, w the distances from a corner and R^2 = u^2 + v^2
+// + w^2, each face gives the differences over its corners of
 //   -ln(v + R), -ln(u + R), atan(u v / (w R)), over 4 pi (Yang et al. 1990; Furlani
-//   2001).
+// 2001).
 template <class T>
 Field<T> cuboid_along_z(const Point<T>& x, const std::array<double, 3>& half_m) {
     using std::atan2;
@@ -139,13 +142,14 @@ Field<T> cuboid_along_z(const Point<T>& x, const std::array<double, 3>& half_m) 
     return out;
 }
 
+// Field of a block with any polarisation, as the sum over its three components.
 template <class T>
 Field<T> cuboid(const Point<T>& x, const std::array<double, 3>& half_m,
                 const std::array<double, 3>& polarization_t) {
     Field<T> out{T(0), T(0), T(0)};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (polarization_t[axis] == 0) continue;
-        // The axes in turn, so that this one is z.
+        // The axes are permuted cyclically, so that this one is z.
         const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
         const Field<T> turned = cuboid_along_z<T>({x[i], x[j], x[axis]},
                                                   {half_m[i], half_m[j], half_m[axis]});
@@ -159,10 +163,10 @@ Field<T> cuboid(const Point<T>& x, const std::array<double, 3>& half_m,
 
 // --- circular coil --------------------------------------------------------------------
 
-// Bulirsch's complete elliptic integral: over an angle t from 0 to pi / 2, of
+// Bulirsch's complete elliptic integral over an angle from 0 to pi / 2 of
 //   (a cos^2 + b sin^2) / (cos^2 + p sin^2) / sqrt(cos^2 + kc^2 sin^2), kc, p > 0
-// (Numer. Math. 13 (1969) 305). The last round is one more than the value needs: its
-// derivatives are then as exact.
+// (Numer. Math. 13 (1969) 305). One round more is done than the value needs, so that its
+// derivatives are as exact.
 template <class T>
 T cel(const T& kc, const T& p, const T& a, const T& b) {
     using std::sqrt;
@@ -189,7 +193,8 @@ T cel(const T& kc, const T& p, const T& a, const T& b) {
     return T(std::numbers::pi / 2) * (bb + aa * em) / (em * (em + root));
 }
 
-// What is symmetric about z and known on the axis, f(z), nearby: the first terms of
+// Field near the axis of a source that is symmetric about z, from its value f(z) on the
+// axis: the first terms of
 //   B_z = f - rho^2 f''/4, B_rho = -rho f'/2 + rho^3 f'''/16.
 template <class T>
 Field<T> near_axis(const Point<T>& x, const T& f, const T& df, const T& ddf,
@@ -198,11 +203,11 @@ Field<T> near_axis(const Point<T>& x, const T& f, const T& df, const T& ddf,
     const T across = square * dddf / T(16) - df / T(2);
     return {x[0] * across, x[1] * across, f - square * ddf / T(4)};
 }
-// Of the radius or the distance, within which the terms left out are below 1e-9.
+// Limit for near_axis, as a share of the radius or the distance: the terms left out are
+// then below 1e-9.
 inline constexpr double near = 4e-3;
 
-// One turn of this radius about z with the current 1 A (Smythe; with cel by Derby and
-// Olbert, Am. J. Phys. 78 (2010) 229, for the solenoid below).
+// Field of one turn of this radius about z with the current 1 A (Smythe).
 template <class T>
 Field<T> loop(const Point<T>& x, double radius_m) {
     using std::sqrt;
@@ -228,8 +233,8 @@ Field<T> loop(const Point<T>& x, double radius_m) {
 
 // --- cylinder -------------------------------------------------------------------------
 
-// Polarised with 1 T along its axis z: the sheet of current of a solenoid (Derby and
-// Olbert 2010).
+// Field of a cylinder with the polarisation 1 T along its axis z, which is that of the
+// current sheet of a solenoid (with cel: Derby and Olbert, Am. J. Phys. 78 (2010) 229).
 template <class T>
 Field<T> cylinder_along(const Point<T>& x, double radius_m, double half_m) {
     using std::sqrt;
@@ -237,7 +242,8 @@ Field<T> cylinder_along(const Point<T>& x, double radius_m, double half_m) {
     const T rho2 = x[0] * x[0] + x[1] * x[1];
     const bool on_axis = number(rho2) < near * near * radius_m * radius_m;
     const T rho = on_axis ? T(0) : sqrt(rho2);
-    // Above and below the wall, where the two ends' steps cancel: the mean of both sides.
+    // At the radius of the wall, above and below it, steps of the two ends cancel: the
+    // mean of both sides is taken.
     if (constexpr double off = 1e-5; std::abs(number(rho) / radius_m - 1) < off / 2) {
         const T in(1 - off), out(1 + off);
         Field<T> a1 = cylinder_along<T>({in * x[0], in * x[1], x[2]}, radius_m, half_m);
@@ -270,17 +276,19 @@ Field<T> cylinder_along(const Point<T>& x, double radius_m, double half_m) {
     return out;
 }
 
-// Polarised with J across its axis: its wall has the charge J cos(angle to J); each line
-// of it, of unit charge a length and the ends w0, w1 away along z, gives over 4 pi
-//   (w1/r1 - w0/r0) d / d^2 across, with d the way to it, and 1/r1 - 1/r0 along -z.
-// The sum over the lines by the trapezoidal rule, which on a circle gains digits in
-// proportion to their number: as many as the distance asks for, at most 1024.
+// Field of a cylinder with the polarisation (jx, jy) [T] across its axis. Its wall has
+// the charge J cos(angle to J). Each line of it, of unit charge per length and with the
+// ends w0, w1 away along z, gives over 4 pi
+//   (w1/r1 - w0/r0) d / d^2 across, with d the vector from the line, and 1/r1 - 1/r0
+// along -z.
+// The lines are summed by the trapezoidal rule, which on a circle gains digits in
+// proportion to their number: as many as the distance requires, at most 1024.
 template <class T>
 Field<T> cylinder_across(const Point<T>& x, double radius_m, double half_m, double jx,
                          double jy) {
     using std::sqrt;
     const double rho = std::hypot(number(x[0]), number(x[1]));
-    // A wall's pole is as far from the circle as the point is from the wall.
+    // The rule's accuracy depends on the distance of the point from the wall.
     const double gap =
         std::max(std::abs(rho - radius_m), std::abs(number(x[2])) - half_m);
     const double ratio = radius_m / (radius_m + std::max(gap, 0.0));
@@ -295,7 +303,8 @@ Field<T> cylinder_across(const Point<T>& x, double radius_m, double half_m, doub
         const T d2 = dx * dx + dy * dy;
         const T r1 = sqrt(d2 + w1 * w1), r0 = sqrt(d2 + w0 * w0);
         const T charge((jx * c + jy * s) * radius_m / (2 * lines));
-        // w1/r1 - w0/r0 over d2, which above an end is a small number over a small one.
+        // w1/r1 - w0/r0 over d2: above an end both are small, so the form without
+        // cancellation is used.
         const T across =
             charge * (number(w0) * number(w1) > 0
                           ? (w1 * w1 - w0 * w0) / (r1 * r0 * (w1 * r0 + w0 * r1))
@@ -307,6 +316,7 @@ Field<T> cylinder_across(const Point<T>& x, double radius_m, double half_m, doub
     return out;
 }
 
+// Field of a cylinder with any polarisation in its frame [T].
 template <class T>
 Field<T> cylinder(const Point<T>& x, double radius_m, double half_m,
                   const std::array<double, 3>& polarization_t) {

@@ -19,7 +19,7 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using point_fields::Gradient;
 
-// One turn.
+// One turn of a coil.
 struct Loop {
     double radius_m = 0;
 };
@@ -34,7 +34,7 @@ Vec3 half(const Vec3& v) {
     return {0.5 * v[0], 0.5 * v[1], 0.5 * v[2]};
 }
 
-// Turns z onto an axis by the shortest way.
+// Rotation that turns z onto an axis by the shortest way.
 Matrix3d frame_along(const Vec3& axis) {
     const Vector3d to = vector(axis);
     if (!(to.norm() > 0)) refuse("an axis of length 0 found for a source of the field");
@@ -52,6 +52,7 @@ Matrix3d turned(const Vec3& axis, double angle_rad) {
     return Eigen::AngleAxisd(angle_rad, along.normalized()).toRotationMatrix();
 }
 
+// Field of each shape at a point of its own frame, for std::visit.
 template <class T>
 struct LocalField {
     const point_fields::Point<T>& x;
@@ -69,6 +70,7 @@ struct LocalField {
     auto operator()(const GridValues& s) const { return s.at(x); }
 };
 
+// Factor of a source's strength at a time.
 double strength_at(const StrengthLaw& law, double time_s) {
     struct At {
         double t;
@@ -87,6 +89,8 @@ double strength_at(const StrengthLaw& law, double time_s) {
     return std::visit(At{time_s}, law);
 }
 
+// Displacement of a source from its position [m]. A formula counts as it is, without its
+// value at time 0.
 Vector3d way_at(const SourceMotion& motion, double time_s) {
     if (const auto* path = std::get_if<SourcePath>(&motion))
         return vector(
@@ -98,6 +102,7 @@ Vector3d way_at(const SourceMotion& motion, double time_s) {
     return vector(displacement_m(std::get<Oscillation>(motion), time_s));
 }
 
+// Angle of a turning source [rad].
 double angle_at(const SourceTurning& turning, double time_s) {
     if (const auto* formula = std::get_if<Formula>(&turning.turns))
         return value_at(formula->si, time_s);
@@ -106,14 +111,15 @@ double angle_at(const SourceTurning& turning, double time_s) {
 
 }  // namespace
 
-// Its place within its source, and in space at the present time.
+// One coil, magnet or grid: its place in the frame of its source, and the present one in
+// space.
 struct SourceField::Element {
     ElementShape shape;
     std::size_t source = 0;
     Vector3d centre_m = Vector3d::Zero();
     Matrix3d frame = Matrix3d::Identity();
-    double strength = 1;  // current and turns of a coil
-    // Of a system's coil: current over time, in place of it.
+    double strength = 1;  // current times turns of a coil, else 1
+    // Current over time, for coils of a system; replaces the factor 1.
     std::vector<double> time_s{}, current_a{};
     bool repeat = false;
     std::optional<Formula> current{};
@@ -124,10 +130,12 @@ struct SourceField::Element {
         return current_a.empty() ? 1 : rows_at(time_s, repeat, at_s).of(current_a);
     }
 
+    // At the time of the last set_time
     Vector3d now_centre_m = Vector3d::Zero();
     Matrix3d now_frame = Matrix3d::Identity();
     double now_strength = 1;
 
+    // Adds its field and gradient at a point of space.
     void add(const Vec3& point_m, FieldSample& out) const;
 };
 
@@ -156,7 +164,7 @@ void require_positive(double value, const char* what) {
     if (!(value > 0)) refuse("{} of {:g} m found for a source of the field", what, value);
 }
 
-// Takes a source apart.
+// Splits a source into its elements and checks its sizes.
 struct Parts {
     Elements& out;
     std::size_t source;
@@ -178,6 +186,7 @@ struct Parts {
         require_positive(s.height_m, "a height");
         add(s).frame = frame_along(s.axis);
     }
+    // along_m: place on the axis; sense: 1 or -1, the direction of the current.
     void add_coil(const CircularCoil& s, double along_m, double sense) const {
         require_positive(s.diameter_m, "a diameter");
         SourceField::Element& coil = add(Loop{s.diameter_m / 2});
@@ -234,6 +243,8 @@ bool SourceField::at_rest() const {
 }
 
 void SourceField::set_time(double time_s) {
+    // The turning comes last, so that a source that circles a point takes its motion
+    // along.
     struct Place {
         Vector3d position;
         Matrix3d frame;
@@ -275,7 +286,8 @@ FieldSample SourceField::sample(const Vec3& point_m) const {
 Matrix3d SourceField::gradient_along(const Vec3& point_m, const Vector3d& way) const {
     const double length = way.norm();
     if (length == 0) return Matrix3d::Zero();
-    // The cube root of the rounding of the nearest source's distance.
+    // Step of the difference: near the cube root of rounding, relative to the distance of
+    // the nearest source.
     double distance_m = INFINITY;
     for (const auto& element : elements_)
         distance_m =

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The flux density of dipoles, magnets, coils and grids at points in space, and its
-// gradient.
+// Flux density of dipoles, magnets, coils and grids at points in space, and its gradient.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,32 +10,36 @@
 
 namespace magfsi::structure {
 
-// At a point: gradient(i, j) = dB_i / dx_j [T/m].
+// Field at a point; gradient(i, j) = dB_i / dx_j [T/m].
 struct FieldSample {
     Eigen::Vector3d field_t = Eigen::Vector3d::Zero();
     Eigen::Matrix3d gradient_t_m = Eigen::Matrix3d::Zero();
 };
 
+// Sources of the field at the places and strengths of one time. Each object has all
+// sources.
 class SourceField {
   public:
-    // Reads the files of grids. Throws std::invalid_argument on what is no source: a size
-    // or an axis of zero, other numbers of currents than times, a file that is no grid.
+    // Places the sources at time 0 and reads the files of grids. Throws
+    // std::invalid_argument on a size or an axis of zero, a number of currents that is
+    // not that of the times, or a file that is no grid.
     explicit SourceField(const std::vector<FieldSource>& sources);
     ~SourceField();
     SourceField(SourceField&&) noexcept;
     SourceField& operator=(SourceField&&) noexcept;
 
-    // Whether nothing moves and no strength changes.
+    // True if no source moves and no strength changes.
     bool at_rest() const;
-    // Places the sources and sets their strengths; before any sample.
+    // Moves the sources to their places and strengths of a time. Formulas throw as
+    // value_at does.
     void set_time(double time_s);
-    // Throws std::runtime_error on a point outside a grid.
+    // Field of all sources at a point. Throws std::runtime_error outside of a grid.
     FieldSample sample(const Vec3& point_m) const;
-    // Derivative of the gradient along a direction [T/m2 times its length], by central
-    // differences: for Newton's tangent.
+    // Derivative of the gradient along `way` [T/m2, times its length], by central
+    // differences: accurate enough for the tangent of Newton's method.
     Eigen::Matrix3d gradient_along(const Vec3& point_m, const Eigen::Vector3d& way) const;
 
-    struct Element;  // one coil, one magnet
+    struct Element;  // one coil, one magnet or one grid
 
   private:
     std::vector<FieldSource> sources_;

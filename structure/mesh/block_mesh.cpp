@@ -15,7 +15,7 @@
 namespace magfsi::structure {
 namespace {
 
-using GridCounts = std::array<int, 3>;  // elements along the three grid directions
+using GridCounts = std::array<int, 3>;  // numbers along the three grid directions
 
 int node_number(const GridCounts& elements, int i, int j, int k) {
     return i + (elements[0] + 1) * (j + (elements[1] + 1) * k);
@@ -39,7 +39,7 @@ void add_to_faces(Mesh& mesh, const GridCounts& elements, const std::array<int, 
     }
 }
 
-// The point at grid coordinates s, in element edges: 0 to nx ...
+// Point at the grid coordinates s, in units of elements: 0 to nx, 0 to ny, 0 to nz.
 MaterialPoint grid_point(const GridCounts& elements, const Vec3& s) {
     std::array<int, 3> ijk{};
     Vec3 xi{};
@@ -52,6 +52,7 @@ MaterialPoint grid_point(const GridCounts& elements, const Vec3& s) {
             ijk[0] + elements[0] * (ijk[1] + elements[1] * ijk[2])};
 }
 
+// Mesh of a grid whose nodes lie at position(i, j, k), with faces and centre line.
 Mesh grid_mesh(const GridCounts& elements,
                const std::function<Vec3(int i, int j, int k)>& position) {
     const auto [nx, ny, nz] = elements;
@@ -109,8 +110,7 @@ void check(const ObliquePlate& plate) {
     }
 }
 
-// Height s over the plate's lower border, in cells, to the shift of its mesh line along
-// x, in units of length_b cos(angle).
+// Shift along x of the mesh line at height s [cells], in units of length_b cos(angle).
 double lean(const ObliquePlate& plate, double s) {
     if (!plate.zigzag) return s;
     const double in_pair = s - 2 * std::floor(s / 2);

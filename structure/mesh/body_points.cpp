@@ -12,17 +12,18 @@
 namespace magfsi::structure {
 namespace {
 
-// Parts along local axis d: by the longest of the four edges in its direction.
+// Number of parts along local axis d, by the longest of the four edges in its direction.
 int parts(const Positions8& x, int d, double spacing_m) {
     double longest = 0;
     for (int a = 0; a < 8; ++a) {
         if (((a >> d) & 1) != 0) continue;
         longest = std::max(longest, (x.row(a + (1 << d)) - x.row(a)).norm());
     }
-    // Rounding of the quotient does not add a part.
+    // The margin keeps rounding of the quotient from adding a part.
     return std::max(1, static_cast<int>(std::ceil(longest / spacing_m - 1e-9)));
 }
 
+// Local coordinate of the middle of part i of `count`.
 double middle(int i, int count) {
     return (2 * i + 1.0) / count - 1;
 }
@@ -48,7 +49,8 @@ std::vector<VolumePoint> points_of(const Mesh& mesh, int element, double spacing
 
 using Bin = std::array<int, 3>;
 
-// Surface points by cubes of edge `size`: the nearest within `size` is in one of 27.
+// Surface points in cubes of the edge size_m: the nearest point within size_m is in one
+// of 27 cubes.
 class Bins {
   public:
     Bins(const Mesh& mesh, std::span<const SurfaceQuad> surface, double spacing_m,
@@ -60,6 +62,7 @@ class Bins {
         }
     }
 
+    // At most size_m, which stands for all points that are farther.
     double distance_to(const Vec3& x) const {
         double least = size_m_ * size_m_;
         const Bin middle = bin(x);

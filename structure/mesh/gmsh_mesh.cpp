@@ -20,9 +20,10 @@ namespace {
 
 constexpr int hexahedron_of_8_nodes = 5;  // Gmsh's number of the element type
 
-using NodeNumbers = std::unordered_map<std::size_t, int>;  // Gmsh's tag: ours
+// key: Gmsh's tag of a node; value: its number here
+using NodeNumbers = std::unordered_map<std::size_t, int>;
 
-// Gmsh's library has one state for the whole process.
+// Initialised Gmsh library, which has one state for the whole process.
 class GmshSession {
   public:
     GmshSession() {
@@ -34,7 +35,6 @@ class GmshSession {
     GmshSession& operator=(const GmshSession&) = delete;
 };
 
-// The library would also take geometries and scripts, and run them.
 // Gmsh reads options for mesh.msh from mesh.msh.opt, and runs the commands in them.
 void refuse_options(const std::filesystem::path& file) {
     std::filesystem::path options = file;
@@ -46,6 +46,7 @@ void refuse_options(const std::filesystem::path& file) {
                         options.string()));
 }
 
+// The library would also accept geometries and scripts, and run them.
 void check_header(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw std::runtime_error("the file cannot be opened");
@@ -64,13 +65,14 @@ void check_header(const std::filesystem::path& file) {
     }
 }
 
-// Gmsh's library makes tables as long as the largest tag, with tags of 31 bits.
+// Throws on tags above 31 bits in a text file: the library makes tables as long as the
+// largest tag, whose indices are of 31 bits.
 void check_tags(const std::filesystem::path& file) {
     constexpr unsigned long long most = 2147483647;
     std::ifstream stream(file, std::ios::binary);
     std::string version, kind, section;
     stream >> section >> version >> kind;
-    if (kind != "0") return;  // binary: of 32 bits in 2.2
+    if (kind != "0") return;  // binary tags have 32 bits in 2.2
     std::string line, number;
     bool tags = false;
     while (std::getline(stream, line)) {
@@ -127,6 +129,8 @@ std::string group_name(int dimension, int tag) {
     return name.empty() ? std::to_string(tag) : name;
 }
 
+// Nodes are sorted by tag, so that their numbers do not depend on their order in the
+// file.
 NodeNumbers read_nodes(Mesh& mesh, double metres_per_unit) {
     std::vector<std::size_t> tags;
     std::vector<double> x, unused;
@@ -143,7 +147,7 @@ NodeNumbers read_nodes(Mesh& mesh, double metres_per_unit) {
     return numbers;
 }
 
-// Place of the volume's name in region_names, which grows by new ones.
+// Index of the volume's region in region_names, which gets new names.
 int region_of(Mesh& mesh, int volume) {
     std::vector<int> groups;
     gmsh::model::getPhysicalGroupsForEntity(3, volume, groups);
@@ -161,7 +165,7 @@ int region_of(Mesh& mesh, int volume) {
     return static_cast<int>(mesh.region_names.size()) - 1;
 }
 
-// Gmsh's tags of the elements.
+// Reads the hexahedra; returns Gmsh's tags of the elements, for messages.
 std::vector<std::size_t> read_elements(Mesh& mesh, const NodeNumbers& numbers) {
     std::vector<std::size_t> all;
     gmsh::vectorpair volumes, groups;
@@ -183,6 +187,7 @@ std::vector<std::size_t> read_elements(Mesh& mesh, const NodeNumbers& numbers) {
     return all;
 }
 
+// Adds the physical groups of one dimension, each with its nodes in ascending order.
 void read_groups(std::map<std::string, std::vector<int>>& out, int dimension,
                  const NodeNumbers& numbers) {
     gmsh::vectorpair groups;
@@ -252,7 +257,7 @@ GmshMesh read_gmsh_mesh(const std::filesystem::path& file, double metres_per_uni
         return read(file, metres_per_unit);
     } catch (const std::exception& error) {
         throw refused(error.what());
-    } catch (const std::string& error) {  // the kinds that Gmsh's library throws
+    } catch (const std::string& error) {  // one of the types that the library throws
         throw refused("Gmsh's library says: " + error);
     } catch (const char* error) {
         throw refused(fmt::format("Gmsh's library says: {}", error));

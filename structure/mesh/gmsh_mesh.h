@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Meshes of Gmsh, read by Gmsh's own library.
+// Meshes of Gmsh, read by Gmsh's own library. SI.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,24 @@
 
 namespace magfsi::structure {
 
+// Mesh of a file, and remarks for its user.
 struct GmshMesh {
     Mesh mesh;
-    int unused_nodes = 0;            // of no hexahedron: dropped
-    std::vector<int> part_elements;  // elements of each connected part
+    int unused_nodes = 0;  // number of nodes of no hexahedron, which were dropped
+    std::vector<int> part_elements;  // number of elements of each connected part
 };
 
-// Reads a .msh file (versions 2.2 and 4.1, text or binary). Its coordinates are
-// multiplied by `metres_per_unit` (1e-3 for a mesh in millimetres). Physical groups
-// become: of volumes, regions ("unnamed" for volumes in none, where there are others); of
-// surfaces, named faces; of curves and points, named points. A group without a name is
-// named by its number. The curve "centre_line" becomes the centre line.
+// Reads a .msh file (versions 2.2 and 4.1, text or binary). Coordinates are multiplied by
+// `metres_per_unit` (1e-3 for a mesh in millimetres). Physical groups of volumes become
+// regions ("unnamed" for volumes in no group, if there are groups), those of surfaces
+// named faces, those of curves and points named points. A group without a name is named
+// by its number. The curve "centre_line" becomes the centre line.
 //
-// Elements are numbered from 0 by volume and Gmsh's number, nodes by Gmsh's number, and
-// turned by oriented(). Throws std::runtime_error that names the file, what was found and
-// what to do: not a mesh of Gmsh, no hexahedra, elements of other kinds or orders, a
-// volume in two groups, a group without a node of the body; what refuse_broken_mesh
-// refuses.
+// Elements are numbered from 0 by volume, in Gmsh's order, and nodes by Gmsh's number;
+// elements are turned by oriented(). Throws std::runtime_error, with the file, what was
+// found and what to do, if the file is no mesh of Gmsh, has no hexahedra or elements of
+// other kinds or orders, a volume is in two groups, a group has no node of the body, or
+// refuse_broken_mesh refuses it.
 GmshMesh read_gmsh_mesh(const std::filesystem::path& file, double metres_per_unit);
 
 }  // namespace magfsi::structure

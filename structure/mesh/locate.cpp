@@ -17,7 +17,8 @@ Vector3d mapped(const Positions8& nodes_m, const Vec3& xi) {
     return nodes_m.transpose() * Eigen::Map<const Eigen::Vector<double, 8>>(shape.data());
 }
 
-// A bin a dozen elements at most: about one an element, and never flat.
+// Numbers of bins: cubes of about one element's volume. The extent of flat bodies counts
+// as at least a thousandth of the longest one.
 std::array<int, 3> bin_counts(const Vec3& extent_m, std::size_t elements) {
     const double longest = *std::ranges::max_element(extent_m);
     double volume = 1;
@@ -41,6 +42,7 @@ void for_bins(const std::array<int, 3>& from, const std::array<int, 3>& to,
     }
 }
 
+// The point of an element at local coordinates, which are moved to [-1, 1]^3.
 MaterialPoint material_point(const Mesh& mesh, int element, Vec3 xi) {
     for (double& x : xi) x = std::clamp(x, -1.0, 1.0);
     MaterialPoint out;
@@ -50,7 +52,8 @@ MaterialPoint material_point(const Mesh& mesh, int element, Vec3 xi) {
     return out;
 }
 
-// Room for the rounding of points on the border: local coordinates reach a little out.
+// Margin on boxes for the rounding of points on the border, whose local coordinates may
+// be slightly outside.
 double margin_m(const Bounds& box) {
     return 1e-9 * box.diagonal_m();
 }
@@ -59,7 +62,7 @@ double margin_m(const Bounds& box) {
 
 std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) {
     const Vector3d target = Vector3d(point_m.data());
-    // Below the rounding of coordinates of the element's size and position.
+    // Distance below the rounding of coordinates of the element's size and position.
     const double done_m = 1e-15 * nodes_m.cwiseAbs().maxCoeff() +
                           1e-14 * (nodes_m.row(7) - nodes_m.row(0)).norm();
     Vec3 xi{};
@@ -68,7 +71,7 @@ std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) 
         const Eigen::Matrix3d jacobian = nodes_m.transpose() * shape_gradients(xi);
         const Vector3d change = jacobian.partialPivLu().solve(gap);
         if (!change.allFinite()) return std::nullopt;
-        // Far outside, the trilinear map may fold: no step over more than an element.
+        // Far outside the trilinear map may fold: a step is no longer than an element.
         double scale = std::min(1.0, 2 / change.cwiseAbs().maxCoeff());
         bool better = false;
         for (int halving = 0; halving < 8 && !better; ++halving, scale *= 0.5) {
@@ -82,8 +85,8 @@ std::optional<Vec3> inverse_map(const Positions8& nodes_m, const Vec3& point_m) 
         }
         if (!better) break;
     }
-    // Rounding can end the search above `done_m`; a thousandth of a billionth of the
-    // element is as good as found.
+    // Rounding can end the iteration above `done_m`; 1e-12 of the element's size still
+    // counts as found.
     if (gap.norm() > 1e-12 * (nodes_m.row(7) - nodes_m.row(0)).norm() + done_m) {
         return std::nullopt;
     }
@@ -106,7 +109,8 @@ PointLocator::PointLocator(const Mesh& mesh) : mesh_(mesh) {
     bins_ = bin_counts(extent, mesh.elements.size());
     for (int d = 0; d < 3; ++d) bin_size_m_[d] = extent[d] / bins_[d];
 
-    // Count, then fill: elements stay ascending in every bin.
+    // Entries are counted first and then filled in, so that elements are ascending in
+    // every bin.
     const std::size_t total = bin_number({0, 0, bins_[2]});
     first_.assign(total + 1, 0);
     const auto visit_elements = [&](const auto& visit) {
@@ -144,7 +148,8 @@ std::size_t PointLocator::bin_number(const std::array<int, 3>& bin) const {
 
 std::optional<MaterialPoint> PointLocator::find(const Vec3& point_m,
                                                 double tolerance) const {
-    // Elements are entered in the bins as they are, without the tolerance.
+    // The bins hold elements without the tolerance, so that all bins within reach are
+    // searched.
     const double reach_m = tolerance * longest_diagonal_m_;
     Vec3 low = point_m, high = point_m;
     for (double& x : low) x -= reach_m;
@@ -159,7 +164,7 @@ std::optional<MaterialPoint> PointLocator::find(const Vec3& point_m,
             if (!box.holds(point_m, margin_m(box) + reach_m)) continue;
             const auto xi = inverse_map(gather(mesh_.nodes, mesh_.elements[e]), point_m);
             if (!xi) continue;
-            // How far outside, in local coordinates; on the border but for rounding: 0.
+            // Distance outside in local coordinates; 0 on the border, up to rounding.
             double out = 0;
             for (const double x : *xi) out = std::max(out, std::abs(x) - 1);
             if (out < 1e-10) out = 0;
@@ -176,7 +181,8 @@ MaterialPoint PointLocator::nearest_on_surface(const Vec3& point_m) const {
     double least = INFINITY;
     MaterialPoint best;
     for (const SurfaceQuad& quad : surface_) {
-        // Strictly farther only: on a border the last element wins, as inside.
+        // Quads at the same distance are not skipped: on a border the last element wins,
+        // as in find().
         if (bounds(mesh_.nodes, quad.node).distance_m(point_m) > least) continue;
         const Corners4 x = corners(mesh_.nodes, quad.node);
         const auto [u, v] = nearest_on_quad(x, point_m);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi-mesh: turns a mesh of Gmsh into the mesh file that the solvers read. A program
-// of its own, so that no solver loads Gmsh's library and the ninety that it needs.
+// Program magfsi-mesh: converts a mesh of Gmsh to the mesh file that the solvers read. It
+// is a program of its own, so that no solver loads Gmsh's library and the ninety
+// libraries that it needs.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@ namespace {
 
 using namespace magfsi::structure;
 
+// Contents of the mesh, for the user.
 std::string report(const GmshMesh& read) {
     const Mesh& mesh = read.mesh;
     std::string out =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hexahedral mesh of one body, in the body's own frame [m].
+// Hexahedral mesh of one body in the body's own frame. Lengths in [m].
 #pragma once
 
 #include <algorithm>
@@ -14,36 +14,39 @@
 
 namespace magfsi::structure {
 
-// Node numbers of one hexahedron in lexicographic order: a = i + 2 j + 4 k, i, j, k in
-// {0,1}.
+// Node numbers of a hexahedron in lexicographic order: local node a = i + 2 j + 4 k is at
+// the low (0) or high (1) end of local directions 0, 1, 2 for i, j, k. Right-handed.
 using Hexahedron = std::array<int, 8>;
 
 inline double distance_m(const Vec3& a, const Vec3& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// A point carried by an element: position = sum of weight[a] * x[node[a]].
+// Point fixed to an element: its position is the sum of weight[a] * x[node[a]].
 struct MaterialPoint {
     std::array<int, 8> node{};
     std::array<double, 8> weight{};
-    int element = -1;
+    int element = -1;  // number of the element; -1: none
 };
 
+// Mesh in the undeformed state.
 struct Mesh {
     std::vector<Vec3> nodes;
     std::vector<Hexahedron> elements;
-    std::map<std::string, std::vector<int>> faces;  // "x_min" ...: node numbers
-    std::vector<MaterialPoint> centre_line;         // left end to right end; may be empty
+    // Node numbers of named faces, "x_min" and others
+    std::map<std::string, std::vector<int>> faces;
+    // Points from the left to the right end; may be empty
+    std::vector<MaterialPoint> centre_line;
 
-    // Regions carry materials and magnetisations: region[e] is a place in region_names.
-    // Both are empty for a mesh of one piece.
+    // Regions carry materials and magnetisations. region[e] is the index of element e's
+    // region in region_names. Both are empty for a mesh without regions.
     std::vector<int> region;
     std::vector<std::string> region_names;
-    // Named points and lines for probes: node numbers, ascending.
+    // Node numbers of named points and lines, ascending, for probes.
     std::map<std::string, std::vector<int>> points;
 };
 
-// Where a material point lies in the undeformed mesh.
+// Position of a material point in the undeformed mesh.
 inline Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
     Vec3 x{};
     for (std::size_t a = 0; a < 8; ++a) {
@@ -53,7 +56,7 @@ inline Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
     return x;
 }
 
-// Axis-parallel bounding box [m].
+// Axis-parallel bounding box [m]; empty at first.
 struct Bounds {
     Vec3 low_m{INFINITY, INFINITY, INFINITY};
     Vec3 high_m{-INFINITY, -INFINITY, -INFINITY};
@@ -64,10 +67,11 @@ struct Bounds {
             high_m[d] = std::max(high_m[d], x[d]);
         }
     }
+    // True for points in the box or at most margin_m outside.
     bool holds(const Vec3& x, double margin_m = 0) const {
         return distance_m(x) <= margin_m;
     }
-    // Of a point outside to the box; 0 inside.
+    // Distance of a point outside from the box; 0 inside.
     double distance_m(const Vec3& x) const {
         Vec3 gap{};
         for (int d = 0; d < 3; ++d) {
@@ -75,6 +79,7 @@ struct Bounds {
         }
         return std::hypot(gap[0], gap[1], gap[2]);
     }
+    // True if the boxes overlap or touch.
     bool meets(const Bounds& other) const {
         for (int d = 0; d < 3; ++d) {
             if (low_m[d] > other.high_m[d] || other.low_m[d] > high_m[d]) return false;
@@ -90,7 +95,7 @@ struct Bounds {
     }
 };
 
-// Of all nodes, or of the nodes `which`.
+// Bounding box of all nodes, or of the nodes `which`.
 inline Bounds bounds(const std::vector<Vec3>& nodes_m) {
     Bounds out;
     for (const Vec3& x : nodes_m) out.add(x);

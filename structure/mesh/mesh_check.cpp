@@ -25,6 +25,7 @@ Cell cell_of(const Vec3& x, double edge_m) {
     return out;
 }
 
+// Renumbers the nodes of named groups and removes those whose new number is negative.
 void keep_only(std::map<std::string, std::vector<int>>& groups,
                const std::vector<int>& new_number) {
     for (auto& [name, nodes] : groups) {
@@ -36,7 +37,8 @@ void keep_only(std::map<std::string, std::vector<int>>& groups,
     }
 }
 
-// New local axis d is the old axis `axis[d]`, turned round where bit d of `flips` is set.
+// Renumbered element: new local axis d is the old axis[d], reversed if bit d of `flips`
+// is set.
 Hexahedron renumbered(const Hexahedron& element, const std::array<int, 3>& axis,
                       int flips) {
     Hexahedron out{};
@@ -97,7 +99,8 @@ std::optional<std::array<int, 2>> coincident_nodes(const Mesh& mesh, double tole
     std::ranges::sort(cells);
     for (const auto& [cell, node] : cells) {
         for (int c = 0; c < 9; ++c) {
-            // Three cells along z lie together in the sorted list.
+            // Three cells that follow each other along z are neighbours in the sorted
+            // list.
             const Cell from{cell[0] + c / 3 - 1, cell[1] + c % 3 - 1, cell[2] - 1};
             auto other = std::ranges::lower_bound(cells, std::pair(from, -1));
             for (; other != cells.end(); ++other) {
@@ -202,7 +205,7 @@ Hexahedron oriented(const std::vector<Vec3>& nodes_m, const Hexahedron& element)
     const Eigen::Matrix3d old_axes =
         gather(nodes_m, element).transpose() * shape_gradients({0, 0, 0});
     Hexahedron best = element;
-    double closest = -4;  // below the least sum of three cosines
+    double closest = -4;  // below the smallest sum of three cosines
     std::array<int, 3> axis{0, 1, 2};
     do {
         for (int flips = 0; flips < 8; ++flips) {

@@ -11,6 +11,7 @@
 namespace magfsi::structure {
 namespace {
 
+// A node's number; fails unless it is below `nodes`, their count.
 int read_node(std::istream& fields, const NumberedLines& lines, std::size_t nodes) {
     int node = -1;
     if (!(fields >> node) || node < 0 || static_cast<std::size_t>(node) >= nodes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Points sorted into cubic cells, to find those that are near each other.
+// Search for pairs of points that are near each other, by sorting them into cubic cells.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@
 
 namespace magfsi::structure {
 
-// Lengths after which all comes again along an axis; 0: never.
+// Lengths of the periods along each axis [m]; 0 along axes without one.
 using Periods = Vec3;
 
-// Of a point of a body to another of the same body at rest, where that one is an image,
-// image_m away: the body goes on there if it is as long as the period. Absent: what it
-// meets there is as another body.
+// Distance at rest between a point a of a body and the image of its point b that is
+// image_m away. It exists only where the body continues through the sides, being as long
+// as the period. Otherwise the result is empty, and what the body meets there counts as
+// another body. goes_on: axes along which the body continues.
 inline std::optional<double> rest_distance_m(const Vec3& a, const Vec3& b,
                                              const Vec3& image_m,
                                              const std::array<bool, 3>& goes_on) {
@@ -31,7 +32,8 @@ inline std::optional<double> rest_distance_m(const Vec3& a, const Vec3& b,
     return distance_m(a, there);
 }
 
-// Along which axes a body at rest is as long as the period.
+// Axes along which a body at rest is as long as the period, and so continues through the
+// sides.
 inline std::array<bool, 3> goes_on_through_sides(std::span<const Vec3> nodes_m,
                                                  const Periods& period_m) {
     Bounds all;
@@ -43,6 +45,7 @@ inline std::array<bool, 3> goes_on_through_sides(std::span<const Vec3> nodes_m,
     return goes_on;
 }
 
+// Points in cells of the edge edge_m, with their periodic images near the first period.
 class NearPairs {
   public:
     NearPairs(std::span<const Vec3> points_m, double edge_m,
@@ -60,9 +63,9 @@ class NearPairs {
         }
     }
 
-    // visit(a, b, image_m), a < b numbers of points: each pair of the same or of
-    // neighbouring cells, once for each image x_b + image_m of b; all that are closer
-    // than an edge are among them.
+    // Calls visit(a, b, image_m) for the pairs of points a < b in the same or in
+    // neighbouring cells, once for each image x_b + image_m of b. All pairs closer than
+    // edge_m are among them; others occur, too.
     template <class Visit>
     void visit(const Visit& visit) const {
         const auto look = [&](std::size_t i, std::size_t j) {
@@ -78,7 +81,8 @@ class NearPairs {
             for (std::size_t i = 0; i < own.size(); ++i)
                 for (std::size_t j = i + 1; j < own.size(); ++j) look(own[i], own[j]);
             const Place at = place(own_key);
-            for (int n = 14; n < 27; ++n) {  // of the 27 around, those behind the middle
+            // Each pair of cells once: the 13 after the middle of 27
+            for (int n = 14; n < 27; ++n) {
                 const auto other = cells_.find(
                     key({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1}));
                 if (other == cells_.end()) continue;
@@ -89,14 +93,15 @@ class NearPairs {
     }
 
   private:
-    // A point where it lies within the first period, or an image beside that.
+    // A point at its place in the first period, or an image of it.
     struct Entry {
         std::size_t number;
         Vec3 x_m, by_m;
         bool is_image;
     };
     void add(std::size_t number, const Vec3& x, double edge_m, const Periods& period_m) {
-        std::array<std::vector<double>, 3> by;  // the first one brings it home
+        // The first entry moves the point to the first period
+        std::array<std::vector<double>, 3> by;
         for (std::size_t d = 0; d < 3; ++d) {
             const double length = period_m[d];
             const double home = length > 0 ? -length * std::floor(x[d] / length) : 0;
@@ -120,7 +125,8 @@ class NearPairs {
     }
 
     using Place = std::array<std::int64_t, 3>;
-    static constexpr int bits = 21;  // of each axis
+    static constexpr int bits = 21;  // for each axis
+    // Number of a cell, with the three indices packed into 64 bits.
     static std::uint64_t key(const Place& at) {
         std::uint64_t all = 0;
         for (const std::int64_t i : at)

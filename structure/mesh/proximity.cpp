@@ -18,8 +18,8 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 
 using Triangle = std::array<Vec3, 3>;
 
-// Where the way from p to q passes through the triangle. What only touches its plane, up
-// to rounding, does not.
+// Point where the segment from p to q passes through the triangle. Touching its plane, up
+// to rounding, does not count.
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     constexpr double rounding = 1e-9;
     const Vec3 normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
@@ -30,7 +30,7 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     if ((before > 0) == (after > 0) || std::abs(before) < least ||
         std::abs(after) < least)
         return {};
-    // The way passes each edge on the same side.
+    // The segment passes through if it has all three edges on the same side.
     std::array<bool, 3> left;
     for (std::size_t i = 0; i < 3; ++i)
         left[i] = dot(way, cross(minus(t[i], p), minus(t[(i + 1) % 3], p))) > 0;
@@ -41,8 +41,8 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Triangle& t) {
     return at;
 }
 
-// The first corner of the quadrilateral's edges, its diagonal too, that pass through the
-// other.
+// First point where one of the quad's edges, or its diagonal, passes through the other
+// quad, which is taken as two triangles.
 std::optional<Vec3> piercing(const Corners4& edges, const Corners4& other) {
     constexpr int ends[5][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}};
     for (const auto& [p, q] : ends) {
@@ -57,7 +57,7 @@ std::optional<Vec3> piercing(const Corners4& edges, const Corners4& other) {
     return {};
 }
 
-// The nearest that a corner of one comes to the other.
+// Smallest distance from a corner of one quad to the other.
 double corner_gap_m(const Corners4& from, const Corners4& to) {
     double nearest = INFINITY;
     for (const Vec3& corner : from) {
@@ -81,6 +81,7 @@ Corners4 corners_of(const std::array<int, 4>& node, std::span<const Vec3> nodes_
 
 }  // namespace
 
+// Centre and radius of the ball around the four corners.
 ProximityFinder::Ball ProximityFinder::ball_around(const Patch& patch,
                                                    std::span<const Vec3> nodes_m) {
     const Corners4 corners = corners_of(patch.node, nodes_m);
@@ -112,7 +113,8 @@ ProximityFinder::ProximityFinder(std::span<const Mesh* const> bodies, double nea
         goes_on_.push_back(goes_on_through_sides(bodies[b]->nodes, period_m));
         first_node += static_cast<int>(bodies[b]->nodes.size());
     }
-    // Pairs to look at grow with its cube, the steps between two looks with it alone.
+    // The number of pairs grows with the cube of the range, the steps between two
+    // searches only linearly.
     reach_m_ = std::max(2 * largest, near_m);
 }
 
@@ -125,7 +127,7 @@ std::optional<double> ProximityFinder::rest_gap_m(const Patch& a, const Patch& b
     return *apart - a.rest.radius_m - b.rest.radius_m;
 }
 
-// gap_m: a lower bound, of the balls around the two.
+// gap_m: lower bound of the gap, from the balls around the two quads.
 void ProximityFinder::look_at(const Patch& a, const Patch& b, const Vec3& image_m,
                               double gap_m, std::span<const Vec3> nodes_m,
                               Proximities& found) const {

@@ -16,10 +16,10 @@ namespace {
 
 using Neighbours = std::vector<std::array<FaceOfElement, 6>>;
 
-// The elements that follow each other through opposite faces, from surface to surface.
+// Elements that follow each other through opposite faces, from surface to surface.
 struct Chord {
     std::vector<int> elements;
-    FaceOfElement ends[2];  // outer faces; none where the chord is a ring
+    FaceOfElement ends[2];  // outer faces; none in a ring
     double length_m = 0;
 };
 
@@ -35,9 +35,8 @@ Eigen::Vector3d face_centre(const Mesh& mesh, int element, int face) {
     return sum;
 }
 
-// Visits the elements from `start`, the face by which the first one is entered, on
-// through opposite faces; returns the face where this leaves the mesh, none where it is a
-// ring.
+// Visits the elements from `start`, the face by which the first one is entered, through
+// opposite faces. Returns the outer face at the end, or none in a ring.
 template <class Visit>
 FaceOfElement follow(const Neighbours& behind, const FaceOfElement& start,
                      const Visit& visit) {
@@ -51,9 +50,11 @@ FaceOfElement follow(const Neighbours& behind, const FaceOfElement& start,
     return {};
 }
 
+// All chords of a mesh. Each element is on three of them.
 struct Chords {
     std::vector<Chord> all;
-    std::vector<std::array<int, 3>> of_element;  // by local direction
+    // Numbers of the chords, by local direction
+    std::vector<std::array<int, 3>> of_element;
 };
 
 Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
@@ -80,8 +81,9 @@ Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
     return out;
 }
 
-// Each element's shortest chord, where it is shorter than three quarters of the others
-// and every element on it agrees. Empty otherwise.
+// Numbers of the shortest chords of all elements, if for every element it is shorter than
+// three quarters of the others, all elements on it agree, and all have the same number of
+// elements. Empty otherwise.
 std::vector<int> columns_across(const Chords& chords) {
     std::vector<std::size_t> votes(chords.all.size(), 0);
     for (const auto& mine : chords.of_element) {
@@ -105,8 +107,8 @@ std::vector<int> columns_across(const Chords& chords) {
     return columns;
 }
 
-// Side (0 or 1) of each quad; quads that share an edge lie on the same side. Empty unless
-// there are two sides and quads 2 c and 2 c + 1 lie on different ones.
+// Side (0 or 1) of each quad, where quads that share an edge are on the same side. Empty
+// unless there are two sides and quads 2 c and 2 c + 1 are on different ones.
 std::vector<int> sides_of(const std::vector<SurfaceQuad>& ends) {
     std::vector<int> parent(ends.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -135,7 +137,7 @@ std::vector<int> sides_of(const std::vector<SurfaceQuad>& ends) {
     return side;
 }
 
-// Whether side 0 is the top.
+// True if side 0 is the top.
 bool first_is_top(const Mesh& mesh, const std::vector<SurfaceQuad>& ends,
                   const std::vector<int>& side) {
     Vec3 vector{};
@@ -152,11 +154,14 @@ bool first_is_top(const Mesh& mesh, const std::vector<SurfaceQuad>& ends,
     return area[0] >= area[1];
 }
 
+// Follows the column from the bottom; a level's nodes are across the element from those
+// below.
 SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
                          const SurfaceQuad& bottom, const SurfaceQuad& top) {
     SheetColumn column{{}, {}, bottom, top};
     const auto& b = bottom.node;
-    column.levels.push_back({b[0], b[3], b[2], b[1]});  // turned towards the top
+    // Reversed, so that it is counter-clockwise as seen from the top
+    column.levels.push_back({b[0], b[3], b[2], b[1]});
     follow(behind, {bottom.element, bottom.face}, [&](const FaceOfElement& at) {
         column.elements.push_back(at.element);
         const Hexahedron& nodes = mesh.elements[at.element];
@@ -170,6 +175,7 @@ SheetColumn build_column(const Mesh& mesh, const Neighbours& behind,
     return column;
 }
 
+// Position at a place of a level.
 Eigen::Vector3d on_level(const Mesh& mesh, const std::array<int, 4>& level,
                          const std::array<double, 4>& shape) {
     Eigen::Vector3d out = Eigen::Vector3d::Zero();
@@ -179,14 +185,14 @@ Eigen::Vector3d on_level(const Mesh& mesh, const std::array<int, 4>& level,
     return out;
 }
 
-// Between two levels: the layer and how far up in it, 0 to 1.
+// Height in a column: the layer, and the share of its thickness below.
 struct Height {
     std::size_t layer = 0;
     double share = 0;
 };
 
-// At `depth_m` below one end of the column at one place of it, but no deeper than half
-// the way, along the line through its levels.
+// Height depth_m away from one end of the column, but no deeper than half of the way,
+// along the line through one place of all levels.
 Height height_at(const Mesh& mesh, const SheetColumn& column, SheetSide side,
                  double depth_m, const std::array<double, 4>& shape) {
     std::vector<double> up{0};
@@ -197,13 +203,14 @@ Height height_at(const Mesh& mesh, const SheetColumn& column, SheetSide side,
     }
     const double depth = std::min(depth_m, 0.5 * up.back());
     const double height = side == SheetSide::bottom ? depth : up.back() - depth;
-    // A height on a level, but for rounding, belongs to the layer above, as in locate.
+    // A height on a level, up to rounding, belongs to the layer above, as in locate.
     const auto above =
         std::upper_bound(up.begin() + 1, up.end() - 1, height * (1 + 1e-12));
     const auto layer = static_cast<std::size_t>(above - up.begin()) - 1;
     return {layer, std::max(0.0, (height - up[layer]) / (*above - up[layer]))};
 }
 
+// Material point at (u, v) of the column's section, depth_m below the side.
 MaterialPoint point_in(const Mesh& mesh, const SheetColumn& column, SheetSide side,
                        double depth_m, double u, double v) {
     const auto shape = quad_shape(u, v);
@@ -274,7 +281,8 @@ std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues) {
 }
 
 std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet) {
-    std::set<std::pair<int, int>> sides;  // element and face
+    // Element and face of each quad of the two sides
+    std::set<std::pair<int, int>> sides;
     for (const SheetColumn& column : sheet.columns) {
         sides.emplace(column.bottom.element, column.bottom.face);
         sides.emplace(column.top.element, column.top.face);

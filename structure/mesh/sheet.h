@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sheets: bodies made of columns of elements from one large face to the other.
+// Sheets: bodies that consist of columns of elements from one large face to the other.
 #pragma once
 
 #include <array>
@@ -12,15 +12,16 @@
 
 namespace magfsi::structure {
 
-// Bodies that go on beyond their mesh: one that spans a periodic box has no surface at
-// its two ends there. Along which axes of the mesh a body continues:
+// Axes along which a body continues beyond its mesh. A body that spans a periodic box has
+// no surface at its two ends there.
 using Continues = std::array<bool, 3>;
 
+// The ends of a mesh on the axes along which the body continues.
 class MeshEnds {
   public:
     MeshEnds(const Mesh& mesh, const Continues& continues);
 
-    // Whether all nodes of the quad lie on one end of an axis along which it continues.
+    // True if all nodes of the quad lie on one end of such an axis.
     bool hold(const SurfaceQuad& quad) const;
 
   private:
@@ -29,43 +30,44 @@ class MeshEnds {
     Bounds box_;
 };
 
-// One column across the thickness: its elements from bottom to top, and the four nodes of
-// each level (one level more than elements), in the cyclic order that seen from the top
-// is counter-clockwise. bottom and top are its two outer faces.
+// Column of elements through the thickness. elements: from bottom to top. levels: four
+// nodes of each level, one level more than elements, counter-clockwise as seen from the
+// top. bottom and top: its outer faces.
 struct SheetColumn {
     std::vector<int> elements;
     std::vector<std::array<int, 4>> levels;
     SurfaceQuad bottom, top;
 };
 
+// A sheet as columns, in no particular order.
 struct Sheet {
     std::vector<SheetColumn> columns;
-    int layers = 0;  // elements a column
+    int layers = 0;  // number of elements in each column
 };
 
-// The sheet that a mesh is, if it is one: each element's thinnest direction, followed
-// through the opposite faces of its neighbours to the surface, gives columns that hold
-// every element once, all with as many layers, and whose ends form two separate sides.
-// The sheet may be curved or folded. Empty for other bodies, for sheets of one side
-// (Moebius) and for cubes of one element. The top is the side whose area vector points
-// towards +z (+y, +x where that vanishes, as on a closed shell). A body is never thin
-// along an axis on which it continues.
+// The columns of a mesh that is a sheet, else nothing. Columns follow each element's
+// thinnest direction through opposite faces of its neighbours to the surface. In a sheet
+// they contain every element once, all have the same number of layers, and their ends
+// form two separate sides. The sheet may be curved or folded. The result is empty for
+// other bodies, for one-sided sheets (Moebius) and for a single cube. The top is the side
+// whose area vector points towards +z (if that component vanishes, as on a closed shell,
+// +y, then +x). A body is never thin along an axis on which it continues.
 std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues = {});
 
-// The boundary of the sheet between its two sides.
+// The surface of the sheet that is on neither of its two sides.
 std::vector<SurfaceQuad> rim_of(const Mesh& mesh, const Sheet& sheet);
 
 enum class SheetSide { bottom, top };
 
-// Points `depth_m` below one side, but no deeper than the middle of the thickness, cut as
-// surface_points cuts the quad between the points on the column's edges; normals point to
-// the top.
+// Points depth_m below one side, but no deeper than the middle of the thickness. The quad
+// between the points at that depth on the column's edges is cut as in surface_points.
+// Normals point towards the top.
 std::vector<SurfacePoint> points_below_face(const Mesh& mesh, const Sheet& sheet,
                                             SheetSide side, double depth_m,
                                             double spacing_m);
 
-// Points in the middle of the thickness, cut as surface_points cuts the quad between the
-// middles of the column's edges; normals point to the top.
+// Points in the middle of the thickness. The quad between the middles of the column's
+// edges is cut as in surface_points. Normals point towards the top.
 std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,
                                              double spacing_m);
 

@@ -13,12 +13,15 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Face of an element, with its nodes sorted so that the same face of two elements
+// compares equal.
 struct Face {
     std::array<int, 4> sorted;
     int element, face;
     auto key() const { return std::tie(sorted, element, face); }
 };
 
+// All faces of all elements; equal ones follow each other.
 std::vector<Face> sorted_faces(const Mesh& mesh) {
     std::vector<Face> faces;
     faces.reserve(6 * mesh.elements.size());
@@ -55,14 +58,14 @@ Corners vectors(const Corners4& corners_m) {
             vector(corners_m[3])};
 }
 
-// Normal times area, per unit of u and v.
+// Derivative of the vector area by u and v at (u, v).
 Vector3d area_per_uv(const Corners& x, double u, double v) {
     const Vector3d along_u = (1 - v) * (x[1] - x[0]) + v * (x[2] - x[3]);
     const Vector3d along_v = (1 - u) * (x[3] - x[0]) + u * (x[2] - x[1]);
     return along_u.cross(along_v);
 }
 
-// Rounding of the quotient does not add a part.
+// Number of parts of a length; rounding of the quotient does not add one.
 int parts(double length_m, double spacing_m) {
     return std::max(1, static_cast<int>(std::ceil(length_m / spacing_m - 1e-9)));
 }
@@ -74,7 +77,8 @@ Vector3d on_quad(const Corners4& x, double u, double v) {
     return out;
 }
 
-// Gauss-Newton on the distance, from the middle; may end outside the unit square.
+// Foot of the perpendicular by Gauss-Newton iteration on the distance, from the middle.
+// It may lie outside of the unit square.
 std::array<double, 2> foot_of_perpendicular(const Corners4& x, const Vector3d& point) {
     double u = 0.5, v = 0.5;
     for (int step = 0; step < 20; ++step) {
@@ -94,6 +98,7 @@ std::array<double, 2> foot_of_perpendicular(const Corners4& x, const Vector3d& p
     return {u, v};
 }
 
+// Share of the way from a to b at the point of the edge that is nearest.
 double nearest_on_edge(const Vector3d& a, const Vector3d& b, const Vector3d& point) {
     return std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
 }
@@ -105,7 +110,8 @@ std::array<int, 4> face_corners(int face) {
     const int u = 1 << ((d + 1) % 3);
     const int v = 1 << ((d + 2) % 3);
     const int base = (face % 2) << d;
-    // u x v points along +d: outward on the high side, turned round on the low one.
+    // u x v points along +d: outward on the high side; on the low side the order is
+    // reversed.
     if (base == 0) return {base, base | v, base | u | v, base | u};
     return {base, base | u, base | u | v, base | v};
 }
@@ -154,8 +160,7 @@ std::array<double, 4> quad_shape(double u, double v) {
     return {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
 }
 
-// 2x2 Gauss points: exact for plane parallelograms, and of fourth order in the edge for
-// others.
+// 2x2 Gauss points: exact for plane parallelograms, else of fourth order in the edge.
 double quad_area(const Corners4& corners_m) {
     const Corners x = vectors(corners_m);
     std::array<double, 4> areas{};  // integrals of the four shape functions
@@ -220,7 +225,7 @@ std::vector<QuadCell> cut_quad(const Corners4& corners_m, double spacing_m) {
             sum += area.norm();
         }
     }
-    // The midpoint rule, scaled so that the quad keeps its area.
+    // Areas by the midpoint rule are scaled so that the quad keeps its area.
     const double scale = quad_area(corners_m) / sum;
     for (QuadCell& cell : cells) cell.area_m2 *= scale;
     return cells;

@@ -14,14 +14,14 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double least_a_turn = 8;  // elements; with fewer they are far from the curve
+constexpr double least_a_turn = 8;  // fewer elements would be far from the curve
 
-// A place on the curve, and the unit vectors along it and along the thickness.
+// Point of the curve, with the unit vectors along the curve and along the thickness.
 struct Place {
     Vector3d middle, tangent, up;
 };
 
-// place: of the share of the length, 0 to 1.
+// Bends a block. place(share): the curve at this share of its length, 0 to 1.
 Mesh swept(const Box& block, const std::function<Place(double)>& place) {
     Mesh mesh = box_mesh(block);
     for (Vec3& x : mesh.nodes) {
@@ -33,6 +33,7 @@ Mesh swept(const Box& block, const std::function<Place(double)>& place) {
     return mesh;
 }
 
+// Throws if the elements are too long for the curve or the section is too thick for it.
 void check(const char* what, double turns, int elements, double thickness_m,
            double curvature_radius_m) {
     if (elements < least_a_turn * turns * (1 - 1e-9))
@@ -47,7 +48,7 @@ void check(const char* what, double turns, int elements, double thickness_m,
             what, thickness_m, curvature_radius_m);
 }
 
-// Joins the last nodes along the block to the first.
+// Joins the last nodes along the block to the first ones.
 void close_ring(Mesh& mesh, const std::array<int, 3>& elements) {
     const int row = elements[0] + 1;
     const auto joined = [&](int node) {
@@ -97,7 +98,7 @@ Mesh helix_mesh(const Helix& helix) {
     const double c = helix.pitch_m / turn, r = helix.radius_m;
     check("a helix", helix.turns, helix.elements[0], helix.section_m[1],
           (r * r + c * c) / r);
-    // From a turn to the next, along the width.
+    // Distance between turns along the width.
     const double apart_m = helix.pitch_m * r / std::hypot(r, c);
     if (helix.turns > 1 && !(helix.section_m[0] < apart_m))
         refuse(

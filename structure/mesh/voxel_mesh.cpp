@@ -16,13 +16,15 @@
 namespace magfsi::structure {
 namespace {
 
+// Removes the elements for which keep(number) is false.
 template <class Keep>
 void keep_elements(Mesh& mesh, const Keep& keep) {
     std::size_t e = 0;
     std::erase_if(mesh.elements, [&](const Hexahedron&) { return !keep(e++); });
 }
 
-// Parts that meet along an edge or at a corner would be hinged there.
+// Parts that meet along an edge or at a corner only would be hinged there, so they count
+// as separate.
 void keep_largest_part(Mesh& mesh, double spacing_m) {
     const std::vector<int> part = parts_joined_by_faces(mesh);
     std::vector<std::size_t> sizes(1 + *std::ranges::max_element(part));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Meshes of equal cubes, those of a grid that something fills.
+// Meshes of equal cubes: those cubes of a grid that are filled.
 #pragma once
 
 #include <array>
@@ -9,13 +9,14 @@
 
 namespace magfsi::structure {
 
-// Cubes that no face joins to the largest part are left out where they are at most this
-// share of all: crumbs at a tip or along an edge that is thinner than a cube.
+// Largest share of all cubes in parts that no face joins to the largest part; such
+// crumbs, at a tip or along an edge thinner than a cube, are left out.
 constexpr double most_crumbs = 0.01;
 
-// The cubes for which filled holds, in the order of box_mesh's elements. The frame is
-// the grid's; faces "x_min" to "z_max" are the nodes that lie furthest out. Throws
-// std::invalid_argument where nothing is filled, or several parts.
+// Mesh of the cubes whose entry in `filled` is not 0. filled: one entry per cell in the
+// order of box_mesh's elements, x fastest. The origin is the grid's lowest corner. Faces
+// "x_min" to "z_max" are the nodes that lie farthest out. Throws std::invalid_argument if
+// no cube is filled, or if there are several parts of more than crumbs.
 Mesh voxel_mesh(const std::array<int, 3>& cells, double spacing_m,
                 const std::vector<char>& filled);
 

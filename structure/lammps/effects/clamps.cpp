@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Clamped nodes are left out of the integration: they cannot move, and the force on them
-// stays readable as the reaction. Nodes held along all axes are clamped, wherever that
-// comes from.
+// Clamps. The nodes are left out of the time integration: they cannot move, and the force
+// on them stays readable as the reaction. Every node that is held along all three axes
+// counts as clamped, also if rollers hold it.
 #include <fmt/format.h>
 
 #include "structure/lammps/effect.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Magnetised bodies act on each other (structure/magnetics/dipoles.h): fix ID group
-// magttice/dipoles [within] [periodic LX LY LZ] gathers the dipoles of all ranks before
-// the forces of a step, and `dipoles ID` of fix magttice makes a body's forces.
+// Interaction of magnetised bodies as dipoles (structure/magnetics/dipoles.h). fix ID
+// group magttice/dipoles [within] [periodic LX LY LZ] gathers the dipoles of all ranks
+// before the forces of a step; the keyword `dipoles ID` of fix magttice adds the forces
+// to a body.
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -19,16 +20,19 @@
 namespace magfsi::structure {
 namespace {
 
-// A body's part of all dipoles.
+// The dipoles of one body.
 struct Member {
-    std::vector<DipoleElement> all;         // of the body, on every rank
-    std::vector<std::size_t> owned;         // of those, this rank's
-    std::vector<std::array<int, 8>> nodes;  // of each of these
+    std::vector<DipoleElement> all;  // all dipoles of the body, the same on every rank
+    std::vector<std::size_t> owned;  // indices in `all` of this rank's dipoles
+    std::vector<std::array<int, 8>> nodes;  // local or ghost indices, for each of `owned`
+    // Present dipoles and the field of the others at them, for each of `owned`
     std::vector<Dipole> dipole;
     std::vector<FieldSample> sample;
-    bool changed = true;  // owned is new
+    bool changed = true;  // true if `owned` has changed since the last numbering
 };
 
+// Every rank evaluates the field of all dipoles at its own ones. Dipoles are numbered
+// body by body, in each body by elements. Evaluation is collective.
 class FixMagtticeDipoles : public LAMMPS_NS::Fix {
   public:
     FixMagtticeDipoles(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
@@ -52,7 +56,7 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
         using namespace LAMMPS_NS::FixConst;
         return PRE_REVERSE | MIN_PRE_REVERSE;
     }
-    // Bodies join in their own init, which comes after this one.
+    // Bodies join in their own init(), which comes after this one.
     void init() override { members_.clear(); }
     void join(Member& member) { members_.push_back(&member); }
 
@@ -60,7 +64,8 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
     void pre_reverse(int, int) override { evaluate(); }
     void min_pre_reverse(int, int) override { evaluate(); }
 
-    // Energy of all bodies [J].
+    // Magnetic energy of all pairs and, with `within`, of own fields [J]; each pair
+    // counts half at each of its ends. Collective.
     double compute_scalar() override {
         double mine = 0, sum = 0;
         for (const Member* member : members_) {
@@ -73,8 +78,12 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
     }
 
   private:
+    // Exchanges the numbers of the ranks' dipoles; collective. Needed after atoms have
+    // changed ranks.
     void renumber();
+    // Exchanges the present dipoles; collective.
     void gather();
+    // Adds to the sample the field of the dipoles from, ..., to - 1 at dipole `at`.
     void add_others(std::size_t at, std::size_t from, std::size_t to,
                     FieldSample& sample) {
         if (period_m_ == Vec3{})
@@ -85,12 +94,15 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
     void evaluate();
 
     bool within_;
-    Vec3 period_m_{};  // of axes along which bodies see each other's nearest image
+    // Period along each axis, across which the nearest image acts; 0 without one
+    Vec3 period_m_{};
     std::vector<Member*> members_;
     Dipoles dipoles_;
     std::vector<std::size_t> first_;  // number of each body's first dipole, then the end
-    std::vector<int> counts_, starts_;  // of ranks, in numbers
-    std::vector<int> numbers_;          // of all dipoles, rank by rank
+    std::vector<int> counts_, starts_;  // per rank: values in all_, and where they start
+    // Number of each dipole in the order of all_, rank by rank
+    std::vector<int> numbers_;
+    // Six values per dipole: centre [m] and moment [A m2]
     std::vector<double> mine_, all_;
 };
 
@@ -123,7 +135,7 @@ void FixMagtticeDipoles::renumber() {
     }
 }
 
-// By number, so that sums run in the same order on any ranks.
+// Dipoles are stored by number, so that sums have the same order on any number of ranks.
 void FixMagtticeDipoles::gather() {
     mine_.clear();
     for (Member* member : members_) {
@@ -164,6 +176,7 @@ void FixMagtticeDipoles::evaluate() {
     }
 }
 
+// Forces of the dipoles' field on one body: the body's part of fix magttice/dipoles.
 class DipoleForce : public BodyForce {
   public:
     DipoleForce(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char** words)
@@ -175,7 +188,8 @@ class DipoleForce : public BodyForce {
             of_element_[static_cast<std::size_t>(member_.all[i].element)] = i;
     }
 
-    // The fix comes before the body, so that each step it has the fields in time.
+    // The fix comes before the bodies in the script, so that its fields are evaluated
+    // before the forces of each step.
     void init() override {
         const int at = modify->find_fix(fix_id_);
         if (at < 0 || std::strcmp(modify->fix[at]->style, "magttice/dipoles") != 0)
@@ -204,7 +218,7 @@ class DipoleForce : public BodyForce {
                 add_dipole_forces(member_.all[member_.owned[i]], member_.nodes[i],
                                   member_.dipole[i], member_.sample[i], atom->f[0]);
     }
-    // Its work is no work of something outside: energy_j() has it.
+    // No energy comes from outside: energy_j() covers the work.
     Turnover advance() override {
         add();
         return {};
@@ -215,11 +229,12 @@ class DipoleForce : public BodyForce {
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::string who_, fix_id_;
     Member member_;
-    std::vector<std::size_t> of_element_;  // its dipole, or none
+    std::vector<std::size_t> of_element_;  // index in member_.all, or `none`
     double energy_j_ = 0;
 };
 
-// Dipoles at the places of long elements are not what those are to their neighbours.
+// Largest ratio of edges for dipoles within a body: a dipole in the middle of a long
+// element is too far from the field of that element at its neighbours.
 constexpr double max_ratio_within = 2;
 
 void check_dipoles(const LammpsInput& input) {

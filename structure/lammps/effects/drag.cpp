@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix ID group magttice/drag RATE: every atom of the group is slowed by drag_law.h.
-// LAMMPS's fix viscous has one coefficient per atom type, but nodes differ in mass.
+// Drag by fix ID group magttice/drag RATE: the velocity of every atom in the group decays
+// by drag_law.h. LAMMPS's fix viscous has one coefficient per atom type, whereas nodes
+// differ in mass.
 #include "atom.h"
 #include "error.h"
 #include "update.h"
@@ -15,6 +16,7 @@
 namespace magfsi::structure {
 namespace {
 
+// Drag as a factor on velocities, before and after each integration step.
 class FixMagtticeDrag : public LAMMPS_NS::Fix {
   public:
     FixMagtticeDrag(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
@@ -43,9 +45,10 @@ class FixMagtticeDrag : public LAMMPS_NS::Fix {
     void final_integrate() override { slow_down(); }
 
   private:
-    // The velocity decays exactly, at any rate and step, half a step at a time. As a
-    // force it would need the velocity of the half step, which a restart from positions
-    // and velocities does not have: the motion would not go on as it was.
+    // The velocity decays exactly, for any rate and step, by half a step at a time. As a
+    // force, drag would need the velocity of the half step, which a restart from
+    // positions and velocities does not have, so that the motion would not continue
+    // unchanged.
     void slow_down() {
         double* const* const v = atom->v;
         for (int i = 0; i < atom->nlocal; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A field that varies linearly in space (structure/magnetics/field_gradient.h), within
-// fix magttice.
+// Field that varies linearly in space (structure/magnetics/magnetic_forces.h): the
+// keyword `gradient` of fix magttice.
 #include "atom.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@
 namespace magfsi::structure {
 namespace {
 
-// Nine entries of the matrix row by row, then the origin.
+// Words after the keyword: the nine entries of the matrix [T/m] row by row, and the
+// origin [m].
 constexpr int values = 12;
 
 FieldGradient gradient_from(char** words, LAMMPS_NS::LAMMPS* lammps) {
@@ -23,6 +24,7 @@ FieldGradient gradient_from(char** words, LAMMPS_NS::LAMMPS* lammps) {
     return {matrix, origin};
 }
 
+// Forces of the gradient on one body.
 class GradientForce : public BodyForce {
   public:
     GradientForce(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char** words)
@@ -43,7 +45,7 @@ class GradientForce : public BodyForce {
                                       : add_gradient_forces(elements_, nodes_, gradient_,
                                                             atom->x[0], atom->f[0]);
     }
-    // Constant in time: its work is what its energy has lost.
+    // The gradient is constant in time, so that its work is the decrease of its energy.
     Turnover advance() override {
         const double before = energy_j_;
         add();
@@ -53,12 +55,14 @@ class GradientForce : public BodyForce {
 
   private:
     FieldGradient gradient_;
-    std::vector<GradientElement> of_body_;
-    std::vector<GradientElement> elements_;  // of this rank, and their nodes
+    std::vector<GradientElement> of_body_;   // all elements of the body
+    std::vector<GradientElement> elements_;  // elements of this rank
+    // Local or ghost indices, for each of elements_
     std::vector<std::array<int, 8>> nodes_;
     double energy_j_ = 0;
 };
 
+// Bodies that are not magnetised have no such keyword.
 std::string gradient_words(const LammpsInput& input, const Body& body) {
     if (body.magnetization_a_m.empty()) return "";
     std::string out = " gradient";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dipoles, magnets, coils and grids (structure/magnetics/source_field.h): fix ID group
-// magttice/sources "WORDS" places them at the time of each step, and `sources ID` of fix
-// magttice makes their forces on the nodes.
+// Field of dipoles, magnets, coils and grids (structure/magnetics/source_field.h): fix ID
+// group magttice/sources "WORDS" places the sources at the time of each step; the keyword
+// `sources ID` of fix magttice adds their forces on a body's nodes.
 #include "atom.h"
 #include "error.h"
 #include "update.h"
@@ -20,6 +20,7 @@
 namespace magfsi::structure {
 namespace {
 
+// Owner of the sources, shared by all bodies.
 class FixMagtticeSources : public LAMMPS_NS::Fix {
   public:
     FixMagtticeSources(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
@@ -34,7 +35,8 @@ class FixMagtticeSources : public LAMMPS_NS::Fix {
         }
     }
     int setmask() override { return 0; }
-    // held TIME: the sources stay where they are at that time.
+    // fix_modify ID held TIME fixes the sources at their places and strengths of a time
+    // [s].
     int modify_param(int count, char** words) override {
         if (std::strcmp(words[0], "held") != 0) return 0;
         if (count < 2) fail(*error, "fix_modify {} held needs a time", id);
@@ -43,7 +45,8 @@ class FixMagtticeSources : public LAMMPS_NS::Fix {
         return 2;
     }
 
-    // At the time of the present step.
+    // The sources at the time of the present step. Times come from the step number, so
+    // that they are the same after a restart.
     const SourceField& field() {
         if (placed_ != update->ntimestep) {
             placed_ = update->ntimestep;
@@ -56,14 +59,17 @@ class FixMagtticeSources : public LAMMPS_NS::Fix {
         }
         return *field_;
     }
+    // True if neither places nor strengths change with time.
     bool at_rest() const { return held_s_.has_value() || field_->at_rest(); }
 
   private:
     std::optional<SourceField> field_;
+    // Time of fix_modify held [s]
     std::optional<double> held_s_;
-    LAMMPS_NS::bigint placed_ = -1;  // the step that they are placed for
+    LAMMPS_NS::bigint placed_ = -1;  // step whose time field_ is set to; -1: none
 };
 
+// Forces of the sources' field on one body.
 class SourceForce : public BodyForce {
   public:
     SourceForce(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char** words)
@@ -103,9 +109,10 @@ class SourceForce : public BodyForce {
                 atom->f[i][d] += force_n_[3 * std::size_t(i) + std::size_t(d)];
         }
     }
-    // Of sources at rest what the energy has lost; else by the mean force of the step. v
-    // is (x(n+1) - x(n)) / dt. Just after atoms have changed their indices the force
-    // before is not known: that of the end stands for it.
+    // Work of a step: for sources at rest the decrease of the energy; else the mean force
+    // of the step times the displacement, as v is (x(n+1) - x(n)) / dt. Just after atoms
+    // have changed their indices the earlier force is not known, and the present one
+    // stands for it.
     Turnover advance() override {
         const double before_j = energy_j_;
         const std::vector<double> before_n = force_n_;
@@ -144,13 +151,16 @@ class SourceForce : public BodyForce {
 
     std::string who_, fix_id_;
     FixMagtticeSources* sources_ = nullptr;
-    std::vector<Matrix8> of_body_;
-    std::vector<Matrix8> moments_;  // of this rank's elements, and their nodes
+    std::vector<Matrix8> of_body_;  // all elements of the body
+    std::vector<Matrix8> moments_;  // elements of this rank
+    // Local or ghost indices, for each of moments_
     std::vector<std::array<int, 8>> nodes_;
-    std::vector<int> seen_;  // nodes of these elements, once each
+    std::vector<int> seen_;  // indices of all atoms in nodes_, ascending, each once
+    // Field by atom index
     std::vector<FieldSample> samples_;
-    std::vector<double> force_n_;  // of the sources alone, ghosts too
-    bool known_ = false;           // of this layout of atoms
+    // Forces of the sources alone, three per atom, ghosts included
+    std::vector<double> force_n_;
+    bool known_ = false;  // force_n_ is of the present atom indices
     double energy_j_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LAMMPS's own fix gravity.
+// Gravity by LAMMPS's own fix gravity, which scales with each node's mass.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The uniform field over time: fix ID group magttice/field PLANE COURSE ... gives it as a
-// global vector [T], fix_modify ID law PLANE COURSE ... puts another in its place, and
-// `field Bx By Bz` of fix magttice makes its forces q_a B on the nodes
-// (structure/magnetics/nodal_charge.h).
+// The uniform field over time. fix ID group magttice/field PLANE COURSE ... provides it
+// as a global vector [T]; fix_modify ID law PLANE COURSE ... replaces the course; the
+// keyword `field Bx By Bz` of fix magttice adds the forces q_a B on a body's nodes
+// (structure/magnetics/magnetic_forces.h).
 #include "atom.h"
 #include "error.h"
 #include "input.h"
@@ -20,8 +20,9 @@
 namespace magfsi::structure {
 namespace {
 
-// LAMMPS reads a variable's formula anew in every evaluation: a table written as one
-// costs more than the forces of a small body.
+// Source of the field vector. A course written as a formula of LAMMPS would be slower:
+// LAMMPS parses a variable's formula at each evaluation, and for a table that costs more
+// than the forces of a small body.
 class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
   public:
     FixMagtticeFieldSource(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
@@ -38,8 +39,8 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
         read({words + 1, words + count});
         return count;
     }
-    // The time is that of the step number, not a sum of steps: it stays right over
-    // restarts.
+    // The time is derived from the step number, not summed over steps, and so is the same
+    // after a restart.
     double compute_vector(int i) override {
         const double time_s = static_cast<double>(update->ntimestep) * update->dt;
         try {
@@ -61,6 +62,7 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
     FieldProgram program_;
 };
 
+// Forces of a uniform field on one body, eq. (6): q_a B on node a.
 class UniformField : public BodyForce {
   public:
     // components: Bx By Bz, each a number [T] or v_NAME, a variable of LAMMPS.
@@ -104,8 +106,9 @@ class UniformField : public BodyForce {
         evaluate();
         add_forces();
     }
-    // At this point of a step v holds the velocity of the half step, (x(n+1) - x(n)) /
-    // dt, so that the mean of the field at both ends gives the work of the step.
+    // atom->v is the velocity of the half step, (x(n+1) - x(n)) / dt, so that the mean of
+    // the field at both ends gives the work of the step: exact for a field linear in
+    // time.
     Turnover advance() override {
         std::array<double, 3> before{};
         for (int d = 0; d < 3; ++d) before[d] = field_[d].value_t;
@@ -130,7 +133,8 @@ class UniformField : public BodyForce {
 
   private:
     struct Component {
-        std::string name;  // of the variable; empty: constant
+        // Name of the variable; empty: value_t is constant
+        std::string name;
         int variable = -1;
         double value_t = 0;
     };
@@ -139,6 +143,8 @@ class UniformField : public BodyForce {
         double charge_a_m = 0;
     };
 
+    // LAMMPS must know one step ahead which computes and fixes the variables will ask
+    // for.
     void evaluate() {
         modify->clearstep_compute();
         for (Component& component : field_) {
@@ -154,7 +160,7 @@ class UniformField : public BodyForce {
                 f[node.atom][d] += node.charge_a_m * field_[d].value_t;
         }
     }
-    // Sum of q v of this rank [A m2/s].
+    // Sum of q v over this rank's nodes [A m2/s].
     std::array<double, 3> charge_flow() const {
         std::array<double, 3> sum{};
         const double* const* const v = atom->v;
@@ -166,12 +172,12 @@ class UniformField : public BodyForce {
 
     std::string who_;
     NodeRange range_;
-    std::vector<double> charge_a_m_;    // by node of the body
+    std::vector<double> charge_a_m_;    // one per node of the body
     std::vector<ChargedNode> charged_;  // owned by this rank, charge not zero
     std::array<Component, 3> field_;
 };
 
-// Variables, so that a script can put its own course in their place.
+// The components go through variables Bx, By and Bz, which a script may redefine.
 void add_field(Lines& lines, const LammpsInput& input) {
     lines.push_back("fix field all magttice/field " + field_arguments(*input.field));
     for (int d = 0; d < 3; ++d) {

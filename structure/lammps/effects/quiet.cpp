@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-// fix ID group magttice/quiet: how far a body is from equilibrium, as the largest nodal
-// force over the largest nodal load, for `fix halt`. See docs/fix_magttice.md.
+// Distance from equilibrium: fix ID group magttice/quiet gives the largest nodal force
+// over the largest nodal load, for `fix halt`. See docs/fix_magttice.md.
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -17,28 +16,31 @@
 namespace magfsi::structure {
 namespace {
 
+// The fix has no work in a step; its values are computed on request, collectively.
 class FixMagtticeQuiet : public LAMMPS_NS::Fix {
   public:
     FixMagtticeQuiet(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
     int setmask() override { return 0; }
 
-    // Of the forces of the last step, all ranks together. Costs a pass over the elements
-    // where it is asked for, and nothing else. Zero without any force; infinite where
-    // forces are left and no load is.
+    // Largest force over largest load, of the last step and all ranks. Each call costs a
+    // pass over the elements. Zero without any force; infinite if there is a force but no
+    // load.
     double compute_scalar() override;
-    double compute_vector(int i) override;  // largest force, largest load [N]
+    // i = 0: largest force; 1: largest load [N]
+    double compute_vector(int i) override;
 
     int pack_reverse_comm(int n, int first, double* buffer) override;
     void unpack_reverse_comm(int n, int* list, double* buffer) override;
 
   private:
-    // Over the nodes of the group. The force on a node is all that accelerates it; the
-    // load is that without the elastic force (weight, field, contact, fluid).
+    // Maxima over the nodes of the group. The force on a node is the sum that accelerates
+    // it; the load is that sum without the elastic force (weight, field, contact, fluid).
     struct Largest {
         double force_n = 0;
         double load_n = 0;
     };
     Largest largest();
+    // Takes the reactions of rollers out of the loads.
     void drop_reactions();
 
     std::vector<double> elastic_;  // three values per atom, local and ghost
@@ -77,8 +79,8 @@ FixMagtticeQuiet::Largest FixMagtticeQuiet::largest() {
     return {all[0], all[1]};
 }
 
-// On rollers the elastic force is the rollers' to balance, and no load. Clamped nodes are
-// outside the group.
+// A roller balances the load along its axis, so that component is no load. (Clamped nodes
+// are outside the group.)
 void FixMagtticeQuiet::drop_reactions() {
     for (std::size_t d = 0; d < 3; ++d) {
         const int held = group->find(held_group(d).c_str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Nodes that keep their place along some axes and not along all.
+// Rollers: nodes that are held along some axes but not along all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +11,17 @@ namespace magfsi::structure {
 
 namespace {
 
+// Nodes held along all axes belong to the clamps.
 std::vector<int> rolling_ids(const LammpsInput& input, std::size_t axis) {
     return ids_where(input, [&](const HeldAxes& held) {
         return held[axis] && held != HeldAxes{true, true, true};
     });
 }
 
-// After every fix that adds forces, as LAMMPS calls them in the order of the script; at
-// rest along the axis at first, the nodes stay so. The fluid's force comes earlier in the
-// step, before the forces of ghosts are summed.
+// Sets the forces along held axes to zero, so that these nodes, at rest there at first,
+// stay at rest. LAMMPS calls fixes in the order of the script, so that these come after
+// every fix that adds forces; the fluid's force is added earlier in the step, before the
+// forces of ghosts are summed.
 void add_rollers(Lines& lines, const LammpsInput& input) {
     if (input.reactions) lines.push_back("fix before_rollers all store/force");
     for (std::size_t d = 0; d < 3; ++d) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kelvin-Voigt damping (structure/lattice/element_kernel.h), within fix magttice.
+// Kelvin-Voigt damping (structure/lattice/element_kernel.h): the forces of viscosity
+// within fix magttice.
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -16,6 +17,8 @@
 namespace magfsi::structure {
 namespace {
 
+// Viscous forces on one body. Without the velocities of ghost atoms they would be wrong
+// at the border between ranks.
 class ViscousForce : public BodyForce {
   public:
     ViscousForce(LAMMPS_NS::LAMMPS* lammps, const MagtticeBody& body, char**)
@@ -31,8 +34,9 @@ class ViscousForce : public BodyForce {
         kernel_.assign(lattice_, owned.element, owned.atom);
     }
     void add() override { add_forces(); }
-    // With the velocities of the half step, as explicit damping has to.
+    // The velocities are those of the half step, as explicit damping requires.
     Turnover advance() override { return {.lost_j = update->dt * add_forces()}; }
+    // A minimiser looks for a rest state, which viscosity does not change.
     void minimize() override {}
 
   private:
@@ -46,7 +50,8 @@ class ViscousForce : public BodyForce {
     ViscousKernel kernel_;
 };
 
-// Those of other materials are among their `material` words.
+// Viscosity of the body's own material. Those of other materials are among the words
+// after `material`.
 std::string viscosity_words(const LammpsInput&, const Body& body) {
     const double viscosity = body.material.viscosity_pa_s;
     return viscosity == 0 ? "" : fmt::format(" viscosity {:.17g}", viscosity);

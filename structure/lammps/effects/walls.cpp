@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sides of the fluid's box that push the surfaces of bodies back: planes, each with the
-// fix of the platform; and its obstacles, solid shapes.
+// Walls: sides of the fluid's box, which are planes with the fix of the platform, and its
+// obstacles, which are solid shapes. Both push the surfaces of bodies back.
 #include "atom.h"
 #include "error.h"
 
@@ -25,13 +25,15 @@ namespace {
 using namespace std::string_view_literals;
 constexpr auto word_friction = "friction"sv, word_periodic = "periodic"sv,
                word_lost = "lost_share"sv;
+// Margin on distances, relative.
 constexpr double rounding = 1e-9;
 constexpr double at_rest[3] = {0, 0, 0};
 
 // fix ID group magttice/solid SHAPE ... STIFFNESS [friction MU] [periodic LX LY LZ]: a
-// shape that pushes the surfaces of bodies back, in their nodes and in the middles of
-// their quads, half of the area each: a quad would dip into a ball between its nodes.
-// Each feels the plane that touches the shape at its nearest point.
+// solid shape that pushes the surfaces of bodies back. The points pushed are the nodes
+// and the middles of the surface's quads, with half of the area each, as a quad alone
+// would dip into a ball between its nodes. Each point feels the plane that touches the
+// shape at its nearest point.
 class FixMagtticeSolid : public StickingFix {
   public:
     FixMagtticeSolid(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
@@ -42,37 +44,46 @@ class FixMagtticeSolid : public StickingFix {
     void setup_post_neighbor() override { rebuild(); }
     void post_neighbor() override { rebuild(); }
     void min_post_neighbor() override { rebuild(); }
-    // Before the reverse communication: middles have nodes of other ranks.
+    // Forces are added before the reverse communication, as the quads have nodes of other
+    // ranks.
     void setup_pre_reverse(int, int) override { (this->*push_)(); }
     void pre_reverse(int, int) override { (this->*push_)(); }
     void min_pre_reverse(int, int) override { (this->*push_)(); }
-    double compute_scalar() override;     // energy
-    double compute_vector(int) override;  // lost to friction since the start
+    double compute_scalar() override;  // energy of the springs [J], collective
+    // Energy lost to friction since the start [J], collective
+    double compute_vector(int) override;
     void* extract(const char* name, int& dimension) override;
 
   private:
-    // A node four times, or the corners of a quad: atom IDs, then local indices.
+    // A point that the shape can push: the mean of four atoms, a node four times or the
+    // corners of a quad. The numbers are atom IDs in all_ and local indices in here_.
     struct Point {
         std::array<int, 4> atom{};
         double area_m2 = 0;
-        // Where it was at the last look, and how far from there nothing can push it.
+        // Place at the last evaluation, and the distance from it within which the shape
+        // cannot touch the point.
         Vec3 seen_m{};
         double clear_m = 0;
-        int stick = 0;  // which of those of the first atom
+        int stick = 0;  // number among the stick points of the first atom
     };
     void parse(int narg, char** arg);
+    // Lists the points of all bodies; returns the largest number with the same first
+    // atom.
     int add_points();
     void rebuild();
+    // Adds the forces; rough: with friction.
     template <bool rough>
     void push();
 
     std::optional<SolidShape> shape_;
-    Vec3 period_m_{};  // of axes along which the shape is there again, else 0
-    Platform plane_;   // stiffness and friction of all
+    // Length of the shape's period along each axis, 0 along axes without one
+    Vec3 period_m_{};
+    Platform plane_;  // stiffness and friction of all contact planes
     void (FixMagtticeSolid::*push_)() = &FixMagtticeSolid::push<false>;
+    // Points of all bodies, and those of this rank
     std::vector<Point> all_, here_;
-    double energy_j_ = 0;  // this rank's share, of the last forces
-    double slid_j_ = 0;    // likewise, since the start
+    double energy_j_ = 0;  // this rank's share, at the last forces
+    double slid_j_ = 0;    // energy lost since the start, this rank's share
 };
 
 FixMagtticeSolid::FixMagtticeSolid(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
@@ -122,7 +133,7 @@ void FixMagtticeSolid::parse(int narg, char** arg) {
              id, arg[stiffness], rough ? arg[stiffness + 2] : "0");
 }
 
-// The most that have one atom as their first.
+// Nodes have the stick point 0 of their atom, quads further ones of their first node.
 int FixMagtticeSolid::add_points() {
     int most = 1;
     for (const FixMagttice* body : bodies_of(*modify)) {
@@ -219,9 +230,9 @@ double FixMagtticeSolid::compute_scalar() {
     return all;
 }
 
-// That of a platform under a column of one element, for a wall may be met by a
-// corner or the pole of a ball: (lambda + 2 G) / (2 h), h the mean size of an element;
-// the largest of the bodies.
+// Stiffness of plane walls [Pa/m]: that of a platform under a column of one element,
+// (lambda + 2 G) / (2 h) with h the mean size of an element, as a corner or the pole of a
+// ball may meet the wall. The largest of all bodies.
 double stiffness_pa_m(const LammpsInput& input) {
     double largest = 0;
     for (const Body& body : input.bodies) {
@@ -233,9 +244,10 @@ double stiffness_pa_m(const LammpsInput& input) {
     return largest;
 }
 
-// A ball on a ball or an edge is borne by a node or two, where a wall has many: at 16
-// times the stiffness one goes in by 5 um where a ball of 1 mm falls at 8 cm/s, for a
-// fifth of the stable step.
+// Stiffness of shapes [Pa/m]. A ball on a ball or on an edge is carried by one or two
+// nodes, where a plane wall has many. With 16 times a wall's stiffness a ball of 1 mm
+// that falls at 8 cm/s penetrates by 5 um, at the cost of a step of a fifth of the stable
+// one.
 double shape_stiffness_pa_m(const LammpsInput& input) {
     return std::max(16 * stiffness_pa_m(input),
                     input.contact ? input.contact->stiffness_pa_m : 0);
@@ -269,8 +281,9 @@ void add_walls(Lines& lines, const LammpsInput& input) {
     }
 }
 
-// Between a shape and the side that it stands at a node is pressed by both, nearly along
-// one line; in the corner of two sides along an axis each.
+// Stiffness for the stable step. Between a shape and the side next to it both press a
+// node, nearly along one line. In the corner of two sides each presses along its own
+// axis, so that they do not add.
 double pressing_spring_pa_m(const LammpsInput& input, const Body&) {
     const bool shapes = std::ranges::any_of(
         input.walls, [](const Wall& wall) { return wall.shape.has_value(); });

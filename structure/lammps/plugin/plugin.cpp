@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `plugin load magtticeplugin.so` calls. LAMMPS hands a function that registers one
-// style by a description of it; our styles register themselves in the same maps, as they
-// do in the unmodified library, so that no header of the package PLUGIN is needed.
+// Entry point for LAMMPS's command `plugin load magtticeplugin.so`. LAMMPS passes a
+// function that registers one style from a description of it. Our styles register
+// themselves in the same maps, as they do in the unmodified library, so that no header of
+// the package PLUGIN is needed.
 #include "lammps.h"
 #include "structure/lammps/register_styles.h"
 

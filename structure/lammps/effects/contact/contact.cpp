@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contact as an effect of a script; compute ID group magttice/contact: what it does at
-// present. See docs/fix_magttice.md.
+// Contact between bodies as an effect of the script, and compute ID group
+// magttice/contact, which reports its present state. See docs/fix_magttice.md.
 #include "compute.h"
 #include "error.h"
 #include "force.h"
@@ -13,14 +13,16 @@
 namespace magfsi::structure {
 namespace {
 
+// State of the pair style magttice/contact. All functions are collective.
 class ComputeMagtticeContact : public LAMMPS_NS::Compute {
   public:
     ComputeMagtticeContact(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg);
     ~ComputeMagtticeContact() override;
     void init() override;
-    double compute_scalar() override;  // energy
-    void compute_vector()
-        override;  // energy, touching pairs, smallest distance, lost to friction
+    double compute_scalar() override;  // energy [J]
+    // Energy [J], number of touching pairs, smallest distance [m], energy lost to
+    // friction [J]
+    void compute_vector() override;
 
   private:
     PairMagtticeContact* pair_ = nullptr;
@@ -70,6 +72,7 @@ void ComputeMagtticeContact::compute_vector() {
     MPI_Allreduce(&mine.slid_j, vector + 3, 1, MPI_DOUBLE, MPI_SUM, world);
 }
 
+// pair_coeff sets nothing but is required by LAMMPS.
 void add_contact(Lines& lines, const LammpsInput& input) {
     const ContactLaw law = contact_law(input);
     lines.push_back(

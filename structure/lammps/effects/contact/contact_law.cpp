@@ -13,6 +13,7 @@ namespace magfsi::structure {
 
 namespace {
 
+// Spring constant k of a pair [N/m], areas_m4 = A_i A_j.
 double spring_n_m(const ContactLaw& law, double areas_m4) {
     return 6 * law.stiffness_pa_m * areas_m4 /
            (std::numbers::pi * law.distance_m * law.distance_m);

@@ -111,9 +111,9 @@ bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b,
     return !at_rest || *at_rest >= law_.excluded * law_.distance_m;
 }
 
-// Nodes that may touch are listed within the distance and half of it, and again when one
-// has moved a quarter of the distance, or atoms have changed places. The same on all
-// ranks.
+// Candidates are pairs within 1.5 contact distances. They are renewed when a node has
+// moved by a quarter of the distance, or when atoms have changed their indices. The
+// answer is the same on all ranks.
 bool PairMagtticeContact::outdated() const {
     int moved = !renewed_ || neighbor->ago == 0 ? 1 : 0;
     const double most = 0.25 * law_.distance_m;
@@ -146,7 +146,8 @@ void PairMagtticeContact::renew() {
     renewed_ = true;
 }
 
-// The present places of these on every rank.
+// Rows of the messages are the number and the position. A single rank copies without
+// them.
 void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
     constexpr std::size_t width = 4;
     std::vector<double> mine;
@@ -171,8 +172,8 @@ void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
                     x_[static_cast<std::size_t>(all[at])].begin());
 }
 
-// In the order of their numbers, so that forces are summed in the same order on any
-// ranks, and after a restart.
+// Candidates are sorted by number, so that forces are summed in the same order on any
+// number of ranks and after a restart.
 void PairMagtticeContact::collect_candidates() {
     const double reach = 1.5 * law_.distance_m;
     const auto own = [this](std::size_t n) {
@@ -204,7 +205,7 @@ double PairMagtticeContact::squared(const Vec3& v) {
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-// From the second node to the first.
+// Difference of place, from the (image of the) second node to the first.
 Vec3 PairMagtticeContact::apart_m(const Candidate& pair) const {
     const Vec3 &a = x_[pair.a], &b = x_[pair.b], &by = pair.image_m;
     return {a[0] - b[0] - by[0], a[1] - b[1] - by[1], a[2] - b[2] - by[2]};
@@ -215,7 +216,6 @@ bool PairMagtticeContact::in_reach(const Vec3& apart) const {
     return r2 < law_.distance_m * law_.distance_m && r2 != 0;
 }
 
-// act(candidate, apart, distance) of each pair that touches.
 template <class Act>
 void PairMagtticeContact::each_contact(const Act& act) const {
     for (const Candidate& pair : candidates_) {
@@ -225,8 +225,8 @@ void PairMagtticeContact::each_contact(const Act& act) const {
     }
 }
 
-// Each rank puts the force on the nodes that it owns; energy and virial belong to the
-// first node's.
+// Each rank adds the force on the nodes that it owns; energy and virial are counted by
+// the owner of the first node.
 void PairMagtticeContact::compute(int eflag, int vflag) {
     ev_init(eflag, vflag);
     if (outdated())
@@ -252,8 +252,8 @@ void PairMagtticeContact::compute(int eflag, int vflag) {
     if (law_.friction > 0) add_friction(eflag_global != 0);
 }
 
-// Every rank has all pairs and drags the same ones along. Energy and losses belong to the
-// first node's.
+// Every rank evaluates all pairs and drags the same stick points. Energy and losses are
+// counted by the owner of the first node.
 void PairMagtticeContact::add_friction(bool energy) {
     double* const* const f = atom->f;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
@@ -290,7 +290,7 @@ void PairMagtticeContact::put_pairs(std::span<const double> rows) {
     renewed_ = false;
 }
 
-// Whether all of them are candidates.
+// A pair may touch through several images; a row belongs to the candidate nearest to it.
 bool PairMagtticeContact::put_back(std::span<const double> rows) {
     stuck_.assign(law_.friction > 0 ? candidates_.size() : 0, {});
     if (stuck_.empty()) return rows.empty();
@@ -316,7 +316,7 @@ bool PairMagtticeContact::put_back(std::span<const double> rows) {
     return all;
 }
 
-// Settings come again with the script; what sticks does not.
+// Restart files hold the stuck pairs only, as the script repeats the settings.
 void PairMagtticeContact::write_restart(FILE* file) {
     const std::vector<double> rows = kept_pairs();
     const auto count = static_cast<int>(rows.size());
@@ -324,6 +324,7 @@ void PairMagtticeContact::write_restart(FILE* file) {
     fwrite(rows.data(), sizeof(double), rows.size(), file);
 }
 
+// Rank 0 reads; the pairs take effect at the first renewal.
 void PairMagtticeContact::read_restart(FILE* file) {
     int count = 0;
     if (comm->me == 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU]
-// [periodic LX LY LZ]: contact between the surfaces of the bodies. See
-// docs/fix_magttice.md.
+// Contact between the surfaces of bodies as a pair style of LAMMPS: pair_style
+// magttice/contact DISTANCE STIFFNESS [excluded FACTOR] [friction MU] [periodic LX LY
+// LZ]. See docs/fix_magttice.md.
 #pragma once
 
 #include "pair.h"
@@ -16,14 +16,17 @@
 
 namespace magfsi::structure {
 
+// Every rank holds all surface nodes and the same list of pairs; it adds the forces on
+// its own atoms. Evaluation is collective. A node is named by its number in surface_.
 class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
   public:
-    // This rank's share at the present positions.
+    // State at the present positions. Sums are this rank's share, the distance is of all
+    // pairs.
     struct State {
         double energy_j = 0;
-        double touching = 0;  // pairs closer than the distance
-        double slid_j = 0;    // lost to friction since the start
-        double smallest_m;    // distance of the closest pair
+        double touching = 0;  // number of pairs closer than the contact distance
+        double slid_j = 0;    // energy lost to friction since the start
+        double smallest_m;    // distance of the closest pair, infinite without any
     };
 
     explicit PairMagtticeContact(LAMMPS_NS::LAMMPS* lammps);
@@ -39,48 +42,63 @@ class PairMagtticeContact : public LAMMPS_NS::Pair, public KeepsPairs {
     void read_restart(FILE* file) override;
     State state();  // collective
 
-    // The pairs that stick: both numbers in surface_, StuckPair's place and slip.
+    // Pairs that stick, one row each: both numbers in surface_, then apart_m and slip_m
+    // of StuckPair.
     std::vector<double> kept_pairs() const override;
     void put_pairs(std::span<const double> rows) override;
 
   private:
-    // Numbers in surface_, the lower one first.
+    // Pair of nodes that are near enough to touch before the next renewal, a < b.
     struct Candidate {
         std::size_t a, b;
-        Vec3 image_m;  // of the second, from where it is: periods
+        // Shift of the second node to its image near the first: whole periods
+        Vec3 image_m;
         double areas_m4;
-        int atom_a, atom_b;  // local indices of those that this rank owns, else -1
+        int atom_a, atom_b;  // local indices of the atoms if this rank owns them, else -1
     };
     static std::pair<std::size_t, std::size_t> numbers_of(const Candidate& pair) {
         return {pair.a, pair.b};
     }
+    // False for nodes of one body that are near each other at rest.
     bool may_touch(const SurfaceNode& a, const SurfaceNode& b, const Vec3& image_m) const;
+    // True if the candidates must be renewed. Collective.
     bool outdated() const;
+    // Gathers all surface nodes and renews the candidates. Collective.
     void renew();
+    // Gathers the present positions of these surface nodes on every rank. Collective.
     void gather(std::span<const std::size_t> numbers);
     void collect_candidates();
+    // Sets stuck_ from rows of kept_pairs(); false if a row belongs to no candidate.
     bool put_back(std::span<const double> rows);
     static double squared(const Vec3& v);
     Vec3 apart_m(const Candidate& pair) const;
+    // True for pairs closer than the contact distance, except at distance 0.
     bool in_reach(const Vec3& apart) const;
+    // Calls act(candidate, apart, distance) for each pair that touches.
     template <class Act>
     void each_contact(const Act& act) const;
     void add_friction(bool energy);
 
     ContactLaw law_;
-    double slid_j_ = 0;              // this rank's share, since the start
-    Vec3 period_m_{};                // of axes along which all comes again, else 0
-    std::vector<SurfaceNode> node_;  // by atom ID
-    std::vector<std::array<bool, 3>> goes_on_;  // of each body, by its period
-    std::vector<int> surface_;                  // IDs of those on surfaces
-    std::vector<Vec3> x_;  // of surface_: all at a renewal, then watched_ alone
+    double slid_j_ = 0;  // energy lost since the start, this rank's share
+    Vec3 period_m_{};    // length of the period along each axis, 0 along axes without one
+    std::vector<SurfaceNode> node_;  // one per atom, by atom ID
+    // For each body the periods through which it continues into its own image
+    std::vector<std::array<bool, 3>> goes_on_;
+    std::vector<int> surface_;  // atom IDs of the surface nodes, ascending
+    // Positions by number in surface_; between renewals only those in watched_ are up to
+    // date
+    std::vector<Vec3> x_;
+    // Positions at the last renewal
     std::vector<Vec3> renewed_at_m_;
     std::vector<Candidate> candidates_;
-    std::vector<StuckPair> stuck_;      // of candidates_, with friction
-    std::vector<double> remembered_;    // rows that wait for a renewal
-    std::vector<std::size_t> watched_;  // those of candidates
-    std::vector<int> owned_;            // local indices of this rank's share of surface_
+    std::vector<StuckPair> stuck_;      // one per candidate; empty without friction
+    std::vector<double> remembered_;    // rows of kept_pairs() that wait for a renewal
+    std::vector<std::size_t> watched_;  // numbers of all nodes in candidates_, ascending
+    std::vector<int> owned_;            // local indices of this rank's part of surface_
+    // Number in surface_ of each of owned_
     std::vector<std::size_t> own_number_;
+    // False until the first renewal of a run
     bool renewed_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU] [damping C]:
-// a plane that pushes the surface of the bodies back. See docs/fix_magttice.md.
+// Platform: fix ID group magttice/platform PX PY PZ NX NY NZ STIFFNESS [friction MU]
+// [damping C], a plane that pushes the surfaces of bodies back. See docs/fix_magttice.md.
 #include "atom.h"
 #include "error.h"
 #include "update.h"
@@ -18,7 +18,7 @@
 namespace magfsi::structure {
 namespace {
 
-// ID group style, then point, normal and stiffness.
+// Number of the first keyword: after ID, group, style, point, normal and stiffness.
 constexpr int first_keyword = 10;
 
 class FixMagtticePlatform : public StickingFix {
@@ -36,11 +36,14 @@ class FixMagtticePlatform : public StickingFix {
     void post_force(int vflag) override;
     void min_post_force(int) override { (this->*add_forces_)(0); }
 
-    double compute_scalar() override;       // energy of the springs
-    double compute_vector(int i) override;  // see the documentation
+    double compute_scalar() override;  // energy of the springs [J], collective
+    // i = 0 to 7: normal force [N], force along the plane [N], energy [J], smallest gap
+    // [m], force x, y, z [N], energy lost to friction [J]; collective
+    double compute_vector(int i) override;
     void* extract(const char* name, int& dimension) override;
 
   private:
+    // A surface node of this rank.
     struct PressedNode {
         int atom = 0;  // local index
         double area_m2 = 0;
@@ -55,17 +58,19 @@ class FixMagtticePlatform : public StickingFix {
     void add_forces(ContactOf&& contact_of);
 
     Platform platform_;
-    // The loop of the scene's platform: no node asks whether there is friction.
+    // The function for this platform, chosen once, so that no node tests for friction.
     void (FixMagtticePlatform::*add_forces_)(double) = nullptr;
-    std::vector<SurfaceNode> node_;     // by atom ID
-    std::vector<PressedNode> surface_;  // of this rank and the group
+    std::vector<SurfaceNode> node_;  // one per atom, by atom ID
+    // Surface nodes of this rank that are in the group
+    std::vector<PressedNode> surface_;
 
-    // This rank's share, of the last evaluation.
+    // This rank's share at the last evaluation.
     double normal_n_ = 0, energy_j_ = 0, smallest_gap_m_ = 0;
     Vec3 force_n_{};
-    double slid_j_ = 0;  // since the start
+    double slid_j_ = 0;  // energy lost since the start
 };
 
+// arg: ID group magttice/platform, the seven numbers, then keywords.
 FixMagtticePlatform::FixMagtticePlatform(LAMMPS_NS::LAMMPS* lammps, int narg, char** arg)
     : StickingFix(lammps, narg, arg) {
     if (narg < first_keyword) {
@@ -163,7 +168,8 @@ void FixMagtticePlatform::rebuild() {
     }
 }
 
-// Velocities, which only the damping looks at, are those of the half step.
+// Velocities are those of the half step. They enter the damping and, for a node that has
+// just touched, the stick point.
 template <class ContactOf>
 void FixMagtticePlatform::add_forces(ContactOf&& contact_of) {
     normal_n_ = 0;
@@ -212,7 +218,8 @@ double FixMagtticePlatform::compute_vector(int i) {
         MPI_Allreduce(&smallest_gap_m_, all, 1, MPI_DOUBLE, MPI_MIN, world);
         return all[0];
     }
-    // By i; the force along the plane, 1, follows from the others.
+    // The entries stand at their i. The force along the plane (1) is derived from the
+    // others, as the norm of a sum over ranks is not a sum.
     const double mine[8] = {normal_n_,   0,           energy_j_,   0,
                             force_n_[0], force_n_[1], force_n_[2], slid_j_};
     MPI_Allreduce(mine, all, 8, MPI_DOUBLE, MPI_SUM, world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The course of a prescribed motion as words of a command.
+// Course of a prescribed motion as words of a command.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace magfsi::structure {
 
-// As words of fix magttice/motion, and back: "oscillation AX AY AZ FREQUENCY PHASE",
-// "ramp DX DY DZ DURATION", "formula UX UY UZ". Throws std::invalid_argument on other
-// words.
+// The course as words of fix magttice/motion, and back: "oscillation AX AY AZ FREQUENCY
+// PHASE", "ramp DX DY DZ DURATION" or "formula UX UY UZ", in SI and radians. motion_from
+// throws std::invalid_argument on other words.
 std::string motion_words(const MotionCourse& course);
 MotionCourse motion_from(const std::vector<std::string>& words);
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix ID group magttice/motion COURSE: moves the atoms of its group, which no other fix
-// may integrate, along a course (motion_law.h) from where they are at step 0.
+// Prescribed motion: fix ID group magttice/motion COURSE moves the atoms of its group
+// along a course (motion_law.h), starting from their places at step 0. No other fix may
+// integrate these atoms.
 //
-// It keeps nothing: each step adds what the course gains in it, so that atoms may migrate
-// and runs may go on from positions alone. (LAMMPS's fix move keeps every atom's start,
-// refuses reset_timestep, and has no phase and no ramp.)
+// The fix has no state: each step adds the gain of the course in that step, so that atoms
+// may migrate and runs may continue from positions alone. (LAMMPS's fix move stores every
+// atom's start, refuses reset_timestep, and has no phase and no ramp.)
 #include "atom.h"
 #include "error.h"
 #include "update.h"
@@ -31,8 +32,9 @@ class FixMagtticeMotion : public LAMMPS_NS::Fix {
     void final_integrate() override;
 
   private:
-    // A place or a velocity of the course.
+    // Displacement or velocity of the course at the present step, or some steps ago.
     Vec3 of_course(Vec3 (*what)(const MotionCourse&, double time_s), int steps_ago) const;
+    // Sets the velocity of all atoms in the group.
     void set_velocity(const Vec3& velocity_m_s);
 
     MotionCourse course_;
@@ -52,7 +54,7 @@ int FixMagtticeMotion::setmask() {
     return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE;
 }
 
-// At the time by the number of the step, so that it stays right over restarts.
+// The time is derived from the step number, so that it is the same after a restart.
 Vec3 FixMagtticeMotion::of_course(Vec3 (*what)(const MotionCourse&, double time_s),
                                   int steps_ago) const {
     try {
@@ -63,13 +65,13 @@ Vec3 FixMagtticeMotion::of_course(Vec3 (*what)(const MotionCourse&, double time_
     }
 }
 
-// Before the first forces are evaluated, and before ghosts get their velocities.
+// Velocities are set before the first forces are evaluated and before ghosts get theirs.
 void FixMagtticeMotion::init() {
     set_velocity(of_course(velocity_m_s, 0));
 }
 
-// Between the two, forces see the mean velocity of the step, as velocity Verlet's half
-// step has it for all other atoms.
+// Forces see the mean velocity of the step, as they do for the atoms that velocity Verlet
+// has moved by half a step.
 void FixMagtticeMotion::initial_integrate(int) {
     const Vec3 from = of_course(displacement_m, 1);
     const Vec3 to = of_course(displacement_m, 0);
@@ -103,7 +105,7 @@ std::vector<int> moved_ids(const LammpsInput& input, const PrescribedMotion& mot
     return ids;
 }
 
-// After the drag, which would slow them.
+// Motions come after the drag in the script, which would slow these nodes down.
 void add_motions(Lines& lines, const LammpsInput& input) {
     for (std::size_t m = 0; m < input.motions.size(); ++m) {
         const std::string group = moved_group(m);
