@@ -8,7 +8,7 @@
 namespace magfsi::fluid {
 
 // Law of Carreau (1972) and Yasuda (1981), with nu_0 the fluid's viscosity at rest:
-//    nu = nu_inf + (nu_0 - nu_inf) (1 + (time rate)^a)^((n - 1) / a).
+//   nu = nu_inf + (nu_0 - nu_inf) (1 + (time rate)^a)^((n - 1) / a).
 struct Carreau {
     double infinite_m2_s = 0;  // nu_inf, the viscosity at an infinite rate
     double time_s = 0;

@@ -9,9 +9,9 @@
 // sets.
 //
 // In-place streaming (the AA pattern: Bailey et al. 2009) alternates two arrangements:
-//    natural: slot q of cell x holds the population q that has arrived at x;
-//    swapped: slot opposite(q) of cell x - c_q holds it; behind a wall, slot q of x
-//    itself.
+//   natural: slot q of cell x holds the population q that has arrived at x;
+//   swapped: slot opposite(q) of cell x - c_q holds it; behind a wall, slot q of x
+//   itself.
 // Both are complete states before collision.
 #pragma once
 
@@ -250,12 +250,12 @@ void rest_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
 // lists of slots.
 //
 // All boundary code rests on two facts. After the sweep and the exchange
-//    - population q that arrived in a cell is at slot(q) of the new arrangement; behind a
-//      wall side that is the cell's own array q in both arrangements, and it holds the
-//      cell's outgoing population opposite(q): half-way bounce-back;
-//    - the outgoing population q of a cell is still at slot(opposite(q)) of the old
-//      arrangement, as long as nothing has overwritten the population that arrived at its
-//      destination.
+//   - population q that arrived in a cell is at slot(q) of the new arrangement; behind a
+//     wall side that is the cell's own array q in both arrangements, and it holds the
+//     cell's outgoing population opposite(q): half-way bounce-back;
+//   - the outgoing population q of a cell is still at slot(opposite(q)) of the old
+//     arrangement, as long as nothing has overwritten the population that arrived at its
+//     destination.
 
 // Offsets of a cell's 19 slots from rows.row(0, 0), in elements, by direction.
 using CellSlots = std::array<std::ptrdiff_t, d3q19::directions>;
