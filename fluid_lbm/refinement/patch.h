@@ -63,8 +63,8 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
 // follow bodies in runs that read forces on obstacles. The links of two levels form no
 // closed surface, and an interpolated flow adapts to walls within a step: the drag of a
 // ball was off by 17 % with a side at its stagnation point, and by a third in the step
-// after a move (tests/validation/fluid_lbm/refinement.cpp has the ball). config, solids: of the
-// level.
+// after a move (tests/validation/fluid_lbm/refinement.cpp has the ball). config, solids:
+// of the level.
 void refuse_cut_obstacles(const FluidConfig& config, const Solids& solids,
                           const LevelPlace& place);
 
