@@ -51,7 +51,7 @@ std::shared_ptr<const Solid> make_stl_solid(const StlSurface& surface, double sp
 // Extent of the closed surface in a file. Throws as make_stl_solid.
 struct StlExtent {
     Bounds bounds_m;
-    double volume_m3 = 0;  // volume of the union of its parts
+    double volume_m3 = 0;  // volume inside the surface
     int parts = 1;         // surfaces that share no edge
     std::size_t triangles = 0;
 };

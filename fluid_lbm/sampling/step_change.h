@@ -22,8 +22,8 @@ namespace magfsi::fluid {
 struct StepChange {
     double velocity = 1;  // new time step over the old one
     double stress = 1;    // new tau dt over the old one
-    // Change of momentum: populations lack half a step of the body force (Guo), which is
-    // shorter with the new step.
+    // Change of momentum: populations lack half a step of the body force (Guo), and that
+    // half changes with the step.
     std::array<double, 3> momentum{};
 };
 
