@@ -25,7 +25,7 @@ constexpr int populations_per_cell = 19;
 struct Totals {
     double kinetic_energy_j = 0, mass_kg = 0, max_speed_m_s = 0;
     Vec3 momentum_kg_m_s{};
-    // energy of compression: sum of p^2 / (2 rho c_s^2) over the volume
+    // Energy of compression: sum of p^2 / (2 rho c_s^2) over the volume.
     double sound_energy_j = 0;
 };
 
@@ -113,7 +113,7 @@ class Fluid {
     void populations(int plane, std::span<double> values) const;
     // Restores such a state: set_steps_done() first, because the number of steps decides
     // how populations are stored, then every plane of the box. The run then continues bit
-    // by bit as the one that the state was taken from.
+    // for bit as the one that the state was taken from.
     void set_steps_done(std::int64_t steps);
     void set_populations(int plane, std::span<const double> values);
 

@@ -131,7 +131,7 @@ bool begins_with_solid(std::string_view text) {
 
 std::vector<Triangle> read_stl(const std::string& file) {
     std::string bytes = contents(file);
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);  // a mark of byte order
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);  // byte order mark
     const bool binary = is_binary(bytes);
     if (!binary && !begins_with_solid(bytes)) {
         refuse_file(file, "has ", bytes.size(),

@@ -98,7 +98,7 @@ struct Half {
 struct Joined {
     Vertices vertices;
     std::vector<Corners> triangles;
-    // edges without a partner; edges whose triangles run the same way
+    // Edges without a partner; edges whose triangles run the same way.
     std::vector<Half> open, turned;
     std::vector<std::uint32_t> part;  // for each triangle, the first triangle of its part
 };
@@ -295,7 +295,7 @@ std::optional<Crossing> crossing(const Triangle& t, double y, double z) {
     if (out == 0) return {};
     const auto [least, most] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const Point n = normal(t);
-    // By rounding, a triangle seen edge-on may have a crossing with n[0] == 0.
+    // Rounding may give a triangle that is seen edge-on (n[0] == 0) a crossing.
     const double x = n[0] == 0
                          ? least
                          : t[0][0] - (n[1] * (y - t[0][1]) + n[2] * (z - t[0][2])) / n[0];

@@ -51,12 +51,12 @@ inline constexpr std::pair<std::string_view, std::string_view> same[] =
         {"\u2009", " "}, {"\u200a", " "},
         {"\u202f", " "}, {"\u205f", " "},
         {"\u3000", " "}, {"\u200b", ""},
-        {"\ufeff", ""},  // of no width; the mark of byte order
+        {"\ufeff", ""},  // zero-width space; byte order mark
 };
 
 // The text with superscripts as "^" and ASCII digits or signs.
 inline std::string raised(std::string text) {
-    std::size_t last = std::string::npos;  // end of the superscript before
+    std::size_t last = std::string::npos;  // end of the previous superscript
     for (std::size_t at = 0; at < text.size(); ++at) {
         for (const auto& [from, to] : superscripts) {
             if (!std::string_view(text).substr(at).starts_with(from)) continue;

@@ -40,7 +40,7 @@ struct SideContext {
     int rank;
     const Populations& populations;
     const RowLayout& layout;
-    const SolidMap* solids;  // null in a box without obstacles
+    const SolidMap* solids;  // solid cells; null if the box has no obstacles
 
     const CellBox& owned() const { return decomposition.boxes[rank]; }
     // This rank's cells at a side, in local indices; absent if its box does not reach the

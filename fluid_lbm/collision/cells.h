@@ -39,7 +39,7 @@ struct CollisionParameters {
     double omega = 1;          // 1 / tau, tau the relaxation time of the viscosity
     double magic = 3.0 / 16;   // Lambda, sets the rate of the odd modes
     double eddy_constant = 0;  // Smagorinsky's constant C
-    // table of 1 / tau by the stress (shear_dependent.h)
+    // Table of 1 / tau by the stress (shear_dependent.h).
     const double* by_stress = nullptr;
 };
 

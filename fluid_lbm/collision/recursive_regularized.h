@@ -228,8 +228,8 @@ MAGFSI_INLINE void Recursive<Kind>::collide(const LaneCells<V, Real>& f,
     check.add(ruu.xx + ruu.yy + ruu.zz, per_density);
     Symmetric<V> n = nonequilibrium(all, ruu), second = ruu;
     if constexpr (Forced) {
-        // By Guo's scheme the second moment becomes eq + (1 - omega) n + (1 - omega/2)(uF
-        // + Fu) with the raw n. Adding half of uF + Fu to n first makes n the viscous
+        // Guo's scheme makes the second moment eq + (1 - omega) n + (1 - omega/2)(uF +
+        // Fu) with the raw n. Adding half of uF + Fu to n first makes n the viscous
         // stress itself, which the recursion needs, and leaves another half to add.
         const Symmetric<V> g = half_force_stress(u, force);
         n = add(n, g);

@@ -116,7 +116,7 @@ class MovingWall final : public SideEffect {
     CellBox cells_;  // at the wall, in local indices
     Vec3 velocity_;
     std::array<std::array<bool, 2>, 3> inlet_{};  // [axis][end]: an inlet is there
-    // both ends of the axis are walls or periodic
+    // Both ends of the axis are walls or periodic.
     std::array<bool, 3> balanced_{true, true, true};
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::ptrdiff_t line = 64;  // bytes of a cache line
 constexpr std::ptrdiff_t page = 4096;
-// distance of the arrays modulo the page, in cache lines
+// Distance from one array to the next modulo the page, in cache lines.
 constexpr std::ptrdiff_t array_skew = 5;
 constexpr std::ptrdiff_t huge_page = std::ptrdiff_t{1} << 21;
 

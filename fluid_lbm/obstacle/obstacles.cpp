@@ -216,7 +216,7 @@ void Obstacles::find_rows(const RowLayout& layout) {
     }
 }
 
-// Until free slip is applied, the slots of a reflected link hold the bounced population.
+// The slots of a reflected link hold the bounced population until free slip is applied.
 void Obstacles::note_sent(const Populations& populations, Arrangement arrangement) {
     sent_to_slip_.clear();
     populations.visit([&](const auto& rows) {

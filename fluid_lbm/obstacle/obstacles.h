@@ -52,10 +52,10 @@ class SolidMap {
     // Enters an obstacle's cells into the map.
     void mark(const Solid& solid, int number);
 
-    // box of this map; cells of the whole box
+    // Box of this map; cells of the whole box.
     std::array<int, 3> origin_, size_, box_cells_;
     std::array<bool, 3> periodic_;
-    // obstacle of each cell, one layer around included, x fastest
+    // Obstacle of each cell, one layer around included, x fastest.
     std::vector<short> of_cell_;
     std::vector<char> row_has_solid_;
     std::vector<long long> cell_counts_;
@@ -131,7 +131,7 @@ class Obstacles {
 
     SolidMap map_;
     CutLinks links_;
-    // one per reflected link: the population noted by note_sent()
+    // One per reflected link: the population noted by note_sent().
     std::vector<double> sent_to_slip_;
     std::vector<CellRow> rows_;
     std::vector<Vec3> impulses_;

@@ -12,8 +12,8 @@ namespace magfsi::fluid {
 
 namespace {
 
-// A body given by a level set. The entry of a way is found by bisection, which needs no
-// formula for each shape and always finds one.
+// A body given by a level set. The entry of a segment is found by bisection, which needs
+// no formula for each shape and always finds one.
 class LevelSetSolid final : public Solid {
   public:
     explicit LevelSetSolid(LevelSet body) : body_(std::move(body)) {}

@@ -31,8 +31,8 @@ class Solid {
     virtual void mark_row(double y, double z, int x_begin,
                           std::span<char> inside) const = 0;
 
-    // Place where the way from a point outside to a point inside meets the surface, as a
-    // fraction of the way in (0, 1].
+    // Place where the segment from a point outside to a point inside meets the surface,
+    // as a fraction of the segment in (0, 1].
     virtual double entry(const Vec3& outside, const Vec3& inside) const = 0;
 };
 

@@ -18,9 +18,9 @@ namespace {
 using surface::cross_product, surface::dot, surface::minus, surface::normal,
     surface::Triangle;
 
-// Fraction of the way from a to b where it meets the triangle (Moeller and Trumbore
-// 1997), absent if it does not. A margin prevents ways from slipping between two
-// triangles.
+// Fraction of the segment from a to b at which it meets the triangle (Moeller and
+// Trumbore 1997), absent if it does not. A margin prevents segments from slipping between
+// two triangles.
 std::optional<double> meets(const Triangle& t, const Vec3& a, const Vec3& b) {
     constexpr double margin = 1e-9;
     const Vec3 way = minus(b, a), e1 = minus(t[1], t[0]), e2 = minus(t[2], t[0]);
@@ -188,7 +188,7 @@ double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
             }
         }
     }
-    return nearest <= 1 ? nearest : 0.5;  // rounding hid the surface: half-way
+    return nearest <= 1 ? nearest : 0.5;  // 0.5 if rounding hid the surface
 }
 
 }  // namespace

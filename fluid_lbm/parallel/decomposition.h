@@ -15,7 +15,7 @@ inline constexpr int no_rank = -1;  // no neighbour on that side
 
 // The blocks of all ranks; the same object on each of them.
 struct Decomposition {
-    std::array<int, 3> cells{};  // of the whole box
+    std::array<int, 3> cells{};  // number of cells of the whole box
     std::array<bool, 3> periodic{};
     std::array<int, 2> ranks{1, 1};  // number of blocks along y and z
     std::vector<CellBox> boxes;      // blocks by rank (y fastest), global indices

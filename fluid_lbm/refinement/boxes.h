@@ -43,7 +43,7 @@ inline CellBox grown(CellBox box, int by) {
     return box;
 }
 
-// value / 2 rounded towards minus infinity.
+// Half of a number, rounded towards minus infinity.
 inline int floor_half(int value) {
     return value >= 0 ? value / 2 : -((1 - value) / 2);
 }

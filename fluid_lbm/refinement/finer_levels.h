@@ -27,9 +27,9 @@ struct InterfaceMass {
     double lost = 0;   // this rank's part, in the coarser level's present step
     double owed = 0;   // mass of all ranks that is to be given besides
     double given = 0;  // mass given after the coarser level's last step
-    // lost and owed before the finest level's last step
+    // Values of lost and owed before the finest level's last step.
     double lost_then = 0, owed_then = 0;
-    // number of the coarse cells beside the patch, over all ranks
+    // Number of the coarse cells beside the patch, over all ranks.
     std::int64_t beside = 0;
 };
 
@@ -52,9 +52,9 @@ struct FinerLevel {
     Level level;
     Prolongation ring;  // fills the ring from the level below
     Restriction band;   // overwrites the covered cells that the level below reads
-    // overwrites all covered cells; made when it is needed
+    // Overwrites all covered cells; made when it is needed.
     std::optional<Restriction> whole;
-    // mass through the interface as either level sees it
+    // Mass through the interface as either level sees it.
     InterfaceFlux from_below, into_level;
     InterfaceMass mass;
 };

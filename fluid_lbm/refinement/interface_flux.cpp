@@ -126,7 +126,8 @@ double InterfaceFlux::into_box(const Level& level) const {
                 __builtin_prefetch(base + runs_[i + runs_ahead].first[now], 0, 3);
             const Real* f = base + runs_[i].first[now];
             int left = runs_[i].count;
-            double a = 0, b = 0, c = 0, d = 0;  // four, or each addition waits
+            // Four sums, so that no addition waits for the last.
+            double a = 0, b = 0, c = 0, d = 0;
             for (; left >= 4; left -= 4, f += 4) {
                 a += f[0];
                 b += f[1];

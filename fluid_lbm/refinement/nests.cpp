@@ -18,7 +18,8 @@ CellBox cells_around(const BodyBox& bodies_m, double spacing_m) {
     for (int d = 0; d < 3; ++d) {
         box.lo[d] = static_cast<int>(std::floor(bodies_m[0][d] / spacing_m + rounding));
         box.hi[d] = static_cast<int>(std::ceil(bodies_m[1][d] / spacing_m - rounding));
-        if (box.hi[d] > box.lo[d]) continue;  // else a sheet in the border itself
+        // A flat body in the border of two cells takes the cells on both sides.
+        if (box.hi[d] > box.lo[d]) continue;
         --box.lo[d];
         ++box.hi[d];
     }

@@ -20,10 +20,10 @@ struct PatchRule {
 };
 
 using BodyBox = std::array<Vec3, 2>;  // lower and upper corner [m]
-// one place per finer level, the coarsest first
+// One place per finer level, the coarsest first.
 using NestPlaces = std::vector<LevelPlace>;
 
-// Least distance of two nests in cells of level 0: room for the stencils of both, and
+// Least distance of two nests in cells of level 0: room for the stencils of both, and for
 // cells whose step depends on neither.
 constexpr int between_nests_cells = 2 * apart_cells;
 

@@ -38,7 +38,7 @@ class RefinedFluid {
     RefinedFluid& operator=(const RefinedFluid&) = delete;
 
     const RefinedConfig& config() const { return config_; }
-    // number of levels, level 0 included
+    // Number of levels, level 0 included.
     int levels() const { return 1 + config_.rule.levels; }
     int nests() const;
     // The fluid and the place of a patch; level 0 is common to all nests.
@@ -137,7 +137,7 @@ class RefinedFluid {
     RefinedConfig config_;
     std::unique_ptr<Levels> levels_;
     std::int64_t steps_done_ = 0, moves_ = 0;
-    // this rank's impulses on obstacles over the present step of level 0, as a force [N]
+    // This rank's impulses on obstacles over the present step of level 0, as a force [N].
     std::vector<Vec3> pushed_n_;
     bool begun_ = false;  // true if begin_step() has been called for the coming step
 };

@@ -28,7 +28,8 @@ class Restriction {
     // its density is passed on as NaN to mark it.
     struct CutCell {
         std::array<int, 3> cell{};
-        std::array<bool, 8> counts{};  // which of the eight count, x fastest
+        // True for those of the eight that are fluid, x fastest.
+        std::array<bool, 8> counts{};
     };
     // This rank's share of a box: coarse cells whose first fine row (of the two along
     // each axis) is its own.
@@ -63,7 +64,7 @@ class Restriction {
     std::vector<std::vector<double>> halo_flow_;  // [y, z][number][x]
     CellTransfer to_halo_, to_coarse_;
     std::vector<double> row_, rows_;  // buffers of average()
-    // the last four planes across y
+    // The last four planes across y.
     std::array<std::vector<double>, cubic_points> planes_;
 };
 

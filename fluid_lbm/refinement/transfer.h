@@ -52,7 +52,7 @@ class CellTransfer {
 
     MPI_Comm comm_;
     int rank_ = 0;
-    // parts by rank; cells that stay on this rank are in in_ alone
+    // Parts by rank; cells that stay on this rank are in in_ alone.
     std::vector<Part> out_, in_;
     std::vector<int> to_, from_;  // the other ranks in out_ and in_
     std::vector<std::vector<double>> sent_, received_;

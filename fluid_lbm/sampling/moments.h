@@ -45,7 +45,8 @@ void write_flow(const View& view, const CellRow& row, const double* flow);
 // The same for a piece of a plane z, column by column along y, in the natural arrangement
 // only: rows that are as short as a ring is wide fill no vector. flow: [x][number][y].
 void write_flow_along_y(const View& view, const CellBox& plane, const double* flow);
-// Adds `excess` times the weights to the populations: a change of density at rest.
+// Adds `excess` times the weights to the populations of a row: the density rises by
+// `excess`, the momentum stays.
 void add_density(const View& view, const CellRow& row, double excess);
 // Reads and writes a row's populations, one direction after the other.
 void read_populations(const View& view, const CellRow& row, double* values);

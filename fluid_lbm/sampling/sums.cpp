@@ -22,7 +22,8 @@ void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m) {
     }
 }
 
-struct Sums {  // lattice units
+// Sums over cells in lattice units; `cells` is the number of fluid cells.
+struct Sums {
     double excess = 0, momentum[3] = {}, energy = 0, sound = 0, cells = 0;
 };
 
@@ -71,7 +72,8 @@ Layers layers_at(int axis, double at_cells, int count, bool periodic) {
     return {axis, low, low + 1, centred - low};
 }
 
-struct PlaneSums {  // over cells, each by the weight of its layer; lattice units
+// Sums over the cells of two layers, each cell by the weight of its layer; lattice units.
+struct PlaneSums {
     double flow = 0, momentum[3] = {}, excess = 0, cells = 0;
 };
 

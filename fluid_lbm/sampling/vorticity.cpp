@@ -40,7 +40,7 @@ class VelocityField {
 
     const Fluid::State& state_;
     const RowLayout& layout_;
-    // absent for sides that are no walls
+    // Absent for sides that are no walls.
     std::array<std::optional<Vec3>, 6> wall_velocity_;
     std::vector<double> values_;  // [z][y][x][component]
 };

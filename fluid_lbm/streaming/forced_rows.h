@@ -17,7 +17,7 @@ namespace magfsi::fluid {
 // Pointers to the three components of the force in a row, indexed by x.
 template <class Real>
 struct ForcePointers {
-    const Real* at[3] = {nullptr, nullptr, nullptr};  // null in a row without a force
+    const Real* at[3] = {nullptr, nullptr, nullptr};  // all null: the row has no force
 };
 
 // The forces of one rank's rows. Storage grows with the rows that carry a force.
@@ -85,7 +85,7 @@ class ForcedRows {
     int nx_, ny_;
     bool everywhere_;
     std::array<double, 3> body_;
-    // first slot that rows can claim; slot 0 is the body force, if there is one
+    // First slot that rows can claim; slot 0 is the body force, if there is one.
     int first_slot_;
     std::vector<int> slot_of_row_;  // no_force where a row has none
     std::vector<int> claimed_rows_;

@@ -28,7 +28,7 @@ using MomentsKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
 // distance to the row that is read next, in elements. FlowKernel leaves the stress out if
 // the pointer to its first array is null.
 constexpr int flow_numbers = 10;
-// index of its first component; the stress comes last
+// Index of the first component of the stress, which comes last.
 constexpr std::size_t first_stress = 4;
 template <class Real>
 using FlowKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
