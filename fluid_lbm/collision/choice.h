@@ -39,7 +39,7 @@ inline double cell_reynolds_number(const Options& options, double expected_speed
 // swimmer has a cell Reynolds number of 100 at 0.2 mm: there 0.0075 runs for three
 // periods, 0.01 for two and 0.05 for a fifth of one. From 60 on the number falls with the
 // square of the Reynolds number, to stay well below these. It does not depend on the time
-// step.
+// step if the expected speed is given.
 constexpr double recursive_magic(double cell_reynolds_number) {
     const double steep = std::max(1.0, cell_reynolds_number / 60);
     return std::clamp(0.75 / (cell_reynolds_number * steep), 0.001, 3.0 / 16);

@@ -87,8 +87,8 @@ RefinedFluid::RefinedFluid(MPI_Comm comm, const RefinedConfig& config,
 }
 
 // Makes the patches of a nest, from the coarsest on. Cells that old patches solved are
-// copied, the others are interpolated from the level below, which is exact under the old
-// patch after cover_all().
+// copied, the others are interpolated from the level below, whose cells under old patches
+// cover_all() has overwritten.
 void RefinedFluid::add_nest(const NestPlaces& places, const std::vector<Nest>& old,
                             bool first) {
     FluidConfig at_rest = config_.coarse;

@@ -31,8 +31,9 @@ class Restriction {
         // True for those of the eight that are fluid, x fastest.
         std::array<bool, 8> counts{};
     };
-    // This rank's share of a box: coarse cells whose first fine row (of the two along
-    // each axis) is its own.
+    // This rank's share of a box: coarse cells of which it owns the first fine row (of
+    // the two along each axis), or, where that row has an even negative index at a cut,
+    // the row below.
     struct Piece {
         Piece(const CellBox& share, const Level& fine);
 
