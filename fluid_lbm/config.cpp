@@ -15,6 +15,7 @@ namespace magfsi::fluid {
 
 namespace {
 
+// The quantities beside the options on which the choice of the collision depends.
 CollisionCase collision_case(const FluidConfig& config) {
     const double tau = relaxation_time(config);
     return {
@@ -105,8 +106,8 @@ std::string collision_reason(const FluidConfig& config) {
 
 void check(const FluidConfig& config) {
     for (int axis = 0; axis < 3; ++axis) {
-        // Rows along x are walked in one piece; across them one cell is its own
-        // neighbour.
+        // A row along x is walked in one piece and needs two cells. Across the rows,
+        // along a periodic axis, a single cell can be its own neighbour.
         const int least = axis > 0 && periodic_axes(config)[axis] ? 1 : 2;
         if (config.cells[axis] < least) {
             refuse("fluid has ", config.cells[axis], " cells along ", axis_name[axis],

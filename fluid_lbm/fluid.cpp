@@ -12,12 +12,13 @@ namespace magfsi::fluid {
 
 namespace {
 
+// The configuration itself, after check() has accepted it.
 FluidConfig checked(const FluidConfig& config) {
     check(config);
     return config;
 }
 
-// Values of all ranks, one rank after the other, on every rank. Collective.
+// The values of all ranks, in the order of the ranks, on every rank. Collective.
 std::vector<int> gathered(const OwnedComm& comm, const std::vector<int>& mine) {
     const int count = static_cast<int>(mine.size());
     std::vector<int> counts(static_cast<std::size_t>(comm.size)), first(counts);
@@ -29,8 +30,10 @@ std::vector<int> gathered(const OwnedComm& comm, const std::vector<int>& mine) {
     return all;
 }
 
-// With the gradient by central differences over one cell, so that the functions are asked
-// only for points inside the box or on its sides.
+// Initial flow of a cell in lattice units. The velocity is that of the sum of c f, so
+// half of the body force is taken off (Guo, Zheng, Shi 2002). The gradient is taken by
+// central differences over one cell: the user's functions are asked only for points
+// inside the box or on its sides.
 LocalFlow flow_at(const FluidConfig& config, const Vec3& centre_m) {
     const Units unit = units(config);
     LocalFlow flow;
@@ -56,7 +59,8 @@ LocalFlow flow_at(const FluidConfig& config, const Vec3& centre_m) {
     return flow;
 }
 
-// Throws if the rows leave this rank's box or the values do not match them.
+// Throws std::invalid_argument if a row leaves the rank's box or the number of values
+// does not fit the rows.
 void check_rows(const CellBox& box, std::span<const CellRow> rows, std::size_t values,
                 std::size_t values_per_cell = 3) {
     std::size_t cells = 0;
@@ -76,7 +80,8 @@ void check_rows(const CellBox& box, std::span<const CellRow> rows, std::size_t v
     }
 }
 
-// Throws unless the plane is this rank's and has that many values.
+// Local index of a global plane z. Throws std::invalid_argument if the plane is not this
+// rank's or `values` is not its number of populations.
 int local_plane(const Fluid::State& s, int plane, std::size_t values) {
     const CellBox& box = s.owned();
     const std::size_t wanted = populations_per_cell *
@@ -89,6 +94,8 @@ int local_plane(const Fluid::State& s, int plane, std::size_t values) {
     return plane - box.lo[2];
 }
 
+// The rows of `all` without the outermost layer at sides that the caller fills again
+// (FluidConfig::refilled), as far as this rank's box reaches these sides.
 Fluid::State::Needed without_refilled(const FluidConfig& config, const CellBox& own,
                                       const Fluid::State::Needed& all) {
     const auto first = [&](int axis) {
@@ -104,6 +111,7 @@ Fluid::State::Needed without_refilled(const FluidConfig& config, const CellBox& 
             !(config.refilled[0] && config.refilled[1])};
 }
 
+// The source of a viscosity that varies from cell to cell; a rheology excludes eddies.
 LocalViscosity local_viscosity(const FluidConfig& config) {
     if (config.rheology) return LocalViscosity::rheology;
     return config.smagorinsky_constant > 0 ? LocalViscosity::eddies

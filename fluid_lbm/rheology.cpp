@@ -18,7 +18,7 @@ double at(const Carreau& law, double at_rest, double rate) {
 }
 
 double at(const PowerLaw& law, double viscosity, double rate) {
-    // At rest pow gives 0 or infinity, whose limits are right.
+    // At rest pow gives 0 or infinity; clamp makes these the limits.
     return std::clamp(viscosity * std::pow(rate / law.rate_1_s, law.exponent - 1),
                       law.least_m2_s, law.most_m2_s);
 }
@@ -39,8 +39,8 @@ std::vector<double> rates_by_stress(const Rheology& rheology, double viscosity,
     };
     std::vector<double> rates(rate_table_size);
     for (int entry = 0; entry < rate_table_size; ++entry) {
-        // rate tau(rate) = 3 |Pi| / (sqrt(2) rho), which rises with the rate: halve in
-        // its logarithm.
+        // The rate solves rate tau(rate) = 3 |Pi| / (sqrt(2) rho). The left side rises
+        // with the rate, so that bisection finds it.
         const double wanted = 3 / std::sqrt(2.0) * std::sqrt(stress_squared_of(entry));
         double low = 0, high = 2 * wanted;  // tau >= 1/2
         for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One rank's fluid in lattice units: for the files that implement Fluid (fluid.cpp,
-// step.cpp, sampling/).
+// The state of one rank's fluid in lattice units, for the files that implement Fluid
+// (fluid.cpp, step.cpp, sampling/).
 #pragma once
 
 #include "fluid_lbm/boundary/boundaries.h"
@@ -14,7 +14,8 @@
 
 namespace magfsi::fluid {
 
-// A communicator of the fluid's own: its messages cannot meet those of its user.
+// A duplicate of the user's communicator, so that messages of the fluid cannot be taken
+// for those of its user. Construction is collective.
 struct OwnedComm {
     explicit OwnedComm(MPI_Comm parent);
     ~OwnedComm();
@@ -26,15 +27,17 @@ struct OwnedComm {
     int rank = 0, size = 1;
 };
 
+// Members are constructed in this order, each from those above it.
 struct Fluid::State {
-    // In the configured flow.
+    // Sets up the initial flow of the configuration. Collective. Throws
+    // std::invalid_argument on a configuration that cannot run.
     State(MPI_Comm parent, const FluidConfig& fluid_config);
 
     const FluidConfig config;
     const Units unit;
-    const std::vector<double> rate_table;  // of a rheology
+    const std::vector<double> rate_table;  // rates_by_stress() of a rheology, else empty
     const CollisionParameters parameters;
-    const AnyKernels kernels;  // decide what populations are stored as
+    const AnyKernels kernels;  // also decide the type that populations are stored as
     const OwnedComm comm;
     const Decomposition decomposition;
     const RowLayout layout;
@@ -42,8 +45,10 @@ struct Fluid::State {
     Arrangement arrangement = Arrangement::natural;
     std::int64_t steps_done = 0;
     Halo halo;
-    // What steps from an arrangement need: natural ones all, the others nothing of an
-    // outer layer that is filled anew after them.
+    // The rows that a step has to compute. Steps from the natural arrangement compute
+    // all; steps from the swapped one leave out an outer layer that the caller fills
+    // again afterwards (FluidConfig::refilled). x_ends: false if both ends of the rows
+    // are filled so.
     struct Needed {
         std::vector<RowBox> at_cuts, inner;
         bool x_ends = true;
@@ -53,35 +58,42 @@ struct Fluid::State {
         return arrangement == Arrangement::natural ? needed_from_natural
                                                    : needed_from_swapped;
     }
-    std::optional<ForcedRows> forces;    // of the next step; empty until one is set
-    std::optional<Obstacles> obstacles;  // empty without any
+    std::optional<ForcedRows> forces;  // forces of the next step; absent until one is set
+    std::optional<Obstacles> obstacles;  // absent in a box without obstacles
     std::vector<std::unique_ptr<SideEffect>> side_effects;
-    // The first cell that a step found invalid, and the steps done before that one.
+    // The first cell that a step found invalid, and the number of steps done before that
+    // step.
     std::optional<InvalidCell> invalid;
     std::int64_t invalid_step = 0;
-    std::optional<KeptState> kept;  // only where steps are taken again
-    bool again = false;             // the coming step is one that is taken again
+    std::optional<KeptState> kept;  // present once keep() has been called
+    bool again = false;  // true after go_back(): the coming step is a repetition
 
     const CellBox& owned() const { return decomposition.boxes[comm.rank]; }
-    // The state before collision, complete between steps whatever its arrangement: ghost
-    // rows filled, walls applied.
+    // View of the state before collision. It is complete between two steps in either
+    // arrangement: ghost rows are filled and walls applied.
     View view() const { return {populations, layout, arrangement, kernels}; }
-    std::size_t cells() const {  // of this rank
+    std::size_t cells() const {  // cells that this rank owns
         return static_cast<std::size_t>(layout.nx) * layout.ny * layout.nz;
     }
-    // Local indices.
+    // True if the cell, in local indices, lies in an obstacle.
     bool is_solid(const Cell& cell) const {
         return obstacles && obstacles->map().solid(cell);
     }
-    // Box of global indices, as far as it is this rank's, in local ones.
+    // This rank's part of a box of global indices, in local indices; empty if there is
+    // none.
     CellBox local_part(const CellBox& box) const;
+    // Creates the storage of forces unless it exists. body_force: lattice units, or
+    // absent.
     void need_forces(const std::optional<Vec3>& body_force);
+    // Sets the populations of the configured velocity and pressure; rest without them.
     void set_initial_flow();
-    // After the populations have been changed: solid cells back to rest.
+    // Sets solid cells back to rest; must follow every change of populations from
+    // outside.
     void reset_solid_cells();
 };
 
-// use(row), local indices, for each of this rank's rows of boxes of global indices.
+// Calls use(row), in local indices, for each row of this rank in the boxes `parts`, which
+// are in global indices.
 template <class Use>
 void each_row_of(const Fluid::State& s, std::span<const CellBox> parts, Use&& use) {
     for (const CellBox& part : parts) {
@@ -93,7 +105,7 @@ void each_row_of(const Fluid::State& s, std::span<const CellBox> parts, Use&& us
     }
 }
 
-// Without solid cells; row: local indices.
+// Number of cells of a row that lie in no obstacle. row: local indices.
 inline double fluid_cells_of(const Fluid::State& s, const CellRow& row) {
     if (!s.obstacles) return row.size();
     double cells = 0;

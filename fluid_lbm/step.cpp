@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The time step.
+// The time step of a fluid, and its repetition with other forces.
 #include "fluid_lbm/state.h"
 
 namespace magfsi::fluid {
@@ -8,7 +8,8 @@ namespace {
 
 using State = Fluid::State;
 
-// Collides and streams the rows of boxes.
+// Collides and streams the rows of the boxes, and keeps the first invalid cell of the
+// earliest step that found one.
 void sweep_boxes(State& s, std::span<const RowBox> boxes) {
     for (const RowBox& box : boxes) {
         const auto found = sweep(s.view(), s.forces ? &*s.forces : nullptr, s.parameters,
@@ -22,12 +23,13 @@ void sweep_boxes(State& s, std::span<const RowBox> boxes) {
     }
 }
 
-// The rows at cut sides first: their populations travel while the rest is computed.
+// Sweeps all rows and exchanges populations with the neighbours. The rows at cut sides
+// come first, so that their populations travel while the others are computed.
 void sweep_and_exchange(State& s) {
     const Exchange exchange =
         s.arrangement == Arrangement::natural ? Exchange::fill : Exchange::give_back;
-    // Taken again by rows, the other rows stand at the step's end already, and what
-    // travelled for them is sent once more as it was.
+    // In a step that is repeated by rows, the other rows stand at the step's end already;
+    // what was sent for them is sent again unchanged.
     const bool by_rows = s.again && s.kept->by_rows();
     const std::span<const RowBox> inner =
         by_rows ? std::span<const RowBox>() : s.needed().inner;
@@ -54,12 +56,12 @@ void Fluid::step() {
     sweep_and_exchange(s);
     s.arrangement = arrangement_after(s.steps_done + 1);
     if (s.obstacles) s.obstacles->note_sent(s.populations, s.arrangement);
-    // A link crosses a side or a wall in the middle of the step.
+    // Sides act at the middle of the step, when a population crosses them.
     for (const auto& side : s.side_effects)
         side->after_exchange(s.populations, s.layout,
                              static_cast<double>(s.steps_done) + 0.5);
     if (s.obstacles) s.obstacles->bounce(s.populations, s.arrangement);
-    s.reset_solid_cells();  // an outlet may read them
+    s.reset_solid_cells();  // before end_step(): an outlet may read solid cells
     for (const auto& side : s.side_effects) side->end_step(s.populations, s.arrangement);
     if (s.forces) s.forces->clear();
     ++s.steps_done;
@@ -75,7 +77,8 @@ void Fluid::go_back() {
     set_steps_done(s.steps_done - 1);
     s.kept->put_back(s.view());
     s.again = true;
-    // What the forces of that time have done is undone.
+    // A fault that the undone step has found is dropped, unless it lies in a row that is
+    // not swept again.
     const bool undone =
         s.invalid && (!s.kept->by_rows() || s.kept->has(s.invalid->y, s.invalid->z));
     if (undone) s.invalid.reset();

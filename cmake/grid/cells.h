@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parts of a uniform grid, in global indices of cells: what fluids and the coupling say
-// to each other where values belong. Both sides see this header, and neither the other.
+// Parts of a uniform grid in global indices of cells, by which fluids and the coupling
+// tell each other where values belong. Both sides include this header, and neither the
+// other.
 #pragma once
 
 #include <array>
 
 namespace magfsi {
 
-// Half-open box.
+// Half-open box of cells: lo <= index < hi along x, y, z.
 struct CellBox {
     std::array<int, 3> lo{}, hi{};
     bool operator==(const CellBox&) const = default;

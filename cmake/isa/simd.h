@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What kernels are written in: GCC vector extensions, one source for every instruction
-// set and both precisions. Everything here is always inlined into the functions of a
-// variant's namespace, so that no symbol compiled for AVX-512 can be picked by another
-// variant.
+// Vectors for kernels: GCC vector extensions, one source for every instruction set and
+// both precisions. All functions here are inlined into the functions of a variant's
+// namespace, so that no symbol compiled for AVX-512 can be picked by another variant.
 #pragma once
 
 #if defined(MAGFSI_ISA_avx512) || defined(MAGFSI_ISA_avx2)
 #include <immintrin.h>
 #endif
 
+// Marks of functions and of lambdas that must be inlined.
 #define MAGFSI_INLINE [[gnu::always_inline]] inline
 #define MAGFSI_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace magfsi {
 
-// Width of the vectors of the instruction set that this file is compiled for.
+// Size [bytes] of the vectors of the instruction set that this file is compiled for.
 #if defined(MAGFSI_ISA_avx512)
 constexpr int vector_bytes = 64;
 #elif defined(MAGFSI_ISA_avx2)
@@ -23,11 +23,14 @@ constexpr int vector_bytes = 32;
 constexpr int vector_bytes = 16;
 #endif
 
+// Vector of Width values of type T.
 template <class T, int Width>
 struct Simd {
     using Vector [[gnu::vector_size(Width * sizeof(T))]] = T;
 };
 
+// T without a reference or const; the standard library's remove_cvref must not be
+// instantiated in kernels (see cmake/IsaVariants.cmake).
 template <class T>
 struct ValueOf {
     using Type = T;
@@ -40,31 +43,34 @@ template <class T>
 struct ValueOf<const T&> {
     using Type = T;
 };
-// float or double of a vector V.
+// Type of a vector's lanes, float or double.
 template <class V>
 using Lane = typename ValueOf<decltype(V{}[0])>::Type;
 
-// The vector that an array, or a class with operator[], has at each index.
+// Type of the vector at an index of an array, or of a class with operator[].
 template <class Array>
-const Array& some();  // never defined
+const Array& some();  // for decltype only; never defined
 template <class Array>
 using VectorOf = typename ValueOf<decltype(some<Array>()[0])>::Type;
 
-// A factor of kernels for both precisions, rounded once from double.
+// A constant of kernels in the precision of a vector's lanes, rounded once from double.
 template <class V>
 constexpr Lane<V> constant(double value) {
     return static_cast<Lane<V>>(value);
 }
 
+// Number of lanes of a vector.
 template <class V>
 inline constexpr int lanes = sizeof(V) / sizeof(Lane<V>);
 
+// A vector with the value in all lanes.
 template <class V>
 MAGFSI_INLINE V splat(Lane<V> value) {
     return V{} + value;
 }
 
-// From any address. Real may be narrower or wider than the lanes of V.
+// Loads a vector from any address. Real may be narrower or wider than the lanes of V:
+// values are converted.
 template <class V, class Real>
 MAGFSI_INLINE V load(const Real* from) {
     typename Simd<Real, lanes<V>>::Vector value;
@@ -76,12 +82,13 @@ MAGFSI_INLINE V load(const Real* from) {
     }
 }
 
-// From an address that is a multiple of the vector's size.
+// Loads a vector from an address that is a multiple of its size.
 template <class V>
 MAGFSI_INLINE V load_aligned(const Lane<V>* from) {
     return *reinterpret_cast<const V*>(from);
 }
 
+// Stores a vector at any address, converted to Real.
 template <class V, class Real>
 MAGFSI_INLINE void store(Real* to, const V& value) {
     if constexpr (sizeof(Real) == sizeof(Lane<V>)) {
@@ -93,7 +100,7 @@ MAGFSI_INLINE void store(Real* to, const V& value) {
     }
 }
 
-// All bits of the first lanes.
+// Mask with all bits set in the first `count` lanes.
 template <class V>
 MAGFSI_INLINE auto first_lanes(int count) {
     using Mask = decltype(V{} < V{});
@@ -102,8 +109,9 @@ MAGFSI_INLINE auto first_lanes(int count) {
     return index < static_cast<Lane<Mask>>(count);
 }
 
-// The first `count` values of a vector, fewer than it has; the others are 0. For the end
-// of a row: with the masks of AVX2 and AVX-512 it takes as long as a whole vector.
+// Loads the first `count` values of a vector, fewer than its lanes; the other lanes are
+// 0. It serves the end of a row: with the masks of AVX2 and AVX-512 it takes as long as a
+// whole vector.
 template <class V>
 MAGFSI_INLINE V load_some(const Lane<V>* from, int count) {
 #if defined(MAGFSI_ISA_avx512)
@@ -129,7 +137,7 @@ MAGFSI_INLINE V load_some(const Lane<V>* from, int count) {
 #endif
 }
 
-// The others in memory stay as they are.
+// Stores the first `count` lanes and leaves the memory behind them as it is.
 template <class V>
 MAGFSI_INLINE void store_some(Lane<V>* to, const V& value, int count) {
 #if defined(MAGFSI_ISA_avx512)

@@ -16,6 +16,8 @@ namespace magfsi::surface {
 
 namespace {
 
+// Sizes in the binary format: header, number of triangles, a triangle, and the normal at
+// its beginning.
 constexpr std::size_t header_bytes = 80, count_bytes = 4, triangle_bytes = 50;
 constexpr std::size_t normal_bytes = 12;
 
@@ -25,6 +27,7 @@ std::string contents(const std::string& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// Number of triangles according to the header of a binary file; 0 if the file is shorter.
 std::uint32_t binary_count(const std::string& bytes) {
     std::uint32_t count = 0;
     if (bytes.size() >= header_bytes + count_bytes) {
@@ -33,6 +36,7 @@ std::uint32_t binary_count(const std::string& bytes) {
     return count;
 }
 
+// True if the file has exactly the size of a binary file with that number of triangles.
 bool is_binary(const std::string& bytes) {
     return bytes.size() >= header_bytes + count_bytes &&
            bytes.size() == header_bytes + count_bytes +
@@ -51,12 +55,12 @@ std::vector<Triangle> read_binary(const std::string& bytes) {
     return triangles;
 }
 
-// Words between blanks and line ends, in lower case.
+// The words of a text, separated by blanks and line ends, in lower case.
 class Words {
   public:
     explicit Words(std::string_view text) : text_(text) {}
 
-    // False at the end.
+    // Reads the next word; false at the end of the text.
     bool next(std::string& word) {
         skip(true);
         word.clear();
@@ -65,8 +69,9 @@ class Words {
                 static_cast<char>(std::tolower(static_cast<unsigned char>(text_[at_])));
         return !word.empty();
     }
-    // The rest of a line: a name, in which any word may stand.
+    // Skips the rest of a line: the name of a solid, which may contain any word.
     void skip_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
+    // Number of the present line, from 1 on.
     std::ptrdiff_t line() const {
         return 1 + std::count(text_.begin(),
                               text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
@@ -84,6 +89,7 @@ class Words {
     std::size_t at_ = 0;
 };
 
+// The next word as a number. Throws std::invalid_argument if it is none.
 double coordinate(Words& words, const std::string& file) {
     std::string word;
     const bool there = words.next(word);
@@ -125,7 +131,7 @@ bool begins_with_solid(std::string_view text) {
 
 std::vector<Triangle> read_stl(const std::string& file) {
     std::string bytes = contents(file);
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);  // a mark of byte order
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);  // byte order mark
     const bool binary = is_binary(bytes);
     if (!binary && !begins_with_solid(bytes)) {
         refuse_file(file, "has ", bytes.size(),

@@ -16,10 +16,11 @@ namespace magfsi::surface {
 
 namespace {
 
-constexpr double same = 1e-7;  // of the size: vertices that are one
-using Corners = std::array<std::uint32_t, 3>;
+constexpr double same = 1e-7;  // distance of vertices that are joined, over size_of()
+using Corners = std::array<std::uint32_t, 3>;  // numbers of the vertices
 
-// The largest length and the largest coordinate, to which a file's digits are.
+// Size of a surface: the largest of its extents and coordinates, which sets the precision
+// of the digits in its file.
 double size_of(const std::vector<Triangle>& triangles) {
     double size = 0;
     Point low = triangles[0][0], high = low;
@@ -35,12 +36,13 @@ double size_of(const std::vector<Triangle>& triangles) {
     return size;
 }
 
-// Vertices by number, those within `reach` of one that came before as that one; with a
-// reach of 0 those that are the same float, which is what an STL file can tell apart.
+// Numbers of vertices. A vertex within `reach` of an earlier one gets that one's number;
+// with a reach of 0 only equal floats do, as an STL file stores these.
 class Vertices {
   public:
     explicit Vertices(double reach) : reach_(reach) {}
 
+    // Number of the vertex at x; a new one if none is near.
     std::uint32_t number(const Point& x) {
         if (reach_ == 0) {
             Cell key{};
@@ -70,7 +72,8 @@ class Vertices {
             return hash;
         }
     };
-    // The first of a cell stands for it: a second one lies within its diagonal.
+    // Number of the vertex in a grid cell. The first vertex of a cell stands for all:
+    // another lies within the cell's diagonal.
     std::uint32_t of_cell(const Cell& cell, const Point& x) {
         const auto [found, fresh] =
             by_cell_.try_emplace(cell, static_cast<std::uint32_t>(at_.size()));
@@ -83,7 +86,7 @@ class Vertices {
     std::unordered_map<Cell, std::uint32_t, Hash> by_cell_;
 };
 
-// An edge of a triangle, from its lower to its higher vertex or back.
+// An edge of a triangle; back: the triangle runs from its higher to its lower vertex.
 struct Half {
     std::uint32_t low, high;
     bool back;
@@ -91,14 +94,17 @@ struct Half {
     auto operator<=>(const Half&) const = default;
 };
 
-// A surface as its file has it.
+// A surface with joined vertices and edges.
 struct Joined {
     Vertices vertices;
     std::vector<Corners> triangles;
-    std::vector<Half> open, turned;   // edges of one triangle; of two the same way round
-    std::vector<std::uint32_t> part;  // of each triangle, its first triangle
+    // Edges without a partner; edges whose triangles run the same way.
+    std::vector<Half> open, turned;
+    std::vector<std::uint32_t> part;  // for each triangle, the first triangle of its part
 };
 
+// The edges of all triangles, sorted so that those with the same vertices follow each
+// other.
 std::vector<Half> edges_of(const std::vector<Corners>& triangles) {
     std::vector<Half> edges;
     edges.reserve(3 * triangles.size());
@@ -112,13 +118,15 @@ std::vector<Half> edges_of(const std::vector<Corners>& triangles) {
     return edges;
 }
 
+// First triangle of the part of t (union-find with path halving).
 std::uint32_t root_of(std::vector<std::uint32_t>& part, std::uint32_t t) {
     while (part[t] != t) t = part[t] = part[part[t]];
     return t;
 }
 
-// Every edge must be walked as often one way as the other. Where more than two triangles
-// meet in one, those belong together that come in the file in one order.
+// Joins triangles that share an edge into parts and collects faulty edges. An edge must
+// occur equally often in either direction. Where more than two triangles share an edge,
+// they are paired in the order of the file.
 void join_edges(Joined& out) {
     const std::vector<Half> edges = edges_of(out.triangles);
     out.part.resize(out.triangles.size());
@@ -143,6 +151,7 @@ void join_edges(Joined& out) {
         out.part[t] = root_of(out.part, t);
 }
 
+// Joins vertices and edges; triangles that lose a vertex by it are dropped.
 Joined join(const std::vector<Triangle>& triangles, double reach) {
     Joined out{Vertices(reach), {}, {}, {}, {}};
     for (const Triangle& t : triangles) {
@@ -156,6 +165,7 @@ Joined join(const std::vector<Triangle>& triangles, double reach) {
     return out;
 }
 
+// Throws std::invalid_argument with the place of the first faulty edge and a remedy.
 [[noreturn]] void refuse_open(const Joined& surface, const std::string& file) {
     const auto& edges = surface.open.empty() ? surface.turned : surface.open;
     const Point &a = surface.vertices[edges[0].low], &b = surface.vertices[edges[0].high];
@@ -175,6 +185,7 @@ Joined join(const std::vector<Triangle>& triangles, double reach) {
                 "Blender: Merge by Distance, then Fill)");
 }
 
+// Signed volume of the tetrahedron of a triangle and a point.
 double volume_of(const Triangle& t, const Point& origin) {
     return dot(minus(t[0], origin),
                cross_product(minus(t[1], origin), minus(t[2], origin))) /
@@ -185,7 +196,7 @@ void turn(Triangle& t) {
     std::swap(t[1], t[2]);
 }
 
-// Windings of all but those that are left out, at a point.
+// Winding number at a point of all triangles except those that are left out.
 template <class LeftOut>
 int winding(std::span<const Triangle> triangles, const Point& at,
             const LeftOut& left_out) {
@@ -198,7 +209,8 @@ int winding(std::span<const Triangle> triangles, const Point& at,
     return sum;
 }
 
-// A part inside out is a cavity where the others' inside is around it, else a slip.
+// Turns parts that are inside out. If the other parts' inside surrounds such a part, it
+// is a cavity and stays as it is, otherwise it is an error of the file.
 void turn_outwards(std::vector<Triangle>& triangles,
                    const std::vector<std::uint32_t>& part, double size) {
     const Point origin = triangles[0][0];
@@ -214,7 +226,7 @@ void turn_outwards(std::vector<Triangle>& triangles,
         for (auto& [first, v] : volume) v = -v;
     }
     if (volume.size() == 1) return;
-    constexpr std::size_t points = 16;  // of a part, that are looked at
+    constexpr std::size_t points = 16;  // triangles of a part that are tested
     std::map<std::uint32_t, std::size_t> looked;
     std::map<std::uint32_t, bool> slip;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -237,15 +249,15 @@ void turn_outwards(std::vector<Triangle>& triangles,
     }
 }
 
-// How often the edges of the triangle's projection along x go round (y, z), and which way
-// by the right hand: the sum over those that lie at higher y on the line of constant z.
+// Winding number, by the right hand, of the triangle's projection along x around (y, z):
+// the sum over the edges that cross the line of constant z at higher y.
 int turns(const Triangle& t, double y, double z) {
     int sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Point *a = &t[i], *b = &t[(i + 1) % 3];
         if (((*a)[2] > z) == ((*b)[2] > z)) continue;
         const int up = (*b)[2] > z ? 1 : -1;
-        if (*b < *a) std::swap(a, b);  // the same order in both triangles of the edge
+        if (*b < *a) std::swap(a, b);  // the same order in both triangles of an edge
         const double along = (z - (*a)[2]) / ((*b)[2] - (*a)[2]);
         if ((*a)[1] + along * ((*b)[1] - (*a)[1]) > y) sum += up;
     }
@@ -283,7 +295,7 @@ std::optional<Crossing> crossing(const Triangle& t, double y, double z) {
     if (out == 0) return {};
     const auto [least, most] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const Point n = normal(t);
-    // Rounding may give one seen edge-on a projection.
+    // Rounding may give a triangle that is seen edge-on (n[0] == 0) a crossing.
     const double x = n[0] == 0
                          ? least
                          : t[0][0] - (n[1] * (y - t[0][1]) + n[2] * (z - t[0][2])) / n[0];

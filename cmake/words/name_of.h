@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The word of a value of an enumeration whose words_of() lists them in its order.
+// name_of(value): the word of a value of an enumeration, whose words_of() lists the words
+// in the order of the enumerators from 0 on.
 #pragma once
 
 #include <cstddef>

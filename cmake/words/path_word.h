@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Paths as words of a LAMMPS script, where blanks, quotes, $, &, # and letters beyond
-// ASCII would not arrive: such bytes as %20, as in addresses of the web.
+// Paths as words of a LAMMPS script, in which blanks, quotes, $, &, # and letters beyond
+// ASCII would be changed or cut. Such bytes are written as %20 and so on, as in URLs.
 #pragma once
 
 #include <cctype>
@@ -10,6 +10,7 @@
 
 namespace magfsi::words {
 
+// The path as one word of plain ASCII characters.
 inline std::string path_word(std::string_view path) {
     constexpr std::string_view plain = "_-./+,:=@~()[]", digits = "0123456789ABCDEF";
     std::string out;
@@ -26,7 +27,8 @@ inline std::string path_word(std::string_view path) {
     return out;
 }
 
-// A % without two digits of a hexadecimal number is one.
+// The path that a word stands for. A % without two hexadecimal digits behind it stands
+// for itself.
 inline std::string path_of_word(std::string_view word) {
     std::string out;
     for (std::size_t i = 0; i < word.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Text as people paste it from papers, sheets and editors, in the characters that our
-// readers know: the one place that tells which of them mean the same.
+// Conversion of text as people paste it from papers, spreadsheets and editors into the
+// characters that our readers know. This is the only place that lists which characters
+// mean the same.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 
 namespace magfsi::words {
 
+// Replaces every occurrence of `from` by `to`.
 inline void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (auto at = text.find(from); at != std::string::npos;
          at = text.find(from, at + to.size()))
@@ -19,7 +21,7 @@ inline void replace_all(std::string& text, std::string_view from, std::string_vi
 
 namespace detail {
 
-// Superscripts stand apart: of several in a row the first one only brings a "^".
+// Superscripts: in a row of several only the first one also brings a "^".
 inline constexpr std::array<std::pair<std::string_view, char>, 12> superscripts{
     {{"\u207b", '-'},
      {"\u207a", '+'},
@@ -49,11 +51,12 @@ inline constexpr std::pair<std::string_view, std::string_view> same[] =
         {"\u2009", " "}, {"\u200a", " "},
         {"\u202f", " "}, {"\u205f", " "},
         {"\u3000", " "}, {"\u200b", ""},
-        {"\ufeff", ""},  // of no width; the mark of byte order
+        {"\ufeff", ""},  // zero-width space; byte order mark
 };
 
+// The text with superscripts as "^" and ASCII digits or signs.
 inline std::string raised(std::string text) {
-    std::size_t last = std::string::npos;  // end of the superscript before
+    std::size_t last = std::string::npos;  // end of the previous superscript
     for (std::size_t at = 0; at < text.size(); ++at) {
         for (const auto& [from, to] : superscripts) {
             if (!std::string_view(text).substr(at).starts_with(from)) continue;
@@ -69,6 +72,7 @@ inline std::string raised(std::string text) {
 
 }  // namespace detail
 
+// True if the text has ASCII characters only.
 inline bool is_ascii(std::string_view text) {
     for (const char c : text) {
         if ((c & 0x80) != 0) return false;
@@ -76,7 +80,8 @@ inline bool is_ascii(std::string_view text) {
     return true;
 }
 
-// A micro sign or a hard blank in Latin-1 is a byte that begins no character of UTF-8.
+// The text with known characters beyond ASCII replaced. A micro sign or a hard blank in
+// Latin-1 is recognised as a byte that begins no character of UTF-8.
 inline std::string plain(std::string_view text) {
     std::string out(text);
     if (is_ascii(text)) return out;
@@ -89,7 +94,8 @@ inline std::string plain(std::string_view text) {
     return detail::raised(std::move(out));
 }
 
-// "the character U+00D7" of the first that is not ASCII, or "".
+// The first character that is not ASCII, for an error message: "the character U+00D7", or
+// "the byte 0x..., no UTF-8"; "" if all are ASCII.
 inline std::string strange_character(std::string_view text) {
     std::size_t at = 0;
     while (at < text.size() && (text[at] & 0x80) == 0) ++at;

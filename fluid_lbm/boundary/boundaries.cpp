@@ -16,12 +16,13 @@ namespace magfsi::fluid {
 
 namespace {
 
+// An effect of effects.inc and the function that makes it.
 struct Registered {
     std::string name;
     MakeSideEffect make;
 };
 
-// The effect that a side asks for; empty if the sweep does all.
+// Name of the effect that a side asks for; "" if the sweep alone treats the side.
 std::string effect_of(const Boundary& side) {
     if (side.kind == BoundaryKind::periodic) return "";
     if (side.kind != BoundaryKind::no_slip) return std::string(name_of(side.kind));

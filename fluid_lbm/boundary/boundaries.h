@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Everything at the six sides of this rank's box besides half-way bounce-back, which the
-// sweep does itself: the effects of effects.inc that the configuration asks for.
+// The effects (effects.inc) that the configuration asks for at the six sides of this
+// rank's box. Half-way bounce-back is not among them: the sweep does it.
 #pragma once
 
 #include <mpi.h>
@@ -14,20 +14,25 @@
 
 namespace magfsi::fluid {
 
-// What an effect does at one side of this rank's box in each step.
+// An effect at one side of this rank's box; its functions are called in each step.
 class SideEffect {
   public:
     virtual ~SideEffect() = default;
-    // Outlets note what enters in the coming step.
+    // Called before the sweep; arrangement: the one before the step. Outlets note here
+    // what enters in the coming step.
     virtual void before_sweep(const Populations&, Arrangement) {}
-    // What leaves an edge of two sides is reflected, then gains the terms of walls and
-    // inlets. Collective among neighbours. time: steps.
+    // Called after the exchange, when a population that meets a side is bounced back.
+    // Free slip reflects it; walls and inlets add their terms. At an edge of two sides it
+    // is reflected first. Collective among neighbours. time: middle of the step, in
+    // steps.
     virtual void after_exchange(const Populations&, const RowLayout&, double /*time*/) {}
-    // In the new arrangement: outlets rebuild their cells.
+    // Called at the end of the step; arrangement: the new one. Outlets rebuild their
+    // cells.
     virtual void end_step(const Populations&, Arrangement) {}
 };
 
-// What effects are made from; all of it outlives them.
+// Input of the functions that make effects. The objects referred to must outlive the
+// effects.
 struct SideContext {
     MPI_Comm comm;
     const FluidConfig& config;
@@ -35,21 +40,24 @@ struct SideContext {
     int rank;
     const Populations& populations;
     const RowLayout& layout;
-    const SolidMap* solids;  // null without obstacles
+    const SolidMap* solids;  // solid cells; null if the box has no obstacles
 
     const CellBox& owned() const { return decomposition.boxes[rank]; }
-    // This rank's cells at a side, local indices; none if its box does not reach there.
+    // This rank's cells at a side, in local indices; absent if its box does not reach the
+    // side.
     std::optional<CellBox> cells_at(int side) const {
         return cells_at_side(owned(), config.cells, side);
     }
 };
 
-// make_NAME_effect of each effect: for a side that asks for it; null where this rank has
-// no part in it. Throws std::invalid_argument, on all ranks alike.
+// Type of make_NAME_effect, which each effect defines: makes the effect for a side that
+// asks for it, null where this rank has no part in the side. Throws
+// std::invalid_argument, on all ranks alike.
 using MakeSideEffect = std::unique_ptr<SideEffect> (*)(const SideContext&, int side);
 
-// Throws std::invalid_argument on all ranks if one has an outlet but no cell behind it,
-// or if a side asks for what is not in this build. In the order of effects.inc.
+// Makes the effects of all sides, in the order of effects.inc. Throws
+// std::invalid_argument on all ranks if one has an outlet but no cell behind it, or if a
+// side asks for an effect that is not in this build.
 std::vector<std::unique_ptr<SideEffect>> make_side_effects(const SideContext& context);
 
 }  // namespace magfsi::fluid

@@ -39,7 +39,8 @@ void rebuild(double (&f)[directions], int axis, int outward, const LocalFlow& fl
     for (int q = 0; q < directions; ++q) {
         balance[q] = weight(q) * equilibrium_over_weight(q, flow);
         if (c[q][axis] * outward < 0) continue;
-        // Those that enter: f - f_eq as of the opposite, which has the same c c.
+        // Populations that enter are not known. Their part beyond equilibrium is taken to
+        // be that of the opposite population, which has the same c c: it counts twice.
         const double both = c[q][axis] == 0 ? 1 : 2;
         for (int a = 0; a < 3; ++a) {
             for (int b = 0; b < 3; ++b) {

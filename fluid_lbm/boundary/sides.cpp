@@ -20,6 +20,7 @@ double length(const Vec3& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
+// Profile over s, the distance from the middle over half the width.
 double falloff(InletProfile profile, double s) {
     if (profile == InletProfile::uniform) return 1;
     return std::max(0.0, 1 - std::pow(s, profile == InletProfile::parabolic ? 2 : 8));
@@ -29,8 +30,8 @@ bool is_wall(const FluidConfig& config, int side) {
     return config.boundaries[side].kind == BoundaryKind::no_slip;
 }
 
-// Profile of an opening that is the whole side, along one axis of it. A plane of symmetry
-// at one end doubles the width.
+// Profile of an opening that is the whole side, along one axis of it; at: place along
+// that axis, in cells. A plane of symmetry at one end doubles the width.
 double falloff_between_sides(const FluidConfig& config, InletProfile profile, int axis,
                              double at) {
     const bool low = is_wall(config, 2 * axis), high = is_wall(config, 2 * axis + 1);
@@ -40,14 +41,14 @@ double falloff_between_sides(const FluidConfig& config, InletProfile profile, in
     return falloff(profile, low ? 1 - at / width : at / width);
 }
 
-// How much of [low, high] is covered by [from, to].
+// Length of the part of [low, high] that [from, to] covers.
 double overlap(double low, double high, double from, double to) {
     return std::max(0.0, std::min(high, to) - std::max(low, from));
 }
 
-// Part of the square around `at` that a disc covers: strips across it and along it, each
-// with its exact chord, so that it goes evenly with the disc's place and does not depend
-// on which axis is which.
+// Part of the unit square around `at` that a disc covers. It is summed over strips across
+// the disc and along it, each with its exact chord: the result changes evenly with the
+// disc's place and does not depend on which axis is which.
 double share_of_disc(const std::array<double, 2>& at, const std::array<double, 2>& centre,
                      double radius) {
     constexpr int strips = 16;
@@ -64,9 +65,9 @@ double share_of_disc(const std::array<double, 2>& at, const std::array<double, 2
     return sum / (2 * strips);
 }
 
-// What flows through the face around `at`, in-plane coordinates in cells, of a profile
-// that is 1 at its highest; not yet scaled. Of an opening the mean over the face: a cell
-// that it cuts has its share, wherever the opening lies in the grid.
+// Mean velocity on the face around `at` (in-plane coordinates in cells), of a profile
+// whose peak is 1. A cell that the edge of an opening cuts has its share of the face,
+// wherever the opening lies on the grid.
 double shape_of(const FluidConfig& config, int side, const std::array<double, 2>& at) {
     const Boundary& boundary = config.boundaries[side];
     const InletProfile profile = boundary.inlet.profile;
@@ -91,7 +92,7 @@ double shape_of(const FluidConfig& config, int side, const std::array<double, 2>
                              centre[i] + half[i]);
         return share;
     }
-    constexpr int points = 8;  // of the mean, along each axis
+    constexpr int points = 8;  // points of the mean along each axis
     double sum = 0;
     for (int j = 0; j < points; ++j) {
         for (int i = 0; i < points; ++i) {
@@ -104,15 +105,18 @@ double shape_of(const FluidConfig& config, int side, const std::array<double, 2>
     return sum / (points * points);
 }
 
+// Centre of a cell's face on the side, in-plane coordinates in cells.
 std::array<double, 2> face_centre(int side, const Cell& cell) {
     const std::array<int, 2> axes = in_plane(side);
     return {cell[axes[0]] + 0.5, cell[axes[1]] + 0.5};
 }
 
+// The cells at a side over the whole box.
 CellBox whole_side(const FluidConfig& config, int side) {
     return *cells_at_side({{0, 0, 0}, config.cells}, config.cells, side);
 }
 
+// Number of cells in the opening of a side.
 int open_cells(const FluidConfig& config, int side) {
     int open = 0;
     for_each_cell(whole_side(config, side),
@@ -120,6 +124,7 @@ int open_cells(const FluidConfig& config, int side) {
     return open;
 }
 
+// Throws std::invalid_argument if a speed at a side is above the lattice's limit.
 void check_lattice_speed(const FluidConfig& config, double speed_m_s, const char* what,
                          int side) {
     const double lattice_speed = speed_m_s / units(config).velocity_m_s();
@@ -130,6 +135,7 @@ void check_lattice_speed(const FluidConfig& config, double speed_m_s, const char
     }
 }
 
+// Throws std::invalid_argument if a side's opening leaves the side or holds no cell.
 void check_patch(const FluidConfig& config, int side) {
     const Boundary& boundary = config.boundaries[side];
     if (!boundary.patch) return;
@@ -165,7 +171,8 @@ void check_inlet(const FluidConfig& config, int side) {
     check_lattice_speed(config, peak * units(config).velocity_m_s(), "inlet speed", side);
 }
 
-// Without an outlet the pressure grows without limit unless the inlets balance.
+// Throws std::invalid_argument if there is no outlet and the inlets do not balance at all
+// times: the pressure would grow without limit.
 void check_balance(const FluidConfig& config) {
     double sum = 0, largest = 0;
     for (int side = 0; side < 6; ++side) {
@@ -188,6 +195,8 @@ void check_balance(const FluidConfig& config) {
     }
 }
 
+// Throws std::invalid_argument if two outlets share an edge: in its cells neither knows
+// the populations that enter.
 void check_outlets(const FluidConfig& config) {
     for (int side = 0; side < 6; ++side) {
         if (!is(config, side, BoundaryKind::pressure_outlet)) continue;
@@ -210,7 +219,7 @@ bool is_open(const FluidConfig& config, int side, const Cell& cell) {
     const Boundary& boundary = config.boundaries[side];
     if (!boundary.patch) return true;
     const std::array<double, 2> at = face_centre(side, cell);
-    // Of an inlet what has a part of it, but for rounding.
+    // A cell at an inlet is open if a part of its face is, except for rounding.
     if (is(config, side, BoundaryKind::velocity_inlet))
         return shape_of(config, side, at) > 1e-9;
     const double dx = config.spacing_m;

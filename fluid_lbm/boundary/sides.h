@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The six sides of the box: their cells, their openings, and the flow through inlets.
+// The six sides of the box: their cells, their openings, and the flow through inlets. A
+// side is 2 * axis at the low end and 2 * axis + 1 at the high end (0 x_min ... 5 z_max).
 #pragma once
 
 #include <array>
@@ -10,22 +11,24 @@
 
 namespace magfsi::fluid {
 
+// Indices x, y, z of a cell.
 using Cell = std::array<int, 3>;
 
-// Of side 2 * axis (low) or 2 * axis + 1.
+// Axis that a side lies across.
 inline int axis_of(int side) {
     return side / 2;
 }
-// The two other axes, in the order x, y, z.
+// The two axes in the plane of a side, in the order x, y, z.
 inline std::array<int, 2> in_plane(int side) {
     return {axis_of(side) == 0 ? 1 : 0, axis_of(side) == 2 ? 1 : 2};
 }
-// Component along the axis of populations that enter by the side.
+// Sign of the velocity, along the side's axis, of populations that enter by the side.
 inline int inward(int side) {
     return side % 2 == 0 ? 1 : -1;
 }
 
-// This rank's cells at a side, in local indices; none if its box does not reach there.
+// This rank's cells at a side, in local indices; absent if its box does not reach the
+// side.
 inline std::optional<CellBox> cells_at_side(const CellBox& owned,
                                             const std::array<int, 3>& box_cells,
                                             int side) {
@@ -38,7 +41,7 @@ inline std::optional<CellBox> cells_at_side(const CellBox& owned,
     return cells;
 }
 
-// use(local cell) for all cells of the box, x fastest.
+// Calls use(cell) for all cells of a box, x fastest.
 template <class Use>
 void for_each_cell(const CellBox& box, Use&& use) {
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
@@ -48,18 +51,20 @@ void for_each_cell(const CellBox& box, Use&& use) {
     }
 }
 
-// Whether an inlet's opening has a part of a cell's face on the side; an outlet's,
-// whether it has the face's centre. True without an opening. Global indices.
+// True if a cell at a side is open. At an inlet it is if the opening has a part of the
+// cell's face, at an outlet if it has the face's centre; without an opening all cells
+// are. cell: global indices.
 bool is_open(const FluidConfig& config, int side, const Cell& cell);
 
-// Of the opening, or the whole side.
+// Area [m2] of the side's opening, or of the whole side.
 double opening_area_m2(const FluidConfig& config, int side);
-// Volume per time that an inlet is asked to bring into the box, and brings; 0 of other
-// sides.
+// Volume flow [m3/s] that an inlet is asked to bring into the box, and brings on the
+// grid; 0 for other sides. The course over time is left out.
 double inflow_m3_s(const FluidConfig& config, int side);
 
-// Steady velocity [cells per step], the mean over its face, at the face of an inlet's
-// open cell, global indices. Of an accepted configuration, which outlives the function.
+// Velocity [cells per step] of an inlet, without its course over time, as a function of
+// an open cell (global indices): the mean over the cell's face. config must have been
+// accepted by check_sides() and outlive the function.
 std::function<Vec3(const Cell&)> inlet_velocity(const FluidConfig& config, int side);
 
 // Throws std::invalid_argument with a sentence on the first side that cannot run.

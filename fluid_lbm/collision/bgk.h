@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Single relaxation time (Bhatnagar, Gross, Krook) towards the second-order equilibrium
+// Collision with a single relaxation time (Bhatnagar, Gross, Krook; Qian, d'Humieres,
+// Lallemand 1992) towards the second-order equilibrium
 //   f_eq = w [rho + 3 c.j + 4.5 (c.j)(c.u) - 1.5 j.u],
 // written as f + omega (f_eq - f), which keeps conserved moments to rounding.
 #pragma once
@@ -12,7 +13,8 @@ namespace magfsi::fluid {
 struct Bgk {
     static constexpr Collision kind = Collision::bgk;
 
-    // force: read only if Forced.
+    // Collides the cells of f in place and checks their state. force: force density, read
+    // only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which collision runs and with which magic number, where options leave it open.
+// Choice of the collision and of its magic number where the options leave it open.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,18 @@
 
 namespace magfsi::fluid {
 
-// What the automatic choice depends on besides options.
+// Quantities beside the options on which the automatic choice depends.
 struct CollisionCase {
-    double relaxation_time = 1;
-    // Bodies hold the fluid without slip: their layers shall not depend on the time step.
+    double relaxation_time = 1;  // tau in steps
+    // True if immersed bodies hold the fluid without slip: their boundary layers shall
+    // not depend on the time step.
     bool holds_no_slip = false;
-    double cell_reynolds_number = 0;  // of recursive_mrt only
+    double cell_reynolds_number = 0;  // used for recursive_mrt only
 };
 
-// Largest expected speed times spacing over viscosity; where that speed is not given (0),
-// of the usual 0.05 spacings a step. A fluid that thins has the viscosity that it has
-// where that speed changes over one spacing.
+// Reynolds number of a cell: largest expected speed times spacing over viscosity. If no
+// speed is given (0), it is 0.05 spacings per step, which is usual. A shear-thinning
+// fluid enters with its viscosity at the rate speed / spacing.
 inline double cell_reynolds_number(const Options& options, double expected_speed_m_s,
                                    double spacing_m, double relaxation_time) {
     constexpr double usual_lattice_speed = 0.05;
@@ -33,33 +34,36 @@ inline double cell_reynolds_number(const Options& options, double expected_speed
     return speed * spacing_m / least_m2_s;
 }
 
-// Of recursive_mrt: large on grids that resolve the flow, for walls stand where they
-// should with 3/16; small on others, where odd modes must decay. The swimmer has a cell
-// Reynolds number of 100 at 0.2 mm: there 0.0075 runs for three periods, 0.01 for two and
-// 0.05 for a fifth of one. From 60 on it falls with the square, to keep well below that.
-// It does not depend on the time step.
+// Magic number of recursive_mrt. It is large on grids that resolve the flow, where 3/16
+// puts walls in their place, and small on coarse ones, where odd modes must decay. The
+// swimmer has a cell Reynolds number of 100 at 0.2 mm: there 0.0075 runs for three
+// periods, 0.01 for two and 0.05 for a fifth of one. From 60 on the number falls with the
+// square of the Reynolds number, to stay well below these. It does not depend on the time
+// step if the expected speed is given.
 constexpr double recursive_magic(double cell_reynolds_number) {
     const double steep = std::max(1.0, cell_reynolds_number / 60);
     return std::clamp(0.75 / (cell_reynolds_number * steep), 0.001, 3.0 / 16);
 }
 
-// To six digits: a viscosity that is written down for 0.55 shall not fall on either side.
+// True from the relaxation time at which trt is chosen, to six digits: rounding must not
+// decide for a viscosity that was chosen to give exactly 0.55.
 constexpr bool reaches_trt(double relaxation_time) {
     return relaxation_time > trt_from - 1e-6;
 }
 
+// True if a side is a wall that moves along itself.
 inline bool has_moving_wall(const Options& options) {
     return std::ranges::any_of(options.boundaries, [](const Boundary& side) {
         return side.kind == BoundaryKind::no_slip && side.wall_velocity_m_s != Vec3{};
     });
 }
 
-// Two-relaxation-time collision had the lowest error of the three at moderate relaxation
-// times. Recursive regularisation is the one that survives unresolved turbulence
-// (Taylor-Green at Reynolds number 100,000 on 32^3 cells). But where a moving wall meets
-// a resting one it diverged or lost its way (cavity at Reynolds number 1000 on 64^2
-// cells, relaxation time 0.519), which two relaxation times with an odd rate of 1 do not.
-// What only adds to the fluid (obstacles, rheology, eddies) does not change the choice.
+// The collision that runs. Two relaxation times had the lowest error of the three at
+// moderate relaxation times. Recursive regularisation survives unresolved turbulence
+// (Taylor-Green at Reynolds number 100,000 on 32^3 cells). Where a moving wall meets a
+// resting one, however, it diverged or gave a wrong flow (cavity at Reynolds number 1000
+// on 64^2 cells, relaxation time 0.519), which two relaxation times with an odd rate of 1
+// do not. Additions to the fluid (obstacles, rheology, eddies) do not change the choice.
 inline Collision choose_collision(const Options& options, const CollisionCase& now) {
     if (options.collision != Collision::automatic) return options.collision;
     const bool low = !reaches_trt(now.relaxation_time);
@@ -68,6 +72,7 @@ inline Collision choose_collision(const Options& options, const CollisionCase& n
     return Collision::recursive_regularized;
 }
 
+// The magic number that runs: that of the options if it is given.
 inline double choose_magic_number(const Options& options, const CollisionCase& now) {
     if (options.magic_number) return *options.magic_number;
     const Collision chosen = choose_collision(options, now);

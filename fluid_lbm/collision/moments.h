@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Moments of the populations of a cell, the non-equilibrium stress, and the body force.
+// Moments of a cell's populations, the non-equilibrium stress, and Guo's body force, for
+// a vector of cells at a time.
 #pragma once
 
 #include "fluid_lbm/lattice/d3q19.h"
@@ -7,7 +8,7 @@
 
 namespace magfsi::fluid {
 
-// c_q . a for the first direction of a pair, without multiplications.
+// c_q . a for Q, the first direction of a pair, without multiplications.
 template <int Q, class V>
 MAGFSI_INLINE V along(const V (&a)[3]) {
     static_assert(Q % 2 == 1, "the first direction of a pair");
@@ -29,32 +30,35 @@ struct Symmetric {
     V xx, yy, zz, xy, xz, yz;
 };
 
-// Density - 1 and the sum of c f.
+// Moments of order zero and one: density - 1 and the momentum j = sum of c f.
 template <class V>
 struct Moments {
     V excess;
     V j[3];
 };
 
+// Sum and difference of the two populations of a pair of opposites.
 template <class V>
 struct SumDifference {
     V sum, difference;
 };
 
-// f: LaneCells, or whatever else gives a vector for each of the 19 indices.
+// Sum and difference of f[Q] and f[Q + 1]. f: LaneCells, or any type with a vector at
+// each of the 19 indices.
 template <int Q, class Populations>
 MAGFSI_INLINE auto pair_of(const Populations& f) {
     const auto first = f[Q], second = f[Q + 1];
     return SumDifference<VectorOf<Populations>>{first + second, first - second};
 }
 
-// With the sum of c c f.
+// Moments of order zero to two; second is the sum of c c f.
 template <class V>
 struct MomentsToSecond {
     Moments<V> low;
     Symmetric<V> second;
 };
 
+// The moments from the sums and differences of the nine pairs.
 template <class Populations>
 MAGFSI_INLINE MomentsToSecond<VectorOf<Populations>> moments_to_second(
     const Populations& f) {
@@ -77,20 +81,20 @@ MAGFSI_INLINE MomentsToSecond<VectorOf<Populations>> moments_to_second(
             {x.sum + (xy + xz), y.sum + (xy + yz), z.sum + (xz + yz), dxy, dxz, dyz}};
 }
 
-// Without it: what nobody reads is not computed.
+// Moments of order zero and one. The second moment, which nothing reads, is left out by
+// the compiler.
 template <class Populations>
 MAGFSI_INLINE Moments<VectorOf<Populations>> moments(const Populations& f) {
     return moments_to_second(f).low;
 }
 
-// The non-equilibrium part of the second-order moment.
-
+// The tensor a b, for vectors whose product is symmetric, as j and u.
 template <class V>
 MAGFSI_INLINE Symmetric<V> outer(const V (&a)[3], const V (&b)[3]) {
     return {a[0] * b[0], a[1] * b[1], a[2] * b[2], a[0] * b[1], a[0] * b[2], a[1] * b[2]};
 }
 
-// Half of u F + F u.
+// Half of the tensor u F + F u.
 template <class V>
 MAGFSI_INLINE Symmetric<V> half_force_stress(const V (&u)[3], const V (&force)[3]) {
     return {u[0] * force[0],
@@ -106,19 +110,21 @@ MAGFSI_INLINE Symmetric<V> add(const Symmetric<V>& a, const Symmetric<V>& b) {
     return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
 }
 
+// The tensor a times s.
 template <class V>
 MAGFSI_INLINE Symmetric<V> scaled(const V& s, const Symmetric<V>& a) {
     return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
 }
 
-// Sum over all nine entries squared.
+// Sum of the squares of all nine entries.
 template <class V>
 MAGFSI_INLINE V squared_norm(const Symmetric<V>& a) {
     return (a.xx * a.xx + a.yy * a.yy + a.zz * a.zz) +
            2.0 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
 }
 
-// Of the second moment: minus its equilibrium, rho u u + excess / 3.
+// Non-equilibrium stress: the second moment minus its equilibrium, rho u u + excess / 3.
+// ruu: the tensor rho u u.
 template <class V>
 MAGFSI_INLINE Symmetric<V> nonequilibrium(const MomentsToSecond<V>& m,
                                           const Symmetric<V>& ruu) {
@@ -132,23 +138,25 @@ MAGFSI_INLINE Symmetric<V> nonequilibrium(const MomentsToSecond<V>& m,
             s.yz - ruu.yz};
 }
 
-// Guo's body force (Guo, Zheng, Shi 2002): the velocity of the collision is
-// u = (sum c f + F / 2) / rho and the source, before its factor (1 - omega / 2), is
+// Body force (Guo, Zheng, Shi 2002): the velocity of the collision is u = (sum c f + F /
+// 2) / rho, and the source, before its factor (1 - omega / 2), is
 //   S_q = w_q [3 (c - u) . F + 9 (c . u)(c . F)],
 // with moments 0, F and u F + F u. Lattice units.
 
-// Of a pair of opposite directions: even part, the same for both, and odd part.
+// A quantity of a pair of opposite directions: even part, the same for both, and odd
+// part, with the sign of the first.
 template <class V>
 struct EvenOdd {
     V even, odd;
 };
 
+// Adds half of the force to the momentum.
 template <class V>
 MAGFSI_INLINE void shift_momentum(Moments<V>& m, const V (&force)[3]) {
     for (int a = 0; a < 3; ++a) m.j[a] += 0.5 * force[a];
 }
 
-// S of a pair; uf = u . F.
+// The source S of a pair; uf = u . F.
 template <int Q, class V>
 MAGFSI_INLINE EvenOdd<V> guo_source(const V (&u)[3], const V (&force)[3], const V& uf) {
     constexpr Lane<V> w3 = constant<V>(3 * d3q19::weight(Q));

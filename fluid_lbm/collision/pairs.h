@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What collisions that relax populations pair by pair share: the second-order equilibrium
-// and Guo's source as even and odd parts of each pair of opposite directions.
+// Common part of the collisions that relax populations pair by pair (bgk.h, trt.h): the
+// second-order equilibrium and Guo's source, as even and odd parts of each pair of
+// opposite directions.
 #pragma once
 
 #include "fluid_lbm/collision/cells.h"
@@ -8,14 +9,17 @@
 
 namespace magfsi::fluid {
 
+// State that the equilibrium and the source of all pairs need. j and u include half of
+// the force in forced rows; uf = u . force is set in those only.
 template <class V>
 struct CellState {
-    V base;  // density excess - 1.5 j.u
-    V ju;
-    V per_density;
+    V base;         // density excess - 1.5 j.u
+    V ju;           // j . u
+    V per_density;  // 1 / density
     V j[3], u[3], force[3], uf;
 };
 
+// The state of cells from the populations that have arrived; force: read only if Forced.
 template <bool Forced, class Populations, class V>
 MAGFSI_INLINE CellState<V> cell_state(const Populations& f, const V (&force)[3]) {
     Moments<V> m = moments(f);
@@ -35,6 +39,7 @@ MAGFSI_INLINE CellState<V> cell_state(const Populations& f, const V (&force)[3])
     return s;
 }
 
+// Equilibrium and source of the population at rest, minus its weight.
 template <class V>
 MAGFSI_INLINE V rest_equilibrium(const CellState<V>& s) {
     return constant<V>(d3q19::weight_rest) * s.base;
@@ -44,6 +49,7 @@ MAGFSI_INLINE V rest_source(const CellState<V>& s) {
     return constant<V>(-3 * d3q19::weight_rest) * s.uf;
 }
 
+// Equilibrium of the pair Q, Q + 1, minus the weights.
 template <int Q, class V>
 MAGFSI_INLINE EvenOdd<V> equilibrium(const CellState<V>& s) {
     constexpr Lane<V> w = constant<V>(d3q19::weight(Q));
@@ -57,10 +63,12 @@ MAGFSI_INLINE EvenOdd<V> guo_source(const CellState<V>& s) {
     return guo_source<Q>(s.u, s.force, s.uf);
 }
 
+// Tag that carries the first direction of a pair.
 template <int Q>
 struct Pair {};
 
-// visit(Pair<1>{}), visit(Pair<3>{}), ...: the nine pairs of opposite directions.
+// Calls visit(Pair<1>{}), visit(Pair<3>{}), ... for the nine pairs of opposite
+// directions.
 template <int Q = 1, class Visit>
 MAGFSI_INLINE void for_each_pair(const Visit& visit) {
     visit(Pair<Q>{});

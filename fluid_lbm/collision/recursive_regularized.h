@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Collisions on Hermite moments with recursive third-order ones (Malaspinas 2015; Jacob,
-// Malaspinas, Sagaut 2018). From density, momentum and the second-order moment follow
+// Collisions on Hermite moments with recursive third-order moments (Malaspinas 2015;
+// Jacob, Malaspinas, Sagaut 2018). These follow from density, momentum and the second
+// moment as
 //   a_xxy = rho ux ux uy + (1 - omega) (2 ux n_xy + uy n_xx),
-// n the non-equilibrium stress. What the lattice carries beyond these are ghost modes.
+// n the non-equilibrium stress. All further moments of the lattice are ghost modes.
 //
-//   recursive_regularized  drops them: the most robust close to tau = 1/2. But a rate of
-//                          1 for modes of third order is a magic number of
-//                          (tau - 1/2) / 2, which falls with the time step: so does the
-//                          layer of fluid that walls and immersed bodies carry along.
+//   recursive_regularized  drops them: the most robust close to tau = 1/2. A rate of 1
+//                          for third-order modes, however, is a magic number of
+//                          (tau - 1/2) / 2, which falls with the time step, and so does
+//                          the layer of fluid that walls and immersed bodies carry
+//                          along.
 //   recursive_mrt          keeps them: the deviation of odd third-order moments from the
-//                          recursion relaxes with the magic number's rate, the even modes
-//                          of fourth order with fourth_rate(). Walls and bodies then do
-//                          not depend on the time step.
+//                          recursion relaxes with the magic number's rate, the even
+//                          modes of fourth order with fourth_rate(). Walls and bodies
+//                          then do not depend on the time step.
 //
-// Of the third-order Hermite polynomials D3Q19 supports the six sums and differences
+// D3Q19 supports six sums and differences of the third-order Hermite polynomials,
 //   H_xxy +- H_yzz, H_xzz +- H_xyy, H_yyz +- H_xxz,
-// of the fourth-order ones three, of xxyy, xxzz and yyzz.
+// and three of the fourth-order ones, xxyy, xxzz and yyzz.
 #pragma once
 
 #include "fluid_lbm/collision/cells.h"
@@ -24,11 +26,13 @@
 
 namespace magfsi::fluid {
 
+// The collision of either kind, recursive_regularized or recursive_mrt.
 template <Collision Kind>
 struct Recursive {
     static constexpr Collision kind = Kind;
 
-    // force: read only if Forced.
+    // Collides the cells of f in place and checks their state. force: force density, read
+    // only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check);
@@ -36,13 +40,15 @@ struct Recursive {
 using RecursiveRegularized = Recursive<Collision::recursive_regularized>;
 using RecursiveMrt = Recursive<Collision::recursive_mrt>;
 
-// The third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz;
-// [2] a_yyz, a_xxz. n is already multiplied by 1 - omega.
+// Third-order moments as sums and differences: [0] a_xzz, a_xyy; [1] a_xxy, a_yzz; [2]
+// a_yyz, a_xxz.
 template <class V>
 struct ThirdOrder {
     V sum[3], difference[3];
 };
 
+// The third-order moments by recursion. ruu: rho u u; n: the non-equilibrium stress,
+// times 1 - omega for the moments after the collision.
 template <class V>
 MAGFSI_INLINE ThirdOrder<V> third_order(const V (&u)[3], const Symmetric<V>& ruu,
                                         const Symmetric<V>& n) {
@@ -55,6 +61,7 @@ MAGFSI_INLINE ThirdOrder<V> third_order(const V (&u)[3], const Symmetric<V>& ruu
     return {{xzz + xyy, xxy + yzz, yyz + xxz}, {xzz - xyy, xxy - yzz, yyz - xxz}};
 }
 
+// Writes the pair Q, Q + 1 from its even and odd parts over the weight.
 template <int Q, class V, class Real>
 MAGFSI_INLINE void rebuild_pair(const LaneCells<V, Real>& f, const V& even,
                                 const V& odd) {
@@ -63,16 +70,16 @@ MAGFSI_INLINE void rebuild_pair(const LaneCells<V, Real>& f, const V& even,
     f.write(Q + 1, w * (even - odd));
 }
 
-// Ghost modes: of third order the deviation from the recursion, of fourth order by pair
-// of axes. Each is multiplied by the part that the collision keeps.
+// Ghost modes that a collision keeps, each multiplied by the fraction that is kept: of
+// third order the deviation from the recursion, of fourth order one per pair of axes.
 template <class V>
 struct Ghosts {
     ThirdOrder<V> third;
     V xy, xz, yz;
 };
 
-// Of third order, of populations before the collision; j: their momentum; n: the viscous
-// stress, before relaxation.
+// Third-order ghost modes of the populations before the collision. j: their momentum; n:
+// the viscous stress before relaxation.
 template <class V, class Real>
 MAGFSI_INLINE ThirdOrder<V> third_ghosts(const LaneCells<V, Real>& f, const V (&j)[3],
                                          const V (&u)[3], const Symmetric<V>& ruu,
@@ -93,7 +100,7 @@ MAGFSI_INLINE ThirdOrder<V> third_ghosts(const LaneCells<V, Real>& f, const V (&
              yyz - xxz - r.difference[2]}};
 }
 
-// All of them.
+// All ghost modes of the populations before the collision, times 1 - rate.
 template <class V, class Real>
 MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecond<V>& all,
                                const V (&u)[3], const Symmetric<V>& ruu,
@@ -108,8 +115,8 @@ MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecon
     const V ab = pair_of<7>(f).sum + pair_of<9>(f).sum,
             cd = pair_of<11>(f).sum + pair_of<13>(f).sum,
             eg = pair_of<15>(f).sum + pair_of<17>(f).sum;
-    // Of each diagonal plane the sum of its four populations, less what the second-order
-    // moments give it.
+    // A fourth-order mode is the sum of the four populations of a diagonal plane, minus
+    // the part that the second-order moments give it.
     const Symmetric<V>& p = all.second;
     const V trace = p.xx + p.yy + p.zz, excess = all.low.excess;
     const V keep = 1.0 - rates.fourth, ninth = V{} + constant<V>(1.0 / 9);
@@ -120,6 +127,7 @@ MAGFSI_INLINE Ghosts<V> ghosts(const LaneCells<V, Real>& f, const MomentsToSecon
     return kept;
 }
 
+// Adds `more` to t.
 template <class V>
 MAGFSI_INLINE void add(ThirdOrder<V>& t, const ThirdOrder<V>& more) {
     for (int i = 0; i < 3; ++i) {
@@ -128,9 +136,9 @@ MAGFSI_INLINE void add(ThirdOrder<V>& t, const ThirdOrder<V>& more) {
     }
 }
 
-// What fourth-order modes add: g / 4 to each edge of their plane, -g / 2 to each of its
-// faces, g to the rest, which leaves all lower moments as they are. Of faces and edges
-// before the multiplication by the weight.
+// Contribution of the fourth-order modes: a mode g adds g / 4 to each edge of its plane,
+// -g / 2 to each of its faces and g to the population at rest, which leaves all lower
+// moments as they are. face and edge are values over the weight.
 template <class V>
 struct FourthOrder {
     V rest, face[3], edge[3];
@@ -141,9 +149,11 @@ MAGFSI_INLINE FourthOrder<V> fourth_order(const Ghosts<V>& g) {
             {-9.0 * (g.xy + g.xz), -9.0 * (g.xy + g.yz), -9.0 * (g.xz + g.yz)},
             {9.0 * g.xy, 9.0 * g.xz, 9.0 * g.yz}};
 }
-// Without them nothing is added, not even zeros.
+// Stands for the absence of fourth-order modes: nothing is added, not even zeros.
 struct NoFourthOrder {};
 
+// A population with the contribution of the fourth-order modes: that at rest, those
+// towards the faces across Axis, and those towards the edges in Plane (0 xy, 1 xz, 2 yz).
 template <class V>
 MAGFSI_INLINE V with_rest(const V& f, const NoFourthOrder&) {
     return f;
@@ -169,8 +179,11 @@ MAGFSI_INLINE V with_edge(const V& f, const FourthOrder<V>& g) {
     return f + g.edge[Plane];
 }
 
-// f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a') + (H - H')
-// (a - a') + ...]}, with the Hermite polynomials evaluated for each direction.
+// Writes all populations from their moments,
+//   f = w {excess + 3 c.j + 4.5 (c c - I/3) : a + 4.5 [3 (H + H')(a + a')
+//          + (H - H')(a - a') + ...]},
+// with the Hermite polynomials evaluated for each direction. a: second moment; t: third
+// order; fourth: FourthOrder or NoFourthOrder.
 template <class V, class Real, class Fourth>
 MAGFSI_INLINE void rebuild(const LaneCells<V, Real>& f, const V& excess, const V (&j)[3],
                            const Symmetric<V>& a, const ThirdOrder<V>& t,
@@ -215,9 +228,9 @@ MAGFSI_INLINE void Recursive<Kind>::collide(const LaneCells<V, Real>& f,
     check.add(ruu.xx + ruu.yy + ruu.zz, per_density);
     Symmetric<V> n = nonequilibrium(all, ruu), second = ruu;
     if constexpr (Forced) {
-        // Guo: the second moment becomes eq + (1 - omega) n + (1 - omega/2)(uF + Fu) with
-        // the raw n. Adding half of uF + Fu to n first makes n the viscous stress itself,
-        // which is what the recursion wants, and leaves another half to add.
+        // Guo's scheme makes the second moment eq + (1 - omega) n + (1 - omega/2)(uF +
+        // Fu) with the raw n. Adding half of uF + Fu to n first makes n the viscous
+        // stress itself, which the recursion needs, and leaves another half to add.
         const Symmetric<V> g = half_force_stress(u, force);
         n = add(n, g);
         second = add(ruu, g);

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Viscosity by the rate of shear on top of any collision (Aharonov, Rothman 1993; here
-// without their lag of a step). The non-equilibrium stress Pi of the cell itself gives
+// Viscosity that depends on the rate of shear, on top of any collision (Aharonov, Rothman
+// 1993; here without their lag of a step). The non-equilibrium stress Pi of the cell
+// itself gives
 //   rate = 3 |Pi| / (sqrt(2) rho tau),  tau = 1/2 + 3 nu(rate),
-// so that 1 / tau follows from q = |Pi|^2 / rho^2 alone: a table, made once, takes the
-// place of the solution and of powers in each cell. 32 steps in each doubling of q;
-// between them it is linear, which errs by at most 3e-5 of the rate.
+// so that 1 / tau is a function of q = |Pi|^2 / rho^2 alone. A table that is made once
+// replaces the solution of this equation and the powers in each cell. It has 32 steps in
+// each doubling of q and is linear between them, with an error of at most 3e-5 of the
+// rate.
 #pragma once
 
 #include "fluid_lbm/collision/smagorinsky.h"
 
 namespace magfsi::fluid {
 
+// Shape of the table: 2^5 steps in each of 92 doublings of q, and the last entry. The
+// lowest q is rounding noise of a fluid at rest.
 constexpr int rate_steps_log2 = 5;
 constexpr int rate_doublings = 92;
 constexpr int rate_table_size = (rate_doublings << rate_steps_log2) + 1;
-constexpr double lowest_stress_squared = 0x1p-90;  // rounding of a fluid at rest
+constexpr double lowest_stress_squared = 0x1p-90;
 constexpr double highest_stress_squared = 0x1p2;
 
-// q of an entry of the table; its place is that of the upper bits of q.
+// Value of q of an entry of the table. The entries are spaced so that the upper bits of q
+// as a double number them.
 constexpr double stress_squared_of(int entry) {
     const int doubling = entry >> rate_steps_log2;
     const int part = entry & ((1 << rate_steps_log2) - 1);
@@ -26,6 +31,8 @@ constexpr double stress_squared_of(int entry) {
     return q;
 }
 
+// 1 / tau at q: linear interpolation in the table, constant beyond both of its ends. NaN
+// gives the first entry.
 MAGFSI_INLINE double rate_at(const double* table, double q) {
     constexpr int shift = 52 - rate_steps_log2;
     if (!(q > lowest_stress_squared)) return table[0];
@@ -39,9 +46,11 @@ MAGFSI_INLINE double rate_at(const double* table, double q) {
     return table[entry] + part * (table[entry + 1] - table[entry]);
 }
 
+// The collision Base with the relaxation rates of the cell's own rate of shear.
 template <class Base>
 struct ShearDependent {
-    // force: read only if Forced.
+    // Collides the cells of f in place and checks their state. force: force density, read
+    // only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {

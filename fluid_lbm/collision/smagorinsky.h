@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Smagorinsky's eddy viscosity on top of any collision (Hou, Sterling, Chen, Doolen
-// 1996): the rate of strain follows from the non-equilibrium stress Pi of the cell
-// itself, |S| = 3 |Pi| / (sqrt(2) rho tau), and with nu_t = C^2 |S| the relaxation time
-// becomes
+// 1996). The rate of strain follows from the non-equilibrium stress Pi of the cell
+// itself,
+// |S| = 3 |Pi| / (sqrt(2) rho tau), and with nu_t = C^2 |S| the relaxation time becomes
 //   tau = (tau_0 + sqrt(tau_0^2 + 18 sqrt(2) C^2 |Pi| / rho)) / 2,
 // |Pi| the square root of the sum over all entries squared, filter width one cell.
 #pragma once
@@ -12,6 +12,7 @@
 
 namespace magfsi::fluid {
 
+// Square root of each lane.
 template <class V>
 MAGFSI_INLINE V square_root(const V& a) {
     V root;
@@ -25,8 +26,8 @@ MAGFSI_INLINE V square_root(const V& a) {
     return root;
 }
 
-// Non-equilibrium stress, with half of the force's own part so that it is the viscous
-// one.
+// Viscous stress: the non-equilibrium stress plus, in forced rows, half of u F + F u
+// (Guo). per_density receives 1 / density.
 template <bool Forced, class V, class Real>
 MAGFSI_INLINE Symmetric<V> viscous_stress(const LaneCells<V, Real>& f,
                                           const V (&force)[3], V& per_density) {
@@ -40,9 +41,11 @@ MAGFSI_INLINE Symmetric<V> viscous_stress(const LaneCells<V, Real>& f,
     return n;
 }
 
+// The collision Base with the relaxation rates of the raised viscosity.
 template <class Base>
 struct Smagorinsky {
-    // force: read only if Forced.
+    // Collides the cells of f in place and checks their state. force: force density, read
+    // only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {
@@ -50,7 +53,8 @@ struct Smagorinsky {
         V per_density;
         const Symmetric<V> stress = viscous_stress<Forced>(f, force, per_density);
         const V c2 = rates.eddy_constant * rates.eddy_constant;
-        // Multiplied by even^2, so that one division gives the new rate.
+        // The equation for tau, multiplied by even^2, so that one division gives the new
+        // rate.
         const V root =
             square_root<V>(1.0 + constant<V>(18 * sqrt_2) * c2 * rates.even * rates.even *
                                      per_density * square_root(squared_norm(stress)));

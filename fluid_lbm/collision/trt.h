@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Two relaxation times (Ginzburg, Verhaeghe, d'Humieres 2008): the even part of each pair
-// of opposite populations relaxes with the rate of the viscosity, the odd part with the
-// one that the magic number gives. Lambda = 3/16 puts the wall of half-way bounce-back
-// exactly half way; the force's even part carries 1 - even / 2, the odd one 1 - odd / 2.
+// Collision with two relaxation times (Ginzburg, Verhaeghe, d'Humieres 2008): the even
+// part of each pair of opposite populations relaxes with the rate of the viscosity, the
+// odd part with the rate that the magic number gives. Lambda = 3/16 puts the wall of
+// half-way bounce-back exactly half way. The even part of the force's source has the
+// factor 1 - even / 2, the odd part 1 - odd / 2.
 #pragma once
 
 #include "fluid_lbm/collision/pairs.h"
@@ -13,7 +14,8 @@ namespace magfsi::fluid {
 struct TwoRelaxationTimes {
     static constexpr Collision kind = Collision::trt;
 
-    // force: read only if Forced.
+    // Collides the cells of f in place and checks their state. force: force density, read
+    // only if Forced.
     template <bool Forced, class V, class Real>
     MAGFSI_INLINE static void collide(const LaneCells<V, Real>& f, const V (&force)[3],
                                       const Rates<V>& rates, CellCheck<V>& check) {

@@ -16,8 +16,9 @@ class FreeSlip final : public SideEffect {
   public:
     FreeSlip(const SideContext& in, int side, const CellBox& side_cells);
 
-    // At an edge with a wall, an inlet or another side with free slip the population that
-    // comes out of the edge is left bounced back: reflection in the edge.
+    // Exchanges the populations that lean along the side. At an edge with a wall, an
+    // inlet or another side with free slip, the population that comes out of the edge
+    // stays bounced back: reflection in the edge.
     void after_exchange(const Populations& populations, const RowLayout& layout,
                         double) override {
         populations.visit([&](const auto& rows) {
@@ -29,14 +30,15 @@ class FreeSlip final : public SideEffect {
     }
 
   private:
-    // Reflection along one axis of the side's plane: population `up`, leaning to the high
-    // end, with `down` of the cell below.
+    // Reflection along one axis of the side's plane: exchange of population `up`, which
+    // leans to the axis's high end, with `down` of the cell below.
     struct Lean {
         int axis, up, down;
-        bool wraps;               // periodic and not cut
-        int low_rank, high_rank;  // beyond the ends, no_rank if none
+        bool wraps;               // the axis is periodic and not cut
+        int low_rank, high_rank;  // ranks beyond the ends, or no_rank
     };
 
+    // Exchanges within this rank, and with the ranks beyond the ends.
     template <class Real>
     void swap_inside(const PopulationRows<Real>& rows, const RowLayout& layout,
                      const Lean& lean) const;
@@ -50,6 +52,8 @@ class FreeSlip final : public SideEffect {
     std::vector<double> sent_[2], received_[2];
 };
 
+// The slot q of a cell (local indices) in the natural arrangement. Behind a wall side it
+// holds the bounced population in both arrangements.
 template <class Real>
 Real& value(const PopulationRows<Real>& rows, const RowLayout& layout, int q,
             const Cell& cell) {
@@ -100,8 +104,8 @@ void FreeSlip::swap_inside(const PopulationRows<Real>& rows, const RowLayout& la
     });
 }
 
-// The lowest cells' `up` goes to the rank below, the highest cells' `down` to the rank
-// above; each takes the place of what was sent there.
+// Exchange with the neighbouring ranks: the lowest cells' `up` goes to the rank below,
+// the highest cells' `down` to the rank above, and each takes the place of what was sent.
 template <class Real>
 void FreeSlip::swap_across(const PopulationRows<Real>& rows, const RowLayout& layout,
                            const Lean& lean) {

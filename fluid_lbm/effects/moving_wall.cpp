@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Walls that move along themselves: half-way bounce-back gains 6 w rho0 c.u_w on each
+// Walls that move along themselves: half-way bounce-back adds 6 w rho0 c.u_w to each
 // population that leaves the wall (Ladd 1994), rho0 = 1.
 #include "fluid_lbm/boundary/boundaries.h"
 
@@ -9,8 +9,8 @@ namespace {
 
 using namespace d3q19;
 
-// Whether the link that brings q to a cell goes through an edge, where another wall
-// begins along `axis`.
+// True if the link that brings population q to a cell passes through an edge of the side,
+// where another wall begins along `axis`. index: of the cell along that axis.
 bool through_edge(const RowLayout& layout, int axis, int q, int index) {
     if (c[q][axis] == 0) return false;
     const int from = index - c[q][axis];
@@ -19,16 +19,16 @@ bool through_edge(const RowLayout& layout, int axis, int q, int index) {
     return layout.beyond_x == Beyond::wall && (from < 0 || from >= layout.nx);
 }
 
-// Adds the wall's term to the slots that hold bounced populations: in both arrangements
+// Adds the wall's term to the slots that hold bounced populations; in both arrangements
 // these are the natural slots of the cells at the wall. A link through an edge takes the
-// mean velocity of the two walls that meet there (in a lid-driven cavity that halves the
-// error against a converged solution); what the box gains at one end of a wall it loses
-// at the other. Where one of the ends is no wall that does not hold: at an inlet the
-// links through the edge are the inlet's, and what they gain at the other end is taken
-// from the link straight from the wall.
+// mean velocity of the two walls that meet there: in a lid-driven cavity this halves the
+// error against a converged solution, and the box loses at one end of a wall the mass
+// that it gains at the other. Where one of the ends is no wall, that balance fails. At an
+// inlet the links through the edge are the inlet's, and the mass that links gain at the
+// other end is taken from the link straight from the wall.
 class MovingWall final : public SideEffect {
   public:
-    // velocity: lattice units, tangential.
+    // velocity: tangential velocity of the wall in cells per step.
     MovingWall(int side, const CellBox& cells, const Vec3& velocity,
                const std::array<Boundary, 6>& sides)
         : side_(side), cells_(cells), velocity_(velocity) {
@@ -57,8 +57,9 @@ class MovingWall final : public SideEffect {
     }
 
   private:
-    // term: of links through the wall; those through an edge take half, the mean of two
-    // walls of which the other one adds its own half.
+    // Adds `term` to population q of the cells at the wall. Links through an edge take
+    // half of it: their velocity is the mean of two walls, and the other wall adds its
+    // own half.
     template <class Real>
     void add_to_cells(const PopulationRows<Real>& rows, const RowLayout& layout, int q,
                       double term) const {
@@ -81,9 +82,9 @@ class MovingWall final : public SideEffect {
         }
     }
 
-    // Of an axis one end of which is no wall: the half term that add_to_cells has given
-    // to a link through an edge goes again, from that link at an inlet, else from the
-    // straight one.
+    // Takes back the half term that add_to_cells() has given to a link through an edge,
+    // along axes of which one end is no wall. At an inlet it is taken from that link,
+    // elsewhere from the one straight from the wall.
     template <class Real>
     void balance_edges(const PopulationRows<Real>& rows, const RowLayout& layout, int q,
                        double term) const {
@@ -112,10 +113,11 @@ class MovingWall final : public SideEffect {
     }
 
     int side_;
-    CellBox cells_;  // at the wall, local indices
+    CellBox cells_;  // at the wall, in local indices
     Vec3 velocity_;
-    std::array<std::array<bool, 2>, 3> inlet_{};
-    std::array<bool, 3> balanced_{true, true, true};  // of the ends along each axis
+    std::array<std::array<bool, 2>, 3> inlet_{};  // [axis][end]: an inlet is there
+    // Both ends of the axis are walls or periodic.
+    std::array<bool, 3> balanced_{true, true, true};
 };
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sides that let flow and sound out. In one dimension the flow carries two
-// characteristics; p + cs u_n leaves with what streams to the side, p - cs u_n enters.
-// The entering one is kept constant but for a slow pull of the pressure to its target
-// (Poinsot and Lele 1992; u_n along the outward normal, rho0 = 1):
+// characteristics: p + cs u_n leaves with the populations that stream to the side, and p
+// - cs u_n enters. The entering one is kept constant except for a slow pull of the
+// pressure to its target (Poinsot and Lele 1992; u_n along the outward normal, rho0 = 1):
 //   (p - cs u_n)(t + 1) = (p - cs u_n)(t) - k (p(t) - p_target),  k = 0.25 cs / L.
-// A fixed pressure would reflect sound fully, a fixed velocity too. The populations that
-// have streamed to a cell know rho + rho u_n exactly (Zou and He 1997): both follow.
-// Fluid that enters here has no tangential velocity: one that is taken from inside and
-// carried in again grows.
+// A fixed pressure would reflect sound fully, and so would a fixed velocity. The
+// populations that have streamed to a cell give rho + rho u_n exactly (Zou and He 1997),
+// and pressure and velocity follow from both. Fluid that enters here has no tangential
+// velocity: a velocity that is taken from inside and carried in again would grow.
 #include <cmath>
 
 #include "fluid_lbm/boundary/outflow.h"
@@ -19,12 +19,12 @@ namespace {
 using namespace d3q19;
 
 const double cs = std::sqrt(cs2);
-// Fraction of the textbook's largest useful value (0.1 to 0.58): sound of a wave length
-// of L reflects by a few per cent, and the mean pressure settles in about 4 L / cs steps.
+// Factor of the pull k; 0.1 to 0.58 are useful values. Sound of a wave length of L
+// reflects by a few per cent, and the mean pressure settles in about 4 L / cs steps.
 constexpr double pull_strength = 0.25;
 
-// Of a cell at the side, from its populations that do not enter there and the flow in the
-// next cell inwards.
+// Flow of a cell at the side, from its populations that do not enter there, the flow in
+// the next cell inwards, and the entering characteristic.
 LocalFlow flow_at_outlet(const double (&f)[directions], const LocalFlow& inside, int axis,
                          int outward, double entering) {
     double known = 0;  // rho' + rho u_n
@@ -42,7 +42,7 @@ LocalFlow flow_at_outlet(const double (&f)[directions], const LocalFlow& inside,
     return flow;
 }
 
-// This rank's, local indices.
+// This rank's open cells of fluid at a side, in local indices.
 std::vector<Cell> open_cells(const SideContext& in, int side, const CellBox& side_cells) {
     std::vector<Cell> cells;
     for_each_cell(side_cells, [&](const Cell& cell) {
@@ -54,6 +54,7 @@ std::vector<Cell> open_cells(const SideContext& in, int side, const CellBox& sid
     return cells;
 }
 
+// The outlet at one side.
 class PressureOutlet final : public SideEffect {
   public:
     PressureOutlet(const SideContext& in, int side, const CellBox& side_cells);
@@ -62,9 +63,9 @@ class PressureOutlet final : public SideEffect {
 
   private:
     int axis_, outward_;
-    double target_pressure_, pull_;
+    double target_pressure_, pull_;  // lattice units; k
     std::vector<OutflowCell> cells_;
-    std::vector<double> entering_;  // p - cs u_n
+    std::vector<double> entering_;  // p - cs u_n of each cell
 };
 
 PressureOutlet::PressureOutlet(const SideContext& in, int side, const CellBox& side_cells)
@@ -91,7 +92,7 @@ void PressureOutlet::before_sweep(const Populations& populations,
     });
 }
 
-// After all else has been applied to the cells.
+// Rebuilds the cells after all other effects have been applied to them.
 void PressureOutlet::end_step(const Populations& populations, Arrangement arrangement) {
     populations.visit([&](const auto& rows) {
         auto* base = rows.row(0, 0);

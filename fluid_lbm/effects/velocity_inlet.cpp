@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sides with a prescribed velocity: half-way bounce-back gains 6 w rho0 c.u on each
+// Sides with a prescribed velocity: half-way bounce-back adds 6 w rho0 c.u to each
 // population that enters (Ladd 1994), rho0 = 1. The sum over a face is rho0 u.n exactly:
-// the mass flux is the prescribed one. Where a side meets a moving wall the links through
-// the edge are the inlet's. Where the flow leaves by a face, its tangential velocity is
-// not the prescribed one but that of the next cell inwards (outflow.h).
+// the mass flux is the prescribed one. Where a side meets a moving wall, the links
+// through the edge are the inlet's. Where the flow leaves by a face, its tangential
+// velocity is that of the next cell inwards instead of the prescribed one (outflow.h).
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -37,7 +37,7 @@ class VelocityInlet final : public SideEffect {
     }
 
   private:
-    // Of velocity_ and open_.
+    // Index into velocity_ and open_.
     int index(const Cell& local) const {
         const int i = local[in_plane_[0]] - cells_.lo[in_plane_[0]] + 1;
         const int j = local[in_plane_[1]] - cells_.lo[in_plane_[1]] + 1;
@@ -51,23 +51,24 @@ class VelocityInlet final : public SideEffect {
     void let_out(Real* base, int arrangement) const;
 
     int side_;
-    CellBox cells_;                // this rank's at the side, local indices
-    std::array<int, 2> in_plane_;  // axes
+    CellBox cells_;                // this rank's cells at the side, in local indices
+    std::array<int, 2> in_plane_;  // the axes in the side's plane
     int stride_;
-    double ramp_;  // steps
+    double ramp_;  // length of the ramp in steps
     double step_s_;
     std::function<double(double)> course_;
-    // With a margin of one cell around the rank's part of the side.
+    // Velocity [cells per step] and opening, with a margin of one cell around the rank's
+    // part of the side; first in-plane axis fastest, rows of stride_ values.
     std::vector<Vec3> velocity_;
     std::vector<char> open_;
-    std::vector<Cell> open_cells_;  // this rank's, local indices
-    double factor_ = 0;             // of the velocity in this step
-    // Cells of fluid by which flow leaves at any time, local indices, and their places.
+    std::vector<Cell> open_cells_;  // this rank's, in local indices
+    double factor_ = 0;             // factor of the velocity in this step
+    // Fluid cells by which flow leaves at some time (local indices), and their slots.
     std::vector<Cell> leaving_cells_;
     std::vector<OutflowCell> leaving_;
 };
 
-// A course may turn the flow round.
+// True if flow may leave by an inlet's side: a course over time may reverse it.
 bool may_leave(const FluidConfig& config, int side) {
     return config.boundaries[side].inlet.factor || inflow_m3_s(config, side) < 0;
 }
@@ -112,7 +113,8 @@ VelocityInlet::VelocityInlet(const SideContext& in, int side, const CellBox& sid
     leaving_ = outflow_cells(in, side, leaving_cells_);
 }
 
-// Change of the velocity over one cell; one-sided at the rim of the opening.
+// Change of the velocity over one cell along an axis; one-sided at the rim of the
+// opening.
 Vec3 VelocityInlet::slope(const Cell& local, int axis) const {
     Cell low = local, high = local;
     --low[axis];
@@ -127,11 +129,12 @@ Vec3 VelocityInlet::slope(const Cell& local, int axis) const {
     return rise;
 }
 
-// A link crosses the side half a cell sideways of the face's centre: the velocity there
-// follows from the slope. Without it the shear at an inlet with a profile is wrong by a
-// fraction that does not fall with the spacing. Links that lean to opposite sides cancel
-// in the flux, but for a velocity along the side that changes along itself: what that
-// adds is taken from the link straight through the face.
+// Adds the inlet's terms. A link crosses the side half a cell beside the face's centre,
+// where the velocity follows from the slope. Without the slope, the shear at an inlet
+// with a profile is wrong by a fraction that does not fall with the spacing. In the flux,
+// links that lean to opposite sides cancel, unless a tangential velocity changes along
+// its own direction; the flux that this adds is taken from the link straight through the
+// face.
 template <class Real>
 void VelocityInlet::add(const PopulationRows<Real>& rows, const RowLayout& layout,
                         double factor) const {
@@ -161,6 +164,8 @@ void VelocityInlet::add(const PopulationRows<Real>& rows, const RowLayout& layou
     }
 }
 
+// Rebuilds the cells by which flow leaves in this step, with the prescribed normal
+// velocity and the tangential velocity of the next cell inwards.
 template <class Real>
 void VelocityInlet::let_out(Real* base, int arrangement) const {
     const int axis = axis_of(side_);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The D3Q19 lattice: Qian, d'Humieres, Lallemand (1992). Plain arrays, because kernels
-// that include this file must not instantiate the standard library (see
-// cmake/IsaVariants.cmake).
+// The D3Q19 lattice (Qian, d'Humieres, Lallemand 1992): velocities, weights, speed of
+// sound. Plain arrays, because kernels that include this file must not instantiate the
+// standard library (see cmake/IsaVariants.cmake).
 #pragma once
 
 namespace magfsi::fluid::d3q19 {
 
 inline constexpr int directions = 19;
 
-// Opposite directions are neighbours, (1,2), (3,4), ...; the first of each pair has its
-// first non-zero component positive.
+// Velocities c_q in cells per step. Opposite directions are neighbours, (1,2), (3,4),
+// ...; the first of each pair has its first non-zero component positive.
 inline constexpr int c[directions][3] = {
     {0, 0, 0},                                        // rest
     {1, 0, 0}, {-1, 0, 0},  {0, 1, 0},  {0, -1, 0},   //
@@ -18,11 +18,13 @@ inline constexpr int c[directions][3] = {
     {1, 0, 1}, {-1, 0, -1}, {1, 0, -1}, {-1, 0, 1},   //
     {0, 1, 1}, {0, -1, -1}, {0, 1, -1}, {0, -1, 1}};  // twelve edges
 
+// Weights w_q of the populations at rest, towards the six faces and towards the twelve
+// edges of a cell; their sum is 1.
 inline constexpr double weight_rest = 1.0 / 3;
 inline constexpr double weight_face = 1.0 / 18;
 inline constexpr double weight_edge = 1.0 / 36;
 
-// Speed of sound squared, lattice units.
+// Speed of sound squared, in (cells per step)^2.
 inline constexpr double cs2 = 1.0 / 3;
 
 constexpr double weight(int q) {

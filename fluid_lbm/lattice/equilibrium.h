@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Populations of a given flow, and the flow of given populations. Lattice units.
+// Populations that belong to a given flow, and the flow that belongs to given
+// populations, for one cell at a time. Lattice units.
 #pragma once
 
 #include <array>
@@ -8,13 +9,15 @@
 
 namespace magfsi::fluid {
 
+// Flow in one cell.
 struct LocalFlow {
     double density_excess = 0;  // density - 1
     std::array<double, 3> velocity{};
     std::array<std::array<double, 3>, 3> gradient{};  // [a][b] = d u_a / d x_b
 };
 
-// f: 19 populations minus their weights, without a force. Leaves the gradient zero.
+// Density and velocity of a cell from its 19 populations minus their weights, without the
+// half step of a force; the gradient stays zero.
 template <class Populations>
 LocalFlow flow_of(const Populations& f) {
     LocalFlow flow;
@@ -26,7 +29,7 @@ LocalFlow flow_of(const Populations& f) {
     return flow;
 }
 
-// (f_q - w_q) / w_q of the second-order equilibrium.
+// Second-order equilibrium of direction q as (f_eq - w_q) / w_q.
 inline double equilibrium_over_weight(int q, const LocalFlow& flow) {
     double cu = 0, uu = 0;
     for (int a = 0; a < 3; ++a) {
@@ -37,10 +40,10 @@ inline double equilibrium_over_weight(int q, const LocalFlow& flow) {
            (1 + flow.density_excess) * (3 * cu + 4.5 * cu * cu - 1.5 * uu);
 }
 
-// f_q - w_q of direction q: equilibrium plus the non-equilibrium part that carries the
-// viscous stress, - 3 w rho tau (c c - I / 3) : grad u. Without the latter a run starts
-// with a layer of wrong stress that decays within a few steps but leaves an error of
-// first order in the time step.
+// Population of direction q minus its weight: equilibrium plus the non-equilibrium part
+// that carries the viscous stress, - 3 w rho tau (c c - I / 3) : grad u. Without that
+// part a run starts with a layer of wrong stress, which decays within a few steps but
+// leaves an error of first order in the time step.
 inline double flow_population(int q, const LocalFlow& flow, double relaxation_time) {
     double strain = 0;
     for (int a = 0; a < 3; ++a) {

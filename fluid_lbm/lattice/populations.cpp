@@ -11,9 +11,10 @@ namespace magfsi::fluid {
 
 namespace {
 
-constexpr std::ptrdiff_t line = 64;  // bytes
+constexpr std::ptrdiff_t line = 64;  // bytes of a cache line
 constexpr std::ptrdiff_t page = 4096;
-constexpr std::ptrdiff_t array_skew = 5;  // cache lines between arrays modulo the page
+// Distance from one array to the next modulo the page, in cache lines.
+constexpr std::ptrdiff_t array_skew = 5;
 constexpr std::ptrdiff_t huge_page = std::ptrdiff_t{1} << 21;
 
 std::ptrdiff_t round_up(std::ptrdiff_t value, std::ptrdiff_t unit) {
@@ -24,23 +25,27 @@ std::ptrdiff_t size_of(Storage storage) {
     return storage == Storage::float_ ? sizeof(float) : sizeof(double);
 }
 
+// Bytes of a padded row: one element more than it has cells, for the ghost, rounded up to
+// whole cache lines.
 std::ptrdiff_t row_bytes_of(int row_length, Storage storage) {
     return round_up((row_length + 1) * size_of(storage), line);
 }
 
+// Bytes from one direction's array to the next one's.
 std::ptrdiff_t array_bytes_of(int row_count, std::ptrdiff_t row_bytes) {
     return round_up(row_count * row_bytes, page) + array_skew * line;
 }
 
-// Huge pages but for a rest that does not fill one: a rank has 2 MB at most to lose, 6 %
-// of a small box on two ranks.
+// Asks for huge pages, except for a remainder that does not fill one: whole huge pages
+// would waste up to 2 MB per rank, 6 % of a small box on two ranks.
 void advise(char* memory, std::ptrdiff_t bytes) {
     const std::ptrdiff_t whole = bytes / huge_page * huge_page;
     madvise(memory, whole, MADV_HUGEPAGE);  // advice: no harm if refused
     madvise(memory + whole, bytes - whole, MADV_NOHUGEPAGE);
 }
 
-// Memory of populations that are no more, for those that come.
+// Memory of destroyed populations, kept for those that follow once
+// keep_memory_of_populations() has been called.
 struct Spare {
     ~Spare() {
         for (const Block& block : blocks) std::free(block.memory);
@@ -53,7 +58,8 @@ struct Spare {
     bool is_wanted = false;
     std::vector<Block> blocks;  // the oldest first
 
-    // The smallest that is large enough and less than twice as large; empty without one.
+    // Takes out the smallest block that is large enough and at most twice as large; an
+    // empty block if there is none.
     Block take(std::size_t bytes) {
         auto best = blocks.end();
         for (auto block = blocks.begin(); block != blocks.end(); ++block) {
@@ -65,6 +71,8 @@ struct Spare {
         blocks.erase(best);
         return taken;
     }
+    // Keeps a block and frees the oldest one above the limit. False if blocks are not
+    // kept.
     bool keep(void* memory, std::size_t bytes) {
         if (!is_wanted) return false;
         blocks.push_back({memory, bytes});
@@ -77,8 +85,8 @@ struct Spare {
 };
 Spare spare;
 
-// The partner of population q's ghost, or null if q has none: no velocity along x, or
-// bounced at a wall along y or z.
+// Address of the partner of population q's ghost element, or null if q has none: it has
+// no velocity along x, or it is bounced at a wall along y or z.
 template <class Real>
 Real* x_end_partner(const RowPointers<Real>& p, const RowLayout& layout, int q) {
     if (d3q19::c[q][0] == 0 || p.bounced[q]) return nullptr;
@@ -106,7 +114,7 @@ void keep_memory_of_populations() {
 std::unique_ptr<void, Populations::Free> Populations::allocate(std::size_t bytes) {
     if (const Spare::Block block = spare.take(bytes); block.memory)
         return {block.memory, Free{block.bytes}};
-    // A patch that is larger by a few cells at its next place finds room, too.
+    // The surplus serves a patch that is a few cells larger at its next place.
     if (spare.is_wanted) bytes += bytes / 8;
     void* memory = nullptr;
     if (posix_memalign(&memory, huge_page, bytes) != 0) throw std::bad_alloc();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Storage of the 19 distribution functions of one rank, as f - w (the deviation from
-// rest): about three digits more than f itself at low speeds.
+// rest): this keeps about three digits more than f itself at low speeds.
 //
-// Full structure of arrays: one array per direction, each made of padded rows. One
-// element of padding serves as the ghost on both ends of a row, because a direction needs
-// a ghost on one end only. Arrays start a few cache lines apart modulo the page, or the
-// 19 streams of a kernel would fall into the same cache sets.
+// The storage is a full structure of arrays: one array per direction, each made of padded
+// rows. One element of padding serves as the ghost on both ends of a row, because a
+// direction needs a ghost on one end only. The arrays start a few cache lines apart
+// modulo the page, otherwise the 19 streams of a kernel would fall into the same cache
+// sets.
 //
-// In-place streaming (the AA pattern: Bailey et al., 2009) alternates two arrangements:
+// In-place streaming (the AA pattern: Bailey et al. 2009) alternates two arrangements:
 //   natural: slot q of cell x holds the population q that has arrived at x;
 //   swapped: slot opposite(q) of cell x - c_q holds it; behind a wall, slot q of x
 //   itself.
@@ -24,27 +25,27 @@
 
 namespace magfsi::fluid {
 
-// What lies beyond a side of one rank's box.
+// Kind of the space beyond one side of a rank's box.
 enum class Beyond {
-    wrap,       // periodic, and both ends are on this rank
-    wall,       // half-way bounce-back
+    wrap,       // periodic; both ends are on this rank
+    wall,       // a side with half-way bounce-back
     neighbour,  // ghost rows, filled by the halo exchange
 };
 
-// Rows upstream of a row: at[cy + 1][cz + 1] is the row that a population with velocity
-// (., cy, cz) comes from, -1 if that lies behind a wall.
+// Numbers of the rows upstream of a row: at[cy + 1][cz + 1] is the row that a population
+// with velocity (., cy, cz) comes from, -1 if that lies behind a wall.
 struct UpstreamRows {
     int at[3][3];
 };
 
-// Where the rows of one rank's box lie and what is upstream of each. A row is a line of
-// cells along x; rows are never cut between ranks.
+// Layout of the rows of one rank's box, ghost rows included. A row is a line of cells
+// along x; rows are never cut between ranks.
 struct RowLayout {
     int nx = 0, ny = 0, nz = 0;                    // owned cells
     Beyond beyond_x = Beyond::wrap;                // both ends alike, never neighbour
     std::array<Beyond, 2> beyond_y{}, beyond_z{};  // low and high side
 
-    // Ghost rows on each side.
+    // Number of ghost rows on each side of the box, 0 or 1.
     int margin_y() const { return margin(beyond_y); }
     int margin_z() const { return margin(beyond_z); }
     static int margin(const std::array<Beyond, 2>& sides) {
@@ -52,38 +53,42 @@ struct RowLayout {
     }
 
     int row_count() const { return (ny + 2 * margin_y()) * (nz + 2 * margin_z()); }
-    // y in [-margin_y, ny + margin_y), z alike.
+    // Number of the row at (y, z), with y in [-margin_y, ny + margin_y) and z alike.
     int row(int y, int z) const {
         return (z + margin_z()) * (ny + 2 * margin_y()) + y + margin_y();
     }
     UpstreamRows upstream(int y, int z) const;
 };
 
-// Where an index along a cut axis leads: the same inside the box and in ghost rows, the
-// other end if periodic; meaningless if `wall`.
+// Index that a step beyond a side leads to: unchanged inside the box and in ghost rows,
+// the other end across a periodic side; meaningless if `wall` is set.
 struct Crossing {
     int index = 0;
     bool wall = false;
 };
+// Resolves an index of -1 ... count along an axis of `count` cells with these two sides.
 Crossing cross(int index, int count, const std::array<Beyond, 2>& sides);
 
+// Arrangement of the populations in memory, described at the top of this file.
 enum class Arrangement { natural, swapped };
 // The arrangement after a number of steps from rest.
 inline Arrangement arrangement_after(std::int64_t steps) {
     return steps % 2 == 0 ? Arrangement::natural : Arrangement::swapped;
 }
 
+// Type that populations are stored as.
 enum class Storage { double_, float_ };
 
-// The rows of populations as numbers of one type. A view on memory: const does not reach
-// the values.
+// The rows of populations as numbers of one type. It is a view on memory: const does not
+// protect the values.
 template <class Real>
 class PopulationRows {
   public:
     PopulationRows(Real* first, std::ptrdiff_t array_stride, std::ptrdiff_t row_stride)
         : first_(first), array_stride_(array_stride), row_stride_(row_stride) {}
 
-    // Element 0 of a row, 64-byte aligned; elements -1 and row_length may be used too.
+    // Pointer to element 0 of a row, 64-byte aligned; elements -1 and row_length may be
+    // used too, as ghosts.
     Real* row(int q, int row) const {
         return first_ + q * array_stride_ + row * row_stride_;
     }
@@ -93,23 +98,25 @@ class PopulationRows {
     std::ptrdiff_t array_stride_, row_stride_;
 };
 
+// The 19 arrays of one rank's populations and their memory. Not copyable.
 class Populations {
   public:
-    // All at rest with density 1, natural. Threads touch first the rows that the sweep
-    // will give them.
+    // Allocates row_count rows of row_length cells, at rest with density 1. The threads
+    // first touch those rows that the sweep will give them. Throws std::bad_alloc.
     Populations(int row_length, int row_count, Storage storage);
 
-    // What that takes, padding included.
+    // Memory [bytes] of such an object, padding included.
     static std::size_t bytes_of(int row_length, int row_count, Storage storage);
 
-    // use(rows), rows being PopulationRows<double> or PopulationRows<float>: the way of
-    // everything that reads or writes populations outside the kernels.
+    // Calls use(rows) with rows of the stored type, PopulationRows<double> or
+    // PopulationRows<float>. All code outside the kernels reads and writes populations
+    // so.
     template <class Use>
     decltype(auto) visit(Use&& use) const {
         if (storage_ == Storage::float_) return use(rows<float>());
         return use(rows<double>());
     }
-    // Real must be the storage's type.
+    // The rows of the stored type, which Real must be.
     template <class Real>
     PopulationRows<Real> rows() const {
         return {static_cast<Real*>(first_), array_stride_, row_stride_};
@@ -121,9 +128,11 @@ class Populations {
     }
     std::ptrdiff_t row_stride() const { return row_stride_; }  // elements
     std::size_t bytes() const { return bytes_; }
+    // The whole memory, padding included, to save and restore a state.
     std::span<std::byte> all_bytes() const {
         return {static_cast<std::byte*>(memory_.get()), bytes_};
     }
+    // Address that offset() counts from, the first element of row 0 of direction 0.
     void* memory() const { return first_; }
     std::ptrdiff_t offset(int q, int row) const {  // bytes from memory()
         return (q * array_stride_ + row * row_stride_) *
@@ -144,22 +153,23 @@ class Populations {
     void* first_ = nullptr;
 };
 
-// From now on the memory of populations stays with the process, for the next ones: a
-// patch that moves is made anew, and two thirds of a move's time went to the system,
-// which clears fresh pages.
+// Makes later objects reuse the memory of destroyed ones, until the process ends. A patch
+// of a refined grid that moves is made anew, and two thirds of a move's time went to the
+// system, which clears fresh pages. Not safe to call beside other threads.
 void keep_memory_of_populations();
 
-// The slots that one row reads and writes in one step. at[q] points to the slot of
-// population q that arrives at cell 0 of the row; the kernel writes the outgoing
-// population q to at[opposite(q)]. Every slot belongs to one row only, so rows may run in
-// any order.
+// Pointers to the slots that one row reads and writes in one step. at[q] points to the
+// slot of the population q that arrives at cell 0 of the row; the kernel writes the
+// outgoing population q to at[opposite(q)]. Every slot belongs to one row only, so rows
+// may be computed in any order.
 template <class Real>
 struct RowPointers {
     Real* at[d3q19::directions];
     Real* own[d3q19::directions];     // slot q of the row itself
-    bool bounced[d3q19::directions];  // population comes from a wall along y or z
+    bool bounced[d3q19::directions];  // the population comes from a wall along y or z
 };
 
+// Pointers of the row (y, z) in the natural arrangement: all slots are in the row itself.
 template <class Real>
 RowPointers<Real> natural_pointers(const PopulationRows<Real>& rows,
                                    const RowLayout& layout, int y, int z) {
@@ -172,6 +182,9 @@ RowPointers<Real> natural_pointers(const PopulationRows<Real>& rows,
     return p;
 }
 
+// Pointers of the row (y, z) in the swapped arrangement: the slot of population q is in
+// the row upstream, shifted by c_q along x, or in the row itself behind a wall. Inner
+// rows take a shorter way that needs no test of the sides.
 template <class Real>
 RowPointers<Real> swapped_pointers(const PopulationRows<Real>& rows,
                                    const RowLayout& layout, int y, int z) {
@@ -198,6 +211,7 @@ RowPointers<Real> swapped_pointers(const PopulationRows<Real>& rows,
     return p;
 }
 
+// Pointers of the row (y, z) in the given arrangement.
 template <class Real>
 RowPointers<Real> pointers(const PopulationRows<Real>& rows, const RowLayout& layout,
                            Arrangement arrangement, int y, int z) {
@@ -206,15 +220,15 @@ RowPointers<Real> pointers(const PopulationRows<Real>& rows, const RowLayout& la
 }
 
 // The two ends of a row in the swapped arrangement. Populations with a velocity along x
-// that enter the row there are read and written by the kernel in a ghost element; its
+// that enter the row there are read and written by the kernel in a ghost element. Its
 // partner is the other end of the same array (periodic) or the row's own slot (half-way
-// bounce-back). Walls along y and z need nothing of the kind: they are a substitution of
-// the row's pointer, in swapped_pointers().
-// The partner's value into the ghost element, before the kernel.
+// bounce-back). Walls along y and z need no such step: swapped_pointers() substitutes the
+// row's pointer.
+// open_x_ends copies each partner's value into the ghost element, before the kernel.
 template <class Real>
 void open_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
-// Prefetches what the next row's open_x_ends will read, shift elements further: one cache
-// line per population at the far end of a row, which nothing else has read by then.
+// Prefetches the elements that open_x_ends will read in the next row, `shift` elements
+// further on: one cache line per population, at the far end of a row.
 template <class Real>
 void prefetch_x_ends(const RowPointers<Real>& p, const RowLayout& layout,
                      std::ptrdiff_t shift) {
@@ -223,27 +237,31 @@ void prefetch_x_ends(const RowPointers<Real>& p, const RowLayout& layout,
         __builtin_prefetch(p.at[q] + shift + (d3q19::c[q][0] > 0 ? layout.nx : -1), 1, 3);
     }
 }
-// The ghost element's value back to its partner, after the kernel.
+// Copies each ghost element's value back to its partner, after the kernel.
 template <class Real>
 void close_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
-// In place of both where nobody needs what arrives at the ends: fluid at rest. The lines
-// are those that the kernel is about to read.
+// Replaces open_x_ends and close_x_ends where the values that arrive at the ends do not
+// matter: sets the ghost elements to fluid at rest. The cache lines are those that the
+// kernel is about to read.
 template <class Real>
 void rest_x_ends(const RowPointers<Real>& p, const RowLayout& layout);
 
-// Where the population that has arrived in a cell is stored, cell by cell: for boundaries
-// and obstacles, which touch few cells and keep lists of slots.
+// Slots of a single cell, for boundaries and obstacles, which touch few cells and keep
+// lists of slots.
 //
-// Two facts carry all boundary code. After the sweep and the exchange
+// All boundary code rests on two facts. After the sweep and the exchange
 //   - population q that arrived in a cell is at slot(q) of the new arrangement; behind a
 //     wall side that is the cell's own array q in both arrangements, and it holds the
 //     cell's outgoing population opposite(q): half-way bounce-back;
 //   - the outgoing population q of a cell is still at slot(opposite(q)) of the old
-//     arrangement, as long as nothing has overwritten what arrived at its goal.
+//     arrangement, as long as nothing has overwritten the population that arrived at its
+//     destination.
 
-// Element offsets from rows.row(0, 0), by q.
+// Offsets of a cell's 19 slots from rows.row(0, 0), in elements, by direction.
 using CellSlots = std::array<std::ptrdiff_t, d3q19::directions>;
 
+// The slots of the populations that have arrived in a cell (local indices), ends of rows
+// included.
 template <class Real>
 CellSlots cell_slots(const PopulationRows<Real>& rows, const RowLayout& layout,
                      Arrangement arrangement, const std::array<int, 3>& cell) {

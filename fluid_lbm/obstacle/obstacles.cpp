@@ -76,13 +76,15 @@ namespace {
 
 using namespace d3q19;
 
+// The cell that lies `steps` links away along q.
 Cell neighbour(const Cell& cell, int q, int steps) {
     return {cell[0] + steps * c[q][0], cell[1] + steps * c[q][1],
             cell[2] + steps * c[q][2]};
 }
 
-// Of the way from the fluid cell along q, one link long. Measured from the solid cell's
-// place in the box, so that links through a periodic side find the body.
+// Distance of the wall from the fluid cell along q, as a fraction of the link. It is
+// measured from the solid cell's place in the box, so that links through a periodic side
+// find the body.
 double wall_distance(const SolidMap& map, const Solid& solid, const Cell& cell, int q) {
     const Cell end = map.global(neighbour(cell, q, 1));
     Vec3 inside, outside;
@@ -93,13 +95,13 @@ double wall_distance(const SolidMap& map, const Solid& solid, const Cell& cell, 
     return solid.entry(outside, inside);
 }
 
-// Interpolation reads the cell behind the fluid cell.
+// True if the cell behind the fluid cell, which interpolation reads, is fluid, too.
 bool has_fluid_behind(const SolidMap& map, const Cell& cell, int q) {
     const Cell behind = neighbour(cell, q, -1);
     return map.in_box(behind) && !map.solid(behind);
 }
 
-// from_wall: the population that comes from the obstacle.
+// A link of a cell. from_wall: direction of the population that comes from the obstacle.
 CutLink cut_link(const Populations& populations, const RowLayout& layout,
                  const Cell& cell, int from_wall, const int (&push)[3], double distance,
                  int obstacle) {
@@ -118,7 +120,8 @@ CutLink cut_link(const Populations& populations, const RowLayout& layout,
     return link;
 }
 
-// add(cell, from_wall, push, distance, obstacle) for each link.
+// Calls add(cell, from_wall, push, distance, obstacle) for each link of a cell that ends
+// in an obstacle.
 template <class Add>
 void add_direct(const SolidMap& map, const Solids& solids, const Cell& cell,
                 const Add& add) {
@@ -132,7 +135,8 @@ void add_direct(const SolidMap& map, const Solids& solids, const Cell& cell,
     }
 }
 
-// The same of links to the sides with free slip that are reflected into an obstacle.
+// The same for links of the cell to a side with free slip that are reflected into an
+// obstacle.
 template <class Add>
 void add_reflected(const FluidConfig& config, const SolidMap& map, const Cell& cell,
                    const Add& add) {
@@ -156,6 +160,7 @@ void add_reflected(const FluidConfig& config, const SolidMap& map, const Cell& c
     }
 }
 
+// All links of this rank into obstacles, cell by cell.
 CutLinks cut_links(const FluidConfig& config, const SolidMap& map, const Solids& solids,
                    const Populations& populations, const RowLayout& layout) {
     CutLinks links;
@@ -224,11 +229,12 @@ void Obstacles::note_sent(const Populations& populations, Arrangement arrangemen
 
 namespace {
 
-// base: the populations; before, now: the arrangements of the step.
+// The population that the wall returns along a link (equation in the header). base: the
+// populations; before, now: the arrangements of the step.
 template <class Real>
 double returned(const CutLink& link, const Real* base, int before, int now) {
     const double d = link.distance;
-    // The outgoing population is at the opposite's old slot.
+    // The outgoing population is at the old slot of its opposite.
     const double sent = base[link.from_wall[before]];
     if (d == 0.5) return sent;
     if (d < 0.5) return 2 * d * sent + (1 - 2 * d) * base[link.to_wall[now]];
@@ -269,7 +275,7 @@ void Obstacles::reset_solid_cells(const Populations& populations, const RowLayou
         auto* const base = rows.row(0, 0);
         for (const CellRow& run : rows_) {
             const auto p = pointers(rows, layout, arrangement, run.y, run.z);
-            // The row's pointers do not hold at its ends.
+            // The row's pointers are not valid at the ends of the row.
             const int begin = std::max(run.x_begin, 1);
             const int end = std::min(run.x_end, layout.nx - 1);
             for (int q = 0; q < d3q19::directions && begin < end; ++q) {

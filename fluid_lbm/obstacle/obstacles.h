@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Obstacles in the flow: what they do after each step, and the force on them. Lattice
+// Obstacles in the flow: their walls after each step, and the force on them. Lattice
 // units.
 //
-// The sweep knows nothing of them: solid cells hold rest and collide as if they were
+// The sweep does not distinguish solid cells: these hold rest and collide as if they were
 // fluid. Afterwards the populations that would have come out of a solid cell are replaced
 // by those that the wall returns, and the solid cells are set back to rest.
 #pragma once
@@ -18,27 +18,29 @@
 
 namespace magfsi::fluid {
 
-// Which cells of this rank, and of the layer around it, lie in which obstacle. Computed
-// from the geometry alone: ranks need not ask each other.
+// Map of the obstacle that each cell of this rank, and of the layer around it, lies in.
+// It is computed from the geometry alone, without messages between ranks.
 class SolidMap {
   public:
-    static constexpr int fluid = -1;
+    static constexpr int fluid = -1;  // obstacle() of a cell in no obstacle
 
-    // A cell belongs to the first obstacle that holds its centre. Cells beyond a periodic
-    // side are those of the opposite end; cells beyond another side count as fluid.
+    // Marks the cells of a box of global cells. A cell belongs to the first obstacle that
+    // holds its centre. Cells beyond a periodic side are those of the opposite end; cells
+    // beyond another side count as fluid.
     SolidMap(const FluidConfig& config, const Solids& solids, const CellBox& owned);
 
-    // Local indices from -1 to the number of owned cells: the obstacle, or `fluid`.
+    // Number of the obstacle that holds a cell, or `fluid`. Local indices from -1 to the
+    // number of owned cells.
     int obstacle(const Cell& local) const { return of_cell_[index(local)]; }
     bool solid(const Cell& local) const { return obstacle(local) != fluid; }
 
     // Global indices of a cell, wrapped around periodic axes.
     Cell global(const Cell& local) const;
-    // Whether the cell lies in the box, after wrapping.
+    // True if the cell lies in the box, after wrapping.
     bool in_box(const Cell& local) const;
-    // This rank's cells in each obstacle.
+    // Number of this rank's cells in each obstacle.
     const std::vector<long long>& cell_counts() const { return cell_counts_; }
-    // Whether a row of this rank, or one beside it, has a solid cell.
+    // True if a row of this rank, or one of the eight beside it, has a solid cell.
     bool near_solid(int y, int z) const;
 
   private:
@@ -47,10 +49,13 @@ class SolidMap {
                    (size_[0] + 2) +
                local[0] + 1;
     }
+    // Enters an obstacle's cells into the map.
     void mark(const Solid& solid, int number);
 
+    // Box of this map; cells of the whole box.
     std::array<int, 3> origin_, size_, box_cells_;
     std::array<bool, 3> periodic_;
+    // Obstacle of each cell, one layer around included, x fastest.
     std::vector<short> of_cell_;
     std::vector<char> row_has_solid_;
     std::vector<long long> cell_counts_;
@@ -58,59 +63,66 @@ class SolidMap {
 
 // A lattice link from a fluid cell into an obstacle.
 struct CutLink {
-    // By arrangement: slots of the fluid cell for the population that comes from the
-    // obstacle and for its opposite.
+    // Slots, by arrangement, of the population of the fluid cell that comes from the
+    // obstacle and of the one that goes to it.
     std::ptrdiff_t from_wall[2] = {}, to_wall[2] = {};
-    // Distance of the wall from the cell over the link's length; exactly 1/2 where the
-    // interpolation lacks its second fluid cell.
+    // Distance of the wall from the cell's centre over the link's length; exactly 1/2
+    // where the interpolation lacks its second fluid cell.
     double distance = 0.5;
     signed char push[3] = {};  // direction in which the population strikes
-    short obstacle = 0;        // whose force it counts in
-    short hit = 0;             // that it strikes
-    std::array<short, 3> cell{};
+    short obstacle = 0;  // obstacle whose force the link counts in; count() if in none
+    short hit = 0;       // obstacle that the link strikes
+    std::array<short, 3> cell{};  // local indices of the fluid cell
 };
 
+// All links of a rank into obstacles.
 struct CutLinks {
     std::vector<CutLink> direct;
-    // Those that strike an obstacle after their reflection by a side with free slip: the
-    // population that a cell sent to the side comes back, half-way. It strikes along its
-    // mirror image.
+    // Links that strike an obstacle after their reflection by a side with free slip. The
+    // population that a cell sent to the side comes back to it, half-way; it strikes the
+    // obstacle along its mirror image.
     std::vector<CutLink> reflected;
 };
 
+// The obstacles as seen by one rank.
 class Obstacles {
   public:
-    // owned: this rank's box.
+    // Finds the cells and links of this rank; owned: its box.
     Obstacles(const FluidConfig& config, const Solids& solids, const CellBox& owned,
               const Populations& populations, const RowLayout& layout);
 
     const SolidMap& map() const { return map_; }
 
-    // After the exchange and before sides change what cells have sent to them;
-    // arrangement: the new one. Notes what free slip reflects into obstacles.
+    // Notes the populations that free slip reflects into obstacles. To be called after
+    // the exchange and before sides change what cells have sent to them. arrangement: the
+    // new one.
     void note_sent(const Populations& populations, Arrangement arrangement);
-    // After the sides, before outlets; arrangement: the new one. What a wall returns is
-    // interpolated along the link (Bouzidi et al. 2001): with d its distance from the
-    // cell A, B the cell behind, i towards the wall, o away from it and f* what cells
-    // sent,
+    // Replaces the populations that come from obstacles. To be called after the sides'
+    // effects and before outlets; arrangement: the new one. The population that a wall
+    // returns is interpolated along the link (Bouzidi et al. 2001). Let d be the wall's
+    // distance from the cell A, B the cell behind A, i the direction towards the wall, o
+    // the one away from it, and f* the populations that cells have sent; then it is
     //     2 d f*_i(A) + (1 - 2 d) f*_i(B)              for d < 1/2,
     //     f*_i(A) / (2 d) + (1 - 1 / (2 d)) f*_o(A)    else,
-    // plain half-way bounce-back at 1/2. The impulse on the body is c_i (f*_i + f_o)
-    // (Ladd 1994), f*_i what the cell sent to the wall, f_o what that returns, minus
-    // weight: gauge pressure. It is exactly what the fluid loses.
+    // that is, plain half-way bounce-back at 1/2. The impulse on the body is c_i (f*_i +
+    // f_o) (Ladd 1994), with f*_i sent to the wall and f_o returned by it, both minus
+    // their weights: the force of gauge pressure. It is exactly the momentum that the
+    // fluid loses.
     void bounce(const Populations& populations, Arrangement arrangement);
-    // Solid cells back to rest. After bounce(), which reads what has arrived there.
+    // Sets solid cells back to rest. To be called after bounce(), which reads the
+    // populations that have arrived there.
     void reset_solid_cells(const Populations& populations, const RowLayout& layout,
                            Arrangement arrangement) const;
 
-    // Impulse of the last step on this rank's links, by obstacle; behind them that of
-    // links that do not count.
+    // Impulse of the last step on this rank's links, one entry per obstacle, and a last
+    // entry for links that do not count.
     const std::vector<Vec3>& impulses() const { return impulses_; }
     std::size_t count() const { return impulses_.size() - 1; }
-    // Of a grid with others over or under it: only links from those cells count.
+    // Makes only links from cells with counts(cell) count in the forces; for a grid that
+    // shares its region with coarser or finer ones.
     void count_only(const std::function<bool(const Cell& local)>& counts);
 
-    // The solid cells; local indices.
+    // The solid cells of this rank as rows of local indices.
     const std::vector<CellRow>& rows() const { return rows_; }
 
   private:
@@ -119,16 +131,17 @@ class Obstacles {
 
     SolidMap map_;
     CutLinks links_;
-    std::vector<double> sent_to_slip_;  // by reflected link
+    // One per reflected link: the population noted by note_sent().
+    std::vector<double> sent_to_slip_;
     std::vector<CellRow> rows_;
     std::vector<Vec3> impulses_;
 };
 
 // Throws std::invalid_argument on all ranks if an obstacle holds the centre of no cell
-// but those of earlier ones. Collective.
+// that is not an earlier obstacle's. Collective.
 void check_resolved(MPI_Comm comm, const FluidConfig& config, const SolidMap& map);
-// The same before a run, on one process and of the whole box; on surfaces, too, that
-// cannot be.
+// The same check before a run, for the whole box on one process. Also throws if the shape
+// of an obstacle is not possible (make_solids).
 void check_obstacles(const FluidConfig& config);
 
 }  // namespace magfsi::fluid

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The shapes of obstacles, as users choose them: SI, coordinates from the box's lowest
-// corner. A new one is a struct here that says what it holds and how it is moved, its
+// The shapes of obstacles as users choose them: SI, coordinates from the box's lowest
+// corner. A new shape takes a struct here that gives its level set and moves it, its
 // place in ObstacleShape, and its keys in adapters/scene/keys_fluid.cpp.
 #pragma once
 
@@ -18,17 +18,18 @@ namespace magfsi::fluid {
 
 using Vec3 = std::array<double, 3>;
 
+// Box around a body, in cells or in metres.
 struct Bounds {
     Vec3 low{}, high{};
 };
 
-// A body by a function that is negative inside. Lengths in cells.
+// A body as the region where a function is negative. Lengths in cells.
 struct LevelSet {
     Bounds bounds;
     std::function<double(const Vec3&)> level;
 };
 
-// A size that a shape needs to be one. Written so that NaN is refused, too.
+// Throws std::invalid_argument unless a size of a shape is positive; NaN is refused, too.
 inline void need(const char* what, double size_m) {
     if (!(size_m > 0)) refuse("has the ", what, " ", size_m, " m; it must be above 0");
 }
@@ -41,6 +42,8 @@ inline Vec3 in_cells(const Vec3& metres, double spacing_m) {
     return {metres[0] / spacing_m, metres[1] / spacing_m, metres[2] / spacing_m};
 }
 
+// move() shifts a shape; level_set() describes it in cells and throws
+// std::invalid_argument if a size is not positive.
 struct Sphere {
     Vec3 centre_m{};
     double diameter_m = 0;
@@ -63,12 +66,12 @@ struct Sphere {
     }
 };
 
-// Along the axis 0 x, 1 y or 2 z; the centre is the middle of its length.
+// A cylinder along the axis 0 x, 1 y or 2 z; the centre is the middle of its length.
 struct Cylinder {
     Vec3 centre_m{};
     double diameter_m = 0;
     int axis = 2;
-    std::optional<double> length_m;  // absent: through the box
+    std::optional<double> length_m;  // absent: through the whole box
 
     void move(const Vec3& by_m) { move_point(centre_m, by_m); }
     LevelSet level_set(double spacing_m, const std::array<int, 3>& box_cells) const {
@@ -76,8 +79,8 @@ struct Cylinder {
         if (length_m) need("length", *length_m);
         Vec3 centre = in_cells(centre_m, spacing_m);
         const double radius = diameter_m / (2 * spacing_m);
-        // Through the box: a margin of cells, so that what lies beyond a periodic side is
-        // inside as well.
+        // A cylinder through the box has a margin of cells, so that the cells beyond a
+        // periodic side are inside it as well.
         double half_length = box_cells[axis] + 2.0;
         if (length_m) {
             half_length = *length_m / (2 * spacing_m);
@@ -101,6 +104,7 @@ struct Cylinder {
     }
 };
 
+// A box with edges along the axes.
 struct Block {
     Vec3 low_m{}, high_m{};  // opposite corners
 
@@ -125,7 +129,7 @@ struct Block {
 };
 
 // A closed triangulated surface from an STL file, ASCII or binary (stl_solid.cpp). A
-// point x of the file comes to shift_m + unit_m * x.
+// point x of the file moves to shift_m + unit_m * x.
 struct StlSurface {
     std::string file;
     double unit_m = 1;  // length of the file's unit
@@ -136,7 +140,7 @@ struct StlSurface {
 
 using ObstacleShape = std::variant<Sphere, Cylinder, Block, StlSurface>;
 
-// The same shape in coordinates that begin at a place of the old ones.
+// The same shape in coordinates with another origin.
 inline ObstacleShape seen_from(const Vec3& origin_m, ObstacleShape shape) {
     std::visit(
         [&](auto& one) {

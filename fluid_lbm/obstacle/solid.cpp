@@ -12,7 +12,8 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Entries are found by bisection, which asks for no formula of its own and cannot miss.
+// A body given by a level set. The entry of a segment is found by bisection, which needs
+// no formula for each shape and always finds one.
 class LevelSetSolid final : public Solid {
   public:
     explicit LevelSetSolid(LevelSet body) : body_(std::move(body)) {}
@@ -46,8 +47,8 @@ class LevelSetSolid final : public Solid {
     LevelSet body_;
 };
 
-// What lies beyond a periodic side is there again on the other one. An image is asked in
-// the coordinates of the solid itself.
+// A body that is repeated across periodic sides. An image is queried in the coordinates
+// of the body itself.
 class SolidWithImages final : public Solid {
   public:
     SolidWithImages(std::shared_ptr<const Solid> solid, const std::array<int, 3>& period)
@@ -80,8 +81,8 @@ class SolidWithImages final : public Solid {
                    });
     }
 
-    // Into the image that holds the point inside; of several that overlap there, the
-    // first that is met.
+    // Entry into the image that holds the point inside; if several overlap there, into
+    // the one that is met first.
     double entry(const Vec3& outside, const Vec3& inside) const override {
         double first = 2;
         each_image({inside, inside}, [&](const Cell& by) {
@@ -101,7 +102,7 @@ class SolidWithImages final : public Solid {
         for (int a = 0; a < 3; ++a) x[a] -= by[a];
         return x;
     }
-    // use(shift) of images that reach into a box.
+    // Calls use(shift) for the images that reach into a box.
     template <class Use>
     void each_image(const Bounds& box, const Use& use) const {
         Cell first{}, last{};
@@ -126,7 +127,7 @@ class SolidWithImages final : public Solid {
     Bounds bounds_;
 };
 
-// Written so that a position that is not a number is refused, too.
+// Throws std::invalid_argument if a body lies outside the box; NaN is refused, too.
 void check_place(const Bounds& bounds, const FluidConfig& config) {
     for (int a = 0; a < 3; ++a) {
         if (bounds.high[a] > 0 && bounds.low[a] < config.cells[a]) continue;
@@ -137,6 +138,7 @@ void check_place(const Bounds& bounds, const FluidConfig& config) {
     }
 }
 
+// A size in cells as text in metres, "a x b x c m".
 std::string in_words(const Vec3& cells, double spacing_m) {
     std::ostringstream text;
     text.precision(3);
@@ -145,7 +147,8 @@ std::string in_words(const Vec3& cells, double spacing_m) {
     return text.str();
 }
 
-// Much larger than the box, or smaller than a cell: a file in another unit.
+// Throws std::invalid_argument if a body from a file is much larger than the box or
+// smaller than a cell: the file is in another unit, and the message guesses which.
 void check_size(const StlSurface& body, const Bounds& bounds, const FluidConfig& config) {
     constexpr double larger = 20;
     Vec3 size;

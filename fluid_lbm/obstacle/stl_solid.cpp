@@ -18,8 +18,9 @@ namespace {
 using surface::cross_product, surface::dot, surface::minus, surface::normal,
     surface::Triangle;
 
-// Fraction of the way from a to b where it meets the triangle (Moeller and Trumbore 1997,
-// with a margin so that no way slips between two triangles).
+// Fraction of the segment from a to b at which it meets the triangle (Moeller and
+// Trumbore 1997), absent if it does not. A margin prevents segments from slipping between
+// two triangles.
 std::optional<double> meets(const Triangle& t, const Vec3& a, const Vec3& b) {
     constexpr double margin = 1e-9;
     const Vec3 way = minus(b, a), e1 = minus(t[1], t[0]), e2 = minus(t[2], t[0]);
@@ -34,7 +35,7 @@ std::optional<double> meets(const Triangle& t, const Vec3& a, const Vec3& b) {
     return std::clamp(s, 0.0, 1.0);
 }
 
-// Whether the triangle's plane passes through the unit cube at `low` or close by.
+// True if the triangle's plane passes through the unit cube at `low` or close by.
 bool plane_meets_cube(const Triangle& t, const Vec3& n, const std::array<int, 3>& low) {
     const Vec3 centre{low[0] + 0.5, low[1] + 0.5, low[2] + 0.5};
     const double reach = 0.51 * (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]));
@@ -55,20 +56,21 @@ Bounds bounds_of(const std::vector<Triangle>& triangles) {
     return bounds;
 }
 
+// A body bounded by triangles, which are sorted into bins for fast queries.
 class TriangulatedSolid final : public Solid {
   public:
-    // reach: bins are made within it.
+    // reach: region in which bins are made and queries are answered.
     TriangulatedSolid(std::vector<Triangle> triangles, const Bounds& reach);
 
     Bounds bounds() const override { return bounds_; }
 
-    // Both by the windings of the surfaces that a ray along x meets.
+    // These two add up the windings of the surfaces that a ray along x meets.
     bool holds(const Vec3& point) const override;
     void mark_row(double y, double z, int x_begin, std::span<char> inside) const override;
 
     double entry(const Vec3& outside, const Vec3& inside) const override;
 
-    // Inside, of the line along x.
+    // Length of the part of a line along x that lies inside.
     double length(double y, double z) const;
 
   private:
@@ -78,7 +80,7 @@ class TriangulatedSolid final : public Solid {
     };
 
     void sort_into_bins();
-    // By x.
+    // Crossings of the line along x at (y, z) with the surface, sorted by x.
     std::vector<surface::Crossing> crossings(double y, double z) const;
 
     std::vector<Triangle> triangles_;
@@ -186,16 +188,17 @@ double TriangulatedSolid::entry(const Vec3& outside, const Vec3& inside) const {
             }
         }
     }
-    return nearest <= 1 ? nearest : 0.5;  // rounding hid the surface: half-way
+    return nearest <= 1 ? nearest : 0.5;  // 0.5 if rounding hid the surface
 }
 
 }  // namespace
 
 namespace {
 
-// Of parts that lie in each other, what signs count twice: by lines along x.
+// Volume by lines along x. Unlike the sum of signed volumes, it counts a region once
+// where parts overlap.
 double volume_in_cells(const TriangulatedSolid& solid) {
-    constexpr int lines = 3;  // across a cell
+    constexpr int lines = 3;  // per cell and axis
     const Bounds bounds = solid.bounds();
     double sum = 0;
     for (double z = std::floor(bounds.low[2]) + 0.5 / lines; z < bounds.high[2];
@@ -209,7 +212,8 @@ double volume_in_cells(const TriangulatedSolid& solid) {
 
 }  // namespace
 
-// Points that are asked for may lie beside the box, as those of bodies do.
+// Bins reach one length of the box beyond it: queries may concern points beside the box,
+// as those of bodies do.
 std::shared_ptr<const Solid> make_stl_solid(const StlSurface& body, double spacing_m,
                                             const Bounds& box) {
     need("scale", body.unit_m);
@@ -244,7 +248,7 @@ StlExtent stl_extent(const StlSurface& body) {
     }
     const TriangulatedSolid solid(std::move(triangles), {{-1, -1, -1}, {201, 201, 201}});
     const double held_m3 = volume_in_cells(solid) * cell_m * cell_m * cell_m;
-    // Lines are right to some 1e-3; parts beside each other need none.
+    // Lines are exact to about 1e-3; disjoint parts do not need them.
     if (std::abs(held_m3 - out.volume_m3) > 0.01 * out.volume_m3) out.volume_m3 = held_m3;
     return out;
 }

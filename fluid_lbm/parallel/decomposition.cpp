@@ -9,6 +9,7 @@ namespace magfsi::fluid {
 
 namespace {
 
+// First row of a part, and the size of the largest part, if `count` rows are divided.
 int first_row(int count, int parts, int part) {
     return static_cast<int>(static_cast<long long>(count) * part / parts);
 }
@@ -17,12 +18,14 @@ int largest_part(int count, int parts) {
     return (count + parts - 1) / parts;
 }
 
-// Sides of a block's axis that border another rank, at most.
+// Largest number of sides of a block, along an axis of `parts` blocks, that border
+// another rank.
 int cut_sides(int parts, bool periodic) {
     if (parts == 1) return 0;
     return parts == 2 && !periodic ? 1 : 2;
 }
 
+// Work of the fullest rank in rows.
 double load(const std::array<int, 3>& cells, const std::array<bool, 3>& periodic,
             int ranks_y, int ranks_z) {
     const int ny = largest_part(cells[1], ranks_y), nz = largest_part(cells[2], ranks_z);
@@ -43,7 +46,8 @@ Beyond beyond(const Decomposition& d, int rank, int axis, int side) {
     return d.periodic[axis] ? Beyond::wrap : Beyond::wall;
 }
 
-// What is left after the rows at cut sides; a single row between two cuts is at both.
+// The rows that remain without those at cut sides; a single row between two cuts is at
+// both.
 RowBox inner(const RowLayout& layout) {
     const auto cut = [](Beyond beyond) { return beyond == Beyond::neighbour ? 1 : 0; };
     RowBox box{cut(layout.beyond_y[0]), layout.ny - cut(layout.beyond_y[1]),

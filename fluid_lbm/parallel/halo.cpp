@@ -10,17 +10,20 @@ using namespace d3q19;
 
 namespace {
 
+// The slots of direction q in a whole row.
 struct Slot {
     int q, row;
 };
 
+// The slots of SlotsType: those with component `sign` in the rows at `row` that a row
+// across the face uses.
 std::vector<Slot> slots(const RowLayout& layout, int axis, int sign, int row) {
     std::vector<Slot> found;
     for (int q = 1; q < directions; ++q) {
         if (c[q][axis] != sign) continue;
         if (axis == 1) {
-            // The user may be a diagonal neighbour, which gets the slot by way of the
-            // exchange along z; behind a wall there is none.
+            // The user may be a diagonal neighbour, which gets the slot by the exchange
+            // along z. Behind a wall there is no user.
             for (int z = 0; z < layout.nz; ++z) {
                 if (cross(z - c[q][2], layout.nz, layout.beyond_z).wall) continue;
                 found.push_back({q, layout.row(row, z)});
@@ -35,13 +38,14 @@ std::vector<Slot> slots(const RowLayout& layout, int axis, int sign, int row) {
     return found;
 }
 
+// A piece of the populations' memory, from Populations::memory() on.
 struct ByteRange {
     MPI_Aint offset;
     int bytes;
 };
 
-// One range per row, or one for rows that follow each other: their padding is ghost
-// elements, which nobody uses between two rows.
+// One range per row, or one for rows that follow each other: the padding between them is
+// ghost elements, which nobody uses between two rows.
 std::vector<ByteRange> ranges(const std::vector<Slot>& slots, const RowLayout& layout,
                               const Populations& populations) {
     const bool x_walls = layout.beyond_x == Beyond::wall;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Boxes of cells, half-open: what two share, what one leaves of another, rows.
+// Operations on half-open boxes of cells: intersection, difference, growth, images across
+// periodic sides, and visits row by row.
 #pragma once
 
 #include <algorithm>
@@ -14,6 +15,7 @@ inline bool is_empty(const CellBox& box) {
     return box.lo[0] >= box.hi[0] || box.lo[1] >= box.hi[1] || box.lo[2] >= box.hi[2];
 }
 
+// Intersection of two boxes; empty (is_empty()) if they share no cell.
 inline CellBox shared(const CellBox& a, const CellBox& b) {
     CellBox both;
     for (int d = 0; d < 3; ++d) {
@@ -32,6 +34,7 @@ inline CellBox shifted(const CellBox& box, const std::array<int, 3>& by) {
     return moved;
 }
 
+// The box with `by` more cells on every side.
 inline CellBox grown(CellBox box, int by) {
     for (int d = 0; d < 3; ++d) {
         box.lo[d] -= by;
@@ -40,11 +43,12 @@ inline CellBox grown(CellBox box, int by) {
     return box;
 }
 
+// Half of a number, rounded towards minus infinity.
 inline int floor_half(int value) {
     return value >= 0 ? value / 2 : -((1 - value) / 2);
 }
 
-// In cells twice as large: those that have a part of it.
+// The same region in cells twice as large: those of which a part lies in the box.
 inline CellBox halved(const CellBox& box) {
     CellBox half;
     for (int d = 0; d < 3; ++d) {
@@ -54,6 +58,7 @@ inline CellBox halved(const CellBox& box) {
     return half;
 }
 
+// True if `inner` lies in `outer`.
 inline bool contains(const CellBox& outer, const CellBox& inner) {
     for (int d = 0; d < 3; ++d) {
         if (inner.lo[d] < outer.lo[d] || inner.hi[d] > outer.hi[d]) return false;
@@ -61,14 +66,15 @@ inline bool contains(const CellBox& outer, const CellBox& inner) {
     return true;
 }
 
+// Number of cells in a box.
 inline std::int64_t cells_of(const CellBox& box) {
     std::int64_t count = is_empty(box) ? 0 : 1;
     for (int d = 0; d < 3; ++d) count *= box.hi[d] - box.lo[d];
     return count;
 }
 
-// Disjoint boxes that cover `box` but for what it shares with `hole`: whole slabs across
-// z, then y, then x.
+// Disjoint boxes that cover `box` without its intersection with `hole`: whole slabs
+// across z, then y, then x.
 inline std::vector<CellBox> without(CellBox box, const CellBox& hole) {
     std::vector<CellBox> rest;
     const CellBox cut = shared(box, hole);
@@ -88,6 +94,7 @@ inline std::vector<CellBox> without(CellBox box, const CellBox& hole) {
     return rest;
 }
 
+// The same for each of several boxes.
 inline std::vector<CellBox> without(const std::vector<CellBox>& boxes,
                                     const CellBox& hole) {
     std::vector<CellBox> rest;
@@ -98,9 +105,9 @@ inline std::vector<CellBox> without(const std::vector<CellBox>& boxes,
     return rest;
 }
 
-// use(image): shifts by whole periods (of axes that have one, else 0) that bring cells of
-// the domain to all places of a box that begins in it, is no longer than it, and reaches
-// a stencil beyond.
+// Calls use(shift) for shifts by whole periods (0 along axes without one). They bring the
+// cells of the domain to all places of a box that begins in the domain, is no longer than
+// it, and reaches up to a stencil of 4 cells beyond itself.
 template <class Use>
 void for_each_image(const std::array<int, 3>& period, Use&& use) {
     constexpr int stencil = 4;
@@ -118,7 +125,7 @@ void for_each_image(const std::array<int, 3>& period, Use&& use) {
     }
 }
 
-// visit(CellRow), rows along x, y fastest.
+// Calls visit(row) for the rows of a box along x, y fastest.
 template <class Visit>
 void for_each_row(const CellBox& box, Visit&& visit) {
     if (is_empty(box)) return;

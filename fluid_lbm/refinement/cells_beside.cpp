@@ -7,7 +7,7 @@ namespace magfsi::fluid {
 
 namespace {
 
-// use(row) for the parts of a row of this rank that lie in no obstacle.
+// Calls use(row) for the parts of a row of this rank that lie in no obstacle.
 template <class Use>
 void each_fluid_part(const Level& level, CellRow row, Use&& use) {
     if (level.solids.empty()) return use(row);
@@ -24,7 +24,7 @@ void each_fluid_part(const Level& level, CellRow row, Use&& use) {
     }
 }
 
-// use(row) for each row of this rank's coarse cells beside the covered box.
+// Calls use(row) for each row of this rank's coarse fluid cells beside the covered box.
 template <class Use>
 void each_row_beside(const Level& coarse, const LevelPlace& fine, Use&& use) {
     const CellBox covered = fine.covered();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The coarse cells around a patch, through which its mass comes and goes.
+// The coarse cells beside a patch, which receive the mass that the interface has lost.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace magfsi::fluid {
 
-// Of the coarser level's cells around the covered box: adds so much density to each.
-// Returns the number of those cells on this rank.
+// Number of this rank's fluid cells of the coarser level that surround the covered box.
 std::int64_t cells_beside(const Level& coarse, const LevelPlace& fine);
+// Adds `excess` (in units of the density at rest) to the density of each of these cells.
 void add_density_beside(const Level& coarse, const LevelPlace& fine, double excess);
 
 }  // namespace magfsi::fluid

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The levels of a refined grid and what stands between them: for the files that implement
-// RefinedFluid.
+// The levels of a refined grid and the transfers between them, for the files that
+// implement RefinedFluid.
 #pragma once
 
 #include <memory>
@@ -13,25 +13,27 @@
 
 namespace magfsi::fluid {
 
-// Over all ranks.
+// Sum of a value over all ranks. Collective.
 inline double summed(MPI_Comm comm, double value) {
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, comm);
     return value;
 }
 
-// Of an interface between two levels, in cells of the coarser at rest: mass that has gone
-// into the covered box as the coarser level sees it, less what the finer one has
-// received. It goes to the coarse cells beside the patch: what refluxing (Berger, Colella
-// 1989) does face by face, in the mean over them.
+// Balance of mass at the interface between two levels, in cells of the coarser level at
+// rest: the mass that has entered the covered box according to the coarser level, minus
+// the mass that the finer one has received. It is given to the coarse cells beside the
+// patch, the same to each. Refluxing (Berger, Colella 1989) does this face by face.
 struct InterfaceMass {
-    double lost = 0;   // of this rank, in the coarser level's present step
-    double owed = 0;   // besides, of all ranks
-    double given = 0;  // by the last step of the coarser level
-    double lost_then = 0, owed_then = 0;  // before the last step of the finest level
-    std::int64_t beside = 0;              // cells
+    double lost = 0;   // this rank's part, in the coarser level's present step
+    double owed = 0;   // mass of all ranks that is to be given besides
+    double given = 0;  // mass given after the coarser level's last step
+    // Values of lost and owed before the finest level's last step.
+    double lost_then = 0, owed_then = 0;
+    // Number of the coarse cells beside the patch, over all ranks.
+    std::int64_t beside = 0;
 };
 
-// A level and the two ways between it and the one below.
+// A patch of one level and the transfers between it and the level below.
 struct FinerLevel {
     FinerLevel(MPI_Comm comm, const FluidConfig& coarsest, const Level& below,
                const LevelPlace& place, int number)
@@ -41,19 +43,23 @@ struct FinerLevel {
           from_below(below, place.covered(), place),
           into_level(level, place.inside, place) {}
 
+    // The transfer of all covered cells to the level below, made at its first use.
     Restriction& all_covered(const Level& below) {
         if (!whole) whole.emplace(below, level, std::vector{level.place.covered()});
         return *whole;
     }
 
     Level level;
-    Prolongation ring;
-    Restriction band;
-    std::optional<Restriction> whole;  // of all covered cells, once it is wanted
+    Prolongation ring;  // fills the ring from the level below
+    Restriction band;   // overwrites the covered cells that the level below reads
+    // Overwrites all covered cells; made when it is needed.
+    std::optional<Restriction> whole;
+    // Mass through the interface as either level sees it.
     InterfaceFlux from_below, into_level;
     InterfaceMass mass;
 };
 
+// Level 0 and the nests of finer patches.
 struct RefinedFluid::Levels {
     Levels(MPI_Comm comm, const FluidConfig& coarse)
         : coarsest(comm, coarse, coarsest_place(coarse.cells, periodic_axes(coarse)), 0) {
@@ -62,10 +68,11 @@ struct RefinedFluid::Levels {
     Level coarsest;
     std::vector<Nest> nests;
 
-    // Level 0 is the same in all nests.
+    // The level of a number in a nest; level 0 is common to all nests.
     Level& at(int number, int nest) {
         return number == 0 ? coarsest : above(number - 1, nest).level;
     }
+    // The patch above level `number`, that is of level number + 1, in a nest.
     FinerLevel& above(int number, int nest) {
         return *nests[static_cast<std::size_t>(nest)][static_cast<std::size_t>(number)];
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Between the populations of a row and the ten numbers that levels of different spacing
-// tell each other: density - 1, velocity, and the stress beyond equilibrium (xx, yy, zz,
-// xy, xz, yz), of states before collision. What the lattice carries beyond these are
+// Conversion between the populations of a row and the ten numbers that levels of
+// different spacing exchange: density - 1, velocity, and the non-equilibrium stress (xx,
+// yy, zz, xy, xz, yz), of states before collision. All further moments of the lattice are
 // ghost modes, which do not cross from one level to another.
 #pragma once
 
@@ -10,6 +10,7 @@
 
 namespace magfsi::fluid {
 
+// Reads the flow of a vector of cells at x. WithStress: the stress, too.
 template <class V, bool WithStress, class Real>
 MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
                               double* const* flow) {
@@ -28,7 +29,8 @@ MAGFSI_INLINE void flow_block(const Real* const* at, std::ptrdiff_t x,
     for (int i = 0; i < 6; ++i) store(flow[4 + i] + x, *stress[i]);
 }
 
-// With the third-order moments that follow by recursion.
+// Writes the populations of a vector of cells at x from their flow, with the third-order
+// moments that follow by recursion.
 template <class V, class Real>
 MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
                                  Real* const* at) {
@@ -44,7 +46,7 @@ MAGFSI_INLINE void rebuild_block(const double* const* flow, std::ptrdiff_t x,
             NoFourthOrder{});
 }
 
-// use(x, V{}) for vectors of Width cells that fit into what is left of a row from x on,
+// Calls use(x, V{}) for vectors of Width cells that fit into the rest of a row from x on,
 // then for narrower ones: rows may be as short as a ring is wide.
 template <int Width, class Use>
 MAGFSI_INLINE void in_narrower_vectors(std::ptrdiff_t x, std::ptrdiff_t length,
@@ -54,8 +56,8 @@ MAGFSI_INLINE void in_narrower_vectors(std::ptrdiff_t x, std::ptrdiff_t length,
     if constexpr (Width > 1) in_narrower_vectors<Width / 2>(x, length, use);
 }
 
-// What is read next is fetched meanwhile: pieces of rows are too short for 19 streams to
-// be foreseen.
+// Reads the flow of a row, and prefetches the row that lies `ahead` elements further:
+// pieces of rows are too short for the hardware to foresee 19 streams.
 template <int Width, bool WithStress, class Real>
 MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow, std::ptrdiff_t ahead) {
@@ -67,10 +69,12 @@ MAGFSI_INLINE void flow_row(const Real* const* at, std::ptrdiff_t length,
     in_narrower_vectors<Width>(0, length, block);
 }
 
+// Writes the populations of a row from their flow.
 template <int Width, class Real>
 MAGFSI_INLINE void rebuild_row(const double* const* flow, std::ptrdiff_t length,
                                Real* const* at) {
-    // Collisions write each population to the slot of its opposite; here it stays.
+    // LaneCells::write stores each population in the slot of its opposite, as a collision
+    // does; exchanged pointers keep each in its own slot.
     Real* own[d3q19::directions];
     for (int q = 0; q < d3q19::directions; ++q) own[d3q19::opposite(q)] = at[q];
     const auto block = [&](std::ptrdiff_t x, auto v) MAGFSI_INLINE_LAMBDA {

@@ -9,6 +9,7 @@ namespace magfsi::fluid {
 
 namespace {
 
+// The box with those sides moved outwards that are interfaces.
 CellBox moved_sides(CellBox box, const std::array<std::array<bool, 2>, 3>& open, int by) {
     for (int d = 0; d < 3; ++d) {
         if (open[d][0]) box.lo[d] -= by;
@@ -38,9 +39,9 @@ InterfaceFlux::InterfaceFlux(const Level& level, const CellBox& box,
     }
 }
 
-// Whether what arrives in a cell along q has come through the interface. What a wall
-// reflects comes from the cell itself, what a side with free slip mirrors from the cell
-// beside it.
+// True if the population that arrives in a cell along q has come through the interface. A
+// population that a wall reflects comes from the cell itself, and one that a side with
+// free slip mirrors comes from the cell beside it.
 bool InterfaceFlux::crosses(const std::array<int, 3>& cell, int q, bool inside) const {
     bool from_inside = true;
     for (int d = 0; d < 3; ++d) {
@@ -63,7 +64,7 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
             return cell_slots(rows, s.layout, arrangement, local);
         });
     };
-    // What an obstacle returns has crossed nothing.
+    // A population that an obstacle returns has crossed no interface.
     const auto at_obstacle = [&](const Cell& local, int q) {
         return s.is_solid(local) ||
                s.is_solid({local[0] - d3q19::c[q][0], local[1] - d3q19::c[q][1],
@@ -79,8 +80,9 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
         constexpr std::size_t none = -1;
         std::array<std::size_t, d3q19::directions> last;  // run of each population
         last.fill(none);
-        // The same crosses in all cells whose neighbours along x are in the box, too, and
-        // their populations stand in line but for those at the ends of a stored row.
+        // Number of cells from x on in which the same populations cross and stand in
+        // line: those whose neighbours along x are in the box, too, away from the ends of
+        // a stored row.
         const auto alike = [&](int x, int cell_x) {
             const bool inner = level.solids.empty() && x > 0 && cell_x > box_.lo[0];
             const int count =
@@ -111,8 +113,8 @@ void InterfaceFlux::add_row(const Level& level, const CellRow& row, bool inside)
 }
 
 double InterfaceFlux::into_box(const Level& level) const {
-    // Runs of one cell, at the ends of rows, lie in as many cache lines, which no machine
-    // foresees.
+    // Runs of one cell, at the ends of rows, lie in as many cache lines, which the
+    // hardware does not foresee.
     constexpr std::size_t runs_ahead = 24;
     const Fluid::State& s = level.state();
     const int now = s.arrangement == Arrangement::natural ? 0 : 1;
@@ -124,7 +126,8 @@ double InterfaceFlux::into_box(const Level& level) const {
                 __builtin_prefetch(base + runs_[i + runs_ahead].first[now], 0, 3);
             const Real* f = base + runs_[i].first[now];
             int left = runs_[i].count;
-            double a = 0, b = 0, c = 0, d = 0;  // four, or each addition waits
+            // Four sums, so that no addition waits for the last.
+            double a = 0, b = 0, c = 0, d = 0;
             for (; left >= 4; left -= 4, f += 4) {
                 a += f[0];
                 b += f[1];

@@ -11,6 +11,7 @@
 
 namespace magfsi::fluid {
 
+// A patch, or level 0. Construction is collective and throws as Fluid does.
 struct Level {
     Level(MPI_Comm comm, const FluidConfig& coarse, const LevelPlace& where, int level)
         : place(where),
@@ -23,7 +24,7 @@ struct Level {
 
     const Fluid::State& state() const { return fluid.state(); }
     MPI_Comm comm() const { return state().comm; }
-    // Stored cells of each rank.
+    // The stored cells of each rank, and those of this rank.
     std::vector<CellBox> owned_by_rank() const {
         std::vector<CellBox> boxes;
         for (const CellBox& box : fluid.owned_by_rank())
@@ -32,8 +33,8 @@ struct Level {
     }
     CellBox owned() const { return shifted(state().owned(), place.stored.lo); }
 
-    // Which cells of a box, in this level's indices, lie in obstacles; null without any.
-    // Computed from the geometry alone.
+    // Map of the solid cells of a box in this level's indices; null in a scene without
+    // obstacles. It is computed from the geometry alone, without messages.
     std::unique_ptr<SolidMap> solids_in(const CellBox& box) const {
         const FluidConfig& config = state().config;
         if (config.obstacles.empty() || is_empty(box)) return nullptr;
@@ -41,10 +42,10 @@ struct Level {
         for (int d = 0; d < 3; ++d) back[d] = -place.stored.lo[d];
         return std::make_unique<SolidMap>(config, solids, shifted(box, back));
     }
-    // After populations have been written.
+    // Sets solid cells back to rest; must follow every change of populations.
     void reset_solid_cells() { fluid.state().reset_solid_cells(); }
 
-    // Of a row of this rank's cells, in its rank's own indices.
+    // A row of this rank's cells in the rank's local indices.
     CellRow local(CellRow row) const {
         const CellBox box = owned();
         row.y -= box.lo[1];

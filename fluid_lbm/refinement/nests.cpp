@@ -10,24 +10,24 @@ namespace magfsi::fluid {
 
 namespace {
 
-// The bodies' cells on a grid. A corner on the border of two cells lies in that of the
-// two which is within: what rounding makes of it, and of its mirror image, does not
-// count.
+// The cells of a grid that bodies touch. A corner on the border of two cells counts for
+// the inner one of them, so that rounding gives the same for a body and its mirror image.
 CellBox cells_around(const BodyBox& bodies_m, double spacing_m) {
     constexpr double rounding = 1e-9;  // cells
     CellBox box;
     for (int d = 0; d < 3; ++d) {
         box.lo[d] = static_cast<int>(std::floor(bodies_m[0][d] / spacing_m + rounding));
         box.hi[d] = static_cast<int>(std::ceil(bodies_m[1][d] / spacing_m - rounding));
-        if (box.hi[d] > box.lo[d]) continue;  // else a sheet in the border itself
+        // A flat body in the border of two cells takes the cells on both sides.
+        if (box.hi[d] > box.lo[d]) continue;
         --box.lo[d];
         ++box.hi[d];
     }
     return box;
 }
 
-// The sides along periodic axes moved by whole periods, so that the middle comes within
-// half of one of that place.
+// The box moved by whole periods along periodic axes, so that its middle comes within
+// half a period of a place.
 BodyBox brought_near(BodyBox box, const Vec3& place_m, const FluidConfig& coarse) {
     const auto periodic = periodic_axes(coarse);
     for (int d = 0; d < 3; ++d) {
@@ -40,6 +40,7 @@ BodyBox brought_near(BodyBox box, const Vec3& place_m, const FluidConfig& coarse
     return box;
 }
 
+// Middle of the whole box.
 Vec3 middle_of(const FluidConfig& coarse) {
     Vec3 middle_m;
     for (std::size_t d = 0; d < 3; ++d)
@@ -47,7 +48,8 @@ Vec3 middle_of(const FluidConfig& coarse) {
     return middle_m;
 }
 
-// needed: cells of the level below the finest. Beyond walls nothing is.
+// True if a nest still holds `needed`, cells of the level below the finest. Cells beyond
+// walls are not asked for.
 bool still_inside(const LevelPlace& finest, const std::array<bool, 3>& periodic,
                   CellBox needed) {
     std::array<int, 3> period{};
@@ -77,6 +79,7 @@ struct Group {
     NestPlaces places;
 };
 
+// One decision on the nests of all bodies.
 class Placement {
   public:
     Placement(const FluidConfig& coarse, const PatchRule& rule,
@@ -93,13 +96,15 @@ class Placement {
         }
     }
 
-    // Each nest holds its bodies, and each body has one.
+    // True if every body has a nest that holds it with its margin.
     bool all_stay() const {
         for (std::size_t b = 0; b < home_.size(); ++b)
             if (home_[b] >= before_.size() || !holds(home_[b], b)) return false;
         return true;
     }
 
+    // The new nests: those that can stay, one more for each other body, and shared ones
+    // in place of those that are near each other.
     std::vector<NestPlaces> places() const {
         std::vector<Group> groups;
         for (std::size_t b = 0; b < home_.size(); ++b) {
@@ -117,9 +122,11 @@ class Placement {
     }
 
   private:
+    // Spacing [m] of the level below the finest.
     double finest_but_one_m() const {
         return std::ldexp(coarse_.spacing_m, -(rule_.levels - 1));
     }
+    // Box around bodies, across periodic sides where they are nearest to each other.
     BodyBox around(const std::vector<std::size_t>& bodies) const {
         BodyBox all =
             brought_near(bodies_m_[bodies.front()], middle_of(coarse_), coarse_);
@@ -134,6 +141,7 @@ class Placement {
         }
         return brought_near(all, middle_of(coarse_), coarse_);
     }
+    // Cells that a nest of these bodies must cover at least.
     CellBox least_box(const std::vector<std::size_t>& bodies) const {
         return grown(cells_around(around(bodies), finest_but_one_m()),
                      rule_.margin_cells);
@@ -141,8 +149,8 @@ class Placement {
     bool holds(std::size_t nest, std::size_t body) const {
         return still_inside(before_[nest].back(), periodic_, least_box({body}));
     }
-    // The nest that a body is in, though it may have come near its sides; before_.size()
-    // without one.
+    // Number of the nest that a body is in, even if it has come near the nest's sides;
+    // before_.size() if it is in none.
     std::size_t home_of(std::size_t body) const {
         const CellBox least = least_box({body});
         for (std::size_t nest = 0; nest < before_.size(); ++nest) {
@@ -164,7 +172,8 @@ class Placement {
                });
     }
 
-    // From the finest level outwards, each box in cells of the level below it.
+    // A nest around bodies, built from the finest level outwards; each box is in cells of
+    // the level below it.
     NestPlaces nest_around(const std::vector<std::size_t>& bodies) const {
         const auto levels = static_cast<std::size_t>(rule_.levels);
         std::vector<CellBox> boxes(levels);
@@ -180,6 +189,7 @@ class Placement {
         return places;
     }
 
+    // True if two nests are closer than between_nests_cells.
     bool are_near(const NestPlaces& a, const NestPlaces& b) const {
         const CellBox reach = grown(a.front().covered(), between_nests_cells);
         const auto period = coarsest_place(coarse_.cells, periodic_).period;
@@ -190,6 +200,8 @@ class Placement {
         return near;
     }
 
+    // Replaces the first two groups that are near each other by one; false if there are
+    // none.
     bool merge_two(std::vector<Group>& groups) const {
         for (std::size_t i = 0; i < groups.size(); ++i) {
             for (std::size_t j = i + 1; j < groups.size(); ++j) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which patches there are. A nest is a patch of each finer level, one in the other,
-// around a body. Bodies whose nests would come near each other share one, around all of
-// them.
+// Placement of the patches. A nest is a patch of each finer level, one inside the other,
+// around a body. Bodies whose nests would come near each other share one nest.
 #pragma once
 
 #include <array>
@@ -12,24 +11,25 @@
 
 namespace magfsi::fluid {
 
-// How nests lie around bodies, in cells of the finest level but one.
+// Rule by which nests surround bodies; lengths in cells of the finest level but one.
 struct PatchRule {
-    int levels = 1;        // finer ones
-    int margin_cells = 0;  // between bodies and the sides of the finest patch, at least
-    int slack_cells = 1;   // besides, before it follows
-    bool follows = true;   // else it stays, and bodies have to
+    int levels = 1;        // number of finer levels
+    int margin_cells = 0;  // least distance from a body to a side of the finest patch
+    int slack_cells = 1;   // further distance in a new patch
+    bool follows = true;   // false: the patch stays, and bodies must keep inside
 };
 
-using BodyBox = std::array<Vec3, 2>;         // lower and upper corner [m]
-using NestPlaces = std::vector<LevelPlace>;  // of each finer level, the coarsest first
+using BodyBox = std::array<Vec3, 2>;  // lower and upper corner [m]
+// One place per finer level, the coarsest first.
+using NestPlaces = std::vector<LevelPlace>;
 
-// Cells of level 0 between two nests, at least: what each interpolates from, and cells
-// whose step neither has to do with.
+// Least distance of two nests in cells of level 0: room for the stencils of both, and for
+// cells whose step depends on neither.
 constexpr int between_nests_cells = 2 * apart_cells;
 
-// For bodies in those boxes, of which there is at least one. before: the nests that there
-// are, null at first. One whose bodies keep their margin stays as it is; absent result:
-// all do.
+// The nests around bodies in these boxes (at least one). before: the present nests, null
+// if there are none. A nest whose bodies keep their margin stays as it is. Absent if all
+// stay.
 std::optional<std::vector<NestPlaces>> place_nests(const FluidConfig& coarse,
                                                    const PatchRule& rule,
                                                    const std::vector<BodyBox>& bodies_m,

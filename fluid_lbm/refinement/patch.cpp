@@ -12,8 +12,8 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Where a patch's side cuts an obstacle or the cells beside it [cells]; null where none
-// does. bounds: in the patch's stored cells.
+// Place [cells] where a side of the patch cuts an obstacle or the cells beside it; absent
+// if none does. bounds: of the obstacle, in the patch's stored cells.
 std::optional<Vec3> cut_at(const LevelPlace& place, const Bounds& bounds) {
     Vec3 at{};
     bool cut = false;
@@ -90,7 +90,8 @@ FluidConfig config_at(const FluidConfig& coarse, const LevelPlace& place, int le
         for (int high = 0; high < 2; ++high) {
             const int side = 2 * d + high;
             Boundary& boundary = config.boundaries[side];
-            // (Beside a ring the two differ, wherever across a periodic side it lies.)
+            // A side is the domain's if nothing is stored beyond the solved cells. This
+            // holds on periodic axes, too: there every side has a ring.
             const bool at_domain = high == 1 ? place.stored.hi[d] == place.inside.hi[d]
                                              : place.stored.lo[d] == place.inside.lo[d];
             config.refilled[side] = !at_domain;

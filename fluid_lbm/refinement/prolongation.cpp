@@ -10,8 +10,8 @@ namespace {
 constexpr int points = cubic_points;
 constexpr std::size_t numbers = numbers_between_levels;
 
-// The coarse cells that a level's cubic may read along an axis: what the level solves,
-// unless the axis is periodic.
+// The coarse cells that a cubic may read along an axis: those that the level solves, or
+// any if the axis is periodic.
 struct Range {
     int lo, hi;
 };
@@ -21,9 +21,9 @@ Range readable(const LevelPlace& place, int axis) {
     return {place.inside.lo[axis], place.inside.hi[axis]};
 }
 
-// Of a fine cell, among the coarse ones: centres of cells lie at whole numbers. In the
-// ring of a patch the cubic reads one covered cell, the one that is overwritten in every
-// step.
+// Weights of a fine cell among the coarse ones, whose centres lie at whole numbers. In
+// the ring of a patch the cubic reads one layer of covered cells, the one that is
+// overwritten in every step.
 Weights coarse_around(int fine_cell, const LevelPlace& coarse, const LevelPlace& fine,
                       int axis) {
     Range range = readable(coarse, axis);
@@ -33,9 +33,10 @@ Weights coarse_around(int fine_cell, const LevelPlace& coarse, const LevelPlace&
     return cubic_at((2 * fine_cell - 1) / 4.0, range.lo, range.hi);
 }
 
-// Layers of an obstacle's cells that the cubic is given numbers for.
+// Number of layers of solid cells that are given numbers for the cubic.
 constexpr int solid_layers = 2;
 
+// True if the map has a solid cell in the box that it was made for.
 bool has_solid(const SolidMap& map, const CellBox& box) {
     bool some = false;
     for_each_cell({{0, 0, 0},
@@ -44,7 +45,9 @@ bool has_solid(const SolidMap& map, const CellBox& box) {
     return some;
 }
 
-// At obstacles with what their cells' numbers are made of, however the box is cut.
+// The coarse cells that the interpolation of a box reads. Near obstacles the box is wider
+// by the cells that the numbers of solid cells come from, so that the result does not
+// depend on how boxes are cut.
 CellBox coarse_beneath(const CellBox& fine, const Level& level, const LevelPlace& place) {
     const LevelPlace& coarse = level.place;
     CellBox box, wider;
@@ -77,10 +80,11 @@ int rank_of(MPI_Comm comm) {
     return rank;
 }
 
-// The loops below are compiled for AVX2, too, and chosen when the program starts.
+// Loops with this mark are compiled for AVX2, too; the processor decides when the program
+// starts.
 #define MAGFSI_ROW_LOOP __attribute__((target_clones("avx2", "default")))
 
-// Of four rows that lie `apart` from each other.
+// Weighted sum of four rows that lie `apart` elements from each other.
 MAGFSI_ROW_LOOP void combine(const std::array<double, points>& w, const double* rows,
                              std::size_t apart, std::size_t count, double* sum) {
     const double *a = rows, *b = a + apart, *c = b + apart, *d = c + apart;
@@ -88,6 +92,7 @@ MAGFSI_ROW_LOOP void combine(const std::array<double, points>& w, const double* 
         sum[i] = (w[0] * a[i] + w[1] * b[i]) + (w[2] * c[i] + w[3] * d[i]);
 }
 
+// Weights of the fine cells of a box along an axis.
 std::vector<Weights> weights_along(const CellBox& fine, const LevelPlace& coarse,
                                    const LevelPlace& place, int axis) {
     std::vector<Weights> weights;
@@ -96,6 +101,7 @@ std::vector<Weights> weights_along(const CellBox& fine, const LevelPlace& coarse
     return weights;
 }
 
+// Finds the part of a line in which all pairs of fine cells have the same weights.
 Expansion expansion_of(std::vector<Weights> weights, int first_coarse) {
     Expansion e{std::move(weights), first_coarse, 0, 0};
     const auto alike = [&](std::size_t i) {
@@ -103,15 +109,15 @@ Expansion expansion_of(std::vector<Weights> weights, int first_coarse) {
     };
     while (e.begin + 3 < e.of.size() && !(alike(e.begin) && alike(e.begin + 1)))
         ++e.begin;
-    // As far as each cell is like the one before the last: the cells of a pair end at
-    // a side of their own, one of them before the other.
+    // The regular part extends as far as each cell is like the one before the last: the
+    // two cells of a pair may meet the end of the line at different pairs.
     e.end = std::min(e.begin + 2, e.of.size());
     while (e.end < e.of.size() && alike(e.end - 2)) ++e.end;
     return e;
 }
 
-// Of a regular line, from its first cell on. a, b: weights of the first two cells, whose
-// coarse ones begin at those addresses.
+// Fine cells of a regular line, from its first cell on. wa, wb: weights of the first two
+// cells; a, b: the coarse values that these weights belong to.
 MAGFSI_ROW_LOOP void expand_pairs(const std::array<double, points>& wa, const double* a,
                                   const std::array<double, points>& wb, const double* b,
                                   std::size_t pairs, double* fine) {
@@ -123,6 +129,7 @@ MAGFSI_ROW_LOOP void expand_pairs(const std::array<double, points>& wa, const do
     }
 }
 
+// Interpolates one number along a line.
 void expand(const double* coarse, const Expansion& along, double* fine) {
     const auto one_by_one = [&](std::size_t begin, std::size_t end) {
         for (std::size_t x = begin; x < end; ++x) {
@@ -181,8 +188,8 @@ std::size_t Prolongation::Piece::first_number(const std::array<int, 3>& cell) co
            at(line);
 }
 
-// Layer by layer: those beside the fluid, then those beside these, as far as a cubic
-// reaches.
+// Finds the solid cells layer by layer: those beside the fluid, then those beside these,
+// as far as a cubic reaches.
 void Prolongation::Piece::find_solids(const Level& level) {
     const auto map = level.solids_in(coarse);
     if (!map) return;
@@ -225,8 +232,9 @@ void Prolongation::Piece::find_solids(const Level& level) {
     }
 }
 
-// Density and stress as beside it. The velocity falls through zero at the wall, half-way
-// between cells in the mean.
+// Density and stress of a solid cell are the mean of the cells beside it. The velocity
+// has the opposite sign in the first layer: it passes through zero at the wall, which
+// lies half-way between cells on average.
 void Prolongation::Piece::extend_into_solids() {
     const std::size_t step = length(coarse, line);
     for (const SolidCell& cell : solids) {
@@ -249,7 +257,7 @@ std::array<double*, numbers> Prolongation::Piece::of_row(const CellRow& row) {
     return at;
 }
 
-// A row of the coarse cells along x.
+// Stores a row of coarse cells along x, whichever way the lines run.
 void Prolongation::Piece::take(const CellRow& row, const double* numbers_of_row) {
     const auto count = static_cast<std::size_t>(row.size());
     const auto at = of_row(row);
@@ -299,7 +307,7 @@ void Prolongation::run(const Level& coarse, Level& fine) {
     fine.reset_solid_cells();
 }
 
-// Along z by planes, across the lines, then along them.
+// Interpolates a box: along z by planes, then across the lines, then along them.
 void Prolongation::interpolate(const Piece& piece, double stress_scale,
                                const Level& fine) {
     const View view = fine.state().view();
@@ -311,7 +319,7 @@ void Prolongation::interpolate(const Piece& piece, double stress_scale,
     const std::size_t lines = piece.across.size();
     plane_.resize(piece.length(c, piece.other) * numbers * n);
     line_.resize(numbers * n);
-    // All lines where they are short columns, which are written together.
+    // Short columns along y are written together, so that all lines of a plane are kept.
     row_.resize(numbers * length * (piece.line == 0 ? 1 : lines));
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         const Weights& wz = piece.up[static_cast<std::size_t>(z - box.lo[2])];

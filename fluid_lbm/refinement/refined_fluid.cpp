@@ -10,10 +10,11 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Covered cells that nothing reads from step to step are overwritten once in so many
-// steps of their level, so that the flow there does not become another.
+// Number of a level's steps after which all covered cells are overwritten, not only those
+// that are read from step to step: otherwise the flow there would drift away.
 constexpr std::int64_t steps_until_all_covered = 16;
 
+// Rows of a level as rows of its fluid, which counts from the first stored cell.
 std::vector<CellRow> local_rows(const Level& level, std::span<const CellRow> rows) {
     std::vector<CellRow> local;
     local.reserve(rows.size());
@@ -77,7 +78,7 @@ int RefinedFluid::nest_with(const CellRow& row) const {
 
 void RefinedFluid::velocity(std::span<const CellRow> rows, std::span<double> out,
                             std::span<double> relative_density) const {
-    // Rows of one nest follow each other, as a rule.
+    // Usually the rows of a nest follow each other, so that one call serves many.
     for (std::size_t i = 0, first_cell = 0; i < rows.size();) {
         const int nest = nest_with(rows[i]);
         std::size_t end = nests() > 1 ? i : rows.size(), cells = 0;
@@ -187,8 +188,8 @@ void RefinedFluid::cover_all() {
     fill_rings();
 }
 
-// Of the levels that stand where the one below does: their last two steps have left
-// nothing of what the rings had.
+// Fills the rings of those levels that stand at the same time as the level below: their
+// last two steps have used up what the rings held.
 void RefinedFluid::fill_rings() {
     if (begun_) return;
     for (int l = 0; l + 1 < levels(); ++l) {
@@ -213,7 +214,8 @@ void RefinedFluid::go_back() {
             InterfaceMass& mass = levels_->above(l, nest).mass;
             mass.lost = mass.lost_then;
             mass.owed = mass.owed_then;
-            // What has been given stays where it is.
+            // The mass given after the undone step stays in the coarse cells, so that
+            // less is owed.
             if (steps_done_ % steps_in_one(l) == 0) mass.owed -= mass.given;
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is read of a refined grid as a whole: sums over the box, forces on obstacles, a
+// Results of a refined grid as a whole: sums over the box, forces on obstacles, and the
 // cell that has diverged.
 #include <cmath>
 
@@ -53,7 +53,7 @@ Totals RefinedFluid::totals() const {
 }
 
 double RefinedFluid::enstrophy_1_s2() {
-    fill_rings();  // which derivatives beside them read
+    fill_rings();  // derivatives at the sides of a patch read its ring
     Enstrophy all;
     for_each_patch([&](int l, int nest) {
         const Enstrophy part = level(l, nest).enstrophy(counted_of(l, nest));
@@ -70,7 +70,7 @@ double RefinedFluid::waited_for_neighbours_s() const {
     return all;
 }
 
-// Of obstacles only the links in the finest level there count in their forces.
+// Links to obstacles count in the forces only where their level is the finest.
 void RefinedFluid::count_links_once() {
     pushed_n_.resize(levels_->coarsest.solids.size());
     if (pushed_n_.empty()) return;
@@ -91,7 +91,8 @@ void RefinedFluid::count_links_once() {
     });
 }
 
-// What a level's last step adds to the mean over a step of level 0.
+// Adds a patch's impulses of its last step to the mean over a step of level 0: a step of
+// level l counts by 2^-l.
 void RefinedFluid::add_pushes(int number, int nest, double sign) {
     const Fluid::State& s = level(number, nest).state();
     const double dx = s.config.spacing_m;

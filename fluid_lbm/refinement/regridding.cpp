@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the patches of a refined grid stand: they are made, follow the bodies, and take
-// over from those that stood elsewhere.
+// Regridding: patches are made, follow the bodies, and take over the state of the patches
+// before them.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,7 +13,8 @@ namespace magfsi::fluid {
 
 namespace {
 
-// From patches of a level to one that stands elsewhere.
+// Fills a new patch: from the old patches of its level where they overlap, and elsewhere
+// by interpolation from the level below.
 void take_over(const Level& below, const std::vector<const Level*>& old, Level& level,
                const std::array<bool, 3>& periodic) {
     std::array<int, 3> period{};
@@ -47,7 +48,7 @@ void take_over(const Level& below, const std::vector<const Level*>& old, Level& 
     level.reset_solid_cells();
 }
 
-// Excess of this rank's part of a box, in cells at rest.
+// Mass of this rank's part of a box beyond that at rest, in cells of the level at rest.
 double excess_in(const Level& level, const CellBox& box) {
     double sum = 0;
     RowMoments m;
@@ -63,8 +64,8 @@ double excess_in(const Level& level, const CellBox& box) {
 
 }  // namespace
 
-// What finer levels have more than the cells that they cover, all over, in cells of level
-// 0 at rest.
+// Mass of the finer levels beyond that of the cells that they cover, over all ranks, in
+// cells of level 0 at rest. Collective.
 double RefinedFluid::excess_of_finer() const {
     double sum = 0;
     for_each_patch([&](int l, int nest) {
@@ -85,8 +86,9 @@ RefinedFluid::RefinedFluid(MPI_Comm comm, const RefinedConfig& config,
     moves_ = 0;
 }
 
-// The patches of a nest, from the coarsest on: cells that old patches solved are copied,
-// the others interpolated from the level below, which is made right under the old patch.
+// Makes the patches of a nest, from the coarsest on. Cells that old patches solved are
+// copied, the others are interpolated from the level below, whose cells under old patches
+// cover_all() has overwritten.
 void RefinedFluid::add_nest(const NestPlaces& places, const std::vector<Nest>& old,
                             bool first) {
     FluidConfig at_rest = config_.coarse;
@@ -115,7 +117,8 @@ void RefinedFluid::add_nest(const NestPlaces& places, const std::vector<Nest>& o
     }
 }
 
-// Nests that are to stand where they do stay; the others end, and new ones take over.
+// Nests that keep their places stay; the others end, and new ones take over. The mass
+// that the change gains or loses is owed to the outermost interface of a new nest.
 void RefinedFluid::regrid(const std::vector<NestPlaces>& places) {
     const bool first = levels_->nests.empty();
     double excess = 0, owed = 0;
@@ -149,7 +152,8 @@ void RefinedFluid::regrid(const std::vector<NestPlaces>& places) {
     ++moves_;
     if (first || fresh.empty()) return;
     owed += excess - excess_of_finer();
-    // Through the outermost interface there is: a patch may cover the whole periodic box.
+    // The mass passes through the outermost interface that exists: a patch may cover the
+    // whole of a periodic box and have none.
     const Nest& nest = *fresh.front();
     for (std::size_t i = 0; i < nest.size(); ++i) {
         InterfaceMass& mass = nest[i]->mass;
@@ -181,13 +185,13 @@ void RefinedFluid::restore(std::int64_t steps, const std::vector<NestPlaces>& pl
     levels_->nests.clear();
     regrid(places);
     steps_done_ = steps;
-    // In the middle of a level's step the levels below have done theirs.
+    // In the middle of a level's step the levels below have already taken theirs.
     for_each_patch([&](int l, int nest) {
         const std::int64_t in_one = steps_in_one(l);
         level(l, nest).set_steps_done((steps + in_one - 1) / in_one);
     });
     const double* number = kept_mass.data();
-    if (kept_mass.empty()) return;  // of an older state
+    if (kept_mass.empty()) return;  // a state of an older version has none
     for (const Nest& nest : levels_->nests) {
         for (const auto& finer : nest) {
             finer->mass.owed = *number++;

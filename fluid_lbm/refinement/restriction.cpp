@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t cell_numbers = numbers_between_levels;
 
-// Of a coarse cell, among the fine ones that the level solves.
+// Weights of a coarse cell among the fine ones that the level solves.
 Weights fine_in(int coarse_cell, const LevelPlace& fine, int axis) {
     const bool wraps = fine.period[axis] > 0;
     const int lo = wraps ? -cubic_points : fine.inside.lo[axis];
@@ -19,7 +19,7 @@ Weights fine_in(int coarse_cell, const LevelPlace& fine, int axis) {
     return cubic_at(2 * coarse_cell + 0.5, lo, hi);
 }
 
-// Of a box, coarse cells that a rank with these fine cells averages.
+// The coarse cells of a box that the rank with these fine cells averages.
 CellBox share_of(const CellBox& box, const CellBox& owned) {
     CellBox share = box;
     if (is_empty(owned)) return {};
@@ -30,7 +30,7 @@ CellBox share_of(const CellBox& box, const CellBox& owned) {
     return is_empty(share) ? CellBox{} : share;
 }
 
-// The rows that a share is made of, along x as far as they are stored.
+// The fine cells that a share is made of; along x only as far as they are stored.
 CellBox fine_beneath(const CellBox& share, const LevelPlace& place) {
     CellBox box;
     if (is_empty(share)) return {};
@@ -43,7 +43,8 @@ CellBox fine_beneath(const CellBox& share, const LevelPlace& place) {
     return box;
 }
 
-// Of each rank, box by box.
+// The shares of each rank, box by box; halos_of: the fine cells that these need from
+// others.
 std::vector<std::vector<CellBox>> shares_of(const Level& fine,
                                             const std::vector<CellBox>& boxes) {
     std::vector<std::vector<CellBox>> shares;
@@ -68,7 +69,7 @@ std::vector<std::vector<CellBox>> halos_of(const Level& fine,
     return halos;
 }
 
-// The loops below are compiled for AVX2, too, and chosen when the program starts.
+// Loops with this mark are compiled for AVX2, too; the processor decides at the start.
 #define MAGFSI_ROW_LOOP __attribute__((target_clones("avx2", "default")))
 
 MAGFSI_ROW_LOOP void combine_four(const std::array<double, cubic_points>& w,
@@ -84,7 +85,7 @@ MAGFSI_ROW_LOOP void mean_of_two(const double* a, const double* b, std::size_t c
     for (std::size_t i = 0; i < count; ++i) mean[i] = 0.5 * (a[i] + b[i]);
 }
 
-// The same along a row, of fine cells that begin at the first coarse cell's first.
+// The same along a row; `fine` begins at the first fine cell of the first average.
 MAGFSI_ROW_LOOP void combine_along(const std::array<double, cubic_points>& w,
                                    const double* fine, std::size_t count, double* sum) {
     for (std::size_t i = 0; i < count; ++i)
@@ -97,8 +98,8 @@ MAGFSI_ROW_LOOP void mean_along(const double* fine, std::size_t count, double* m
         mean[i] = 0.5 * (fine[2 * i] + fine[2 * i + 1]);
 }
 
-// Rows or planes of ten numbers each of so many cells: density and velocity by the four
-// around a coarse cell, the stress, if there is any, by the two in it.
+// Combines rows or planes of ten numbers each of `cells` cells: density and velocity by
+// the four around a coarse cell, the stress, if there is any, by the two inside it.
 void combine(const Weights& w, int coarse, std::size_t cells,
              const std::array<const double*, cubic_points>& from, bool with_stress,
              double* to) {
@@ -118,6 +119,7 @@ std::size_t length(const CellBox& box, int axis) {
 
 namespace {
 
+// Writes the cells of a row whose density is not NaN (see CutCell).
 void write_where_known(const View& view, const CellRow& row, const double* flow) {
     const auto count = static_cast<std::size_t>(row.size());
     std::vector<double> known;
@@ -260,7 +262,7 @@ void Restriction::average_along_x(const Piece& piece, const double* row,
         const int n = hi - lo;
         return static_cast<std::size_t>((fine_x - lo + n) % n);
     };
-    // Cells in the middle whose four all lie in the row, and alike.
+    // Cells in the middle whose four points lie in the row and have the same weights.
     std::size_t begin = 0, end = count;
     const auto is_regular = [&](std::size_t i) {
         const int first = piece.along[i].first;
@@ -292,9 +294,10 @@ void Restriction::average_along_x(const Piece& piece, const double* row,
     }
 }
 
-// Along y, then z, then x: each fine row once, of which coarse ones are made as soon as
-// their last is there. What lies across rows goes in whole vectors; what lies along them,
-// which does not, has the fewest left.
+// Averages along y, then z, then x. Each fine row is read once, and coarse rows are made
+// as soon as the last fine row of theirs is there. Steps across rows run in whole
+// vectors; the step along rows, which does not, comes last, when the fewest cells are
+// left.
 void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
     if (is_empty(piece.coarse)) return;
     const CellBox &c = piece.coarse, &f = piece.fine;
@@ -319,7 +322,7 @@ void Restriction::average(Piece& piece, std::size_t number, const Level& fine) {
                     {first[0], first[1], first[2], first[3]}, piece.has_within(2, z),
                     plane.data() + j * row_size);
         }
-        // In a patch of four fine cells two coarse planes are made of the same four.
+        // In a patch that is four fine cells long, two coarse planes use the same four.
         for (; next < c.hi[2]; ++next) {
             const Weights w = fine_in(next, fine.place, 2);
             if (z + 1 < w.first + cubic_points) break;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int transfer_tag = 57;
 
+// The row in the owner's indices.
 CellRow less(CellRow row, const std::array<int, 3>& image) {
     row.x_begin -= image[0];
     row.x_end -= image[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cell that went wrong: where it is and why.
+// Report of a diverged cell: its place, its state and the likely cause.
 #include <cmath>
 #include <sstream>
 
@@ -9,16 +9,18 @@ namespace magfsi::fluid {
 
 namespace {
 
-// A force that alone brings a cell to a quarter of the limit in one step is not that of a
-// resolved flow.
+// Change of speed in one step above which a force is named as the cause: a quarter of the
+// speed limit, which the force in a resolved flow does not reach.
 constexpr double hard_push = lattice_speed_limit / 4;
 
-// Below this, collisions that keep ghost modes damp them by less than a tenth per step.
+// Relaxation time below which collisions that keep ghost modes damp them by less than a
+// tenth per step.
 constexpr double low_relaxation_time = 0.51;
 
+// The first cause that applies.
 DivergenceCause likely_cause(const Divergence& d) {
-    // Order: the first is certain, the force acts directly, a low relaxation time blows
-    // up speeds that were sound before.
+    // The order matters: a hard force acts directly; a value that is not finite is
+    // certain; a low relaxation time amplifies speeds that were moderate before.
     if (!std::isfinite(d.lattice_force) || !(d.lattice_force <= hard_push)) {
         return DivergenceCause::force;
     }
@@ -29,6 +31,7 @@ DivergenceCause likely_cause(const Divergence& d) {
                                                    : DivergenceCause::speed;
 }
 
+// The cause in words, with a remedy.
 std::string advice(const Divergence& d) {
     std::ostringstream text;
     text.precision(3);

@@ -7,12 +7,13 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Whether cells of a row are among those whose populations stand elsewhere.
+// True if the row includes an end cell, some populations of which are stored elsewhere.
 bool has_ends(const View& view, const CellRow& row) {
     return view.arrangement == Arrangement::swapped &&
            (row.x_begin == 0 || row.x_end == view.layout.nx);
 }
 
+// Pointers of a row; its ghost elements are filled if the row includes an end cell.
 template <class Real>
 RowPointers<Real> readable_row(const View& view, const CellRow& row) {
     const auto p = pointers(view.populations.rows<Real>(), view.layout, view.arrangement,
@@ -21,7 +22,8 @@ RowPointers<Real> readable_row(const View& view, const CellRow& row) {
     return p;
 }
 
-// use(p, first): the pointers of each row of the plane and the index of its first value.
+// Calls use(p, first) for each row of a plane: its pointers, and the index of its first
+// value in [y][x][19].
 template <class Real, class Use>
 void each_row(const View& view, const PopulationRows<Real>& rows, int z, Use&& use) {
     const std::size_t row_values = d3q19::directions * view.layout.nx;
@@ -29,7 +31,7 @@ void each_row(const View& view, const PopulationRows<Real>& rows, int z, Use&& u
         use(pointers(rows, view.layout, view.arrangement, y, z), y * row_values);
 }
 
-// use(at, count): pointers to the row's first cell, by direction.
+// Calls use(at, count): pointers to the row's first cell, by direction, and its length.
 template <class Real, class Use>
 void read_row(const View& view, const CellRow& row, Use&& use) {
     const RowPointers<Real> p = readable_row<Real>(view, row);
@@ -38,14 +40,14 @@ void read_row(const View& view, const CellRow& row, Use&& use) {
     use(at, row.size());
 }
 
-// Rows along y are read one after the other. A short one is done before the next has
-// come.
+// Number of rows to prefetch ahead. Rows along y are read one after the other, and a
+// short one is finished before the next one has arrived.
 int rows_ahead(const CellRow& row) {
     constexpr int few_cells = 8;
     return row.size() <= few_cells ? 3 : 1;
 }
 
-// The same for a use that changes what stands there.
+// The same for a use that changes the populations.
 template <class Real, class Use>
 void change_row(const View& view, const CellRow& row, Use&& use) {
     const RowPointers<Real> p = readable_row<Real>(view, row);
@@ -59,7 +61,7 @@ void change_row(const View& view, const CellRow& row, Use&& use) {
     if (has_ends(view, row)) close_x_ends(p, view.layout);
 }
 
-// The arrays of so many numbers that follow each other.
+// Pointers to `Numbers` arrays of `count` values that follow each other.
 template <std::size_t Numbers, class T>
 std::array<T*, Numbers> arrays(T* first, int count) {
     std::array<T*, Numbers> all;
@@ -133,7 +135,7 @@ void write_flow_along_y(const View& view, const CellBox& plane, const double* fl
             const int row = view.layout.row(plane.lo[1], plane.lo[2]);
             const std::ptrdiff_t stride = view.populations.row_stride();
             const std::size_t apart = d3q19::directions * n;
-            constexpr int rows_ahead = 8;  // of which each is another cache line
+            constexpr int rows_ahead = 8;  // each row is another cache line
             for (int q = 0; q < d3q19::directions; ++q) {
                 Real* to = rows.row(q, row) + plane.lo[0];
                 const Real* from = columns.data() + static_cast<std::size_t>(q) * n;

@@ -11,7 +11,7 @@ namespace {
 
 using Stress = std::array<std::array<double, 3>, 3>;
 
-// Second moment beyond its equilibrium.
+// Second moment of a cell's populations beyond its equilibrium.
 Stress stress_of(std::span<const double> f, const LocalFlow& flow) {
     Stress stress{};
     for (int q = 0; q < d3q19::directions; ++q) {
@@ -29,7 +29,8 @@ Stress stress_of(std::span<const double> f, const LocalFlow& flow) {
     return stress;
 }
 
-// w [excess + 3 rho c.u + 4.5 (c c - I/3) : (rho u u + stress)]
+// Populations of a flow and a stress, w [excess + 3 rho c.u + 4.5 (c c - I/3) : (rho u u
+// + stress)].
 void rebuild(const LocalFlow& flow, const Stress& stress, std::span<double> f) {
     const double density = 1 + flow.density_excess;
     for (int q = 0; q < d3q19::directions; ++q) {

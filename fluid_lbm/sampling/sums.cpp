@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sums over the fluid of all ranks, without the insides of obstacles.
+// Sums over the fluid of all ranks, and fields of the owned cells.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,8 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Momentum with half of the body force, as it is at the time of the step.
+// Moments of a row with half of the body force added to the momentum, so that the
+// velocity is that at the time of the step.
 void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m) {
     row_moments(s.view(), row.y, row.z, row.x_begin, row.x_end, m);
     if (!s.config.body_force_n_m3) return;
@@ -21,10 +22,12 @@ void moments_in_time(const Fluid::State& s, const CellRow& row, RowMoments& m) {
     }
 }
 
-struct Sums {  // lattice units
+// Sums over cells in lattice units; `cells` is the number of fluid cells.
+struct Sums {
     double excess = 0, momentum[3] = {}, energy = 0, sound = 0, cells = 0;
 };
 
+// Adds a row's cells to the sums.
 void add_row(const RowMoments& m, Sums& sum, double& max_speed_squared) {
     for (std::size_t x = 0; x < m.excess.size(); ++x) {
         const double density = 1 + m.excess[x];
@@ -45,8 +48,9 @@ void sum_over_ranks(MPI_Comm comm, double* values, int count, MPI_Op op = MPI_SU
     MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, op, comm);
 }
 
-// The two layers of cells whose centres lie on either side of a plane; within half a cell
-// of an end of the box, the last layer, or across a periodic side those of both ends.
+// The two layers of cells whose centres lie on either side of a plane, with weights for
+// linear interpolation. Within half a cell of an end of the box it is the last layer
+// alone, or across a periodic side the layers at both ends.
 struct Layers {
     int axis, low, high;  // global indices of the lower and the upper
     double upper;         // weight of the upper
@@ -55,6 +59,8 @@ struct Layers {
     }
 };
 
+// The layers beside a plane; at_cells: its coordinate in cells, count: cells along the
+// axis.
 Layers layers_at(int axis, double at_cells, int count, bool periodic) {
     if (periodic) {
         const double low = std::floor(at_cells - 0.5);
@@ -66,7 +72,8 @@ Layers layers_at(int axis, double at_cells, int count, bool periodic) {
     return {axis, low, low + 1, centred - low};
 }
 
-struct PlaneSums {  // over cells, each by the weight of its layer; lattice units
+// Sums over the cells of two layers, each cell by the weight of its layer; lattice units.
+struct PlaneSums {
     double flow = 0, momentum[3] = {}, excess = 0, cells = 0;
 };
 
@@ -80,6 +87,7 @@ void add_cell(const RowMoments& m, std::size_t i, int axis, double weight,
     sum.cells += weight;
 }
 
+// Sums of this rank over the fluid cells of the layers.
 PlaneSums sum_layers(const Fluid::State& s, const Layers& layers) {
     const bool across_rows = layers.axis == 0;
     const bool around = layers.high < layers.low;  // the ends of a periodic box

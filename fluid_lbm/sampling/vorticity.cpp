@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Curl of the velocity.
+// Curl of the velocity, and the enstrophy.
 #include <algorithm>
 #include <cmath>
 
@@ -10,22 +10,22 @@ namespace magfsi::fluid {
 
 namespace {
 
-// The velocity of a rank's cells with one layer of its neighbours', for derivatives.
-// Lattice units.
+// The velocity of a rank's cells and of one layer of its neighbours' cells, for
+// derivatives. Lattice units.
 class VelocityField {
   public:
-    // The present velocity. Collective among neighbours.
+    // Copies the present velocity. Collective among neighbours.
     explicit VelocityField(const Fluid::State& state);
 
-    // curl u in a cell, central differences; at walls the second-order one-sided
+    // curl u in a cell by central differences. At walls it is the second-order one-sided
     // difference through the wall half a cell away; at sides with free slip, an inlet or
-    // an outlet as if the velocity did not change across them.
+    // an outlet the velocity is taken not to change across the side.
     Vec3 curl(int x, int y, int z) const;
-    // Adds |curl u|^2 / 2 of the fluid cells of a row.
+    // Adds |curl u|^2 / 2 of the fluid cells of a row to `sum`.
     void add_enstrophy_of_row(const CellRow& row, double& sum) const;
 
   private:
-    // y and z from -1 to ny and nz.
+    // Address of a cell's velocity; y and z from -1 to ny and nz.
     double* at(int x, int y, int z) { return values_.data() + offset(x, y, z); }
     const double* at(int x, int y, int z) const {
         return values_.data() + offset(x, y, z);
@@ -33,14 +33,16 @@ class VelocityField {
     std::size_t offset(int x, int y, int z) const;
     // Fills the layers beyond cut sides.
     void exchange();
+    // Derivative of the velocity along an axis, per cell.
     Vec3 derivative(const Cell& cell, int axis) const;
     double enstrophy(int x, int y, int z) const;
     double enstrophy_of_row(const CellRow& row) const;  // without obstacles
 
     const Fluid::State& state_;
     const RowLayout& layout_;
-    std::array<std::optional<Vec3>, 6> wall_velocity_;  // of sides that are walls
-    std::vector<double> values_;
+    // Absent for sides that are no walls.
+    std::array<std::optional<Vec3>, 6> wall_velocity_;
+    std::vector<double> values_;  // [z][y][x][component]
 };
 
 VelocityField::VelocityField(const Fluid::State& state)
@@ -168,7 +170,8 @@ double VelocityField::enstrophy_of_row(const CellRow& row) const {
                    above = cross(z + 1, layout_.nz, layout_.beyond_z);
     const bool at_wall = south.wall || north.wall || below.wall || above.wall;
     double sum = 0;
-    // The ends of the grid's row, and all of it beside a wall, with their cases.
+    // Cells at the ends of the grid's row, and all cells of a row beside a wall, take the
+    // general way.
     for (int x = x_begin; x < x_end; ++x) {
         if (at_wall || x == 0 || x == layout_.nx - 1) sum += enstrophy(x, y, z);
     }

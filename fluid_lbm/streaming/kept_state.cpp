@@ -7,7 +7,7 @@ namespace magfsi::fluid {
 
 namespace {
 
-// Runs of rows along y.
+// The rows (numbers z * ny + y) as boxes, one for each run of neighbours along y.
 std::vector<RowBox> boxes_of(std::span<const int> rows, int ny) {
     std::vector<int> sorted(rows.begin(), rows.end());
     std::ranges::sort(sorted);
@@ -24,7 +24,7 @@ std::vector<RowBox> boxes_of(std::span<const int> rows, int ny) {
     return boxes;
 }
 
-// use(pointers) for each row; in the swapped arrangement with its ends open.
+// Calls use(pointers) for each row of boxes of a single z.
 template <class Use>
 void each_row(const View& view, std::span<const RowBox> boxes, Use&& use) {
     view.populations.visit([&](const auto& rows) {

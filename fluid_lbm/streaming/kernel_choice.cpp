@@ -5,6 +5,7 @@
 
 namespace magfsi::fluid {
 
+// Kernels of each instruction set, from the variants of kernels.cpp.
 namespace sse2 {
 extern const KernelSet kernels;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which row kernels a run uses: instruction set, precision, collision.
+// Choice of the row kernels of a run by instruction set, precision and collision.
 #pragma once
 
 #include <variant>
@@ -11,14 +11,16 @@
 
 namespace magfsi::fluid {
 
+// Type that populations are stored as.
 inline Storage storage_of(Precision precision) {
     return precision == Precision::double_ ? Storage::double_ : Storage::float_;
 }
 
-// By what populations are stored as.
+// Row kernels for either type of stored populations.
 using AnyKernels = std::variant<RowKernels<double>, RowKernels<float>>;
 
-// collision: not automatic.
+// The kernels of a collision, which must not be automatic. Throws std::invalid_argument
+// if no kernel is registered for it.
 AnyKernels choose_kernels(InstructionSet set, Precision precision, Collision collision,
                           LocalViscosity viscosity);
 

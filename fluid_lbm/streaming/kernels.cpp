@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The row kernels of all collisions and precisions. Compiled once for each instruction
-// set (cmake/IsaVariants.cmake).
+// The row kernels of all collisions and precisions. This file is compiled once for each
+// instruction set (cmake/IsaVariants.cmake).
 #include "fluid_lbm/collision/bgk.h"
 #include "fluid_lbm/collision/recursive_regularized.h"
 #include "fluid_lbm/collision/shear_dependent.h"
@@ -12,7 +12,7 @@
 namespace magfsi::fluid::MAGFSI_ISA {
 namespace {
 
-// Real is stored, T computed with.
+// Collision of a row. Real: the stored type; T: the type computed with; C: the collision.
 template <class Real, class T, class C, bool Forced>
 bool collide(Real* const* at, const Real* const* force, std::ptrdiff_t length,
              const CollisionParameters& parameters) {
@@ -25,6 +25,7 @@ void sample(const Real* const* at, std::ptrdiff_t length, double* const* moments
     sample_row<vector_bytes / sizeof(double)>(at, length, moments);
 }
 
+// Reading of a row's flow, with the stress if the caller gives an array for it.
 template <class Real>
 void flow(const Real* const* at, std::ptrdiff_t length, double* const* flow,
           std::ptrdiff_t ahead) {
@@ -53,8 +54,8 @@ constexpr CollisionKernels<Real> kernels_of() {
              row_kernels_of<Real, T, ShearDependent<C>>()}};
 }
 
-// A new collision is a header like bgk.h, an enumerator with its word in options.h, and
-// its name in this list.
+// Table of all collisions. A new collision takes a header like bgk.h, an enumerator with
+// its word in options.h, and its name in this list.
 template <class Real, class T>
 constexpr KernelTable<Real> table() {
     return {{kernels_of<Real, T, Bgk>(), kernels_of<Real, T, TwoRelaxationTimes>(),

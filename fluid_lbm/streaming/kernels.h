@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The row kernels as the rest of the solver sees them: function pointers, chosen once.
-// Included by code for every instruction set: plain types only.
+// The row kernels as the rest of the solver sees them: function pointers, chosen once per
+// run. This header is included by code of every instruction set, so it has plain types
+// only.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +11,25 @@
 
 namespace magfsi::fluid {
 
-// See collide_row in row_kernel.h. Real: what populations are stored as. False if a cell
-// fails CellCheck.
+// Collision and streaming of a row (collide_row in row_kernel.h). Real: the type that
+// populations are stored as. Returns false if a cell fails CellCheck.
 template <class Real>
 using RowKernel = bool (*)(Real* const* at, const Real* const* force,
                            std::ptrdiff_t length, const CollisionParameters& parameters);
 
-// Density - 1 and sum of c f of the cells behind the 19 pointers, without collision, in
-// double. moments: four arrays of that length.
+// Density - 1 and momentum (sum of c f) of the cells behind the 19 pointers, without a
+// collision and in double. moments: four arrays of that length.
 template <class Real>
 using MomentsKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
                                double* const* moments);
 
-// Between populations and what levels of a refined grid tell each other, ten arrays of
-// that length: see refinement/flow_kernel.h. ahead: elements to what is read next.
-// flow: the stress is not read where its first array is null.
+// Conversion between populations and the ten numbers of a cell's flow that levels of a
+// refined grid exchange (refinement/flow_kernel.h): ten arrays of `length` values. ahead:
+// distance to the row that is read next, in elements. FlowKernel leaves the stress out if
+// the pointer to its first array is null.
 constexpr int flow_numbers = 10;
-constexpr std::size_t first_stress = 4;  // it comes last
+// Index of the first component of the stress, which comes last.
+constexpr std::size_t first_stress = 4;
 template <class Real>
 using FlowKernel = void (*)(const Real* const* at, std::ptrdiff_t length,
                             double* const* flow, std::ptrdiff_t ahead);
@@ -44,21 +47,23 @@ struct RowKernels {
     RebuildKernel<Real> rebuild = nullptr;
 };
 
-// What a cell adds to the viscosity by its own stress.
+// Source of a viscosity that varies from cell to cell.
 enum class LocalViscosity { none, eddies, rheology };
 
+// The kernels of one collision.
 template <class Real>
 struct CollisionKernels {
     Collision kind = Collision::automatic;
     RowKernels<Real> by_viscosity[3];  // in the order of LocalViscosity
 };
 
+// The kernels of all collisions for one precision.
 template <class Real>
 struct KernelTable {
-    CollisionKernels<Real> collisions[8];  // those at the end that are unused: automatic
+    CollisionKernels<Real> collisions[8];  // unused ones at the end are of kind automatic
 };
 
-// One instruction set.
+// All kernels of one instruction set.
 struct KernelSet {
     KernelTable<double> on_double;
     KernelTable<float> on_float;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Collision and in-place streaming of one row: reads the 19 populations that arrive at
-// each cell and writes each outgoing one to the slot of the opposite. With natural and
-// swapped pointers in turn (lattice/populations.h) this is a whole AA step without a
-// second grid.
+// Collision and in-place streaming of one row: the kernel reads the 19 populations that
+// arrive at each cell and writes each outgoing one to the slot of the opposite
+// population. With natural and swapped pointers in turn (lattice/populations.h) this is a
+// whole step of the AA pattern (Bailey et al. 2009) without a second grid.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,13 @@
 
 namespace magfsi::fluid {
 
-// Cache lines between the prefetched and the current cell. Asking for the line with write
-// intent was the largest single gain measured (1.3 to 1.5 times a core).
+// Distance from the current cell to the prefetched one, in cache lines. Prefetching with
+// write intent was the largest single gain measured (1.3 to 1.5 times on one core).
 inline constexpr std::ptrdiff_t lines_ahead = 5;
 template <class Real>
 inline constexpr std::ptrdiff_t cells_per_line = 64 / sizeof(Real);
 
+// Collides the vector of cells that begins at x.
 template <class C, bool Forced, class V, class Real>
 MAGFSI_INLINE void collide_block(Real* const* at, const Real* const* force,
                                  std::ptrdiff_t x, const Rates<V>& rates,
@@ -30,6 +31,8 @@ MAGFSI_INLINE void collide_block(Real* const* at, const Real* const* force,
     C::template collide<Forced>(LaneCells<V, Real>(at, x), local_force, rates, check);
 }
 
+// Prefetches the cache lines that lie lines_ahead of x: 19 of populations, three of
+// forces.
 template <class Real>
 MAGFSI_INLINE void prefetch_for_write(Real* const* at, std::ptrdiff_t x) {
 #pragma GCC unroll 19
@@ -45,12 +48,12 @@ MAGFSI_INLINE void prefetch_force(const Real* const* force, std::ptrdiff_t x) {
     }
 }
 
-// The last cells of a row whose length is no multiple of the vector width: in a buffer,
-// because the elements behind the row belong to other rows. The buffer's surplus cells
-// are at rest.
+// Buffer for the last cells of a row whose length is no multiple of the vector width: the
+// elements behind the row belong to other rows. Surplus cells of the buffer are at rest.
 template <bool Forced, class Real, int Width>
 class RowEnd {
   public:
+    // Copies `count` cells from x on into the buffer.
     MAGFSI_INLINE void take(Real* const* at, const Real* const* force, std::ptrdiff_t x,
                             int count) {
         for (int q = 0; q < d3q19::directions; ++q) {
@@ -64,6 +67,7 @@ class RowEnd {
             }
         }
     }
+    // Copies the buffer's first `count` cells back to the row.
     MAGFSI_INLINE void put_back(Real* const* at, std::ptrdiff_t x, int count) const {
         for (int q = 0; q < d3q19::directions; ++q)
             store_some(at[q] + x, load<Stored>(f_[q]), count);
@@ -79,8 +83,9 @@ class RowEnd {
     const Real* force_at_[3];
 };
 
-// at: 19 pointers; force: three pointers, force density in lattice units, unused if not
-// Forced. V: the vector computed with.
+// Collides and streams a row of `length` cells. at: the row's 19 pointers
+// (RowPointers::at); force: three pointers to the force density in lattice units, unused
+// unless Forced; V: the vector computed with. Returns false if a cell fails CellCheck.
 template <class C, bool Forced, class V, class Real>
 MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
                                std::ptrdiff_t length,
@@ -90,8 +95,8 @@ MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
     const std::ptrdiff_t end = length / lanes<V> * lanes<V>;
     const int left = static_cast<int>(length - end);
     RowEnd<Forced, Real, lanes<V>> row_end;
-    // The end as a row of one vector by the same instructions: apart it took as long as
-    // three.
+    // The end of the row is treated as a row of one vector by the same instructions;
+    // separate code for it took as long as three vectors.
     for (bool whole = true;; whole = false) {
         if (!whole) row_end.take(at, force, end, left);
         Real* const* cells = whole ? at : row_end.at();
@@ -117,7 +122,8 @@ MAGFSI_INLINE void prefetch_for_read(const Real* const* at, std::ptrdiff_t x) {
     }
 }
 
-// Moments of a few cells without a collision, in double whatever is stored.
+// Density - 1 and momentum of a vector of cells, without a collision, in double for
+// either storage.
 template <class V, class Real>
 MAGFSI_INLINE void sample_block(const Real* const* at, std::ptrdiff_t x,
                                 double* const* out) {
@@ -129,7 +135,8 @@ MAGFSI_INLINE void sample_block(const Real* const* at, std::ptrdiff_t x,
     for (int a = 0; a < 3; ++a) store(out[1 + a] + x, m.j[a]);
 }
 
-// out: density - 1 and the three components of sum c f, four arrays of the same length.
+// Density - 1 and momentum of a row's cells. out: density - 1 and the three components of
+// sum c f, four arrays of `length` values.
 template <int Width, class Real>
 MAGFSI_INLINE void sample_row(const Real* const* at, std::ptrdiff_t length,
                               double* const* out) {

@@ -7,9 +7,9 @@ namespace magfsi::fluid {
 
 namespace {
 
-// The pointers of row after row. Away from the box's sides they move in step, so that one
-// pattern, shifted, serves all inner rows: building each from the layout took 5 % of a
-// step in float.
+// Pointers of row after row. Away from the box's sides they differ by a shift only, so
+// that one shifted pattern serves all inner rows: computing each from the layout took 5 %
+// of a step in float.
 template <class Real>
 class RowWalk {
   public:
@@ -45,9 +45,9 @@ class RowWalk {
     RowPointers<Real> pattern_{};
 };
 
-// The first cell of a row that fails the check (or the fastest, should rounding hide it),
-// from the populations that its collision left: it has kept the density and added the
-// force to the momentum.
+// The first cell of a row that fails the check, or the fastest cell, should rounding hide
+// the failure. It is computed from the populations that the collision left: the collision
+// has kept the density and added the force to the momentum.
 template <class Real>
 InvalidCell find_invalid(const RowPointers<Real>& p, const ForcePointers<Real>& force,
                          int length, MomentsKernel<Real> moments, int y, int z) {
@@ -74,10 +74,12 @@ InvalidCell find_invalid(const RowPointers<Real>& p, const ForcePointers<Real>& 
     return worst;
 }
 
+// Keeps the earlier of two invalid cells.
 void keep_first(std::optional<InvalidCell>& kept, const InvalidCell& found) {
     if (!kept || found.before(*kept)) kept = found;
 }
 
+// Stands in place of ForcedRows where no row has a force.
 struct NoForces {};
 
 template <class Real>
@@ -90,7 +92,7 @@ ForcePointers<Real> force_of(const ForcedRows& forces, int y, int z) {
     return forces.row<Real>(y, z);
 }
 
-// What the rows of one step share. Forces: ForcedRows or NoForces.
+// Input that the rows of one step share. Forces: ForcedRows or NoForces.
 template <class Forces, class Real>
 struct SweepRows {
     const View& now;
@@ -100,6 +102,7 @@ struct SweepRows {
     bool x_ends = true;
     RowWalk<Real> walk{now};
 
+    // Collides and streams one row, ends included.
     std::optional<InvalidCell> step_row(int y, int z) const {
         const RowLayout& layout = now.layout;
         const bool swapped = now.arrangement == Arrangement::swapped;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One time step of rows of a rank, apart from halo exchange, boundaries and obstacles.
+// Collision and streaming of a rank's rows in one time step, without halo exchange,
+// boundaries and obstacles.
 #pragma once
 
 #include <optional>
@@ -10,25 +11,27 @@
 
 namespace magfsi::fluid {
 
-// A cell that failed the check of its kernel. Lattice units; indices within the rank.
-// Density and velocity are those that the collision saw.
+// A cell that failed the check of its kernel: local indices, and density, speed and force
+// as the collision saw them. Lattice units.
 struct InvalidCell {
     int z = 0, y = 0, x = 0;
     double density = 0, speed = 0, force = 0;
 
+    // Order of reports: by z, then y.
     bool before(const InvalidCell& other) const {
         return z != other.z ? z < other.z : y < other.y;
     }
 };
 
-// Steps the rows of a box. now: before the step; the sweep of all rows turns the
-// arrangement. forces: null where nothing can push the fluid. Every slot is touched by
-// one row only: OpenMP's threads share the rows, and any number of them gives the same
-// bits. Returns the first invalid cell by z, then y. x_ends: false where nobody needs
-// what arrives at the ends of rows from beyond them.
+// Collides and streams the rows of a box. now: the state before the step; the arrangement
+// has changed once all rows have been swept. forces: null if no row has a force. x_ends:
+// false if the values that arrive at the ends of rows from beyond them are not needed.
+// Returns the first invalid cell by z, then y.
 //
-// Threads that spin while they wait for each other take cores from other processes: where
-// those are shared, run with OMP_WAIT_POLICY=passive.
+// Every slot is touched by one row only: the threads of OpenMP share the rows, and any
+// number of threads gives the same bits. Threads that spin while they wait for each other
+// take cores from other processes: where cores are shared, run with
+// OMP_WAIT_POLICY=passive.
 std::optional<InvalidCell> sweep(const View& now, const ForcedRows* forces,
                                  const CollisionParameters& parameters, const RowBox& box,
                                  bool x_ends = true);
