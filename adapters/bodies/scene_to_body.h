@@ -18,9 +18,10 @@ structure::Mesh to_mesh(const scene::Body& body);
 // Length of the undeformed mesh along an axis (0 x, 1 y, 2 z) [m].
 double extent(const structure::Mesh& mesh, int axis);
 
-// The material point at a place of the undeformed body [m, frame of the body]. Accepts
-// points up to 0.001 of an element outside the mesh. Throws std::invalid_argument, which
-// names the body, on points further outside.
+// The material point at a place of the undeformed body [m, frame of the body]. A point
+// outside a block is moved to its surface. Other meshes accept points up to 0.001 of an
+// element outside; on points further outside std::invalid_argument is thrown, which names
+// the body.
 structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& mesh,
                                 const structure::Vec3& at_m);
 
