@@ -14,7 +14,7 @@ namespace magfsi::bodies {
 
 // A marker in the undeformed body, before its element is assigned to a rank.
 struct PlacedMarker {
-    // Its place in the mesh of its body; node numbers count within the body.
+    // The place in the mesh of the body; nodes are numbered within the body.
     structure::MaterialPoint point;
     double volume_m3 = 0;     // fluid that the marker moves: dV of eq. (13)
     double displaced_m3 = 0;  // share of the body's volume

@@ -48,7 +48,7 @@ class StructureFiles {
     // A field of the files. add: evaluates it and appends its values to `out`,
     // `components` for each node or element, in the order of the bodies.
     struct Field {
-        std::string name;  // with its unit in brackets
+        std::string name;  // includes the unit in brackets
         int components = 1;
         bool of_nodes = false;  // values at nodes, else in elements
         std::function<void(const Instant& now, std::vector<double>& out)> add;
