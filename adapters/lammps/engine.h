@@ -96,7 +96,8 @@ class Engine final : public coupler::StructureSolver {
     // Entry n (from 1) of a fix's global vector. Collective. Throws std::logic_error if
     // there is no such fix.
     double fix_vector(const std::string& fix_id, int n) const;
-    double fix_scalar(const std::string& fix_id) const;  // likewise, its scalar
+    // A fix's global scalar, with the same conditions.
+    double fix_scalar(const std::string& fix_id) const;
 
     // Adds the fix of the energy audit. drag_rate_1_s: rate of fix magttice/drag, or 0;
     // moved: the groups in prescribed motion. Collective.

@@ -13,9 +13,10 @@ namespace magfsi::lammps {
 
 namespace {
 
-int depth = 0;
+int depth = 0;  // number of InsideLammps objects alive
 std::filesystem::path log_file;
 
+// The last line of LAMMPS's log that contains ERROR.
 std::string last_error() {
     std::ifstream log(log_file);
     std::string line;
@@ -46,6 +47,8 @@ InsideLammps::~InsideLammps() {
 
 }  // namespace magfsi::lammps
 
+// These two replace MPI's functions for the whole program; the originals are
+// PMPI_Finalize and PMPI_Abort.
 extern "C" int MPI_Finalize() {
     if (magfsi::lammps::depth > 0) {
         magfsi::lammps::report();

@@ -25,15 +25,16 @@ namespace magfsi::lammps {
 struct StructureRun {
     const scene::Scene& scene;
     coupler::Session& session;
-    Substeps substeps;  // as in the last coupled step
+    Substeps substeps;  // the steps of the last coupled step
     StepCount counted{};
     structure::LammpsInput input{};
     std::vector<std::string> fix_ids{};  // ID of the fix magttice of each body
     int atoms = 0;                       // number of the nodes of all bodies
     std::unique_ptr<Engine> engine{};
-    // Null unless a fluid takes part.
+    // The coupling to the fluid; null without one.
     std::unique_ptr<coupler::StructureCoupling> coupling{};
-    std::unique_ptr<EnergyAudit> audit{};  // null unless the scene asks for it
+    // The energy audit; null without probes.energy_audit.
+    std::unique_ptr<EnergyAudit> audit{};
 
     // The nodes at step 0, on the root; valid only while the outputs are made.
     NodalState start{};

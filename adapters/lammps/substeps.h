@@ -35,8 +35,7 @@ struct StepCount {
     std::int64_t until(std::int64_t coupled_step, int count) const {
         return before + (coupled_step - since) * count;
     }
-    // To be called when the number changes at this coupled step; until_now: the number
-    // before the change.
+    // Notes that the number changes at this coupled step; until_now: the number before.
     void change(std::int64_t coupled_step, int until_now) {
         before = until(coupled_step, until_now);
         since = coupled_step;
@@ -69,7 +68,7 @@ class StepGuard {
     std::int64_t every() const { return every_; }
 
     struct Result {
-        int factor = 1;      // by which the number of LAMMPS steps must grow
+        int factor = 1;      // factor by which the number of LAMMPS steps must grow
         double limit_s = 0;  // present stable step
     };
     // state: the present nodes, on the root; now: the present steps. Collective. Throws
