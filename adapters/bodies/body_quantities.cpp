@@ -73,7 +73,8 @@ double heading(const Vec3& a, const Vec3& b) {
 // ends [m]; height of its middle over the middle of the chord, along the normal of the
 // line there [m] (positive: ends down, as in C; negative: V); angle from the tangent at
 // the left end to that at the right end [rad] (positive: ends up). The angle is summed
-// from point to point and may exceed a full turn. Zeros for a body without a centre line.
+// from point to point and may exceed a full turn. Zeros if the centre line has fewer than
+// four points.
 Vec3 shape(const BodySample& body) {
     std::vector<Vec3> line;
     for (const auto& point : body.centre_line)

@@ -93,6 +93,7 @@ void find_parts(const scene::Scene& scene, const Placed& placed,
 
 }  // namespace
 
+// All ranks place all markers, so that placed_index means the same on each of them.
 coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine,
                                  const std::vector<int>& first_node,
                                  const coupler::Grid& grid, const coupler::Clock& clock) {

@@ -105,6 +105,8 @@ void RestFinder::hold_field(double time_s) {
                                 structure::field_arguments(still)));
 }
 
+// The search starts from the positions and velocities of the point before. set_up
+// computes the forces in the new field.
 void RestFinder::find(double time_s) {
     if (scene_.magnetic_field) hold_field(time_s);
     engine_.set_up();

@@ -116,6 +116,8 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
     min_j_ = min_energy(scene, whole_kg_);
 }
 
+// Kinetic energies of the nodes, and works of the weight from the displacements since
+// step 0. `once` is the mass that is not yet counted as fluid on the grid.
 EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
     Motion m;
     for (std::size_t i = 0; i < state.mass_kg.size(); ++i) {
@@ -188,6 +190,8 @@ std::vector<std::string> EnergyAudit::columns() const {
     return names;
 }
 
+// The first row fixes the energies of the start, so that a scene may begin with stored
+// energy.
 std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms& terms) {
     const Motion motion = motion_of(state);
     if (record_.rows == 0) {
@@ -269,6 +273,7 @@ output::EnergySummary EnergyAudit::summary() const {
     return summary;
 }
 
+// The record as a plain array, and back: it consists of doubles only.
 std::vector<double> EnergyAudit::carried() const {
     const auto values =
         std::bit_cast<std::array<double, sizeof(Record) / sizeof(double)>>(record_);

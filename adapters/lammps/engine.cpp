@@ -47,6 +47,7 @@ void Engine::command(const std::string& line) {
     lammps_->input->one(line);
 }
 
+// A run of no steps computes the forces and builds the neighbour lists.
 void Engine::set_up() {
     command("run 0");
 }
@@ -102,6 +103,7 @@ void Engine::check_finite(std::int64_t step) const {
                             "field");
 }
 
+// Sends one row of seven numbers for each local atom to the root.
 NodalState Engine::gather(int atoms) const {
     constexpr std::size_t width = 7;  // position, velocity, mass
     const LAMMPS_NS::Atom& atom = *lammps_->atom;

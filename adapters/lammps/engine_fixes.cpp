@@ -107,6 +107,7 @@ bool FixAudit::moved(int atom_index) const {
     return (atom->mask[atom_index] & moved_bits_) != 0;
 }
 
+// Power of the present forces on this rank's moved nodes.
 double FixAudit::power_on_moved_w() const {
     double sum = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -116,6 +117,7 @@ double FixAudit::power_on_moved_w() const {
     return sum;
 }
 
+// Kinetic energy of this rank's moved nodes, or of all its others.
 double FixAudit::kinetic_energy_j(bool of_moved) const {
     double sum = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -141,6 +143,7 @@ void* FixAudit::extract(const char* name, int& dimension) {
     return nullptr;
 }
 
+// Creator function of a fix style, in the form of LAMMPS's table of styles.
 template <class Fix>
 LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lammps, int count, char** words) {
     return new Fix(lammps, count, words);

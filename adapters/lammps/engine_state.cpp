@@ -148,6 +148,8 @@ void Engine::start_at(std::int64_t lammps_step) {
     command("reset_timestep " + std::to_string(lammps_step));
 }
 
+// Positions and velocities include those of ghost atoms, which go_back then need not
+// exchange.
 void Engine::keep() {
     const LAMMPS_NS::Atom& atom = *lammps_->atom;
     const int all = atom.nlocal + atom.nghost;
@@ -170,8 +172,8 @@ void Engine::keep() {
 void Engine::go_back() {
     const InsideLammps inside;
     LAMMPS_NS::Atom& atom = *lammps_->atom;
-    // Sets the step number directly: reset_timestep refuses where fixes or computes
-    // depend on time.
+    // Sets the step number directly: the command reset_timestep also checks what depends
+    // on time.
     lammps_->update->ntimestep = kept_.step;
     std::ranges::copy(kept_.position, atom.x[0]);
     std::ranges::copy(kept_.velocity, atom.v[0]);

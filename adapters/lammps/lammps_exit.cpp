@@ -27,6 +27,7 @@ std::string last_error() {
     return found;
 }
 
+// Prints the cause of the end to stderr.
 void report() {
     std::fprintf(stderr, "magfsi structure: LAMMPS stopped: %s\n", last_error().c_str());
     std::fflush(nullptr);

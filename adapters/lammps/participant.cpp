@@ -203,6 +203,8 @@ void Participant::build_coupling(const std::vector<int>& first_node) {
         session_, *run_.engine, std::move(grid), std::move(markers));
 }
 
+// The tasks of a step: those of the coupling, or without a fluid one advance of the
+// bodies.
 void Participant::assemble() {
     if (guard_) tasks_.add("check stable step", [this] { check_stable_step(); });
     if (run_.coupling) return run_.coupling->add_tasks(tasks_);

@@ -112,6 +112,8 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
 
 }  // namespace
 
+// The law of the uniform field is left out where the scene has only a gradient or
+// sources: its course means nothing there.
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
     structure::LammpsInput input;
     input.bodies = bodies::bodies_in_fluid(scene);
@@ -140,6 +142,7 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     return input;
 }
 
+// The time step of the input does not matter here.
 double stable_step_s(const scene::Scene& scene) {
     const structure::LammpsInput input = to_lammps_input(scene, 1);
     double smallest = 0;

@@ -147,6 +147,8 @@ StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps&
     first_node_.push_back(first);
 }
 
+// The root computes the rise of the elements' stiffness and sends it to all ranks, which
+// come to the same decision.
 StepGuard::Result StepGuard::check(const bodies::NodalState& state,
                                    const Substeps& now) const {
     double rise = 0;

@@ -73,6 +73,7 @@ Overlap::Overlap(StructureRun& run)
                                      near_cells * spacing_m_, deep_cells * spacing_m_)});
 }
 
+// Examines the surfaces on the root and sets the step of the next check on all ranks.
 void Overlap::look() {
     const NodalState nodes = run_.engine->gather(run_.atoms);
     std::int64_t steps = 1;

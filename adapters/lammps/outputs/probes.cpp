@@ -40,6 +40,7 @@ class Probes : public coupler::Output {
     std::unique_ptr<output::ProbeFile> file_;      // on the leading rank
 };
 
+// The order of the columns is that in which write() appends values.
 Probes::Probes(StructureRun& run)
     : run_(run), every_(run.session.clock().every(run.scene.probes->every_s)) {
     if (run.session.world().root())
