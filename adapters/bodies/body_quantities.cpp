@@ -44,7 +44,7 @@ double kinetic_energy_j(const BodySample& body) {
     return energy;
 }
 
-// About the centre of mass.
+// Torque of the fluid about the centre of mass, from the one about the origin of space.
 Vec3 fluid_torque_n_m(const BodySample& body) {
     const Vec3 moment =
         cross(mass_weighted_mean(body, body.nodes.position_m), body.loads.fluid_force_n);
@@ -53,6 +53,7 @@ Vec3 fluid_torque_n_m(const BodySample& body) {
     return torque;
 }
 
+// Largest distance of a node from its place at step 0, rigid motion included.
 double max_displacement_m(const BodySample& body) {
     double largest = 0;
     for (std::size_t i = 0; i < body.count; ++i) {
@@ -63,14 +64,17 @@ double max_displacement_m(const BodySample& body) {
     return largest;
 }
 
-// Angle of the way from a to b in the x-z plane, from x towards z.
+// Direction from a to b in the x-z plane [rad], 0 along x and pi/2 along z.
 double heading(const Vec3& a, const Vec3& b) {
     return std::atan2(b[2] - a[2], b[0] - a[0]);
 }
 
-// Of the centre line: distance of its ends; height of the middle over the straight line
-// between them, along the middle's normal (positive: C, ends down; negative: V); angle of
-// the right end's tangent against the left end's, in the x-z plane (positive: ends up).
+// Three measures of the centre line, with directions in the x-z plane: distance of its
+// ends [m]; height of its middle over the middle of the chord, along the normal of the
+// line there [m] (positive: ends down, as in C; negative: V); angle from the tangent at
+// the left end to that at the right end [rad] (positive: ends up). The angle is summed
+// from point to point and may exceed a full turn. Zeros if the centre line has fewer than
+// four points.
 Vec3 shape(const BodySample& body) {
     std::vector<Vec3> line;
     for (const auto& point : body.centre_line)

@@ -52,6 +52,8 @@ FieldWork::FieldWork(const structure::Body& body, std::vector<Vec3> placed_m, bo
       force_n_(nodes_m_.size(), Vec3{}),
       let_go_(let_go) {}
 
+// The force before the first step is zero, or for a released body that of the first
+// equilibrium's field in the initial positions.
 void FieldWork::move_to(std::span<const Vec3> nodes_m, double time_s) {
     if (std::exchange(let_go_, false)) force_n_ = forces_.at(nodes_m_, time_s);
     const std::vector<Vec3> before_m = nodes_m_, before_n = force_n_;

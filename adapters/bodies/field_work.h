@@ -12,49 +12,62 @@
 
 namespace magfsi::bodies {
 
-// On all nodes, of all that the scene's field is made of: q_a B of a uniform field, q_a
-// the nodes' charges, and those of a gradient and of sources.
+// Forces of the applied field on all nodes of one body: q_a B of the uniform field, with
+// the magnetic charges q_a of the nodes (docs/theory.md, eqs. 5-6), plus the forces of a
+// field gradient and of field sources (structure/magnetics/magnetic_forces.h). The
+// bodies' own field (dipoles) is not included.
 class FieldForces {
   public:
+    // Copies what it needs of both. A body without magnetisation feels no force.
     FieldForces(const structure::Body& body, const scene::MagneticField& field);
 
-    std::size_t nodes() const { return charge_a_m_.size(); }
-    // uniform_t: in place of the scene's law.
+    std::size_t nodes() const { return charge_a_m_.size(); }  // number of nodes
+
+    // Force on each node [N]. nodes_m: present positions of the body's nodes [m], at
+    // least one. uniform_t: uniform flux density [T] that replaces the scene's law, for
+    // instance one that a controller has set; gradient and sources remain the scene's.
+    // Moves the sources to time_s: not to be called by two threads at once.
     std::vector<structure::Vec3> at(
         std::span<const structure::Vec3> nodes_m, double time_s,
         const std::optional<structure::Vec3>& uniform_t = {}) const;
 
   private:
     scene::MagneticField field_;
-    std::vector<double> charge_a_m_;
+    std::vector<double> charge_a_m_;  // magnetic charge q_a of each node [A m]
     std::vector<structure::Hexahedron> elements_;
     std::optional<structure::FieldGradient> gradient_;
-    std::vector<structure::GradientElement> gradient_elements_;  // none without it
+    // One entry for each element; empty if the field has no gradient.
+    std::vector<structure::GradientElement> gradient_elements_;
     mutable std::optional<structure::SourceField> sources_;
-    std::vector<structure::Matrix8> moments_;  // none without sources
+    // Moment matrix of each element [A m2]; empty if the field has no sources.
+    std::vector<structure::Matrix8> moments_;
 };
 
-// sum over the path of (F_before + F_after)/2 . (x_after - x_before): a property of the
-// equilibria, whatever motion leads from one to the next.
+// Work of the field on one body along a path of equilibria, by the trapezium rule:
+//   sum over the path of (F_before + F_after)/2 . (x_after - x_before) [J].
+// It depends on the equilibria alone and not on the motion that a solver takes from one
+// to the next (docs/energy_audit.md).
 class FieldWork {
   public:
-    // Where the body is before any load. `let_go`: moves to the first equilibrium in the
-    // field at full strength; else the field is raised from zero on the way.
+    // placed_m: positions of the nodes [m] before any load acts. let_go: true if the body
+    // is released in the field of the first equilibrium, which then acts at full strength
+    // from the start; false if the field is raised from zero on the way to it.
     FieldWork(const structure::Body& body, std::vector<structure::Vec3> placed_m,
               bool let_go, const scene::MagneticField& field);
 
+    // Adds the work from the equilibrium before to the one with these positions [m].
     void move_to(std::span<const structure::Vec3> nodes_m, double time_s);
-    double work_j() const { return work_j_; }
+    double work_j() const { return work_j_; }  // sum since the start
 
   private:
     FieldForces forces_;
-    std::vector<structure::Vec3> nodes_m_, force_n_;
-    bool let_go_;
+    std::vector<structure::Vec3> nodes_m_, force_n_;  // at the last equilibrium
+    bool let_go_;  // true until the first equilibrium of a released body is reached
     double work_j_ = 0;
 };
 
-// Whether a body is let go at the start of its path: one that nothing holds, or a relaxed
-// one.
+// True if a body is released at the start of its path: no clamp or roller holds it, or it
+// starts in a relaxed shape.
 bool is_let_go(const structure::Body& body, const structure::Placement& initial);
 
 }  // namespace magfsi::bodies

@@ -17,11 +17,12 @@ namespace magfsi::bodies {
 
 namespace {
 
-// Filled or not: 0.1 GB while they are sorted out.
+// Largest number of cubes of the grid, filled or not. They take 0.1 GB of memory while
+// the mesh is made.
 constexpr double most_cubes = 2e6;
 
-// Cubes along each side of the grid around a surface, which is as wide as it up to whole
-// cubes, with the surface in its middle.
+// Number of cubes along each axis of the grid around a surface: the extent of the surface
+// rounded up to whole cubes. Throws std::invalid_argument on more than most_cubes.
 std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
                                 const structure::VoxelMesh& voxels) {
     constexpr double rounding = 1e-5;  // a file has its lengths to seven digits
@@ -46,7 +47,8 @@ std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
 
 using Place = std::array<int, 3>;
 
-// The grid of cubes: which are filled, and how much of each lies inside.
+// The grid of cubes, x fastest. filled: 1 if the centre of the cube lies inside the
+// surface; held: fraction of the cube's volume inside.
 struct Cubes {
     Place count{};
     std::vector<char> filled{};
@@ -55,7 +57,8 @@ struct Cubes {
     std::size_t number(const Place& p) const {
         return static_cast<std::size_t>(p[0] + count[0] * (p[1] + count[1] * p[2]));
     }
-    // What is done to those around a cube; faces: to those at its faces alone.
+    // Calls act(number) for each of the up to 26 neighbours of a cube; with `faces` only
+    // for the up to 6 that share a face with it.
     template <class Do>
     void around(const Place& p, bool faces, const Do& act) const {
         for (int n = 0; n < 27; ++n) {
@@ -78,6 +81,7 @@ struct Cubes {
     }
 };
 
+// Fills the cubes whose centres lie inside the surface.
 void mark(const fluid::Solid& solid, Cubes& cubes) {
     const auto [width, depth, height] = cubes.count;
     const auto row = static_cast<std::size_t>(width);
@@ -90,9 +94,11 @@ void mark(const fluid::Solid& solid, Cubes& cubes) {
     }
 }
 
-// Of the cubes beside others that are filled or not, by so many points along each edge.
+// Sample points along each edge of a cube for the fraction that lies inside.
 constexpr int points_of_edge = 4;
 
+// Determines `held` of each cube. Only cubes that the surface may cut are sampled: those
+// with a neighbour of the other kind, and filled ones at the edge of the grid.
 void measure(const fluid::Solid& solid, Cubes& cubes) {
     cubes.held.assign(cubes.filled.begin(), cubes.filled.end());
     cubes.each([&](const Place& p) {
@@ -116,11 +122,14 @@ void measure(const fluid::Solid& solid, Cubes& cubes) {
     });
 }
 
-// What lies in cubes that are left out goes to those at their faces, or else to all
-// around. volume: that of the surface, in cubes, by which those that are cut are scaled,
-// for few points see little of a cut along the grid.
+// Weight of each cube: its own fraction inside plus equal shares of the fractions of
+// omitted neighbours. An omitted cube gives its fraction to the filled cubes at its
+// faces, or without any to all filled cubes around it. volume: that inside the surface,
+// in volumes of a cube. The weights of cut cubes are scaled so that the sum is this
+// volume, for the few sample points are inexact where the surface runs along the grid.
 std::vector<double> weights(const Cubes& cubes, double volume) {
-    constexpr double most = 1.25;  // beyond, a part without any cube is missing
+    // Limit of the scale: a larger one means that a part of the body has no cube at all.
+    constexpr double most = 1.25;
     std::vector<double> out = cubes.held;
     cubes.each([&](const Place& p) {
         const std::size_t mine = cubes.number(p);
@@ -144,12 +153,13 @@ std::vector<double> weights(const Cubes& cubes, double volume) {
     return out;
 }
 
-// Weights are whole parts of this: elements of one material are computed
-// together.
+// Weights are rounded to multiples of 1/16 of a cube, so that there are few materials:
+// the elements of one material are computed together.
 constexpr int parts_of_cube = 16;
 
-// Names the regions of the mesh by the weights. What rounding leaves over goes on to the
-// next cube that is cut, so that the sum is that of the weights.
+// Makes a region of the mesh for each weight, named after it; none if all cubes are
+// whole. The rounding error of a cut cube is carried over to the next one, so that the
+// sum of the weights is kept.
 void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
                   const Cubes& cubes, double spacing_m) {
     double left = 0;

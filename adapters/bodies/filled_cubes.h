@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Cubes that fill a closed surface. The surface cuts those at its steps: each has mass,
-// stiffness and magnetisation in proportion to what it holds, and what lies in cubes that
-// are left out counts for their neighbours. So mass and volume are the surface's, and
-// bending converges with the square of the cubes' edge (after the finite cell method of
-// Parvizian, Duester and Rank, Comput. Mech. 41 (2007) 121, without its quadrature).
+// Meshes of cubes that fill a closed surface. The surface cuts the cubes along it: each
+// has mass, stiffness and magnetisation in proportion to the part of it that lies inside,
+// and material that lies in omitted cubes counts for their neighbours. So mass and volume
+// are those of the surface, and bending converges with the square of the cubes' edge
+// (after the finite cell method of Parvizian, Duester and Rank, Comput. Mech. 41 (2007)
+// 121, without its quadrature).
 #pragma once
 
 #include "structure/body.h"
 
 namespace magfsi::bodies {
 
-// Those whose middle lies inside, in the file's frame. Its regions are cubes of one
-// weight; none where all are whole. Throws std::invalid_argument.
+// Mesh of the cubes whose centres lie inside the surface of the STL file, in the frame of
+// the file [m]. Each region of the mesh has the cubes of one weight and is named after
+// it, "5/16"; a mesh of whole cubes has no regions. Throws std::invalid_argument if the
+// file cannot be used (make_stl_solid) or takes more than two million cubes.
 structure::Mesh filled_mesh(const structure::VoxelMesh& voxels);
 
-// How much the cubes of a region hold, of a cube.
+// Weight of a region of such a mesh: the material that each of its cubes stands for, in
+// volumes of a whole cube. Above 1 where a cube also stands for omitted neighbours.
 double weight_of_region(const structure::Mesh& mesh, int region);
 
-// Gives the elements of such a mesh their part of material and magnetisation.
+// Scales density, moduli, viscosity and magnetisation of each element of a body on such a
+// mesh with the weight of its region. Adds one material for each weight other than 1; the
+// body must have no other materials before. To be called once.
 void weigh(structure::Body& body);
 
-// Held by the surface of the file, without its cubes.
+// Volume inside the surface of the file [m3], independent of its cubes.
 double surface_volume_m3(const structure::VoxelMesh& voxels);
 
 }  // namespace magfsi::bodies

@@ -12,21 +12,23 @@ namespace magfsi::bodies {
 
 namespace {
 
-// How much a material has of the body's: cubes that a surface cuts hold less than others
-// of both the body and the fluid in its place.
+// Fraction of a cube that elements of this material stand for (filled_cubes.h), by which
+// both the body's mass and that of the fluid in its place are scaled; 1 in other meshes.
 double part_of(const scene::Body& body, const structure::Material& material) {
     return std::holds_alternative<structure::VoxelMesh>(body.mesh)
                ? material.density_kg_m3 / body.material.density_kg_m3
                : 1;
 }
 
-// Of the fluid inside in place of the solid.
+// Replaces the densities of a body so that its masses are those of the fluid in its
+// place.
 void fill_with(structure::Body& solid, const scene::Body& body, double density_kg_m3) {
     for (structure::Material& other : solid.other_materials)
         other.density_kg_m3 = part_of(body, other) * density_kg_m3;
     solid.material.density_kg_m3 = density_kg_m3;
 }
 
+// Appends the lumped masses of the body's nodes [kg].
 void add_masses(std::vector<double>& all, const structure::Body& body) {
     const auto masses = structure::build_lattice(body).node_mass_kg;
     all.insert(all.end(), masses.begin(), masses.end());

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The grid has fluid inside a body, too, which moves with it. Its inertia must be taken
-// away again, and its weight is the buoyancy: as much as the body's own mass bears comes
-// off the mass of its nodes, which is exact at any frequency; the rest is a force on the
-// markers that follows the fluid (coupler/immersed_boundary/direct_forcing.h).
+// Masses of bodies in a fluid. The fluid's grid has fluid inside a body, too, which moves
+// with it. The inertia of this enclosed fluid must be subtracted (Uhlmann 2005; Kempe and
+// Froehlich 2012); its weight is the buoyancy. As much of it as the body's own mass
+// allows is subtracted from the masses of the nodes, which is exact at any frequency; the
+// rest is a force on the markers that follows the fluid
+// (coupler/immersed_boundary/direct_forcing.h).
 #pragma once
 
 #include <vector>
@@ -12,9 +14,9 @@
 
 namespace magfsi::bodies {
 
-// Of a node's mass, what may come off it for the fluid inside. The nodes keep a third:
-// their stable step is that of a body of a third of the density, at least 0.58 of their
-// own.
+// Largest part of a node's mass that is subtracted for the enclosed fluid. The nodes keep
+// at least a third of their mass: their stable step is then that of a body of a third of
+// the density, at least 0.58 = sqrt(1/3) times their own.
 constexpr double largest_part_off_nodes = 2.0 / 3;
 
 // True if damping slows down the nodes; a rate of 0 is no damping.
@@ -22,18 +24,21 @@ inline bool has_drag(const scene::Scene& scene) {
     return scene.damping && scene.damping->rate_1_s > 0;
 }
 
-// Of a body as bodies::to_body gives it, the density that comes off its nodes [kg/m3]:
-// the fluid's, or less for light bodies; 0 without a fluid, and where `damping` slows
-// down the nodes by their mass.
+// Density of enclosed fluid that is subtracted from the nodes of a body [kg/m3]: that of
+// the fluid, or largest_part_off_nodes of the body's lightest material if this is less. 0
+// without a fluid, and with `damping`, whose force is proportional to the nodes' masses.
+// body: as bodies::to_body returns it, of the scene.
 double off_nodes_kg_m3(const scene::Scene& scene, const structure::Body& body);
 
-// The scene's bodies with the inertia and the weight that their nodes have.
+// The scene's bodies, in its order, with densities less off_nodes_kg_m3: inertia and
+// weight of their nodes are those that the structure solver integrates.
 std::vector<structure::Body> bodies_in_fluid(const scene::Scene& scene);
 
-// The whole mass of each node [kg], body after body.
+// Mass of each node of the bodies themselves [kg], nothing subtracted, body after body.
 std::vector<double> whole_masses_kg(const scene::Scene& scene);
 
-// The mass of the fluid in its place [kg]; of a scene with a fluid.
+// Mass of the fluid that fills the place of the bodies, shared among their nodes [kg],
+// body after body. The scene must have a fluid.
 std::vector<double> inside_masses_kg(const scene::Scene& scene);
 
 }  // namespace magfsi::bodies

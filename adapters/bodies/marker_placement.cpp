@@ -23,17 +23,20 @@ namespace {
 
 using structure::Vec3;
 
+// Spacing of the finest grid and of the markers.
 struct Spacings {
     double grid_m, marker_m;
 };
 
+// Markers of a sheet, in one layer below each face or in one at mid-surface.
 std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
                                    const structure::Sheet& sheet, bool both_faces,
                                    const DryFaces& dry,
                                    const coupler::ImmersedBoundary& boundary,
                                    const Spacings& spacing) {
     std::vector<PlacedMarker> markers;
-    // faces: -1 the bottom, 1 the top, 2 both, of whose normals |U . n| sees no sign.
+    // share: fraction of the fluid that the layer moves. faces: the surface that it
+    // stands for, 1 the top, -1 the bottom, 2 both; their leakage |U . n| has no sign.
     const auto add = [&](const std::vector<structure::SurfacePoint>& points, double share,
                          int faces) {
         for (const auto& p : points) {
@@ -58,6 +61,7 @@ std::vector<PlacedMarker> on_sheet(const structure::Mesh& mesh,
     return markers;
 }
 
+// Markers throughout the volume of a body, thinned out towards its wet surface.
 std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh, const DryFaces& dry,
                                          const coupler::ImmersedBoundary& boundary,
                                          const Spacings& spacing) {
@@ -71,7 +75,7 @@ std::vector<PlacedMarker> through_volume(const structure::Mesh& mesh, const DryF
     return markers;
 }
 
-// Of the elements, across the thickness of a sheet excepted.
+// Length of the longest edge of the elements; for a sheet only of edges along it.
 double longest_edge_m(const structure::Mesh& mesh, const structure::Sheet* sheet) {
     double longest = 0;
     const auto measure = [&](int a, int b) {
@@ -91,7 +95,7 @@ double longest_edge_m(const structure::Mesh& mesh, const structure::Sheet* sheet
     return longest;
 }
 
-// Markers displace the body in the proportion of the fluid that they move.
+// Shares the body's volume among its markers in proportion to the fluid that they move.
 void share_body(std::vector<PlacedMarker>& markers, double body_m3, int number) {
     double sum = 0;
     for (const PlacedMarker& m : markers) sum += m.volume_m3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the Lagrangian markers of a body sit. They follow the fluid's grid in their
-// spacing and the body's elements in their motion.
+// Placement of the Lagrangian markers in a body. Their spacing follows the grid of the
+// fluid, their motion the elements of the body, so that both meshes can be refined alone.
 #pragma once
 
 #include <optional>
@@ -12,51 +12,64 @@
 
 namespace magfsi::bodies {
 
-// A marker before it is known which rank owns its element.
+// A marker in the undeformed body, before its element is assigned to a rank.
 struct PlacedMarker {
+    // The place in the mesh of the body; nodes are numbered within the body.
     structure::MaterialPoint point;
-    double volume_m3 = 0;     // of fluid that it moves
-    double displaced_m3 = 0;  // of the body that it stands for
-    double beyond_m3 = 0;     // of fluid that its layer carries beyond the body
-    bool core = false;        // deep inside a sheet (coupler/immersed_boundary/no_slip.h)
-    int body = 0;
-    // Of the surface that it stands for, as in MarkerArea of
-    // coupler/immersed_boundary/slip.h; zero where it stands for none.
+    double volume_m3 = 0;     // fluid that the marker moves: dV of eq. (13)
+    double displaced_m3 = 0;  // share of the body's volume
+    // Fluid outside the body that the marker's layer carries along; negative where the
+    // sheet is thicker than its layer (coupler/immersed_boundary/layer_inertia.h).
+    double beyond_m3 = 0;
+    bool core = false;  // deep inside a sheet (coupler/immersed_boundary/no_slip.h)
+    int body = 0;       // number of the body in the scene
+    // The two edges whose vector product is the surface that the marker stands for, as
+    // weights of the element's nodes [-] (MarkerArea of
+    // coupler/immersed_boundary/slip.h). Zero if the marker stands for no surface.
     std::array<double, 8> first_edge{}, second_edge{};
 };
 
-// Markers of a body. The kernel smears a marker over some cells, which enlarges the body;
-// so they lie below its surface, by `retraction` grid spacings. (At 0.4 a sphere of 6 or
-// 12 cells settles at the same speed, that of the experiment.)
-//   both_faces   of a sheet: half of the fluid on each side of the mid-surface, which
-//   they
-//                reach if the sheet is thin; drawn back from the rim by rim_retraction
-//                (at 0.9 a plate of the swimmer's shape falls alike at 15 and 7 cells a
-//                width)
-//   mid_surface  of a sheet: the paper's; the limit of fine grids is a plate without
-//                thickness
-//   volume       any body: each marker for its part of the volume
-// On a sheet a marker moves its area times one grid spacing: what the kernel takes along.
-// Markers of sheets stand for the surface of both faces, not of the rim; in other bodies
-// those nearest to the surface for all of it. Nothing is drawn back from where a body is
-// clamped, and so stands on something, nor from its ends along axes on which it
-// continues. Where the scene does not say, sheets have both faces, other bodies the
-// volume. In forcing no_slip: rows about a grid spacing apart (no_slip_markers.cpp).
-// body: its number in a scene with coupling. Throws std::invalid_argument on faces asked
-// for of a body that is no sheet.
+// Markers of a body, with their volumes and surfaces. body: its number in a scene with a
+// fluid and coupling. A sheet consists of columns of equally many elements between two
+// large faces (structure/mesh/sheet.h).
+//
+// The kernel spreads the force of a marker over some cells, which makes the body larger:
+// markers lie `retraction` grid spacings below its surface. (At 0.4 a sphere of 6 or 12
+// cells settles at the same speed, that of the experiment.) Three arrangements:
+//   both_faces   for a sheet: one layer below each face, each with half of the fluid; in
+//                a thin sheet both reach the mid-surface. The markers end at a distance
+//                of rim_retraction from the rim (at 0.9 a plate of the swimmer's shape
+//                falls alike at 15 and 7 cells a width).
+//   mid_surface  for a sheet: one layer, as in the paper; the limit of fine grids is a
+//                plate without thickness.
+//   volume       for any body: each marker stands for its part of the volume.
+// The default is both_faces for sheets and volume for other bodies. In forcing no_slip
+// the key does not apply: there markers are rows about a grid spacing apart
+// (no_slip_markers.cpp).
+//
+// A marker on a sheet moves a fluid volume of its area times one grid spacing, the width
+// of the layer that the kernel takes along. The surface of a sheet that is measured for
+// leakage is that of both faces without the rim; in other bodies the markers nearest to
+// the surface stand for all of it. Markers keep no distance from clamped faces, which
+// stand on something, and from the ends of a body along axes on which it continues.
+//
+// Throws std::invalid_argument if the scene asks for markers on the faces of a body that
+// is no sheet, and for a marker spacing that the elements of the mesh cannot keep.
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
 
-// A sheet that one layer of markers stands for, in forcing no_slip, and the fluid that
-// the layer carries where it moves along its surface
+// A sheet that is represented by one layer of markers, in forcing no_slip
 // (coupler/immersed_boundary/layer_inertia.h).
 struct CarriedLayer {
-    double thickness_m = 0;  // of the sheet
+    double thickness_m = 0;  // thickness of the sheet
+    // Thickness of the fluid that moves with the layer along its surface.
     double carried_m = 0;
 };
+// The layer of a body; empty in other forcings, and for bodies of several layers. body:
+// as for place_markers.
 std::optional<CarriedLayer> carried_layer(const scene::Scene& scene, std::size_t body);
 
-// Along which axes a body spans the fluid's box from one periodic side to the other, or
-// between_walls from one wall to the other.
+// Axes along which a body spans the box of the fluid from one periodic side to the other;
+// with between_walls also those along which it spans it from wall to wall.
 structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& body,
                                  bool between_walls);
 

@@ -15,6 +15,7 @@ namespace {
 
 using structure::Vec3;
 
+// Markers sorted into cubic bins, for searches of the nearest ones.
 class Bins {
   public:
     Bins(std::span<const PlacedMarker> markers, const structure::Mesh& mesh, double size)
@@ -25,9 +26,10 @@ class Bins {
         }
     }
 
-    // Searches growing shells of bins; what lies beyond shell n is further than n bins.
-    // All that are as near but for rounding: one alone would be another one in the mirror
-    // image of a body.
+    // Numbers of the markers nearest to x. Searches growing shells of bins: everything
+    // beyond shell n is further away than n bin sizes. Returns all markers that are
+    // equally near up to rounding, since a choice among them would break the symmetry of
+    // a body and its mirror image. Does not end without any marker.
     std::vector<std::size_t> nearest(const Vec3& x) const {
         constexpr double rounding = 1e-9;
         std::vector<std::size_t> best;
@@ -97,14 +99,16 @@ std::array<Eigen::Vector3d, 8> shape_gradient(const structure::Mesh& mesh,
     return slope;
 }
 
-constexpr double on_border = 1e-9;  // of a weight: rounding
+// Weights of shape functions below this are zero up to rounding.
+constexpr double on_border = 1e-9;
 
-// A point that lies on the border of elements, in each of them, if what the marker knows
-// of its area reaches beyond the border: it would follow the nodes of one side alone.
+// The material points of a marker on the border between elements, one in each of them, if
+// its area depends on nodes beyond the border and so on one of the elements alone; else
+// the marker's own point. elements_of: the elements of each node.
 std::vector<structure::MaterialPoint> across_borders(
     const PlacedMarker& marker, const structure::Mesh& mesh,
     const std::vector<std::vector<int>>& elements_of) {
-    std::map<int, double> weight;  // of the nodes on the border
+    std::map<int, double> weight;  // shape functions of the nodes on the border
     double longest = 0, beyond = 0;
     for (std::size_t a = 0; a < 8; ++a) {
         const double edge =
@@ -132,6 +136,7 @@ std::vector<structure::MaterialPoint> across_borders(
     return points;
 }
 
+// Vector area that the marker stands for in the undeformed body [m2].
 Vec3 area_of(const PlacedMarker& marker, const structure::Mesh& mesh) {
     Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = first;
     for (std::size_t a = 0; a < 8; ++a) {
@@ -158,6 +163,9 @@ std::vector<std::vector<std::size_t>> nearest_markers(
     return nearest;
 }
 
+// The edges are two orthogonal vectors of equal length in the plane of the area. As
+// weights of the nodes they are the gradients of the shape functions along them, so that
+// the deformation gradient carries them.
 void set_area(PlacedMarker& marker, const structure::Mesh& mesh, const Vec3& area_m2) {
     const Eigen::Vector3d area(area_m2[0], area_m2[1], area_m2[2]);
     if (!(area.norm() > 0)) return;
@@ -203,7 +211,8 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
                    int faces) {
     const Bins bins(markers, mesh, spacing_m);
     std::map<std::size_t, Vec3> areas;
-    // So close that every marker of an even layer gets some.
+    // Pieces of half a spacing are small enough for every marker of an even layer to get
+    // some.
     for (const auto& p : structure::surface_points(mesh, surface, 0.5 * spacing_m)) {
         const auto nearest = bins.nearest(structure::position(mesh, p.point));
         const double area_m2 = faces * p.area_m2 / static_cast<double>(nearest.size());
@@ -228,7 +237,8 @@ void draw_back(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
         kept.push_back(markers[i]);
         kept.back().volume_m3 *= share;
     }
-    if (!kept.empty()) markers = std::move(kept);  // a body all skin keeps what it has
+    // A body that lies within the skin as a whole keeps its markers.
+    if (!kept.empty()) markers = std::move(kept);
 }
 
 DryFaces::DryFaces(const scene::Body& body, const structure::Mesh& mesh,

@@ -21,8 +21,9 @@ namespace {
 
 using structure::Vec3;
 
-// Of a mesh that is solved: about half a second. Meshes are refined as far as these
-// allow, at most twice: where few elements meet a clamp, one refinement does not tell.
+// Largest number of elements of a mesh that is solved, which takes about half a second.
+// Meshes are refined twice where this allows it: where few elements meet a clamp, a
+// single refinement shows too little of the error.
 constexpr std::size_t most_elements = 6000;
 constexpr std::size_t most_refined = most_elements / 8;
 constexpr int samples_of_field = 200;
@@ -31,11 +32,14 @@ double length(const Vec3& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
+// Loads of the estimate, also in words.
 struct Loads {
     structure::StaticLoads loads;
     std::string words;
 };
 
+// The strongest field and the weight; for a held body without either a weight along the
+// axis of its smallest extent. No words mean no loads.
 Loads loads_of(const scene::Scene& scene, const structure::Body& solid) {
     Loads out;
     if (scene.magnetic_field && !solid.magnetization_a_m.empty()) {
@@ -56,6 +60,7 @@ Loads loads_of(const scene::Scene& scene, const structure::Body& solid) {
     return out;
 }
 
+// Displacement at a point of the body, interpolated from the nodes.
 Vec3 at(const structure::Mesh& mesh, const std::vector<Vec3>& displacement_m,
         const Vec3& point_m) {
     const structure::MaterialPoint place = structure::PointLocator(mesh).nearest(point_m);
@@ -81,21 +86,24 @@ Vec3 strongest_field_t(const scene::Scene& scene) {
 
 namespace {
 
-// What counts as right at any point of the body. nodes_m: about that, of the mesh's
-// nodes.
+// The displacements that the mesh is compared with.
 struct Right {
     std::string words;
+    // Approximate values at the nodes of the mesh, good enough to find the largest.
     std::vector<Vec3> nodes_m;
-    std::function<Vec3(const Vec3& point_m)> at_m;
+    std::function<Vec3(const Vec3& point_m)> at_m;  // at any point of the body
 };
 
 constexpr auto finer = "finer elements";
 
+// Linear response with elements assumed_strain.
 std::vector<Vec3> response_of(structure::Body body, const structure::StaticLoads& loads) {
     body.element = structure::ElementVariant::assumed_strain;
     return structure::linear_response(body, loads);
 }
 
+// Response of the mesh refined once, or twice if that is not too large. Refinement keeps
+// the mesh's nodes as the first ones.
 Right on_refined(const scene::Body& body, const structure::Body& solid,
                  const structure::StaticLoads& loads) {
     structure::Mesh mesh = structure::refined(solid.mesh);
@@ -107,8 +115,9 @@ Right on_refined(const scene::Body& body, const structure::Body& solid,
             [mesh, fine_m](const Vec3& point_m) { return at(mesh, fine_m, point_m); }};
 }
 
-// A block's displacement u and that of half the elements, v: errors fall with the square
-// of the edges, so that u + (u - v)/3 is right.
+// Richardson extrapolation u + (u - v)/3 from the displacements u of a block and v of the
+// same block with half as many elements along each axis, for errors that fall with the
+// square of the edges.
 Right extrapolated(const scene::Body& body, const structure::Body& solid,
                    const structure::StaticLoads& loads) {
     scene::Body half = body;
@@ -127,7 +136,8 @@ Right extrapolated(const scene::Body& body, const structure::Body& solid,
     return {finer, here_m, right_at};
 }
 
-// What the element does apart from the mesh.
+// Response of elements assumed_strain on the same mesh: the difference is the error of
+// the body's own element variant, apart from that of the mesh.
 Right on_the_same_mesh(const structure::Body& solid,
                        const structure::StaticLoads& loads) {
     const auto right_m = response_of(solid, loads);
@@ -141,6 +151,7 @@ bool is_block(const scene::Body& body) {
     return std::holds_alternative<structure::Box>(body.mesh);
 }
 
+// The reason why a mesh of so many elements gets no estimate; empty if it gets one.
 std::string why_not(const scene::Body& body, std::size_t elements) {
     const bool by_element = body.element != structure::ElementVariant::assumed_strain;
     const std::size_t most = is_block(body) || by_element ? most_elements : most_refined;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the mesh of a scene's body does to its displacements, before the run.
+// An estimate, before the run, of the error that the mesh of a body makes in its
+// displacements.
 #pragma once
 
 #include <string>
@@ -11,23 +12,35 @@
 
 namespace magfsi::bodies {
 
-// Of the run, at 200 times of it; the scene must have a field.
+// The strongest uniform field of the run [T]: the longest vector at 201 equidistant
+// times, both ends included. The scene must have a magnetic_field.
 structure::Vec3 strongest_field_t(const scene::Scene& scene);
 
 struct MeshEstimate {
-    std::string not_made;  // why, and what to do instead; empty where it is made
-    std::string loads;     // in words
-    std::string against;   // what counts as right, in words
-    double largest = 0;    // error of the largest displacement over it
-    std::vector<std::pair<std::string, double>> points;  // of the body's point probes
+    // The reason why there is no estimate and what to do instead; empty if there is one.
+    std::string not_made;
+    std::string loads;    // the loads, in words
+    std::string against;  // the reference that the mesh is compared with, in words
+    // Relative error of the largest displacement [-] (structure::displacement_error).
+    double largest = 0;
+    // Relative error [-] at each point probe of the body, by the probe's name; probes
+    // that hardly move are left out.
+    std::vector<std::pair<std::string, double>> points;
 };
 
-// By structure/equilibrium/mesh_error.h, for blocks of more than 750 elements against
-// what they and half as many elements along each axis extrapolate to, under the strongest
-// field of the run and the weight; without either, of a held body, under its weight
-// across the thickness. Of other meshes of more than 750 elements, only what their
-// element does to them. Not made of a free body without field, of one that is not stable
-// without loads, and of meshes that take more than about a second.
+// Estimates the error by the linear response of the undeformed body
+// (structure/equilibrium/mesh_error.h) to the strongest field of the run and the weight;
+// a held body without either is loaded by a weight across its thickness. The reference:
+//   up to 750 elements   the mesh refined once, or twice if that leaves at most 6000
+//                        elements
+//   larger blocks        Richardson extrapolation from the mesh and one of half as many
+//                        elements along each axis
+//   other larger meshes  elements assumed_strain on the same mesh: the error of the
+//                        element alone
+// No estimate is made of meshes of more than 6000 elements, which take more than about a
+// second, of larger meshes of elements assumed_strain that are no block, of a free body
+// without field, and of a body that is not stable without loads; not_made says so. solid:
+// to_body of `body`.
 MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& body,
                                  const structure::Body& solid);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Markers of forcing no_slip: even rows about a grid spacing apart, in as many layers as
-// are as thick as the body.
+// have the effective thickness of the body (wall_of_planes.h).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,37 +21,42 @@ namespace {
 
 using structure::Vec3;
 
-// Distance of thinned-out markers, in grid spacings.
+// Constants of thinned-out markers, which `thinned` picks from dense points, in grid
+// spacings. First their least distance.
 constexpr double thinned_to = 1.0;
-// How far the area of a thinned-out outer row ends outside of it: with which disks of 12
-// and 16 spacings swung broadside have the exact added mass (tests/validation/no_slip).
+// Distance from a thinned-out outer row to the edge of the area that it stands for.
+// Fitted: disks of 12 and 16 spacings that oscillate broadside have the exact added mass
+// (tests/validation/no_slip).
 constexpr double beyond_row = 0.4;
-// How much less deep than straight rows several thinned-out layers begin, from disks 3
-// and 4 spacings thick, 16 and 32 wide.
+// Depth that the outer rows of two and of more thinned-out layers lack against straight
+// rows. Fitted to disks 3 and 4 spacings thick, 16 and 32 wide.
 constexpr double thinned_two = 0.27, thinned_more = 0.08;
-// How much further an even shell reaches than a plane: with which balls of 6 to 12
-// spacings have the exact drag in a creeping stream (tests/validation/no_slip/ball.py).
+// Additional depth of an even shell against a plane. Fitted: balls of 6 to 12 spacings
+// have the exact drag in a creeping stream (tests/validation/no_slip/ball.py).
 constexpr double beyond_shell = 0.08;
-// Distance that neighbours of thinned-out markers have in the mean.
+// Mean distance of neighbours.
 constexpr double thinned_apart = 1.1;
 
-// A sheet of thickness t with square edges moves as much fluid as one without thickness
-// that reaches 0.31 to 0.35 t further (boundary elements; t up to a tenth of the width),
-// and displaces as much as a tenth of t more would move.
+// Extension of a sheet without thickness, in thicknesses t, that replaces a sheet with
+// square edges. Those move as much fluid as 0.31 to 0.35 t more of the thin sheet
+// (boundary elements; t up to a tenth of the width), and the fluid that they displace
+// counts as another tenth of t.
 constexpr double square_edge = 0.44;
 
-// From the rim of a single layer to where the area of its markers ends; outside of thick
-// ones.
+// Depth below the rim at which the area of a single layer's markers ends [m]; negative,
+// outside of the rim, for thick sheets.
 double rim_depth_m(const KernelReach& reach, double thickness_m) {
     return reach.edge_m - square_edge * thickness_m;
 }
 
-// Even rows over one axis of a box: their places and their distance.
+// Even rows along one axis of a box: their coordinates and their distance.
 struct Rows {
     std::vector<double> at_m;
     double apart_m = 0;
 };
 
+// The fewest rows between two ends that are at most widest_m apart; the outer ones lie
+// half a distance from the ends.
 Rows even_rows(double low_m, double high_m, double widest_m) {
     const int n =
         std::max(1, static_cast<int>(std::ceil((high_m - low_m) / widest_m - 1e-9)));
@@ -69,11 +74,12 @@ Rows layers(double low_m, double high_m, const KernelReach& reach) {
     return rows;
 }
 
-// An axis along the sheet and which of its ends fluid meets; of tiny bodies half is left.
+// Extent of a sheet along one of its axes; an end is wet where fluid touches it.
 struct Length {
     double low_m, high_m;
     bool low_wet, high_wet;
 
+    // Rows that keep this distance from wet ends, but at most a quarter of the length.
     Rows drawn_back(double depth_m, double widest_m) const {
         const double drawn_m = std::min(depth_m, 0.25 * (high_m - low_m));
         return even_rows(low_m + (low_wet ? drawn_m : 0),
@@ -96,7 +102,7 @@ Rows rows_along(const Length& length, const KernelReach& reach, double thickness
     return rows;
 }
 
-// Whether fluid meets an end of a box.
+// True if fluid touches the end of a box at this coordinate.
 bool wet(std::span<const structure::SurfaceQuad> surface, const structure::Mesh& mesh,
          std::size_t axis, double end_m, double slack_m) {
     return std::ranges::any_of(surface, [&](const structure::SurfaceQuad& quad) {
@@ -114,7 +120,8 @@ double area_m2(const structure::Mesh& mesh, const structure::Sheet& sheet) {
     return sum_m2;
 }
 
-// One layer stands for both faces, whose areas would cancel.
+// A single layer stands for both faces: twice the top, for the vector areas of top and
+// bottom would cancel.
 constexpr int both = 2;
 std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
     std::vector<structure::SurfaceQuad> top;
@@ -122,8 +129,8 @@ std::vector<structure::SurfaceQuad> top_of(const structure::Sheet& sheet) {
     return top;
 }
 
-// A block: rows along its two longer axes, layers across the thinnest. Without its share
-// of the surface.
+// Markers of a block: rows along its two longer axes, layers across the thinnest. Their
+// surfaces are not set here.
 std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFaces& dry,
                                         const KernelReach& reach,
                                         const structure::Continues& continues) {
@@ -153,7 +160,7 @@ std::vector<PlacedMarker> rows_in_block(const structure::Mesh& mesh, const DryFa
     return markers;
 }
 
-// A single layer stands for both faces of a sheet.
+// Shares the wet surface among the markers; a single layer stands for both faces.
 void share_faces(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
                  const std::optional<structure::Sheet>& sheet, bool one_layer,
                  const DryFaces& dry, const KernelReach& reach) {
@@ -164,7 +171,8 @@ void share_faces(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh
                       reach.grid_m);
 }
 
-// A body that was a block before it was bent has the rows of the block, in its elements.
+// Markers of an arc or a helix: those of the straight block, carried by the elements. The
+// block of a closed ring continues along x.
 std::vector<PlacedMarker> in_bent_block(const scene::Body& body,
                                         const structure::Box& block,
                                         const structure::Mesh& mesh,
@@ -179,7 +187,7 @@ std::vector<PlacedMarker> in_bent_block(const scene::Body& body,
     return markers;
 }
 
-// To each marker the volume of the points that are nearest to it.
+// Sets the volume of each marker to that of the points that are nearest to it.
 void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
                   std::span<const PlacedMarker> points, double apart_m) {
     std::vector<Vec3> at;
@@ -192,8 +200,8 @@ void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
                 points[i].volume_m3 / static_cast<double>(nearest[i].size());
 }
 
-// Of points that are close together those that are at least `apart_m` from each other;
-// each stands for the points that are nearest to it.
+// Picks in turn the points that are at least `apart_m` from all picked before; each gets
+// the volume of the points that are nearest to it.
 std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
                                   const structure::Mesh& mesh, double apart_m) {
     std::vector<PlacedMarker> kept;
@@ -219,8 +227,8 @@ std::vector<PlacedMarker> thinned(const std::vector<PlacedMarker>& points,
     return kept;
 }
 
-// Those within depth_m of the surface first, each nearest to the one before: thinned out
-// they are an even row.
+// Moves the points within depth_m of the surface to the front, each the nearest to the
+// one before, so that `thinned` makes an even row of them.
 void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
                  std::span<const structure::SurfaceQuad> surface, double depth_m,
                  double fine_m) {
@@ -242,7 +250,7 @@ void begin_along(std::vector<PlacedMarker>& points, const structure::Mesh& mesh,
     points = std::move(row);
 }
 
-// Layers through a sheet of any shape, each of even distances.
+// Markers of a sheet of any shape: thinned-out layers across its thickness.
 std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
                                     const structure::Sheet& sheet, double thickness_m,
                                     const DryFaces& dry, const KernelReach& reach) {
@@ -272,7 +280,7 @@ std::vector<PlacedMarker> in_layers(const structure::Mesh& mesh,
     return markers;
 }
 
-// Through the volume of a body: first an even shell, below what bounds it.
+// Markers of any other body: an even shell below its wet surface, then the volume inside.
 std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
                                     std::span<const structure::SurfaceQuad> surface,
                                     const KernelReach& reach) {
@@ -293,12 +301,13 @@ std::vector<PlacedMarker> in_volume(const structure::Mesh& mesh,
     draw_back(inside, mesh, surface, depth_m + 4 * fine_m, 2 * fine_m);
     points.insert(points.end(), inside.begin(), inside.end());
     auto markers = thinned(points, mesh, thinned_to * grid_m);
-    // With more volume than the body has, at a relaxation time above 1 balls diverge.
+    // The markers' volumes must add up to the body's: with more, balls diverge at
+    // relaxation times above 1.
     share_volume(markers, mesh, volume, grid_m);
     return markers;
 }
 
-// Any other mesh than a block.
+// Markers of a mesh that is no block.
 std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
                                   const std::optional<structure::Sheet>& sheet,
                                   const DryFaces& dry, const KernelReach& reach) {
@@ -308,7 +317,8 @@ std::vector<PlacedMarker> in_mesh(const structure::Mesh& mesh,
     return in_layers(mesh, *sheet, thickness_m, dry, reach);
 }
 
-// The core of a sheet: what lies below two layers of markers, from its rims, too.
+// Marks the core of a sheet, the markers below two layers of others, seen from faces and
+// rims alike.
 void find_core(std::vector<PlacedMarker>& markers, const structure::Mesh& mesh,
                const DryFaces& dry, const KernelReach& reach) {
     const double grid_m = reach.grid_m;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The nodes of all bodies at one time.
+// Motion and masses of the nodes of all bodies at one time.
 #pragma once
 
 #include <array>
@@ -9,9 +9,12 @@ namespace magfsi::bodies {
 
 using Vec3 = std::array<double, 3>;
 
-// In the order of the bodies and of each body's nodes.
+// One entry for each node, in the order of the bodies in the scene and of the nodes in
+// each body's mesh. Empty on ranks other than the root where ranks have gathered it.
 struct NodalState {
     std::vector<Vec3> position_m, velocity_m_s;
+    // In a fluid either the nodes' own masses, less the enclosed fluid, or the whole ones
+    // (fluid_inside.h): the function that returns the state says which.
     std::vector<double> mass_kg;
 };
 

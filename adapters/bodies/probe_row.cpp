@@ -25,8 +25,9 @@ void add(Row& row, const Vec3& v) {
     row.insert(row.end(), v.begin(), v.end());
 }
 
-// Of each node's mass the share that belongs to these elements; 1 at every node of the
-// whole body.
+// Fraction of each node's mass that belongs to the marked elements, by volumes at rest;
+// 1 at every node if all elements are marked. In a body of several materials it is a
+// fraction of the volume around the node.
 std::vector<double> node_shares(const std::vector<bool>& elements,
                                 const structure::Mesh& mesh) {
     std::vector<double> mine(mesh.nodes.size()), all(mine);
@@ -95,6 +96,7 @@ std::size_t column_of(const std::vector<std::string>& columns,
     return static_cast<std::size_t>(at - columns.begin());
 }
 
+// The columns of the field read field_, so that set_field acts on later rows.
 ProbeRow::ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
                    const NodalState& start)
     : start_m_(start.position_m) {
@@ -160,7 +162,8 @@ void ProbeRow::add_body(const scene::Scene& scene, std::size_t b,
     }
 }
 
-// Of all of the field, the torque about the centre of mass.
+// Force of the applied field on a body, gradient and sources included, and its torque
+// about the centre of mass.
 void ProbeRow::add_magnetic_load(const scene::MagneticField& field, std::size_t b,
                                  const structure::Body& solid, std::size_t first_node) {
     Group& group = groups_.emplace_back();
@@ -198,6 +201,8 @@ void ProbeRow::add_magnetic_load(const scene::MagneticField& field, std::size_t 
     };
 }
 
+// Three columns for each clamped, moved or rolling face: the force of the support on the
+// body. A node that two faces hold counts for the first (structure::held_faces).
 void ProbeRow::add_reactions(std::size_t b, const structure::Body& solid) {
     for (const structure::HeldFace& face : structure::held_faces(solid)) {
         Group& group = groups_.emplace_back();
@@ -216,6 +221,7 @@ void ProbeRow::add_reactions(std::size_t b, const structure::Body& solid) {
     }
 }
 
+// Present position of a material point and its displacement since step 0.
 void ProbeRow::add_point(const scene::PointProbe& probe, const scene::Body& body,
                          const structure::Mesh& mesh, std::size_t first_node) {
     const auto point = locate(body, mesh, probe.at_m);
@@ -230,6 +236,8 @@ void ProbeRow::add_point(const scene::PointProbe& probe, const scene::Body& body
     };
 }
 
+// Mean displacement weighted with mass, momentum and, in a fluid, the fluid's force on a
+// part of a body.
 void ProbeRow::add_part(const std::string& name, const scene::BodyPart& part,
                         const structure::Mesh& mesh, std::size_t first_node,
                         bool in_fluid) {

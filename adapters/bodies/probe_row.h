@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bodies' part of probes.csv: columns and their values.
+// The columns of probes.csv that belong to the applied field and the bodies, and their
+// values.
 #pragma once
 
 #include <functional>
@@ -13,24 +14,29 @@
 
 namespace magfsi::bodies {
 
-// What the nodes alone do not tell, of one body. Zeros where no probe needs it.
+// Quantities of one body that do not follow from the motion of its nodes. Each is zero or
+// empty unless a probe of the scene needs it (needs).
 struct BodyLoads {
     Vec3 fluid_force_n{};
     double energy_elastic_j = 0;
-    double work_magnetic_j = 0;
-    std::vector<Vec3> support_n{};  // by clamps, rollers and motions on each node
-    Vec3 fluid_torque_n_m{};        // about the origin; with it the force
+    double work_magnetic_j = 0;  // work of the applied field since the start
+    // Force of clamps, rollers and prescribed motions on each node of the body [N].
+    std::vector<Vec3> support_n{};
+    // Torque of the fluid about the origin of space; comes with fluid_force_n.
+    Vec3 fluid_torque_n_m{};
 };
 enum class Load { none, fluid_force, fluid_torque, energies, support };
-// Whether a probe of the scene needs it; the torque needs the force as well.
+// True if a probe of the scene needs the load. The torque needs the force as well, for it
+// is written about the centre of mass.
 bool needs(const scene::Scene& scene, Load load);
 
-// Which elements have their centre in the part's box. Throws std::invalid_argument where
-// none has.
+// One entry for each element of the mesh: true if its centre lies in the box of the part,
+// or the part is the whole body. Throws std::invalid_argument if no element has.
 std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh& mesh);
 
-// At one time: loads of each body, in their order; of a scene with a fluid also the
-// fluid's force on each part of a body in probes.integrals.
+// The state of all bodies at one time. loads: one entry for each body, in the order of
+// the scene; force_on_parts_n: in a scene with a fluid the fluid's force [N] on each body
+// part of probes.integrals, in their order.
 struct ProbeSample {
     double time_s = 0;
     const NodalState& nodes;
@@ -38,29 +44,35 @@ struct ProbeSample {
     const std::vector<Vec3>& force_on_parts_n;
 };
 
-// Which column probe i of a controller means, named with or without its unit. Throws
-// SceneError if it is none of them.
+// Index in `columns` of the i-th probe of a controller, which the scene names with or
+// without its unit. Throws SceneError if there is no such column.
 std::size_t column_of(const std::vector<std::string>& columns,
                       const scene::Control& control, std::size_t i);
 
+// Evaluates the bodies' part of a row of probes.csv. The order of the columns: applied
+// field, then each body's quantities, point probes, parts of bodies.
 class ProbeRow {
   public:
-    // bodies: those of the scene, in its order; start: step 0.
+    // bodies: those of the scene, in its order; start: their state at step 0, to which
+    // displacements refer. The object keeps neither.
     ProbeRow(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
              const NodalState& start);
     ProbeRow(const ProbeRow&) = delete;
     ProbeRow& operator=(const ProbeRow&) = delete;
 
-    // Where it is no longer the scene's.
+    // Replaces the scene's law of the uniform field, when a controller has set another.
     void set_field(const structure::FieldProgram& field) { field_ = field; }
 
+    // Names of the columns with their units in brackets.
     std::vector<std::string> columns() const;
+    // One value for each column. nodes: with the masses that momenta and centres of mass
+    // are to be taken with.
     std::vector<double> values(double time_s, const NodalState& nodes,
                                const std::vector<BodyLoads>& loads,
                                const std::vector<Vec3>& force_on_parts_n = {}) const;
 
   private:
-    // Columns beside each other and the function that adds their values to a row.
+    // Adjacent columns and the function that appends their values to a row.
     struct Group {
         std::vector<std::string> columns;
         std::function<void(const ProbeSample& sample, std::vector<double>& row)> add;
@@ -77,8 +89,8 @@ class ProbeRow {
 
     std::vector<Group> groups_;
     structure::FieldProgram field_{};
-    std::vector<Vec3> start_m_;
-    std::size_t parts_ = 0;
+    std::vector<Vec3> start_m_;  // nodes of all bodies at step 0
+    std::size_t parts_ = 0;      // number of body parts added so far
 };
 
 }  // namespace magfsi::bodies

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Removed with all it holds.
+// A new folder among the system's temporary files, removed at the end with its contents.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -55,9 +55,11 @@ class TemporaryFolder {
     fs::path path_;
 };
 
+// Results of `run` beside exit statuses.
 constexpr int not_started = -1, crashed = -2;
 
-// Runs it with stdout and stderr in the file; its exit status, or one of these.
+// Runs a command, the program's path first, and waits for its end. messages: the file
+// that stdout and stderr go to. Returns the exit status, or one of the values above.
 int run(std::vector<std::string> words, const std::string& messages) {
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
@@ -84,6 +86,10 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
+// Runs magfsi-mesh, which lies beside this program, and reads the mesh that it wrote. It
+// is a process of its own so that Gmsh's library and the ninety libraries that come with
+// it are not linked into the solvers. Throws std::invalid_argument with the converter's
+// own message.
 structure::Mesh convert(const std::string& file, double unit_m) {
     if (!fs::exists(file))
         throw std::invalid_argument(fmt::format("no mesh file {}", file));
@@ -108,7 +114,8 @@ structure::Mesh convert(const std::string& file, double unit_m) {
                         : message);
 }
 
-// Made once for what it is made of, however often it is asked for.
+// The mesh that make() returns; kept in the process under its key and made only once. A
+// failure is not kept.
 template <class Key, class Make>
 structure::Mesh made_once(const Key& key, const Make& make) {
     static std::map<Key, structure::Mesh> done;
@@ -124,9 +131,6 @@ structure::Mesh made_once(const Key& key, const Make& make) {
     return place->second;
 }
 
-// Runs magfsi-mesh, which lies beside this program, and reads what it wrote. A process of
-// its own: Gmsh's library and the ninety that come with it stay out of the solvers.
-// Throws std::invalid_argument with the converter's own message.
 structure::Mesh converted_gmsh_mesh(const structure::MeshFile& gmsh) {
     return made_once(std::pair(gmsh.file, gmsh.unit_m),
                      [&] { return convert(gmsh.file, gmsh.unit_m); });
@@ -136,7 +140,8 @@ structure::Vec3 in_mm(const structure::Vec3& x_m) {
     return {1e3 * x_m[0], 1e3 * x_m[1], 1e3 * x_m[2]};
 }
 
-// Cached without them: faces are named anew at no cost.
+// Names the faces of a mesh of cubes: the nodes in the box of each face, with a margin of
+// 0.001 of a cube. The cached mesh has no faces, so that bodies may share it.
 structure::Mesh with_faces(structure::Mesh mesh, const structure::VoxelMesh& voxels) {
     for (const structure::FaceBox& face : voxels.faces) {
         // A place may be typed to fewer digits than it has.
@@ -193,7 +198,7 @@ structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& 
     if (const auto* box = std::get_if<structure::Box>(&body.mesh))
         return structure::locate(*box, at_m);
     // A point typed to a few digits may lie just outside of a slanted face.
-    constexpr double tolerance = 1e-3;  // of an element
+    constexpr double tolerance = 1e-3;  // in lengths of an element
     const auto found = structure::PointLocator(mesh).find(at_m, tolerance);
     if (found) return *found;
     throw std::invalid_argument(
@@ -206,7 +211,9 @@ namespace {
 
 using structure::Mesh;
 
-// The laws in turn; the harmonic one's default is the length of the mesh.
+// Magnetisation of each element [A/m] by the law that the scene has chosen. A harmonic
+// law without wavelength takes the length of the mesh along its axis; regions that no
+// entry names are not magnetised.
 std::vector<structure::Vec3> magnetize(const structure::Magnetization& wanted,
                                        const Mesh& mesh) {
     if (const auto* uniform = std::get_if<structure::UniformMagnetization>(&wanted))
@@ -233,6 +240,7 @@ std::vector<structure::Vec3> magnetize(const structure::Magnetization& wanted,
     return structure::region_magnetization(mesh, vectors);
 }
 
+// Index of a region in the mesh; a scene::Complaint names the regions that there are.
 int region_number(const Mesh& mesh, const std::string& name) {
     const auto found = std::ranges::find(mesh.region_names, name);
     if (found != mesh.region_names.end())
@@ -245,6 +253,8 @@ int region_number(const Mesh& mesh, const std::string& name) {
         scene::did_you_mean(name, mesh.region_names));
 }
 
+// Gives the elements of the regions in material_regions their own materials; all others
+// keep the body's.
 void add_materials(structure::Body& out, const scene::Body& body) {
     if (body.material_regions.empty()) return;
     std::vector<int> of_region(out.mesh.region_names.size(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scene's bodies, their meshes and loads in the terms of structure/.
+// Conversion of the scene's bodies, meshes and loads to the types of structure/.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,32 @@
 
 namespace magfsi::bodies {
 
-// Throws std::invalid_argument on a mesh file that cannot be used, naming the body.
+// The mesh of a body in its own frame [m]. Meshes from files are made once in a process
+// and kept: those of Gmsh by the program magfsi-mesh in a process of its own, those of
+// STL surfaces by filled_mesh. Throws scene::SceneError, which names the body and the
+// place in the scene, on a mesh or a mesh file that cannot be used.
 structure::Mesh to_mesh(const scene::Body& body);
 
-// Length of the undeformed mesh along an axis [m].
+// Length of the undeformed mesh along an axis (0 x, 1 y, 2 z) [m].
 double extent(const structure::Mesh& mesh, int axis);
 
-// The place of a point of the undeformed body. Throws std::invalid_argument on a point
-// outside, naming the body.
+// The material point at a place of the undeformed body [m, frame of the body]. A point
+// outside a block is moved to its surface. Other meshes accept points up to 0.001 of an
+// element outside; on points further outside std::invalid_argument is thrown, which names
+// the body.
 structure::MaterialPoint locate(const scene::Body& body, const structure::Mesh& mesh,
                                 const structure::Vec3& at_m);
 
-// Throws std::invalid_argument on what only the mesh can tell, naming the body;
-// scene::SceneError on a region of material_regions that it does not have.
+// The body with its mesh, materials, magnetisation and supports. Faces in prescribed
+// motion are among its clamps. Its density is that of the scene (bodies_in_fluid
+// subtracts the enclosed fluid). Throws std::invalid_argument, which names the body, on
+// faults that only the mesh shows; scene::SceneError on a faulty mesh, and on a region of
+// material_regions that the mesh does not have.
 structure::Body to_body(const scene::Body& body);
-// On another mesh of the same shape, regions and faces.
+// The same body on another mesh of the same shape, with the same regions and faces.
 structure::Body to_body(const scene::Body& body, structure::Mesh mesh);
+
+// Acceleration of gravity [m/s2]; empty without gravity in the scene.
 std::optional<structure::Vec3> to_gravity(const scene::Scene& scene);
 
 }  // namespace magfsi::bodies

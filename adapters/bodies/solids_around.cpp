@@ -18,6 +18,7 @@ namespace {
 
 using structure::Vec3;
 
+// Position of a material point whose nodes are numbered over all bodies [m].
 Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
     Vec3 x{};
     for (std::size_t a = 0; a < 8; ++a) {
@@ -27,8 +28,8 @@ Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes
     return x;
 }
 
-// Whether all of x and of six points around it are inside: those of a ball of this
-// radius that lie along the axes.
+// True if holds(p) is true of x and of the six points at this distance from it along the
+// axes: an approximation of a ball of this radius around x that lies inside.
 template <class Holds>
 bool is_deep(const Holds& holds, const Vec3& x, double radius_m) {
     if (!holds(x)) return false;
@@ -42,7 +43,7 @@ bool is_deep(const Holds& holds, const Vec3& x, double radius_m) {
     return true;
 }
 
-// Of what faces clamps hold still.
+// The nodes of the clamped faces.
 std::set<int> clamped_nodes(const structure::Body& body,
                             const std::vector<std::string>& clamps) {
     std::set<int> all;
@@ -69,6 +70,8 @@ SolidsAround::SolidsAround(const scene::Scene& scene,
     add_obstacles(*scene.fluid, start_m);
 }
 
+// Adds the surface of a body: its nodes and points in the middle of pieces of a grid
+// spacing. A node is a material point with the weight 1 of a single node.
 void SolidsAround::add_points(const structure::Body& body, const std::set<int>& clamped,
                               std::size_t number, int first_node) {
     const auto surface = structure::boundary_quads(body.mesh);
@@ -89,6 +92,8 @@ void SolidsAround::add_points(const structure::Body& body, const std::set<int>& 
     }
 }
 
+// A body may pass a side if it spans the box to it or starts beyond it; it stands on the
+// side if a clamped node starts within deep_m_ of it.
 void SolidsAround::add_sides(const scene::Fluid& fluid,
                              std::span<const scene::Body> bodies,
                              std::span<const Vec3> start_m) {
@@ -120,6 +125,8 @@ void SolidsAround::add_sides(const scene::Fluid& fluid,
     }
 }
 
+// An obstacle holds a body if a point of it starts deep inside, or a clamped node starts
+// inside or within deep_m_ of its surface.
 void SolidsAround::add_obstacles(const scene::Fluid& fluid,
                                  std::span<const Vec3> start_m) {
     std::array<int, 3> cells{};
@@ -144,7 +151,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
                 (point.clamped && comes_within(made, x, deep_m_)))
                 holds_body[point.body] = true;
         }
-        // Of a body that is held by it, also what starts beside it.
+        // A held body is not examined at points that start inside or beside the obstacle.
         for (const Point& point : points_)
             made.free.push_back(
                 !holds_body[point.body] ||
@@ -154,7 +161,8 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
     }
 }
 
-// Itself, or one of the six points around it along the axes.
+// True if x, or one of the six points at this distance from it along the axes, lies in
+// the obstacle.
 bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
                                 double distance_m) const {
     const auto outside = [&](const Vec3& at) {
@@ -163,6 +171,8 @@ bool SolidsAround::comes_within(const Obstacle& obstacle, const Vec3& x,
     return !is_deep(outside, x, distance_m);
 }
 
+// Enters a point at this distance from a side or an obstacle (negative: inside it) into
+// the result.
 void SolidsAround::note(const SolidProximity& proximity, double gap_m,
                         SolidProximities& found) const {
     found.apart_m = std::min(found.apart_m, std::max(0.0, gap_m));
@@ -174,6 +184,8 @@ void SolidsAround::note(const SolidProximity& proximity, double gap_m,
     if (!known) found.near.push_back(proximity);
 }
 
+// The distance from an obstacle is not computed but only its class: deep inside, near, or
+// within reach.
 SolidProximities SolidsAround::find(std::span<const Vec3> nodes_m, double reach_m) const {
     SolidProximities found;
     found.apart_m = reach_m;

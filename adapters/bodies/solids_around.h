@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What stands around the bodies in their fluid: the sides of its box and its obstacles,
-// and which surfaces come near them or go into them.
+// Search for contact of the bodies with the sides of the fluid's box and its obstacles.
 #pragma once
 
 #include <array>
@@ -21,52 +20,61 @@ class Solid;
 
 namespace magfsi::bodies {
 
-// A body and what it touches.
+// A body that is close to a side or an obstacle, or inside of it.
 struct SolidProximity {
     std::size_t body = 0;
-    int element = -1;  // of the surface
-    std::string what;  // "the wall z_min", "the obstacle 'post'"
-    structure::Vec3 at_m{};
-    bool yields_to_contact = false;  // the key contact keeps bodies out of it
+    int element = -1;        // the surface element of the body that is close
+    std::string what;        // "the side z_min of the fluid's box", "the obstacle 'post'"
+    structure::Vec3 at_m{};  // the point of the surface
+    bool yields_to_contact = false;  // true if the key contact keeps bodies out of it
 };
 
 struct SolidProximities {
     std::optional<SolidProximity> inside;  // the first that is found
-    std::vector<SolidProximity> near;      // once for each body and what it is near to
-    double apart_m = 0;  // all others are at least so far away, as far as is looked
+    // One entry for each pair of a body and a side or an obstacle that it is near to.
+    std::vector<SolidProximity> near;
+    // Lower bound of the distance of all other pairs, not above the search radius [m].
+    double apart_m = 0;
 };
 
-// Surfaces are looked at in their nodes and in points one grid spacing apart.
+// Surfaces are examined at their nodes and at points one grid spacing apart.
 class SolidsAround {
   public:
-    // solids: to_body of each. start_m: their nodes at time 0, all of one body after the
-    // other's. What stands in an obstacle there, as a body does that is held by it, is
-    // not looked at; nor is a side that a body starts beyond or spans the box to; nor
-    // what starts beside a side or an obstacle on which a clamped face of its body
-    // stands. near_m: what is closer is reported. deep_m: what is further inside is.
+    // solids: the scene's bodies by to_body, or with other densities; start_m: positions
+    // of their nodes at time 0 [m], body after body. near_m: smaller distances are
+    // reported as near; deep_m: points deeper than that are reported as inside.
+    //
+    // Not examined are a body that starts in an obstacle, as one that is held by it does,
+    // where it starts inside or beside it; a side that a body starts beyond or to which
+    // it spans the box; and points that start beside a side on which a clamped face of
+    // their body stands.
     SolidsAround(const scene::Scene& scene, std::span<const structure::Body> solids,
                  std::span<const structure::Vec3> start_m, double near_m, double deep_m);
 
-    // reach_m: how far is looked at most.
+    // nodes_m: present positions of the nodes of all bodies [m]; reach_m: radius of the
+    // search [m].
     SolidProximities find(std::span<const structure::Vec3> nodes_m, double reach_m) const;
 
   private:
     struct Point {
-        structure::MaterialPoint at;  // of the nodes of all bodies
+        structure::MaterialPoint at;  // nodes are numbered over all bodies
         std::size_t body = 0;
-        bool clamped = false;
+        bool clamped = false;  // true if it is a node of a clamped face
     };
+    // A side of the box that is not periodic: the plane x[axis] = place_m, with the fluid
+    // in the direction `inwards` (1 or -1).
     struct Side {
         int axis = 0;
         double inwards = 1, place_m = 0;
         std::string what;
-        std::vector<bool> free;  // by point: may not pass it
+        std::vector<bool> free;  // for each point: true if it must not pass the side
     };
     struct Obstacle {
         std::string what;
         std::shared_ptr<const fluid::Solid> solid;
-        std::vector<bool> free;    // by point: does not start in it
-        std::vector<bool> pushed;  // by body: contact keeps it out
+        // For each point: true unless its body is held there and it starts beside it.
+        std::vector<bool> free;
+        std::vector<bool> pushed;  // for each body: true if contact keeps it out
     };
 
     void add_points(const structure::Body& body, const std::set<int>& clamped,
@@ -80,7 +88,7 @@ class SolidsAround {
     void note(const SolidProximity& proximity, double gap_m,
               SolidProximities& found) const;
 
-    double spacing_m_, near_m_, deep_m_;
+    double spacing_m_, near_m_, deep_m_;  // spacing_m_: of the coarsest grid
     std::vector<Point> points_;
     std::vector<Side> sides_;
     std::vector<Obstacle> obstacles_;

@@ -17,22 +17,23 @@ namespace {
 using scene::BodyField;
 using structure::Positions8;
 
+// Shape and unit of a field.
 struct Kind {
     int components;
-    bool of_nodes;
+    bool of_nodes;  // values at nodes, else in elements
     std::string_view unit;
 };
 
-// In the order of BodyField.
+// One entry for each BodyField, in their order.
 constexpr Kind kinds[] = {{3, true, "m"},   {3, true, "m/s"}, {3, false, "A/m"},
                           {3, false, "1"},  {3, true, "N"},   {3, true, "N"},
                           {6, false, "Pa"}, {1, false, "1"},  {1, false, "J/m3"}};
 static_assert(std::size(kinds) == scene::names<BodyField>.size());
 
-// Of one element: where its nodes are, and its share of the mesh at rest.
+// An element with its integrals at rest, for the mean deformation gradient.
 struct Element {
-    std::array<int, 8> nodes{};  // of all bodies
-    Positions8 gradient_m2;
+    std::array<int, 8> nodes{};  // numbered over all bodies
+    Positions8 gradient_m2;      // integral of grad N_a for each node a
     double volume_m3 = 0;
 };
 
@@ -52,8 +53,8 @@ int nodes_of(const structure::Body& body) {
     return static_cast<int>(body.mesh.nodes.size());
 }
 
-// What an element's deformation gives, for each element of each body in turn. add: takes
-// the body, the number of the element in it, F, and puts values to the end of the list.
+// A function that evaluates a field in the elements of all bodies in turn. add(b, e, F,
+// out) appends the values in element e of body b, whose mean deformation gradient is F.
 template <class Add>
 auto each_element(const std::vector<structure::Body>& bodies, const Add& add) {
     std::vector<std::vector<Element>> elements;
@@ -82,8 +83,8 @@ void append(std::vector<double>& out, const Values& values) {
     out.insert(out.end(), std::begin(values), std::end(values));
 }
 
-// Of the springs, the change of volume and what varies within an element, over the volume
-// at rest.
+// Elastic energy of each element over its volume at rest [J/m3]: springs, change of
+// volume, and the hourglass modes of elements assumed_strain.
 auto energy_densities(const std::vector<structure::Body>& bodies) {
     struct Part {
         std::vector<std::array<int, 8>> nodes;
@@ -119,7 +120,7 @@ auto energy_densities(const std::vector<structure::Body>& bodies) {
     };
 }
 
-// Of the lattice on each node, what drives it back to rest.
+// Elastic force of the lattice on each node [N], -dE/dx.
 auto elastic_forces(const std::vector<structure::Body>& bodies) {
     auto kernels = std::make_shared<std::vector<structure::ElementKernel>>();
     std::vector<std::size_t> counts;
@@ -140,6 +141,7 @@ auto elastic_forces(const std::vector<structure::Body>& bodies) {
         };
 }
 
+// Force of the applied field on each node [N]; zeros without a field.
 auto magnetic_forces(const scene::Scene& scene,
                      const std::vector<structure::Body>& bodies) {
     auto laws = std::make_shared<std::vector<FieldForces>>();
@@ -223,8 +225,8 @@ void StructureFiles::add_of_nodes(BodyField field, const scene::Scene& scene,
     }
 }
 
-// At rest, and as the body carries it: F M, whose energy in a field B is -F M . B a
-// volume at rest (magnetic_forces.h).
+// Adds two fields: the magnetisation as the body carries it, F M, and that at rest, M.
+// The energy in a field B is -F M . B for each volume at rest (magnetic_forces.h).
 void StructureFiles::add_magnetization(const Bodies& bodies) {
     std::vector<double> at_rest;
     std::vector<std::vector<Vec3>> of_body;

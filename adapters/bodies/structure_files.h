@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// structure.pvd and its .vtu files: what the scene's output.structure.fields names.
+// Output files of the bodies for ParaView: structure.pvd and its .vtu files, with the
+// fields that the scene's output.structure.fields names.
 #pragma once
 
 #include <filesystem>
@@ -17,20 +18,26 @@
 
 namespace magfsi::bodies {
 
-// On the structure's root only.
+// Writes one file for each instant, with all bodies in it. Lives on the structure's root
+// only and calls nothing collective.
 class StructureFiles {
   public:
-    // bodies: those of the scene, in its order; start: step 0.
+    // bodies: those of the scene, in its order; start: their state at step 0, to which
+    // displacements refer. run_folder: gets structure.pvd and the folder fields.
     StructureFiles(const scene::Scene& scene, const std::vector<structure::Body>& bodies,
                    const NodalState& start, const std::filesystem::path& run_folder);
 
-    // After a restart: the series again up to the clock's step, one file every so many.
+    // After a restart: lists the existing files up to the clock's step in structure.pvd
+    // again. every: number of steps between two files.
     void resume(const coupler::Clock& clock, std::int64_t every);
 
-    // field_t: where the field is not the scene's law.
+    // Writes fields/structure_INDEX.vtu and adds it to structure.pvd. field_t: uniform
+    // field [T] that replaces the scene's law. Throws output::FileError on a failing
+    // disk.
     void write(std::int64_t index, double time_s, const NodalState& state,
                const std::optional<Vec3>& field_t = {});
 
+    // The arguments of write, as the fields see them.
     struct Instant {
         double time_s = 0;
         const NodalState& state;
@@ -38,11 +45,12 @@ class StructureFiles {
     };
 
   private:
-    // A field of the file, made anew for each: adds its values to `out`.
+    // A field of the files. add: evaluates it and appends its values to `out`,
+    // `components` for each node or element, in the order of the bodies.
     struct Field {
-        std::string name;
+        std::string name;  // includes the unit in brackets
         int components = 1;
-        bool of_nodes = false;
+        bool of_nodes = false;  // values at nodes, else in elements
         std::function<void(const Instant& now, std::vector<double>& out)> add;
     };
     using Bodies = std::vector<structure::Body>;
@@ -53,8 +61,9 @@ class StructureFiles {
     void add_of_elements(scene::BodyField field, const Bodies& bodies);
     std::filesystem::path file(std::int64_t index) const;
 
-    std::vector<std::array<int, 8>> elements_;  // of all bodies, global node numbers
-    std::vector<float> body_;                   // number of the body, one an element
+    // The elements of all bodies, with nodes numbered over all bodies.
+    std::vector<std::array<int, 8>> elements_;
+    std::vector<float> body_;  // for each element the number of its body
     output::Words names_{"body_names", {}};
     std::vector<Vec3> start_m_;
     std::vector<Field> fields_;

@@ -35,6 +35,8 @@ std::vector<structure::Surroundings> to_surroundings(
     return all;
 }
 
+// Gradient and sources act at full strength or not at all; a body without magnetisation
+// feels no field.
 structure::StaticLoads loads_at(const scene::Scene& scene, const scene::Body& body,
                                 double time_s) {
     structure::StaticLoads loads;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What acts on the bodies of a path of equilibria by Newton's method.
+// Loads and supports of the bodies on a path of equilibria that Newton's method finds.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,15 @@
 
 namespace magfsi::bodies {
 
-// Of each body. solids: to_body of each. Throws std::invalid_argument on faces that are
-// moved and touch ones that are held, and on what has no equilibrium.
+// The surroundings of each body, in the order of the scene: field gradient, field
+// sources, platform and groups of driven nodes. solids: the scene's bodies by to_body.
+// Throws std::invalid_argument on faces in prescribed motion that touch held ones, and on
+// bodies that have no equilibrium (structure::require_held).
 std::vector<structure::Surroundings> to_surroundings(
     const scene::Scene& scene, const std::vector<structure::Body>& solids);
 
-// At this time on the path.
+// The loads on a body at a time on the path: uniform field, gravity, shares of gradient
+// and sources, displacements of the driven groups.
 structure::StaticLoads loads_at(const scene::Scene& scene, const scene::Body& body,
                                 double time_s);
 

@@ -14,21 +14,23 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex im{0, 1};
 
+// Positions of the planes relative to the grid over which the thickness is averaged.
 constexpr int places_in_grid = 10;
 
-// Distances of planes: closer ones pull against each other, wider ones let the fluid
-// between them go. Two carry what is between them up to a larger distance.
+// Admissible distances of neighbouring planes: the forces of closer ones work against
+// each other, wider ones do not carry the fluid between them. Two planes carry it up to a
+// larger distance.
 struct Range {
     double closest, widest;
 };
 constexpr Range range(int count) {
     return count == 2 ? Range{0.9, 2.0} : Range{0.75, widest_apart};
 }
-// One plane that is too thin by less than this errs less than two that are close together
-// (plates 1.85 and 2 spacings thick: tests/validation/no_slip/plate.py).
+// Lack of thickness up to which one plane has a smaller error than two that are close
+// together (plates 1.85 and 2 spacings thick: tests/validation/no_slip/plate.py).
 constexpr double thinner_is_better = 0.4;
-// From here on the depth of the outer planes hardly depends on their number, but on
-// whether it is even.
+// Number of planes from which on the depth of the outer ones hardly depends on the
+// number, except on whether it is even.
 constexpr int many = 7;
 
 }  // namespace
@@ -43,10 +45,12 @@ WallOfPlanes::WallOfPlanes(coupler::Kernel kernel, double relaxation_time,
             wave(2 * std::numbers::pi * n / cells, relaxation_time, magic_number);
 }
 
-// q = U + F dt / (2 rho) over the amplitude of the force. Populations that carry the
-// shear are lumped by their velocity along z: 0, +1, -1, with 2/3, 1/6, 1/6 of the
-// momentum at rest. They have three modes: momentum, the odd moment of third order and
-// the stress.
+// Amplitude of the velocity q = U + F dt / (2 rho) over that of the force, for the wave
+// exp(i k z) at frequency_. The populations that carry the shear are lumped by their
+// velocity along z: 0, +1, -1, with 2/3, 1/6, 1/6 of the momentum in equilibrium. They
+// have three modes: momentum, the odd moment of third order and the stress, the last two
+// relaxed with the odd and the even rate. The linear system is that of one fluid step,
+// collision and then streaming, for populations that vary as exp(i frequency_ t).
 Complex WallOfPlanes::wave(double k, double relaxation_time, double magic_number) const {
     const double even = 1 / relaxation_time;
     const double odd = 1 / (magic_number / (relaxation_time - 0.5) + 0.5);
@@ -65,7 +69,9 @@ Complex WallOfPlanes::wave(double k, double relaxation_time, double magic_number
     return system.partialPivLu().solve(stream * forced.cast<Complex>()).sum() + 0.5;
 }
 
-// Force over rho i omega V.
+// Force on the planes at these coordinates z that makes all of them oscillate with the
+// velocity V, over rho i omega V: the complex thickness of the fluid that moves with
+// them, Stokes layers included.
 Complex WallOfPlanes::moved(const std::vector<double>& places) const {
     const auto planes = static_cast<Eigen::Index>(places.size());
     Eigen::MatrixXcd spread(planes, cells);
@@ -87,6 +93,7 @@ Complex WallOfPlanes::moved(const std::vector<double>& places) const {
     return felt.partialPivLu().solve(ones).sum() / (im * frequency_);
 }
 
+// The Stokes layers on the two sides of a body, 2 sqrt(nu / (i omega)), are subtracted.
 double WallOfPlanes::thickness(const EvenPlanes& planes) const {
     const Complex outside = 2.0 * std::sqrt(viscosity_ / (im * frequency_));
     double sum = 0;
@@ -100,6 +107,7 @@ double WallOfPlanes::thickness(const EvenPlanes& planes) const {
     return sum / places_in_grid;
 }
 
+// Mean over an odd and an even number of planes of half the excess of their thickness.
 double WallOfPlanes::depth(double apart) const {
     const auto of = [&](int count) {
         return 0.5 * (thickness({count, apart}) - (count - 1) * apart);
@@ -107,6 +115,8 @@ double WallOfPlanes::depth(double apart) const {
     return 0.5 * (of(many) + of(many + 1));
 }
 
+// Tries growing numbers of planes and finds the distance of each number by bisection; the
+// thickness grows with the distance.
 EvenPlanes WallOfPlanes::for_body(double thickness_wanted) const {
     const auto of = [&](const EvenPlanes& planes) {
         return planes.count < many
@@ -116,7 +126,8 @@ EvenPlanes WallOfPlanes::for_body(double thickness_wanted) const {
     EvenPlanes best{1, 1};
     double best_error = std::abs(of(best) - thickness_wanted);
     if (thickness_wanted < of(best) + thinner_is_better) return best;
-    const double outside = 2.2;  // no more of a body is outside of its outer planes
+    // Upper bound of the part of a body outside of its outer planes, both sides together.
+    const double outside = 2.2;
     const int fewest = static_cast<int>((thickness_wanted - outside) / widest_apart);
     for (int count = std::max(2, fewest);; ++count) {
         auto [low, high] = range(count);

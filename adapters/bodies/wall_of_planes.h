@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where planes of markers put their wall, by the linear theory of the lattice: a shear
-// flow is a sum of shear waves exp(i k z), each of which responds alone to the force that
-// moves it; markers spread their forces by the kernel and hold what the kernel gives them
-// (tests/validation/no_slip/lattice_response.py, sheet.py). How far the wall stands
-// outside of the outer planes depends on how many there are and on their distance: 0.55
-// spacings for two planes, 0.90 for three, 0.74 for four (3-point kernel, a spacing
-// apart).
+// Position of the wall that parallel planes of markers form in the fluid, by the linear
+// theory of the lattice: a shear flow is a sum of shear waves exp(i k z), each of which
+// responds alone to the force that drives it; markers spread their forces by the kernel
+// and hold the velocity that the kernel interpolates to them
+// (tests/validation/no_slip/lattice_response.py, sheet.py). The wall stands outside of
+// the outer planes at a distance that depends on their number and their spacing: 0.55
+// grid spacings for two planes, 0.90 for three, 0.74 for four (3-point kernel, planes a
+// grid spacing apart).
 //
-// Lengths are in grid spacings here.
+// All lengths are in grid spacings and all times in fluid steps.
 #pragma once
 
 #include <array>
@@ -18,37 +19,43 @@
 
 namespace magfsi::bodies {
 
+// Parallel planes of markers at equal distances.
 struct EvenPlanes {
     int count = 1;
-    double apart = 1;  // of neighbours
+    double apart = 1;  // distance of neighbouring planes
 };
 
-// Wider rows leak.
+// Largest distance of rows of markers: fluid leaks through wider ones.
 constexpr double widest_apart = 1.2;
 
 class WallOfPlanes {
   public:
-    // Of a fluid with this relaxation time and magic number.
+    // The response in a fluid with this relaxation time and magic number, to planes that
+    // oscillate at the frequency whose Stokes layer sqrt(2 nu / omega) is stokes_layer.
     WallOfPlanes(coupler::Kernel kernel, double relaxation_time, double magic_number,
                  double stokes_layer = 2);
 
-    // Thickness of what moves with planes that swing along themselves: a body of that
-    // thickness would have the same inertia. Mean over their places in the grid (thicker
-    // Stokes layers: up to 0.1 less).
+    // Effective thickness of planes that oscillate along themselves: a body of that
+    // thickness has the same inertia. Mean over ten positions of the planes relative to
+    // the grid (thicker Stokes layers: up to 0.1 less).
     double thickness(const EvenPlanes& planes) const;
 
-    // Planes that are as thick as a body: the fewest, since closer ones make the marker
-    // system nearly singular. One plane stands for all bodies thinner than two can be.
+    // Planes whose effective thickness is that of a body. The fewest possible, since
+    // closer ones make the marker system nearly singular; one plane for every body that
+    // is thinner than two planes can be.
     EvenPlanes for_body(double thickness) const;
 
-    // How deep the outer ones of many planes lie in their body.
+    // Depth of the outer planes below the surface of their body, for many planes.
     double depth(double apart) const;
 
   private:
-    static constexpr int cells = 64;  // of a periodic box: 32 Stokes layers
+    // Cells of the periodic box in which the response is evaluated: 32 of the default
+    // Stokes layers.
+    static constexpr int cells = 64;
     coupler::Kernel kernel_;
-    double viscosity_, frequency_;                   // per step
-    std::array<std::complex<double>, cells> waves_;  // what a force of 1 moves
+    double viscosity_, frequency_;  // in lattice units; frequency_ is angular
+    // Amplitude of the velocity in each shear wave for a force of amplitude 1.
+    std::array<std::complex<double>, cells> waves_;
 
     std::complex<double> wave(double k, double relaxation_time,
                               double magic_number) const;

@@ -17,6 +17,7 @@ namespace {
 
 using Placed = std::vector<bodies::PlacedMarker>;
 
+// The markers of all bodies, the same on every rank.
 Placed place_all(const scene::Scene& scene) {
     Placed all;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -26,7 +27,8 @@ Placed place_all(const scene::Scene& scene) {
     return all;
 }
 
-// By the atoms of this rank. first_atom: of the marker's body.
+// The marker with the local indices of its nodes on this rank. first_atom: atom ID of
+// node 0 of its body.
 coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
                           const Engine& engine) {
     coupler::Marker marker;
@@ -49,7 +51,9 @@ coupler::Marker to_marker(const bodies::PlacedMarker& placed, int first_atom,
     return marker;
 }
 
-// What came off the nodes is no force of the markers any more.
+// Subtracts from the displaced volume of each marker the part whose fluid the nodes'
+// masses already lack: the marker's force of the enclosed fluid is that of the rest. Sets
+// how fast that force follows the fluid in the serial scheme, by the ratio of densities.
 void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
     mine.measures_force = bodies::needs(scene, bodies::Load::fluid_force) ||
                           (scene.probes && !scene.probes->integrals.empty());
@@ -68,6 +72,7 @@ void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
     }
 }
 
+// Lists for each body part of probes.integrals the markers of this rank in it.
 void find_parts(const scene::Scene& scene, const Placed& placed,
                 coupler::BodyMarkers& mine) {
     if (!scene.probes) return;
@@ -88,6 +93,7 @@ void find_parts(const scene::Scene& scene, const Placed& placed,
 
 }  // namespace
 
+// All ranks place all markers, so that placed_index means the same on each of them.
 coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine,
                                  const std::vector<int>& first_node,
                                  const coupler::Grid& grid, const coupler::Clock& clock) {
@@ -117,7 +123,7 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
         coupler::slip_rates({scene.fluid->viscosity_m2_s, scene.fluid->expected_speed_m_s,
                              grid.spacing_m, clock.step_s()});
     mine.measures_work = scene.probes && scene.probes->energy_audit;
-    // With the probe rows, or a hundred times in a run without.
+    // Slip is sampled with the probe rows, in a run without probes a hundred times.
     mine.steps_between_slip_samples =
         scene.probes ? clock.every(scene.probes->every_s)
                      : std::max<std::int64_t>(1, clock.steps() / 100);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The markers of a scene's bodies as a rank of LAMMPS sees them.
+// Distribution of the markers of a scene's bodies among the ranks of LAMMPS.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,12 @@
 
 namespace magfsi::lammps {
 
-// After engine.set_up(), with the bodies where they start, also before a restart: a rank
-// takes the markers of the elements whose first node it owns. Markers that lie in an
-// obstacle take no part. first_node: atom id of each body's node 0.
+// The markers of this rank and the settings of what is measured at them. A rank takes the
+// markers of those elements whose first node it owns; the other nodes must be ghosts on
+// it. Markers whose stencil lies almost wholly in an obstacle are left out. To be called
+// on every rank after engine.set_up(), with the bodies in their initial positions, before
+// a restart moves them. first_node: atom ID of node 0 of each body. Throws
+// std::logic_error if a node of a marker is not on this rank.
 coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine,
                                  const std::vector<int>& first_node,
                                  const coupler::Grid& grid, const coupler::Clock& clock);

@@ -17,15 +17,18 @@ namespace magfsi::lammps {
 
 namespace {
 
+// LAMMPS steps between two checks of the forces.
 constexpr int steps_between_checks = 200;
-// Decay times of the lowest mode within which rest is expected: e^-2000 is far below any
-// tolerance; sliding and rolling on a platform may take many swings.
+// Number of decay times of the lowest mode after which the search is given up: e^-2000 is
+// far below any tolerance, but sliding and rolling on a platform may take many swings.
 constexpr double patience = 2000;
-// Where the load has gone (a field through zero), of the largest so far, and where there
-// has been none, the shear strain on the smallest edge whose force counts as a load.
+// Least load that forces are compared with where the load vanishes, as in a field that
+// goes through zero: this share of the largest load so far. Without any load so far it is
+// the force of this shear strain on the square of the smallest extent.
 constexpr double share_of_largest = 1e-3;
 constexpr double strain_without_load = 1e-3;
 
+// Smallest and largest extent of the undeformed mesh [m].
 std::pair<double, double> smallest_and_largest_extent(const structure::Mesh& mesh) {
     return std::minmax(
         {bodies::extent(mesh, 0), bodies::extent(mesh, 1), bodies::extent(mesh, 2)});
@@ -37,7 +40,7 @@ double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const structure::Body& body : bodies) {
         const auto [thickness, length] = smallest_and_largest_extent(body.mesh);
-        // Of several materials the softest and the heaviest: a bound from below.
+        // The softest and the heaviest of several materials give a lower bound.
         double young = std::numeric_limits<double>::infinity();
         double density = 0;
         for (const structure::Material& m : structure::used_materials(body)) {
@@ -81,6 +84,8 @@ RestFinder::RestFinder(Engine& engine, const scene::Scene& scene, double step_s)
     stiffness_load_n_ = stiffness_load_n(bodies);
 }
 
+// Largest nodal force over the load that it is compared with. Fix quiet has as entries 1
+// and 2 the largest nodal force and the largest nodal load [N].
 double RestFinder::unrest() {
     const double force_n = engine_.fix_vector("quiet", 1);
     const double load_n = engine_.fix_vector("quiet", 2);
@@ -89,6 +94,7 @@ double RestFinder::unrest() {
     return force_n / (scale_n > 0 ? scale_n : stiffness_load_n_);
 }
 
+// Holds field and sources at their values at this time.
 void RestFinder::hold_field(double time_s) {
     if (!scene_.magnetic_field->sources.empty())
         engine_.command(fmt::format("fix_modify sources held {:.17g}", time_s));
@@ -99,6 +105,8 @@ void RestFinder::hold_field(double time_s) {
                                 structure::field_arguments(still)));
 }
 
+// The search starts from the positions and velocities of the point before. set_up
+// computes the forces in the new field.
 void RestFinder::find(double time_s) {
     if (scene_.magnetic_field) hold_field(time_s);
     engine_.set_up();

@@ -17,34 +17,39 @@ namespace magfsi::lammps {
 // bodies.
 double critical_drag_rate_1_s(const std::vector<structure::Body>& bodies);
 
-// What the input of such a run needs beyond the scene: drag, the measure of rest, and the
-// field at the start of the path held still.
+// Adds to the input what a search for rest needs beyond the scene: critical drag unless
+// the scene has damping, fix quiet, and the field held at its value at time 0.
 void prepare_for_rest(structure::LammpsInput& input, const scene::Scene& scene);
 
-// Stands for the largest nodal load where there is none yet: a small strain's force on
-// the square of the smallest extent; the least over all bodies [N].
+// Load [N] that forces are compared with where there is no load: G h^2 times a strain of
+// 0.001, G the shear modulus and h the smallest extent; the least over all bodies and
+// their materials.
 double stiffness_load_n(const std::vector<structure::Body>& bodies);
 
-// Runs until the largest nodal force is below the tolerance times the largest nodal load.
+// Integrates the damped motion until the largest nodal force is below the scene's
+// tolerance times the largest nodal load.
 class RestFinder {
   public:
+    // Keeps references to both. The engine's input must be that of prepare_for_rest;
+    // step_s: its time step.
     RestFinder(Engine& engine, const scene::Scene& scene, double step_s);
 
-    // Under the loads of this time on the path. Throws coupler::Diverged, with how far it
-    // was, if rest is not found. Collective.
+    // Finds the equilibrium under the loads at this time on the path, from the present
+    // positions. Throws coupler::Diverged, with the ratio of force and load that was
+    // reached, if the bodies do not come to rest. Collective.
     void find(double time_s);
-    std::int64_t steps() const { return steps_; }  // so far
+    std::int64_t steps() const { return steps_; }  // LAMMPS steps so far
 
   private:
     void hold_field(double time_s);
-    double unrest();  // largest nodal force over the load it is measured by
+    double unrest();
 
     Engine& engine_;
     const scene::Scene& scene_;
-    std::int64_t max_steps_ = 0;  // at one point of the path
+    std::int64_t max_steps_ = 0;  // limit at one point of the path
     std::int64_t steps_ = 0;
     double stiffness_load_n_ = 0;
-    double largest_load_n_ = 0;  // so far
+    double largest_load_n_ = 0;  // largest nodal load so far
 };
 
 }  // namespace magfsi::lammps

@@ -20,6 +20,7 @@ namespace magfsi::lammps {
 
 namespace {
 
+// True if sides of the box or a body force may give energy to the fluid.
 bool is_driven(const scene::Fluid& fluid) {
     using enum fluid::BoundaryKind;
     return fluid.body_force_n_m3.has_value() ||
@@ -29,14 +30,15 @@ bool is_driven(const scene::Fluid& fluid) {
            });
 }
 
-// Of the largest work: a penalty that begins within a step gains 1.2 %, unstable steps
-// many times all works. Of the fluid's energy at the start: what sound may bring back of
-// it, the square of the Mach number at a lattice speed of 0.05.
+// Gain of energy that is no fault, as shares. Of the largest work: a penalty force that
+// begins within a step gains 1.2 %, unstable steps gain many times all works. Of the
+// fluid's energy at the start: the part that sound may return, the square of the Mach
+// number at a lattice speed of 0.05.
 constexpr double max_share_of_work = 0.1;
 constexpr double max_share_of_fluid = 0.01;
 
-// Nothing is judged below the elastic energy of this strain, G V strain^2: rounding of a
-// body at rest, and a motion of which the first steps have seen hardly anything.
+// Gains below the elastic energy of this strain, G V strain^2, are not judged: they may
+// be the rounding of a body at rest, or belong to a motion that has hardly begun.
 constexpr double min_strain = 1e-6;
 
 double min_energy(const scene::Scene& scene, const std::vector<double>& masses_kg) {
@@ -62,6 +64,8 @@ void attach_audit(const StructureRun& run) {
     run.engine->attach_audit(run.input.drag ? run.input.drag->rate_1_s : 0, moved);
 }
 
+// The numbers in fix_vector and compute_vector are those of the fixes' own documentation:
+// fix magttice has the elastic energy, the field's work and the viscous loss as 1, 3, 5.
 EnergyTerms collect_terms(const StructureRun& run) {
     const Engine& engine = *run.engine;
     EnergyTerms terms;
@@ -112,6 +116,8 @@ EnergyAudit::EnergyAudit(const scene::Scene& scene, NodalState start)
     min_j_ = min_energy(scene, whole_kg_);
 }
 
+// Kinetic energies of the nodes, and works of the weight from the displacements since
+// step 0. `once` is the mass that is not yet counted as fluid on the grid.
 EnergyAudit::Motion EnergyAudit::motion_of(const NodalState& state) const {
     Motion m;
     for (std::size_t i = 0; i < state.mass_kg.size(); ++i) {
@@ -136,6 +142,8 @@ double EnergyAudit::stored(const EnergyTerms& terms) const {
     return terms.elastic + terms.platform + terms.contact + terms.dipoles;
 }
 
+// The columns with the equations of docs/energy_audit.md. The residual takes the masses
+// that LAMMPS integrates, with which it is the error of the time integration alone.
 std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
                                                       const EnergyTerms& terms) const {
     std::vector<Column> all;
@@ -143,7 +151,7 @@ std::vector<EnergyAudit::Column> EnergyAudit::balance(const Motion& m,
         if (there) all.push_back({std::string("audit.") + name + "[J]", value});
     };
     const double motion = terms.of_moved - record_.moved_at_start;
-    // What the enclosed fluid's force has done beside taking away its inertia and weight.
+    // Work of the enclosed fluid's force beyond that of removing its inertia and weight.
     const double lag = terms.by_enclosed - (m.kinetic_nodes - m.kinetic) +
                        (m.work_weight_nodes - m.work_weight);
     const double residual = stored(terms) + m.kinetic_nodes - record_.stored_at_start -
@@ -182,6 +190,8 @@ std::vector<std::string> EnergyAudit::columns() const {
     return names;
 }
 
+// The first row fixes the energies of the start, so that a scene may begin with stored
+// energy.
 std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms& terms) {
     const Motion motion = motion_of(state);
     if (record_.rows == 0) {
@@ -197,6 +207,9 @@ std::vector<double> EnergyAudit::row(const NodalState& state, const EnergyTerms&
     return values;
 }
 
+// Updates the record. `unpaid` is the energy of bodies and fluid and all losses, less all
+// works: constant up to errors of the integration and losses in the fluid, which lower
+// it.
 void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residual) {
     const double moved = terms.of_moved - record_.moved_at_start;
     for (const double part :
@@ -218,10 +231,12 @@ void EnergyAudit::note(const Motion& m, const EnergyTerms& terms, double residua
     ++record_.rows;
 }
 
+// Two gains are judged. One is that since the start, with the work of the layers
+// (for_nothing) counted as a gain, for it must not feed a run. The other is that since
+// the lowest sum so far, less the largest work of the layers, which may hide in it; the
+// sum contains the energy of sound, which therefore cannot raise it. Light bodies, whose
+// enclosed fluid lags, are not judged by the latter.
 std::string EnergyAudit::fault() const {
-    // Since the start, where what the layers are given is no source, for it must not feed
-    // a run; or since the lowest sum so far, which sound, being counted, does not raise,
-    // beyond what the layers may hide; not of light bodies, whose enclosed fluid lags.
     double gained = record_.unpaid - record_.unpaid_at_start + record_.for_nothing;
     if (!lags_)
         gained =
@@ -236,8 +251,9 @@ std::string EnergyAudit::fault() const {
         gained, record_.work, advice());
 }
 
-// In the parallel scheme the fluid answers a step late: in a volume of markers at rest a
-// strength of 2/3 keeps what alternates, and the fewer cells near a wall lower that.
+// In the parallel scheme the fluid answers a step late: in a volume of markers a mode
+// that alternates from step to step does not decay from a strength of 2/3 on. Near a
+// wall, where a kernel has fewer cells, this limit is lower.
 const char* EnergyAudit::advice() const {
     if (scene_.coupling && scene_.coupling->scheme == coupler::Scheme::parallel &&
         scene_.coupling->immersed_boundary.strength > 0.5)
@@ -257,6 +273,7 @@ output::EnergySummary EnergyAudit::summary() const {
     return summary;
 }
 
+// The record as a plain array, and back: it consists of doubles only.
 std::vector<double> EnergyAudit::carried() const {
     const auto values =
         std::bit_cast<std::array<double, sizeof(Record) / sizeof(double)>>(record_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The energy of all bodies and what became of it, since the start (docs/energy_audit.md).
-// Exists only with probes.energy_audit.
+// The energy balance of all bodies since the start (docs/energy_audit.md has its terms
+// and equations). Exists only with probes.energy_audit.
 #pragma once
 
 #include <optional>
@@ -17,52 +17,67 @@ namespace magfsi::lammps {
 using bodies::NodalState;
 using bodies::Vec3;
 
-// The last two of the fluid's columns.
+// Energy of the fluid in the whole box [J]: the last two of the fluid's columns.
 struct FluidEnergy {
     double sound = 0, kinetic = 0;
     double sum() const { return sound + kinetic; }
 };
 
-// What the solvers know at one time, of all bodies [J]. Sums are since the start.
+// Energies and works that the solvers report at one time, summed over all bodies [J].
+// Works and losses are sums since the start.
 struct EnergyTerms {
-    double elastic = 0, platform = 0, contact = 0, dipoles = 0;  // stored
+    // Stored energies.
+    double elastic = 0, platform = 0, contact = 0, dipoles = 0;
     double work_field = 0;
-    double of_moved = 0;  // of nodes in prescribed motion: kinetic less the work on them
+    // Kinetic energy of the nodes in prescribed motion, less the work on them of all
+    // forces except their drive. Its change is the work of the drive.
+    double of_moved = 0;
     double lost_viscosity = 0, lost_drag = 0, lost_friction = 0;
-    double by_fluid = 0, by_enclosed = 0;  // work on the body at the markers
+    // Work on the body at the markers: by the coupling force, and by that of the enclosed
+    // fluid.
+    double by_fluid = 0, by_enclosed = 0;
     FluidEnergy fluid;
-    double for_nothing = 0;  // work on it at the markers that no body paid for
+    // Work on the fluid at the markers by forces whose reaction no body feels
+    // (coupler/immersed_boundary/layer_inertia.h).
+    double for_nothing = 0;
 };
 
 struct StructureRun;
-// Puts the sums that the audit needs into LAMMPS's steps; after all commands of the
-// script.
+// Adds the fix to LAMMPS that sums the audit's terms in every step. Must come after all
+// commands of the script, since its forces are those of the fixes before it. Collective.
 void attach_audit(const StructureRun& run);
-// All but the fluid's own. Collective.
+// All terms except the fluid's energy. Collective.
 EnergyTerms collect_terms(const StructureRun& run);
 
 class EnergyAudit {
   public:
-    // start: step 0, with the masses that the nodes have. Both only matter on the root.
+    // start: the nodes at step 0, with the masses that LAMMPS integrates, which lack
+    // those of the enclosed fluid. Needed on the root only, as are the states of the
+    // rows. Keeps a reference to the scene.
     EnergyAudit(const scene::Scene& scene, NodalState start);
 
-    // Of an effect that the scene has not there is no column.
+    // Names of the columns. Effects that the scene does not have get none.
     std::vector<std::string> columns() const;
 
-    // state: as start. The first row is that of the start.
+    // One value for each column [J]. state: with masses as in the constructor. The first
+    // call must be for step 0: its energies are those of the start.
     std::vector<double> row(const NodalState& state, const EnergyTerms& terms);
 
     output::EnergySummary summary() const;
 
-    // Empty, or what is wrong at the last row: bodies and fluid have more energy than at
-    // the start and all works together, by far more than steps and sound can make of it.
+    // Fault at the last row, as a sentence for the user; empty without one. It is a fault
+    // if bodies and fluid have gained energy that no work accounts for, far more than
+    // errors of the time integration and sound explain.
     std::string fault() const;
 
-    // What the rows to come need of those before, for checkpoints.
+    // State of the audit for checkpoints, and back.
     std::vector<double> carried() const;
     void set(std::span<const double> carried);
 
   private:
+    // Kinetic energies and works of the weight [J], with three masses of each node: whole
+    // (kinetic_whole), less the fluid in its place (kinetic, work_weight), and as
+    // integrated by LAMMPS (kinetic_nodes, work_weight_nodes).
     struct Motion {
         double kinetic_whole = 0, kinetic = 0, kinetic_nodes = 0;
         double work_weight = 0, work_weight_nodes = 0;
@@ -79,18 +94,25 @@ class EnergyAudit {
 
     const scene::Scene& scene_;
     NodalState start_;
-    std::vector<double> whole_kg_, inside_kg_;  // of each node; inside: of the fluid
+    // Mass of each node of the bodies themselves, and of the fluid in its place.
+    std::vector<double> whole_kg_, inside_kg_;
     Vec3 gravity_m_s2_{};
-    bool driven_ = false;  // the fluid gets energy through sides or forces of its own
-    bool lags_ = false;    // the enclosed fluid is a force (light bodies)
-    double min_j_ = 0;     // gains below it are not judged
+    bool driven_ = false;  // true if sides of the box or a body force drive the fluid
+    bool lags_ = false;    // true if the enclosed fluid is a force (light bodies)
+    double min_j_ = 0;     // smaller gains are not judged
 
+    // The state over the rows so far [J]. Checkpoints keep it as an array of doubles
+    // (bit_cast): members of other types do not work here.
     struct Record {
-        double rows = 0;
+        double rows = 0;  // number of rows
         double stored_at_start = 0, moved_at_start = 0, nodes_at_start = 0;
         double dipoles_at_start = 0;
         double fluid_at_start = 0;
+        // Largest work and largest residual; lowest energy that no work accounts for, and
+        // the largest rise above it.
         double work = 0, residual = 0, lowest = 0, gained = 0;
+        // Energy less all works (`unpaid`) at the start and at the last row; EnergyTerms
+        // for_nothing at the last row and its largest magnitude.
         double unpaid_at_start = 0, unpaid = 0, for_nothing = 0, most_for_nothing = 0;
     } record_;
 };

@@ -21,8 +21,9 @@ namespace {
 
 using LAMMPS_NS::LAMMPS;
 
+// LAMMPS without output to the screen. It keeps the pointers to its arguments only while
+// it is constructed.
 std::unique_ptr<LAMMPS> make_lammps(MPI_Comm comm, const std::string& log) {
-    // LAMMPS keeps the pointers only while it is constructed.
     std::vector<std::string> words{"lammps", "-screen", "none", "-log", log, "-nocite"};
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -46,19 +47,21 @@ void Engine::command(const std::string& line) {
     lammps_->input->one(line);
 }
 
+// A run of no steps computes the forces and builds the neighbour lists.
 void Engine::set_up() {
     command("run 0");
 }
 
+// The words `pre no` skip the set-up of a run: forces and layout of the step before are
+// still valid.
 void Engine::take_steps(int steps) {
-    // pre no: forces and layout of the step before are still valid.
     command("run " + std::to_string(steps) + " pre no post no");
 }
 
+// Writes to LAMMPS's variables directly: its command reset_timestep also checks what
+// depends on time, and its command timestep may leave the fixes uninformed.
 void Engine::divide_step(int factor) {
     LAMMPS_NS::Update& update = *lammps_->update;
-    // LAMMPS's commands for both search for what depends on time, or leave the fixes as
-    // they are.
     update.ntimestep *= factor;
     update.dt /= factor;
     for (int i = 0; i < lammps_->modify->nfix; ++i) lammps_->modify->fix[i]->reset_dt();
@@ -100,6 +103,7 @@ void Engine::check_finite(std::int64_t step) const {
                             "field");
 }
 
+// Sends one row of seven numbers for each local atom to the root.
 NodalState Engine::gather(int atoms) const {
     constexpr std::size_t width = 7;  // position, velocity, mass
     const LAMMPS_NS::Atom& atom = *lammps_->atom;
@@ -122,6 +126,8 @@ NodalState Engine::gather(int atoms) const {
     return state;
 }
 
+// Fix before_rollers, which the script has with reactions, keeps the forces before fix
+// rollers sets components of them to zero.
 std::vector<Vec3> Engine::gather_forces(int atoms) const {
     const LAMMPS_NS::Atom& atom = *lammps_->atom;
     const int kept = lammps_->modify->find_fix("before_rollers");

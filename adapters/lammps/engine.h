@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The LAMMPS library as the structure solver: commands in, steps, nodal arrays out. Hides
-// LAMMPS's headers.
+// The LAMMPS library as the structure solver: takes script commands, makes steps, returns
+// nodal arrays. Node n of the scene's bodies, counted from 0 over all of them, is the
+// atom with ID n + 1. Users of this header do not see LAMMPS's own headers.
 //   engine.cpp        commands, steps, nodes
-//   engine_state.cpp  what a checkpoint and a repeated step keep
+//   engine_state.cpp  state for checkpoints and repeated steps
 //   engine_fixes.cpp  our fixes in LAMMPS's step: the fluid's force, the energy audit
 #pragma once
 
@@ -32,10 +33,10 @@ namespace magfsi::lammps {
 using bodies::NodalState;
 using bodies::Vec3;
 
-// Whether there is no NaN and no infinity, at the price of reading the values. Those have
-// all bits of their exponent set: one more there carries into the sign, which is else
-// clear once the number's own is masked. Bits can be put together in any order, unlike
-// sums, so that the compiler takes many at once.
+// NaN check: true if all values are finite. NaN and infinity have all exponent bits set,
+// and only for them does adding one to the exponent carry into the (masked) sign bit.
+// Unlike sums, a bitwise or may be evaluated in any order, so that the compiler can
+// vectorise the loop: the check costs no more than reading the values.
 inline bool all_finite(std::span<const double> values) {
     constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
     std::uint64_t carried = 0;
@@ -44,73 +45,88 @@ inline bool all_finite(std::span<const double> values) {
     return (carried >> 63) == 0;
 }
 
+// Local arrays have three values per atom, first those of this rank's own atoms, then
+// those of its ghost atoms. An error inside LAMMPS ends the whole job (lammps_exit.h).
 class Engine final : public coupler::StructureSolver {
   public:
+    // Creates LAMMPS on these ranks, with its log in the given file. Collective.
     Engine(MPI_Comm comm, const std::filesystem::path& log);
     ~Engine() override;
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
-    void command(const std::string& line);
-    std::string version() const;  // of LAMMPS
+    void command(const std::string& line);  // one line of a script; collective
+    std::string version() const;            // version of LAMMPS
 
-    // First forces and the parallel layout; nodes keep their local indices from here on.
+    // Computes the first forces and distributes the atoms among the ranks; from here on
+    // their local indices do not change. Collective.
     void set_up();
-    // How many of its steps make a coupled one.
+    // Sets the number of LAMMPS steps in a coupled step.
     void set_substeps(int substeps) { substeps_ = substeps; }
+    // Makes one coupled step; collective, as is take_steps.
     void advance() override { take_steps(substeps_); }
     void take_steps(int steps);
-    // Steps of a whole part of those so far; the time, their number times the step,
-    // stays.
+    // Divides the time step by the factor and multiplies the number of steps done by it,
+    // so that the present time, their product, stays the same.
     void divide_step(int factor);
 
     // Local index of an atom on this rank, owned or ghost; -1 if it is neither.
     int local_index(int atom_id) const;
     bool owns(int atom_id) const;
+    // Positions [m] and velocities [m/s] of local and ghost atoms.
     const double* positions() const override;
     const double* velocities() const override;
-    void renew_ghost_velocities() override;
+    void renew_ghost_velocities() override;  // collective
+    // Lets LAMMPS call this function in each of its steps to add the fluid's force.
     void attach_fluid_force(NodalForce force) override;
-    // A NaN in one node reaches its neighbours in the next substep: one check in a
-    // coupled step is enough to name the place.
+    // Throws coupler::Diverged, which names a node of this rank whose position is NaN or
+    // infinite. One check in a coupled step suffices: a NaN reaches only the neighbours
+    // of its node in each substep.
     void check_finite(std::int64_t step) const override;
 
-    // In the order of the atoms' ids; empty but on the root. Collective.
+    // Positions, velocities and masses of all atoms in the order of their IDs, on the
+    // root; empty on other ranks. Masses are those that LAMMPS integrates. atoms: number
+    // of all atoms. Collective.
     NodalState gather(int atoms) const;
 
-    // Of all forces on each node, likewise; those that rollers take away included where
-    // the script keeps them (LammpsInput::reactions). Collective.
+    // Sum of all forces on each node [N], likewise; with LammpsInput::reactions it
+    // includes forces that rollers take up. Collective.
     std::vector<Vec3> gather_forces(int atoms) const;
 
-    // Entry n (from 1) of a fix's global vector. Collective.
+    // Entry n (from 1) of a fix's global vector. Collective. Throws std::logic_error if
+    // there is no such fix.
     double fix_vector(const std::string& fix_id, int n) const;
-    double fix_scalar(const std::string& fix_id) const;  // collective
+    // A fix's global scalar, with the same conditions.
+    double fix_scalar(const std::string& fix_id) const;
 
-    // Only for the energy audit. moved: groups in prescribed motion. The scalar of a
-    // compute is collective.
+    // Adds the fix of the energy audit. drag_rate_1_s: rate of fix magttice/drag, or 0;
+    // moved: the groups in prescribed motion. Collective.
     void attach_audit(double drag_rate_1_s, const std::vector<std::string>& moved);
+    // Scalar of a compute, and entry n (from 1) of its vector. Collective.
     double compute_scalar(const std::string& compute_id) const;
-    double compute_vector(const std::string& compute_id, int n) const;  // from 1
+    double compute_vector(const std::string& compute_id, int n) const;
 
-    // What a checkpoint keeps. Of each atom position, velocity, force
-    // and what fixes keep with it: rows of node_values() numbers in the order of the
-    // atoms' ids, on the root only. Collective.
+    // State of the atoms for checkpoints: position, velocity, force and the values that
+    // fixes keep with an atom. gather_nodes returns rows of node_values() numbers in the
+    // order of the atoms' IDs, on the root only. Collective.
     std::size_t node_values() const;
     std::vector<double> gather_nodes(int atoms) const;
-    // Puts such rows back; all of them on every rank. Collective.
+    // Restores such rows, which every rank must have completely. Collective.
     void put_nodes(std::span<const double> rows);
-    // This rank's shares of the sums over time that fixes keep, and back.
+    // This rank's shares of the sums over time that fixes and the pair style keep (works
+    // and losses), and back.
     std::vector<double> fix_sums() const;
     void put_fix_sums(std::span<const double> sums);
-    // What the pair style remembers of pairs of nodes (structure/lammps/kept_pairs.h).
+    // Values that the pair style keeps with pairs of nodes, the same on all ranks, and
+    // back (structure/lammps/kept_pairs.h).
     std::vector<double> pairs() const;
     void put_pairs(std::span<const double> rows);
-    // The same in memory and by local index, for a coupled step that is done again:
-    // between the two, atoms keep their ranks and indices.
+    // The same state in memory, by local index, for a coupled step that is repeated.
+    // Between the two calls atoms keep their ranks and indices. go_back is collective.
     void keep() override;
     void go_back() override;
 
-    // The number of the step that comes first; before set_up.
+    // Sets the number of the present LAMMPS step; to be called before set_up. Collective.
     void start_at(std::int64_t lammps_step);
 
   private:
@@ -124,8 +140,8 @@ class Engine final : public coupler::StructureSolver {
     int substeps_ = 1;
     struct Kept {
         std::int64_t step = 0;
-        std::vector<double> position, velocity;  // of local and ghost atoms
-        std::vector<double> force, of_fixes;     // of local atoms
+        std::vector<double> position, velocity;  // local and ghost atoms
+        std::vector<double> force, of_fixes;     // local atoms
         std::vector<double> sums, pairs;
     } kept_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Our fixes in LAMMPS's step.
+// Fixes that the engine adds to LAMMPS's step beside those of structure/lammps.
 #include <cstring>
 #include <iomanip>
 #include <sstream>
@@ -20,15 +20,15 @@ namespace {
 
 using NodalForce = coupler::StructureSolver::NodalForce;
 
-// fix ID group magfsi/fluid: the fluid's force on the nodes, evaluated in every time step
-// of LAMMPS by the coupler's immersed boundary.
+// fix ID group magfsi/fluid: adds the fluid's force to the nodes in every time step of
+// LAMMPS. The coupler's immersed boundary evaluates it from the present velocities.
 class FixFluidForce : public LAMMPS_NS::Fix {
   public:
     using Fix::Fix;
 
     int setmask() override { return LAMMPS_NS::FixConst::PRE_REVERSE; }
-    // After LAMMPS has cleared and computed forces and before it sums those of ghost
-    // atoms: forces put on ghosts reach their owners.
+    // Comes after LAMMPS has cleared and computed the forces and before it adds those of
+    // ghost atoms to their owners, so that forces on ghosts count.
     void pre_reverse(int, int) override {
         if (nodal_force_ && atom->nlocal > 0)
             nodal_force_(atom->v[0], atom->f[0], update->dt);
@@ -40,24 +40,28 @@ class FixFluidForce : public LAMMPS_NS::Fix {
     NodalForce nodal_force_;
 };
 
-// fix ID group magfsi/audit RATE [MOVED_GROUP ...]: what no other fix knows of the energy
-// of a step. Used only by runs with probes.energy_audit, after all fixes that add forces.
+// fix ID group magfsi/audit RATE [MOVED_GROUP ...]: sums the works that no other fix
+// measures, those of prescribed motions and of the drag. Used only in runs with
+// probes.energy_audit; must come after all fixes that add forces.
 class FixAudit : public LAMMPS_NS::Fix {
   public:
-    // RATE: that of fix magttice/drag, or 0; groups of fixes magttice/motion.
+    // RATE is the rate [1/s] of fix magttice/drag, or 0; the groups are those of fixes
+    // magttice/motion.
     FixAudit(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
     int setmask() override;
-    // Both see the velocity of the half step, (x(n+1) - x(n)) / dt: first with the forces
-    // at x(n), then with those at x(n+1), so that their sum is the work over the step.
+    // Both are called with the velocity of the half step, (x(n+1) - x(n)) / dt: the first
+    // with the forces at x(n), the second with those at x(n+1). The sum of their halves
+    // is the work over the step by the trapezium rule.
     void post_integrate() override;
     void post_force(int) override;
 
-    // 1: of the nodes that are moved, the kinetic energy less the work done on them by
-    // all forces but their drive [J]; 2: lost to the drag [J].
+    // Entry 1: kinetic energy of the moved nodes less the work on them of all forces
+    // except their drive [J]. Entry 2: energy that the drag has taken [J].
     double compute_vector(int i) override;
 
-    // "work_share", "lost_share": this rank's shares of the sums over time.
+    // Pointers to this rank's shares of the two sums, "work_share" and "lost_share", for
+    // checkpoints (Engine::fix_sums).
     void* extract(const char* name, int& dimension) override;
 
   private:
@@ -66,7 +70,7 @@ class FixAudit : public LAMMPS_NS::Fix {
     double kinetic_energy_j(bool of_moved) const;
 
     double rate_1_s_ = 0;
-    int moved_bits_ = 0;
+    int moved_bits_ = 0;  // bit mask of the moved groups
     double work_on_moved_j_ = 0;
     double lost_to_drag_j_ = 0;
 };
@@ -87,7 +91,8 @@ int FixAudit::setmask() {
     return LAMMPS_NS::FixConst::POST_INTEGRATE | LAMMPS_NS::FixConst::POST_FORCE;
 }
 
-// The drag takes RATE m v^2 of each node; its velocity of the half step is the mean.
+// The drag takes the power RATE m v^2 from each node that is not moved, v the velocity of
+// the half step, which is the mean over the step.
 void FixAudit::post_integrate() {
     if (rate_1_s_ > 0)
         lost_to_drag_j_ += 2 * rate_1_s_ * update->dt * kinetic_energy_j(false);
@@ -102,6 +107,7 @@ bool FixAudit::moved(int atom_index) const {
     return (atom->mask[atom_index] & moved_bits_) != 0;
 }
 
+// Power of the present forces on this rank's moved nodes.
 double FixAudit::power_on_moved_w() const {
     double sum = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -111,6 +117,7 @@ double FixAudit::power_on_moved_w() const {
     return sum;
 }
 
+// Kinetic energy of this rank's moved nodes, or of all its others.
 double FixAudit::kinetic_energy_j(bool of_moved) const {
     double sum = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -136,6 +143,7 @@ void* FixAudit::extract(const char* name, int& dimension) {
     return nullptr;
 }
 
+// Creator function of a fix style, in the form of LAMMPS's table of styles.
 template <class Fix>
 LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lammps, int count, char** words) {
     return new Fix(lammps, count, words);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The motion's state: taken out of LAMMPS and put back by the atoms' ids, or noted in
-// memory.
+// State of the atoms and fixes: for checkpoints by the atoms' IDs, for repeated steps in
+// memory by their local indices.
 #include <algorithm>
 #include <string>
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t motion_values = 9;  // position, velocity, force
 
-// Fixes that keep something with their atoms, over restarts too.
+// Fixes that keep values with their atoms which a restart needs.
 std::vector<LAMMPS_NS::Fix*> keeping_fixes(const LAMMPS_NS::Modify& modify) {
     std::vector<LAMMPS_NS::Fix*> found;
     for (int i = 0; i < modify.nfix; ++i) {
@@ -32,7 +32,8 @@ std::vector<LAMMPS_NS::Fix*> keeping_fixes(const LAMMPS_NS::Modify& modify) {
     return found;
 }
 
-// Numbers an atom. LAMMPS counts the length of the record in.
+// Number of values that a fix keeps with each atom: LAMMPS's record of them less the
+// entry for its length.
 std::size_t kept_values(LAMMPS_NS::Fix& fix) {
     return static_cast<std::size_t>(fix.maxsize_restart() - 1);
 }
@@ -43,6 +44,8 @@ void copy_out(const double* from, int atoms, std::vector<double>& to) {
 
 }  // namespace
 
+// The pair style if it keeps values with pairs of atoms (contact with friction), else
+// null.
 structure::KeepsPairs* Engine::keeper() const {
     return dynamic_cast<structure::KeepsPairs*>(lammps_->force->pair);
 }
@@ -99,19 +102,21 @@ void Engine::put_nodes(std::span<const double> rows) {
     }
     lammps_->comm->forward_comm();
     evaluate_again();
-    // Forces hold velocities of a half step and of the fluid that nobody can evaluate
-    // again: those are put back as they were.
+    // Forces depend on velocities of a half step and on those of the fluid, which cannot
+    // be evaluated again: the saved forces are restored.
     for (int i = 0; i < atom.nlocal; ++i) std::copy_n(row_of(i) + 6, 3, atom.f[i]);
 }
 
-// What fixes remember of the last evaluation (field, energies) becomes that of the
-// places just set.
+// Lets every fix evaluate again what it keeps of the last evaluation (field, energies),
+// at the positions just set. Calls the fixes one by one, for LAMMPS's Modify does so only
+// within a run.
 void Engine::evaluate_again() {
-    // One by one: Modify calls them within a run only.
     for (int i = 0; i < lammps_->modify->nfix; ++i)
         lammps_->modify->fix[i]->setup_pre_reverse(0, 0);
 }
 
+// Pointers to this rank's shares of all sums over time, in an order that is the same in
+// every run of the scene: those of the fixes, then that of the pair style.
 std::vector<double*> Engine::sums_in_fixes() const {
     std::vector<double*> sums;
     for (int i = 0; i < lammps_->modify->nfix; ++i) {
@@ -143,6 +148,8 @@ void Engine::start_at(std::int64_t lammps_step) {
     command("reset_timestep " + std::to_string(lammps_step));
 }
 
+// Positions and velocities include those of ghost atoms, which go_back then need not
+// exchange.
 void Engine::keep() {
     const LAMMPS_NS::Atom& atom = *lammps_->atom;
     const int all = atom.nlocal + atom.nghost;
@@ -165,13 +172,14 @@ void Engine::keep() {
 void Engine::go_back() {
     const InsideLammps inside;
     LAMMPS_NS::Atom& atom = *lammps_->atom;
-    // LAMMPS's commands that change the step search for what depends on time; here
-    // nothing may change but the number.
+    // Sets the step number directly: the command reset_timestep also checks what depends
+    // on time.
     lammps_->update->ntimestep = kept_.step;
     std::ranges::copy(kept_.position, atom.x[0]);
     std::ranges::copy(kept_.velocity, atom.v[0]);
     const auto fixes = keeping_fixes(*lammps_->modify);
-    std::vector<double> kept = kept_.of_fixes;  // fixes read from memory they may write
+    // A copy, since fixes read from memory that they may write to.
+    std::vector<double> kept = kept_.of_fixes;
     double* at = kept.data();
     for (int i = 0; i < atom.nlocal; ++i) {
         for (LAMMPS_NS::Fix* fix : fixes) at += fix->unpack_exchange(i, at);

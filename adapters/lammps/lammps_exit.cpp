@@ -13,9 +13,10 @@ namespace magfsi::lammps {
 
 namespace {
 
-int depth = 0;
+int depth = 0;  // number of InsideLammps objects alive
 std::filesystem::path log_file;
 
+// The last line of LAMMPS's log that contains ERROR.
 std::string last_error() {
     std::ifstream log(log_file);
     std::string line;
@@ -26,6 +27,7 @@ std::string last_error() {
     return found;
 }
 
+// Prints the cause of the end to stderr.
 void report() {
     std::fprintf(stderr, "magfsi structure: LAMMPS stopped: %s\n", last_error().c_str());
     std::fflush(nullptr);
@@ -46,6 +48,8 @@ InsideLammps::~InsideLammps() {
 
 }  // namespace magfsi::lammps
 
+// These two replace MPI's functions for the whole program; the originals are
+// PMPI_Finalize and PMPI_Abort.
 extern "C" int MPI_Finalize() {
     if (magfsi::lammps::depth > 0) {
         magfsi::lammps::report();

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LAMMPS ends the process on an error: MPI_Finalize and exit, or MPI_Abort. Inside a
-// coupled job the first would wait for the partner forever. While control is inside
-// LAMMPS, our MPI_Finalize (the MPI profiling interface) turns that into a named end of
-// the whole job.
+// Handling of errors inside LAMMPS, which end the process: by MPI_Finalize and exit, or
+// by MPI_Abort. In a coupled job the former would wait for the partner forever. While
+// control is inside LAMMPS, our versions of MPI_Finalize and MPI_Abort (by the MPI
+// profiling interface) print the cause and end the whole job.
 #pragma once
 
 #include <filesystem>
 
 namespace magfsi::lammps {
 
-// The log whose last ERROR line names the cause.
+// Sets LAMMPS's log file, whose last line with ERROR is printed as the cause.
 void watch_lammps_exit(const std::filesystem::path& log);
 
+// Marks, while it lives, that control is inside LAMMPS. May be nested. Not for threads.
 struct InsideLammps {
     InsideLammps();
     ~InsideLammps();

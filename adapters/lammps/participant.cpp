@@ -30,7 +30,7 @@ namespace magfsi::lammps {
 
 namespace {
 
-// Those of this build, up to one without a name.
+// The outputs of this build; the list ends with one that has no name.
 const StructureOutput* structure_outputs() {
 #define MAGFSI_OUTPUT(name) name##_output,
     static const StructureOutput registered[] = {
@@ -46,6 +46,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
+// Sends the root's list to all ranks. Collective.
 template <class T>
 void broadcast(T& list, MPI_Datatype type, MPI_Comm comm) {
     auto size = static_cast<int>(list.size());
@@ -62,6 +63,7 @@ void broadcast(std::vector<std::string>& lines, MPI_Comm comm) {
     for (std::string line; std::getline(in, line);) lines.push_back(line);
 }
 
+// Writes lammps.in, which LAMMPS can run alone, without a fluid.
 void write_script(const coupler::Session& session, const structure::LammpsScript& script,
                   std::int64_t steps) {
     std::string text =
@@ -79,8 +81,8 @@ void write_script(const coupler::Session& session, const structure::LammpsScript
     output::write_atomically(session.out() / "lammps.in", text);
 }
 
-// lammps.in and its data files in the run folder, and its lines on every rank. steps:
-// LAMMPS steps of the run. Collective: the root writes, all ranks get the script.
+// The script of the run, the same on every rank. The root writes it as lammps.in, with
+// its data files, into the run folder. steps: LAMMPS steps of the run. Collective.
 structure::LammpsScript generate_input(const coupler::Session& session,
                                        const structure::LammpsInput& input,
                                        std::int64_t steps) {
@@ -97,6 +99,7 @@ structure::LammpsScript generate_input(const coupler::Session& session,
     return script;
 }
 
+// The structure's side of a run, from the script to the summary.
 class Participant {
   public:
     Participant(const scene::Scene& scene, coupler::Session& session,
@@ -145,7 +148,8 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
     assemble_output(arguments.progress);
 }
 
-// Those of its last step: the deformation may have asked for more than the start.
+// Continues with the number of substeps of the checkpoint: the deformation may have
+// raised it since the start.
 void Participant::take_substeps_of_restart() {
     const auto& file = coupler::open_restart(session_);
     if (!file.has("substeps")) return;
@@ -190,6 +194,7 @@ void Participant::start_lammps() {
     }
 }
 
+// Receives the description of the grid from the fluid and places the markers in it.
 void Participant::build_coupling(const std::vector<int>& first_node) {
     coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
         session_.world(), "", coupler::no_timeout_s, "description of the grid"));
@@ -198,6 +203,8 @@ void Participant::build_coupling(const std::vector<int>& first_node) {
         session_, *run_.engine, std::move(grid), std::move(markers));
 }
 
+// The tasks of a step: those of the coupling, or without a fluid one advance of the
+// bodies.
 void Participant::assemble() {
     if (guard_) tasks_.add("check stable step", [this] { check_stable_step(); });
     if (run_.coupling) return run_.coupling->add_tasks(tasks_);
@@ -214,7 +221,7 @@ void Participant::assemble() {
     tasks_.add("count step", [this] { session_.complete_step(); });
 }
 
-// The nodes of each body in turn, of those of all bodies.
+// Calls use(b, nodes) for each body b with its part of a list of the nodes of all bodies.
 template <class Use>
 void Participant::each_body(const std::vector<structure::Vec3>& all, const Use& use) {
     std::size_t first = 0;
@@ -245,6 +252,7 @@ void Participant::come_to_rest(double time_s) {
     });
 }
 
+// Raises the number of substeps where the deformation has lowered the stable step.
 void Participant::check_stable_step() {
     const std::int64_t step = session_.clock().step();
     if (step % guard_->every() != 0) return;
@@ -330,7 +338,7 @@ coupler::ParticipantReport Participant::make_report() const {
     auto report = coupler::basic_report(session_.world(), tasks_);
     report.versions.emplace_back("LAMMPS", run_.engine->version());
     const output::StructureSummary structure = summary();
-    // With fewer elements a LAMMPS step is mostly communication.
+    // On fewer elements a LAMMPS step consists mostly of communication.
     constexpr std::int64_t fewest_elements_per_rank = 500;
     report.load.max_ranks = static_cast<int>(
         std::max<std::int64_t>(1, structure.elements / fewest_elements_per_rank));

@@ -20,7 +20,8 @@ namespace magfsi::lammps {
 
 namespace {
 
-// The surfaces that contact knows. An obstacle of another shape is refused with contact.
+// The surfaces that bodies can touch. With contact an obstacle of another shape is an
+// error.
 structure::SolidShape surface_of(const scene::Sphere& ball) {
     return structure::Ball{ball.centre_m, 0.5 * ball.diameter_m};
 }
@@ -32,7 +33,7 @@ structure::SolidShape surface_of(const scene::Cylinder& rod) {
     if (rod.length_m) half_m = 0.5 * *rod.length_m;
     return structure::Rod{rod.centre_m, 0.5 * rod.diameter_m, rod.axis, half_m};
 }
-// Read once, however often a program asks for its input.
+// The file is read only once in a process.
 structure::SolidShape surface_of(const scene::StlSurface& stl) {
     using Key = std::tuple<std::string, double, scene::Vec3>;
     static std::map<Key, structure::Surface> known;
@@ -57,7 +58,7 @@ structure::SolidShape surface_of(const scene::Obstacle& obstacle) {
         obstacle.shape);
 }
 
-// Whether a body starts in a shape, which then holds it.
+// True if a node starts deeper than deep_m in the shape; the shape then holds the body.
 bool starts_in(const structure::SolidShape& shape, const structure::Vec3& period_m,
                const std::vector<structure::Vec3>& nodes_m, double deep_m) {
     return std::ranges::any_of(nodes_m, [&](const structure::Vec3& x) {
@@ -65,7 +66,7 @@ bool starts_in(const structure::SolidShape& shape, const structure::Vec3& period
     });
 }
 
-// With contact in a fluid: its obstacles.
+// Adds the obstacles of the fluid as walls for the bodies that do not start in them.
 void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scene,
                    const std::vector<structure::Body>& bodies) {
     std::vector<std::vector<structure::Vec3>> start_m;
@@ -78,7 +79,7 @@ void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scen
         structure::Wall wall{fmt::format("obstacle_{}", o + 1), {}, {}, {}};
         wall.shape = surface_of(scene.fluid->obstacles[o]);
         for (std::size_t b = 0; b < bodies.size(); ++b) {
-            // As the look for overlaps has it.
+            // The same depth as in outputs/overlap.cpp.
             const double deep_m = 0.05 * scene.fluid->finest_spacing_m();
             if (!starts_in(*wall.shape, scene.fluid->period_m(), start_m[b], deep_m))
                 wall.bodies.push_back(b);
@@ -87,8 +88,8 @@ void add_obstacles(std::vector<structure::Wall>& walls, const scene::Scene& scen
     }
 }
 
-// With contact in a fluid: all sides of its box that a body could go through. One that
-// spans the box touches them anyway.
+// Walls that keep bodies in a fluid, with contact: the sides of its box that are not
+// periodic, for bodies that do not span the box to them, and its obstacles.
 std::vector<structure::Wall> walls_of(const scene::Scene& scene,
                                       const std::vector<structure::Body>& bodies) {
     std::vector<structure::Wall> walls;
@@ -111,6 +112,8 @@ std::vector<structure::Wall> walls_of(const scene::Scene& scene,
 
 }  // namespace
 
+// The law of the uniform field is left out where the scene has only a gradient or
+// sources: its course means nothing there.
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s) {
     structure::LammpsInput input;
     input.bodies = bodies::bodies_in_fluid(scene);
@@ -139,12 +142,13 @@ structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_st
     return input;
 }
 
+// The time step of the input does not matter here.
 double stable_step_s(const scene::Scene& scene) {
     const structure::LammpsInput input = to_lammps_input(scene, 1);
     double smallest = 0;
     for (const structure::Body& body : input.bodies) {
-        // All that acts on a body at once: the springs on its surface beside its own
-        // stiffness and viscosity.
+        // Springs of platform and contact on its surface count with its own stiffness and
+        // viscosity, since all may act at once.
         const double step =
             structure::step_limit_s(body, structure::surface_spring_pa_m(input, body));
         smallest = smallest > 0 ? std::min(smallest, step) : step;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scene in the terms of structure/lammps.
+// Conversion of the scene to the input of structure/lammps.
 #pragma once
 
 #include "adapters/scene/scene.h"
@@ -7,10 +7,14 @@
 
 namespace magfsi::lammps {
 
-// time_step_s: LAMMPS's own step.
+// The bodies with their loads, supports and surroundings. In a fluid the bodies' masses
+// lack those of the enclosed fluid (bodies_in_fluid). time_step_s: LAMMPS's own step [s].
+// Throws std::invalid_argument on an effect that this build lacks, and on contact with
+// obstacles of a shape that it does not know.
 structure::LammpsInput to_lammps_input(const scene::Scene& scene, double time_step_s);
 
-// Largest stable LAMMPS step over all bodies, with platform, contact and viscosity [s].
+// Largest stable LAMMPS step over all bodies, with the stiffness of platform and contact
+// and with viscosity [s]. Infinite if no node can move.
 double stable_step_s(const scene::Scene& scene);
 
 }  // namespace magfsi::lammps

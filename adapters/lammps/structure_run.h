@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A run of the structure in LAMMPS: what its participant, outputs and checkpoint share.
+// The state of a run of the structure in LAMMPS that its participant, outputs and
+// checkpoint share.
 #pragma once
 
 #include <functional>
@@ -24,61 +25,73 @@ namespace magfsi::lammps {
 struct StructureRun {
     const scene::Scene& scene;
     coupler::Session& session;
-    Substeps substeps;  // of the last coupled step
+    Substeps substeps;  // the steps of the last coupled step
     StepCount counted{};
     structure::LammpsInput input{};
-    std::vector<std::string> fix_ids{};  // of each body's fix magttice
-    int atoms = 0;
+    std::vector<std::string> fix_ids{};  // ID of the fix magttice of each body
+    int atoms = 0;                       // number of the nodes of all bodies
     std::unique_ptr<Engine> engine{};
-    // Null when the scene has none.
+    // The coupling to the fluid; null without one.
     std::unique_ptr<coupler::StructureCoupling> coupling{};
+    // The energy audit; null without probes.energy_audit.
     std::unique_ptr<EnergyAudit> audit{};
 
-    NodalState start{};  // step 0, on the root; only while outputs are made
-    // With a fluid, on the root: the bodies' whole masses, whatever came off their nodes.
+    // The nodes at step 0, on the root; valid only while the outputs are made.
+    NodalState start{};
+    // Mass of each node of the bodies themselves, the enclosed fluid not subtracted; on
+    // the root, with a fluid.
     std::vector<double> whole_mass_kg{};
-    // On a path of equilibria in a field, on the root: of each body.
+    // The field's work on each body; on the root, on a path of equilibria in a field.
     std::vector<bodies::FieldWork> field_work{};
-    bool recorded = false;  // --record
-    // The columns of probes.csv and its last row, on the leading rank; null without
-    // probes.
+    bool recorded = false;  // option --record
+    // The file probes.csv with its columns and its last row; on the leading rank, null
+    // without probes.
     const output::ProbeFile* probes = nullptr;
-    // Where a controller sets the field: what it is now. Empty up to the first call.
+    // The uniform field that a controller has set; empty before its first call and
+    // without a controller.
     std::optional<structure::FieldProgram> steered{};
+    // Value of that field [T]; empty where the scene's law holds.
     std::optional<structure::Vec3> field_t(double time_s) const;
+    // Writes the controller's part of a checkpoint; empty without a controller.
+    // Collective; the file is null on ranks other than the root.
     std::function<void(coupler::StateWriter*)> save_control{};
-    // Called with what the fluid has sent for a row of probes, on the root; may be empty.
+    // Receives the values that the fluid has sent for a row of probes, on the root; may
+    // be empty.
     std::function<void(std::span<const double>)> on_fluid_values{};
 
+    // The record of momentum and power at the interface; null unless the run measures it.
     coupler::BalanceRecord* balance() const {
         return coupling ? coupling->balance() : nullptr;
     }
-    NodalState gather() const {  // with whole masses; collective
+    // All nodes on the root, with whole masses; empty on other ranks. Collective.
+    NodalState gather() const {
         NodalState nodes = engine->gather(atoms);
         if (!whole_mass_kg.empty()) nodes.mass_kg = whole_mass_kg;
         return nodes;
     }
 };
 
-// The applied field from here on, in place of the scene's law: for a controller, between
-// two coupled steps and on all ranks of the structure. The scene needs a magnetic_field.
+// Replaces the law of the uniform field from the present time on. For controllers: to be
+// called between two coupled steps, on all ranks of the structure. The scene must have a
+// magnetic_field.
 void set_field(StructureRun& run, const structure::FieldProgram& law);
 
 // An output of outputs.inc is an object of this type, called NAME_output.
 using StructureOutput = coupler::OutputKind<StructureRun>;
 
-// The structure's half of a checkpoint: nodes, what fixes keep, what markers carry.
-// Collective; file is null but on the root.
+// Writes the structure's half of a checkpoint: nodes, state of the fixes, arrays of the
+// markers. Collective; file is null on ranks other than the root.
 void save_structure(const StructureRun& run, coupler::StateWriter* file);
 
-// A text in a checkpoint, as numbers; empty where there is none.
+// Writes a text into a checkpoint as a table of character codes; an empty text gets no
+// table. text_in reads it back, empty if there is no such table.
 void save_text(coupler::StateWriter& file, const std::string& table,
                const std::string& text);
 std::string text_in(const coupler::StateReader& file, const std::string& table);
 
-// The two halves of a restart, each collective: the bodies after engine.set_up and before
-// markers are placed on ranks, the rest before the first exchange with the fluid. Throw
-// coupler::StateFault when the file is of other meshes.
+// The two halves of a restart, both collective. restore_bodies comes after engine.set_up
+// and before markers are assigned to ranks, restore_coupling before the first exchange
+// with the fluid. Both throw coupler::StateFault if the file is one of other meshes.
 void restore_bodies(StructureRun& run, const coupler::StateReader& file);
 void restore_coupling(const StructureRun& run, const coupler::StateReader& file);
 

@@ -19,10 +19,12 @@ namespace {
 using coupler::StateReader;
 using coupler::StateWriter;
 
+// Name of the table of an array of the markers.
 std::string table_of(const coupler::StructureCoupling::MarkerArray& array) {
     return "marker_" + array.name;
 }
 
+// Saves each rank's share of some sums as a row of the table. Collective.
 void save_shares(MPI_Comm comm, const char* table, std::span<const double> mine,
                  StateWriter* file) {
     const auto all = coupler::gather_shares(comm, mine);
@@ -30,6 +32,8 @@ void save_shares(MPI_Comm comm, const char* table, std::span<const double> mine,
         file->table(table, all, {all.size() / mine.size(), mine.size()});
 }
 
+// Saves the arrays of the markers in the order of their placement, independent of the
+// number of ranks. Collective.
 void save_markers(const StructureRun& run, StateWriter* file) {
     coupler::StructureCoupling& coupling = *run.coupling;
     for (const auto& array : coupling.carried()) {
@@ -42,7 +46,8 @@ void save_markers(const StructureRun& run, StateWriter* file) {
     if (file) file->table("numbers", numbers, {numbers.size()});
 }
 
-// Rows of a table, checked against what this run has.
+// The values of a table. Throws coupler::StateFault unless it has so many rows of this
+// width, those of this run.
 std::vector<double> rows_of(const StateReader& file, const std::string& table,
                             std::size_t rows, std::size_t width) {
     const auto shape = file.shape(table);
@@ -55,6 +60,7 @@ std::vector<double> rows_of(const StateReader& file, const std::string& table,
     return file.table(table);
 }
 
+// This rank's share of a table that save_shares wrote, also on another number of ranks.
 std::vector<double> share(const StateReader& file, const char* table, MPI_Comm comm) {
     return coupler::share_of(comm, file.table(table), file.shape(table)[0]);
 }
@@ -76,7 +82,7 @@ std::string text_in(const StateReader& file, const std::string& table) {
 
 namespace {
 
-// The field that a controller had set; nothing before its first call.
+// The field that a controller had set; empty if it had not been called yet.
 std::optional<structure::FieldProgram> steered(const StructureRun& run,
                                                const StateReader& file,
                                                const char* table) {
@@ -87,6 +93,8 @@ std::optional<structure::FieldProgram> steered(const StructureRun& run,
 
 }  // namespace
 
+// Tables: nodes, sums (of the fixes), pairs, marker_NAME, numbers, balance, substeps,
+// energy_audit, and those of the controller. Those that the run does not need are absent.
 void save_structure(const StructureRun& run, StateWriter* file) {
     const MPI_Comm comm = run.session.world().local();
     Engine& engine = *run.engine;
@@ -113,9 +121,12 @@ void save_structure(const StructureRun& run, StateWriter* file) {
     if (run.save_control) run.save_control(file);
 }
 
+// Nodes and fixes are restored in the field of the checkpoint's last step, since forces
+// and the field's work continue from there; the field that the controller set after that
+// step follows at the end.
 void restore_bodies(StructureRun& run, const StateReader& file) {
     Engine& engine = *run.engine;
-    // Forces and the field's work go on from what it was in the last step.
+
     if (const auto before = steered(run, file, "field_of_step")) set_field(run, *before);
     const auto nodes =
         rows_of(file, "nodes", static_cast<std::size_t>(run.atoms), engine.node_values());
@@ -127,6 +138,8 @@ void restore_bodies(StructureRun& run, const StateReader& file) {
     if (const auto now = steered(run, file, "field")) set_field(run, *now);
 }
 
+// A retry continues with shorter steps than the checkpoint's: the last step counts as
+// shortened by the ratio of the two.
 void restore_coupling(const StructureRun& run, const StateReader& file) {
     coupler::StructureCoupling& coupling = *run.coupling;
     if (file.has("numbers")) coupling.make_room(file.table("numbers"));

@@ -24,27 +24,30 @@ namespace magfsi::lammps {
 
 namespace {
 
-// Margins below the stability limits: the lattice stiffens by a few per cent when it is
-// compressed, and the drag (explicit, limit 2 / rate) should decay without overshoot.
+// Parts of the stability limits that are used: the lattice stiffens by a few per cent
+// when it is compressed, and the drag (explicit, limit 2 / rate) should decay without
+// overshoot.
 constexpr double elastic_margin = 0.9;
 constexpr double drag_margin = 0.5;
 
-// Sound crosses an element in about one step, and deformations that change its stiffness
-// take many crossings.
+// LAMMPS steps between two checks of the stable step. Sound crosses an element in about
+// one step, and deformations that change its stiffness take many crossings.
 constexpr std::int64_t steps_between_checks = 100;
-// The step is chosen at 0.9 of the limit at rest; moderate strains stay below this.
+// Parts of the present stable step: the largest that the step may be, which moderate
+// strains do not reach from 0.9 at rest, and the one that a new step is set to.
 constexpr double allowed = 0.95;
 constexpr double chosen = 0.9;
+// Largest increase of the number of LAMMPS steps over that of the start.
 constexpr int max_refinement = 16;
 
-// The largest drag rate of a node that can move. The rate is the sum of N_a kappa over
-// its markers, divided by its mass.
+// Largest drag rate of a node that can move [1/s]: the sum of N_a kappa over its markers,
+// divided by its mass, N_a the shape function of the node and kappa that of eq. (13).
 double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
     double largest = 0;
     const auto& boundary = scene.coupling->immersed_boundary;
     const coupler::PenaltyScale scale{boundary.strength, scene.fluid->density_kg_m3,
                                       coupled_step_s};
-    // Row sums are not known before the run; the least is what it allows.
+    // Row sums are not known before the run; the least one that it allows is assumed.
     const double share = boundary.forcing == coupler::Forcing::no_slip
                              ? coupler::no_slip_strength / coupler::least_row_sum
                              : 1;
@@ -74,6 +77,7 @@ double even_step_s(const scene::Scene& scene, double limit_s) {
     return interval_s / std::max(1.0, std::ceil(interval_s / limit_s - 1e-9));
 }
 
+// The substeps of a scene, computed from the lattices and markers of all bodies.
 Substeps chosen_substeps(const scene::Scene& scene) {
     Substeps s;
     s.elastic_limit_s = stable_step_s(scene);
@@ -116,7 +120,8 @@ Substeps chosen_substeps(const scene::Scene& scene) {
 
 }  // namespace
 
-// It takes the lattices of all bodies, and explain asks for it with every paragraph.
+// The result is kept under the scene's hash: it is expensive, and the command explain
+// asks for it repeatedly.
 Substeps choose_substeps(const scene::Scene& scene) {
     if (scene.hash == 0) return chosen_substeps(scene);  // not read from a file
     static std::map<std::pair<std::uint64_t, int>, Substeps> known;
@@ -142,6 +147,8 @@ StepGuard::StepGuard(const std::vector<structure::Body>& bodies, const Substeps&
     first_node_.push_back(first);
 }
 
+// The root computes the rise of the elements' stiffness and sends it to all ranks, which
+// come to the same decision.
 StepGuard::Result StepGuard::check(const bodies::NodalState& state,
                                    const Substeps& now) const {
     double rise = 0;
@@ -156,7 +163,7 @@ StepGuard::Result StepGuard::check(const bodies::NodalState& state,
     // An inverted element ends the run in LAMMPS, which names it.
     if (!std::isfinite(rise)) return result;
     result.limit_s = structure::CurrentStep::step_s(start_.elastic_limit_s, rise);
-    // A step that the scene asks for may be nearer to the limit from the start.
+    // A step that the scene prescribes may exceed the allowed part from the start.
     const double part = std::max(allowed, start_.lammps_step_s / start_.elastic_limit_s);
     if (rise == 0 || now.lammps_step_s <= part * result.limit_s) return result;
     result.factor =

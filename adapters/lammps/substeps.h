@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How many LAMMPS steps make one coupled step, at the start and as bodies deform.
+// The number of LAMMPS steps in a coupled step, at the start and as bodies deform.
 #pragma once
 
 #include <mpi.h>
@@ -15,7 +15,7 @@
 namespace magfsi::lammps {
 
 struct Substeps {
-    int count = 1;
+    int count = 1;  // LAMMPS steps in a coupled step; 0 for equilibria
     double coupled_step_s = 0;
     double lammps_step_s = 0;
     // Stable steps of the lattice and of the immersed-boundary force (0 without fluid).
@@ -24,59 +24,63 @@ struct Substeps {
     double drag_limit_s = 0;
 };
 
-// LAMMPS steps of a run in which the number of them in a coupled step may change.
+// Count of LAMMPS steps in a run in which their number in a coupled step may change.
 struct StepCount {
-    std::int64_t before = 0;  // done by the coupled step `since`
-    std::int64_t since = 0;
-    int fewest = 0;             // in any coupled step
-    std::int64_t at_start = 0;  // done when this run began
+    std::int64_t before = 0;    // LAMMPS steps done by the coupled step `since`
+    std::int64_t since = 0;     // coupled step of the last change
+    int fewest = 0;             // smallest number in a coupled step of the run
+    std::int64_t at_start = 0;  // LAMMPS steps done when this run began
 
+    // LAMMPS steps done by a coupled step. count: their present number in each.
     std::int64_t until(std::int64_t coupled_step, int count) const {
         return before + (coupled_step - since) * count;
     }
-    // From this coupled step on there is another number of them.
+    // Notes that the number changes at this coupled step; until_now: the number before.
     void change(std::int64_t coupled_step, int until_now) {
         before = until(coupled_step, until_now);
         since = coupled_step;
     }
-    // For checkpoints.
+    // The three numbers that a checkpoint keeps: present number in a coupled step, steps
+    // done, smallest number.
     std::vector<double> carried(std::int64_t coupled_step, int count) const {
         return {1.0 * count, static_cast<double>(until(coupled_step, count)),
                 1.0 * fewest};
     }
 };
 
-// Without a coupled step in the scene (no fluid, no time.step) one coupled step is one
-// LAMMPS step. For equilibria a coupled step is a point of the path, with as many LAMMPS
-// steps as it takes (count is 0). Throws std::invalid_argument when coupling.substeps
-// asks for fewer than are stable, naming both.
+// The steps at the start of a run. In a scene without a coupled step (no fluid, no
+// time.step) a coupled step is one LAMMPS step. For equilibria it is a point of the path
+// with as many LAMMPS steps as it takes to come to rest, and count is 0. Throws
+// std::invalid_argument if coupling.substeps asks for fewer than are stable, naming both.
 Substeps choose_substeps(const scene::Scene& scene);
 
-// Keeps LAMMPS's steps below the limit of the bodies as they are deformed: where it
-// falls, a coupled step gets more of them.
+// Keeps LAMMPS's step below the stable step of the bodies in their present shape: where
+// it falls, a coupled step gets more LAMMPS steps.
 class StepGuard {
   public:
-    // bodies: with the inertia that their nodes have. Only the root (comm's rank 0)
-    // holds their elements.
+    // bodies: with the densities that LAMMPS integrates (bodies_in_fluid); substeps:
+    // those at the start of the run. Only the root (comm's rank 0) holds their elements.
     StepGuard(const std::vector<structure::Body>& bodies, const Substeps& substeps,
               MPI_Comm comm);
 
-    // A check costs about as much as a LAMMPS step: one in this many coupled steps.
+    // Interval of the checks in coupled steps. A check costs about as much as one LAMMPS
+    // step and is due after a hundred of them.
     std::int64_t every() const { return every_; }
 
     struct Result {
-        int factor = 1;  // more steps than now
-        double limit_s = 0;
+        int factor = 1;      // factor by which the number of LAMMPS steps must grow
+        double limit_s = 0;  // present stable step
     };
-    // state: on the root. Collective. Throws coupler::Diverged where more than 16 times
-    // the steps of the start would be needed.
+    // state: the present nodes, on the root; now: the present steps. Collective. Throws
+    // coupler::Diverged where more than 16 times the steps of the start would be needed.
     Result check(const bodies::NodalState& state, const Substeps& now) const;
 
   private:
     MPI_Comm comm_;
     Substeps start_;
     std::int64_t every_ = 1;
-    std::vector<structure::CurrentStep> elements_;
+    std::vector<structure::CurrentStep> elements_;  // one entry for each body
+    // Number of each body's node 0 among those of all bodies; last the number of nodes.
     std::vector<std::size_t> first_node_;
 };
 

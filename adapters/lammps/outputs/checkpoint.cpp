@@ -4,6 +4,7 @@
 
 namespace magfsi::lammps {
 
+// The structure's half of the checkpoints that the scene asks for.
 extern const StructureOutput checkpoint_output{
     "checkpoint", "checkpoint",
     [](StructureRun& run) -> std::unique_ptr<coupler::Output> {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A controller's calls: after the row of probes that it sees, before the checkpoint that
-// keeps what it has set. Over the interval to come the field is what it returns.
+// Calls of a controller, which returns the uniform field of the coming interval. A call
+// comes after the row of probes that the controller sees and before the checkpoint that
+// keeps the field which it has set.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace magfsi::lammps {
 
 namespace {
 
+// Coupled steps between two calls: with probes a whole number of their intervals.
 std::int64_t steps_between_calls(const scene::Scene& scene, const coupler::Clock& clock) {
     const double every_s = scene.control->every_s;
     if (!scene.probes) return clock.every(every_s);
@@ -45,10 +47,13 @@ class Control : public coupler::Output {
 
     StructureRun& run_;
     std::int64_t every_;
-    std::vector<std::size_t> columns_;  // of what it asks for; on the leading rank
+    // Columns of probes.csv that the controller sees; on the leading rank.
+    std::vector<std::size_t> columns_;
     std::unique_ptr<coupler::Controller> controller_;
-    std::string field_, field_before_;  // as it returned them
-    std::int64_t called_at_ = -1;       // step
+    // Present field and the one before the last call, as texts that the controller
+    // returned; the step of the last call.
+    std::string field_, field_before_;
+    std::int64_t called_at_ = -1;
 };
 
 Control::Control(StructureRun& run)
@@ -76,6 +81,8 @@ std::vector<double> Control::seen() const {
     return values;
 }
 
+// Asks the controller and sets the field that it returns, unless it is the same text as
+// before. Collective.
 void Control::call() {
     const coupler::Clock& clock = run_.session.clock();
     field_before_ = field_;
@@ -91,8 +98,9 @@ void Control::call() {
     }
 }
 
-// Forces of the step before, and the work that the next one begins with, are of the field
-// before the call.
+// Saves the state of the controller, its field, and the field of the last step: the
+// forces at the end of that step, with which the next one begins, are of the field before
+// the call. Collective.
 void Control::save(coupler::StateWriter* file) {
     const std::vector<double> state = controller_->keep();
     if (!file) return;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Ends a run whose bodies pass through themselves, each other, an obstacle or a side of
-// the fluid's box, where markers would push the same fluid twice: what comes out has no
-// meaning. Looks at the surfaces on the root, as often as they could meet.
+// Check for overlaps: ends a run whose bodies pass through themselves, each other, an
+// obstacle or a side of the fluid's box. Markers would then move the same fluid twice,
+// and the results would be meaningless. The root examines the surfaces, as often as they
+// could meet.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +17,13 @@ namespace magfsi::lammps {
 
 namespace {
 
-// Of a grid spacing. Fluid between surfaces closer than half of one is not resolved; a
-// twentieth is what nodes may sink into something flat before it counts.
+// Distances in grid spacings. The fluid between surfaces closer than near_cells is not
+// resolved and causes a warning; nodes may sink deep_cells into a side or an obstacle
+// before it counts as an overlap.
 constexpr double near_cells = 0.5, deep_cells = 0.05;
-// Between looks surfaces may get faster than they are; a step is made for speeds of about
-// this many cells.
+// Speed of the surfaces that is assumed until the next check: `growth` times the present
+// largest, but at least so many cells in a coupled step, about the speed for which steps
+// are chosen.
 constexpr double growth = 2, least_cells_a_step = 0.05;
 
 class Overlap : public coupler::Output {
@@ -33,7 +36,7 @@ class Overlap : public coupler::Output {
     }
 
   private:
-    // Of the root.
+    // The searches, on the root only.
     struct Finders {
         structure::ProximityFinder bodies;
         bodies::SolidsAround around;
@@ -53,9 +56,9 @@ class Overlap : public coupler::Output {
 
     StructureRun& run_;
     double spacing_m_;
-    std::int64_t next_ = 0;
+    std::int64_t next_ = 0;  // step of the next check
     std::unique_ptr<Finders> finders_;
-    std::set<std::string> told_;
+    std::set<std::string> told_;  // warnings given so far
 };
 
 Overlap::Overlap(StructureRun& run)
@@ -70,6 +73,7 @@ Overlap::Overlap(StructureRun& run)
                                      near_cells * spacing_m_, deep_cells * spacing_m_)});
 }
 
+// Examines the surfaces on the root and sets the step of the next check on all ranks.
 void Overlap::look() {
     const NodalState nodes = run_.engine->gather(run_.atoms);
     std::int64_t steps = 1;
@@ -78,7 +82,8 @@ void Overlap::look() {
     next_ = run_.session.clock().step() + steps;
 }
 
-// The number of steps until the next look: what is apart cannot meet before.
+// Examines the surfaces; throws coupler::Diverged on an overlap. Returns the number of
+// coupled steps until the next check: surfaces that are apart cannot meet before.
 std::int64_t Overlap::look_at(const NodalState& nodes) {
     const auto met = finders_->bodies.find(nodes.position_m);
     if (const auto& m = met.crossing) {
@@ -99,12 +104,13 @@ std::int64_t Overlap::look_at(const NodalState& nodes) {
         fastest = std::max(fastest, std::hypot(v[0], v[1], v[2]));
     const double travel = std::max(growth * fastest * run_.substeps.coupled_step_s,
                                    least_cells_a_step * spacing_m_);
-    // Where they touch it takes half an element to get from one side to the other.
+    // Surfaces that touch must move by half an element to pass through each other.
     const double apart =
         std::max(around.apart_m, 0.5 * finders_->bodies.shortest_edge_m());
     return std::max<std::int64_t>(1, static_cast<std::int64_t>(0.5 * apart / travel));
 }
 
+// Warns once of each pair that comes near, except pairs that the key contact holds apart.
 void Overlap::tell_near(const structure::Proximities& bodies,
                         const bodies::SolidProximities& solids) {
     const auto tell = [&](const std::string& what, const structure::Vec3& at) {
@@ -114,7 +120,7 @@ void Overlap::tell_near(const structure::Proximities& bodies,
             "is not resolved",
             run_.session.clock().step(), what, at[0] * 1e3, at[1] * 1e3, at[2] * 1e3));
     };
-    // What contact holds apart rests on it.
+
     const bool held = run_.scene.contact.has_value();
     for (const auto& m : bodies.near)
         if (!held)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rows of probes.csv: of the bodies, of the fluid and the interface between them, of the
+// Rows of probes.csv. Their columns in order: bodies, fluid, interface between them,
 // energy audit.
 #include <fmt/format.h>
 
@@ -35,12 +35,12 @@ class Probes : public coupler::Output {
     void write();
 
     StructureRun& run_;
-    std::int64_t every_;
-    // On the root; the file on the leading rank.
-    std::unique_ptr<bodies::ProbeRow> of_bodies_;
-    std::unique_ptr<output::ProbeFile> file_;
+    std::int64_t every_;                           // steps between two rows
+    std::unique_ptr<bodies::ProbeRow> of_bodies_;  // on the root
+    std::unique_ptr<output::ProbeFile> file_;      // on the leading rank
 };
 
+// The order of the columns is that in which write() appends values.
 Probes::Probes(StructureRun& run)
     : run_(run), every_(run.session.clock().every(run.scene.probes->every_s)) {
     if (run.session.world().root())
@@ -57,6 +57,7 @@ Probes::Probes(StructureRun& run)
     run.probes = file_.get();
 }
 
+// The loads on each body that probes need; complete on the root only. Collective.
 std::vector<bodies::BodyLoads> Probes::collect_loads() const {
     std::vector<bodies::BodyLoads> loads(run_.input.bodies.size());
     if (run_.coupling && needs(run_.scene, bodies::Load::fluid_force)) {
@@ -72,7 +73,8 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
         for (std::size_t b = 0; b < loads.size(); ++b) {
             loads[b].energy_elastic_j = run_.engine->fix_vector(run_.fix_ids[b], 1);
             loads[b].work_magnetic_j = run_.engine->fix_vector(run_.fix_ids[b], 3);
-            // The root has it; the line above is for all ranks.
+            // The work on a path of equilibria is known on the root only. The collective
+            // calls above are made by all ranks.
             if (!run_.field_work.empty())
                 loads[b].work_magnetic_j = run_.field_work[b].work_j();
         }
@@ -81,7 +83,9 @@ std::vector<bodies::BodyLoads> Probes::collect_loads() const {
     return loads;
 }
 
-// What a node that is held lacks for its motion: m a - F, F all other forces on it.
+// Adds the force of the supports on each node [N], m a - F: m its mass, a the
+// acceleration of its prescribed motion (0 if it has none), F the sum of all other forces
+// on it. It is meant for held nodes; others have -F. Collective.
 void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
     const auto force_n = run_.engine->gather_forces(run_.atoms);
     const auto mass_kg = run_.engine->gather(run_.atoms).mass_kg;
@@ -108,7 +112,9 @@ void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
     }
 }
 
-// Returns what the fluid's last columns are with an audit, on the root.
+// Appends the fluid's values and those of the interface, which the fluid sends to the
+// root. Returns the fluid's energies on the root of a run with an audit: they are the
+// last two of its values. Collective.
 FluidEnergy Probes::add_partner_values(std::vector<double>& row) {
     const coupler::Session& session = run_.session;
     const std::size_t fluid_values = fluids::fluid_columns(run_.scene).size();
@@ -133,7 +139,7 @@ FluidEnergy Probes::add_partner_values(std::vector<double>& row) {
     return last;
 }
 
-// Collective.
+// Appends the values of the energy audit. Collective.
 void Probes::add_audit(const FluidEnergy& fluid, std::vector<double>& row) {
     const NodalState nodes = run_.engine->gather(run_.atoms);
     EnergyTerms terms = collect_terms(run_);
@@ -143,7 +149,8 @@ void Probes::add_audit(const FluidEnergy& fluid, std::vector<double>& row) {
     row.insert(row.end(), values.begin(), values.end());
 }
 
-// Collective; only the root goes on to the row.
+// Writes a row. Throws coupler::Diverged if the energy audit finds a fault. Collective;
+// the values are complete on the root only, and the leading rank writes the file.
 void Probes::write() {
     const double time_s = run_.session.clock().time_s();
     const NodalState nodes = run_.gather();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// exchange.record: each step's messages of all structure ranks, in the order in which the
-// markers were placed, so that a record does not know its ranks.
+// The file exchange.record: each step's messages of all structure ranks, in the order in
+// which the markers were placed, so that the file does not depend on the number of ranks.
 #include <algorithm>
 
 #include "adapters/fluids/fluid_probes.h"
@@ -23,7 +23,7 @@ class Record : public coupler::Output {
     const coupler::Session& session_;
     const coupler::StructureCoupling& coupling_;
     const coupler::Forcing forcing_;
-    std::vector<double> fluid_values_;             // of the last probe row
+    std::vector<double> fluid_values_;  // values of the fluid in the last probe row
     std::unique_ptr<coupler::RecordWriter> file_;  // on the root
 };
 
@@ -47,6 +47,9 @@ Record::Record(StructureRun& run)
                                                     header);
 }
 
+// A row for each marker: its position [m], impulse on the fluid [N s] and the fluid's
+// velocity there [m/s], in forcing no_slip also volume [m3], row sum [-] and the velocity
+// that passed it [m/s]. Collective.
 void Record::end_step() {
     const std::size_t width = coupler::record_values_of(forcing_);
     const auto own = coupling_.exchanged();
@@ -66,6 +69,7 @@ void Record::end_step() {
     if (file_) file_->append(session_.clock().step() - 1, fluid_values_, all);
 }
 
+// Throws std::invalid_argument on runs that a record cannot represent.
 void check(const StructureRun& run) {
     if (!run.coupling)
         throw std::invalid_argument("--record: without a fluid nothing is exchanged");

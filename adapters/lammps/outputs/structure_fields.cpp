@@ -6,6 +6,7 @@ namespace magfsi::lammps {
 
 namespace {
 
+// Writes structure.pvd and its files at the intervals of output.structure.
 class StructureFields : public coupler::Output {
   public:
     explicit StructureFields(StructureRun& run)
@@ -24,7 +25,7 @@ class StructureFields : public coupler::Output {
     }
 
   private:
-    // Collective; only the root goes on to the file.
+    // Writes a file of the present state. Collective; only the root writes.
     void write() {
         const NodalState nodes = run_.gather();
         const coupler::Clock& clock = run_.session.clock();
