@@ -18,6 +18,8 @@ namespace magfsi {
 
 namespace {
 
+// Largest speed [m/s] that the scene prescribes to the fluid: walls, inlets, initial
+// velocity.
 double given_speed(const scene::Fluid& fluid) {
     double largest = 0;
     const auto compare = [&](const scene::Vec3& v) {
@@ -113,7 +115,8 @@ int run_scene(coupler::Role role, const std::string& description, int argc, char
             coupler::RunPlan plan = run_plan(scene);
             plan.scene_as_given = text_of(scene::scene_file(arguments.scene));
             plan.scene_as_read = scene::effective_scene(scene).dump(2) + "\n";
-            // Of all cores: mpirun may bind this process to one of them.
+            // All cores of the machine count: mpirun may bind this process to one of
+            // them.
             plan.machine = fmt::format("{}, {} cores", processor(),
                                        std::thread::hardware_concurrency());
             coupler::Session session(role, arguments, std::move(plan), state);

@@ -14,6 +14,7 @@ namespace magfsi {
 
 namespace {
 
+// Numbers the markers of all ranks consecutively by rank. Collective over `comm`.
 coupler::BodyMarkers numbered(std::vector<coupler::Marker> markers, MPI_Comm comm) {
     coupler::BodyMarkers mine;
     const auto count = static_cast<int>(markers.size());
@@ -28,6 +29,7 @@ coupler::BodyMarkers numbered(std::vector<coupler::Marker> markers, MPI_Comm com
     return mine;
 }
 
+// The structure participant around the user's solver: coupling, probes and progress.
 class Participant {
   public:
     Participant(const scene::Scene& scene, coupler::Session& session, OwnStructure own,
@@ -70,6 +72,7 @@ class Participant {
         });
     }
 
+    // Root only: its own values, then the fluid's, which the fluid sends each time.
     void write_probes() {
         if (!session_.world().root()) return;
         std::vector<double> row = own_.values ? own_.values() : std::vector<double>();

@@ -29,15 +29,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is wrong and what to do.
+// A failed check; its message says what is wrong and how to cure it.
 using Fault = std::runtime_error;
 
-// Two ranks that exchange populations, a few steps.
+// A small fluid that exchanges populations between two ranks for a few steps.
 constexpr auto small_scene = R"(time: {end: 2 ms}
 fluid: {box: [8 mm, 8 mm, 8 mm], spacing: 1 mm, density: 1000 kg/m3,
         viscosity: 10 mm2/s, expected_speed: 0.1 m/s}
 )";
 
+// Makes a folder with a unique name in `where`, as proof that it is writable.
 fs::path new_folder(const fs::path& where) {
     std::string name = (where / "magfsi-doctor-XXXXXX").string();
     if (!mkdtemp(name.data()))
@@ -46,6 +47,7 @@ fs::path new_folder(const fs::path& where) {
     return name;
 }
 
+// A temporary folder that is removed with its contents at the end of its scope.
 struct Folder {
     explicit Folder(const fs::path& where) : path(new_folder(where)) {}
     ~Folder() {
@@ -79,7 +81,8 @@ std::string look_at_name() {
     return host_name();
 }
 
-// Messages between ranks go through it.
+// Checks that the folder is writable and has `least` bytes left. /dev/shm carries the
+// messages between ranks of one machine.
 std::string look_at_space(const fs::path& where, std::uintmax_t least) {
     const Folder folder(where);
     const fs::space_info space = fs::space(where);
@@ -90,6 +93,7 @@ std::string look_at_space(const fs::path& where, std::uintmax_t least) {
     return fmt::format("{}, {} left", where.string(), megabytes(space.available));
 }
 
+// Run folders are protected by file locks, which some network file systems lack.
 std::string look_at_locks() {
     const Folder folder(fs::current_path());
     const output::FolderLock lock(folder.path, output::FolderLock::Holder::launcher, 0);
@@ -100,7 +104,7 @@ std::string look_at_locks() {
     return fs::current_path().string();
 }
 
-// What a job prints is not for here; its errors are.
+// Discards what a job prints on stdout during its scope; stderr stays visible.
 class WithoutOutput {
   public:
     WithoutOutput() : kept_(dup(STDOUT_FILENO)) {
@@ -129,6 +133,8 @@ std::string look_at_mpirun() {
                        mpirun.passed_over);
 }
 
+// Starts mpirun with two ranks of the fluid solver, the only check that shows a broken
+// MPI.
 std::string look_at_mpi() {
     const Folder folder(fs::temp_directory_path());
     const fs::path scene = folder.path / "scene.yaml";
@@ -152,6 +158,7 @@ std::string look_at_mpi() {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
+// A missing OpenFOAM is no fault: only scenes with fluid.solver: openfoam need it.
 std::string look_at_openfoam() {
     const std::string fault = openfoam::missing();
     return fault.empty() ? "there"

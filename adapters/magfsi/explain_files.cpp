@@ -34,7 +34,7 @@ std::string in_words(const Bounds& bounds) {
     return text;
 }
 
-// Of the vectors' lengths.
+// Smallest and largest length of the vectors, with unit.
 std::string range(std::span<const Vec3> vectors, const char* unit) {
     double least = INFINITY, most = 0;
     for (const Vec3& v : vectors) {
@@ -49,6 +49,7 @@ double longest_m(const Bounds& bounds) {
     return std::ranges::max(bounds.extent_m());
 }
 
+// Bounding box [m] of the body at its initial place, not bent.
 Bounds placed_bounds(const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
     structure::Placement placement = body.initial;
@@ -56,7 +57,9 @@ Bounds placed_bounds(const scene::Body& body) {
     return structure::bounds(structure::placed_nodes(solid, placement, {0, 2}));
 }
 
-// A grid in metres for millimetres holds the bodies in a corner of one of its cells.
+// Warns if a source's grid is far larger or smaller than the body, a sign of a wrong unit
+// (a grid read in metres instead of millimetres would hold the body within one cell), or
+// if the body starts outside the grid of a source at rest.
 std::string compare(const Bounds& grid, const structure::FieldSource& source,
                     const scene::Body& body) {
     constexpr double larger = 300;

@@ -35,7 +35,8 @@ std::string fault_of_host_name() {
 }
 
 void warn_of_host_name() {
-    // Detached: a look-up that takes longer than the run ends with the program.
+    // The thread is detached: the end of the program ends a look-up that is still
+    // waiting.
     std::thread([] {
         const std::string fault = fault_of_host_name();
         if (!fault.empty()) fmt::print(stderr, "warning: {}\n", fault);

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Writes the files of a scene's bodies into options.out.
 int write(const LatticeOptions& options) {
     const scene::Scene scene = scene::read_scene(options.input, options.overrides);
     if (scene.bodies.empty()) throw std::invalid_argument("the scene has no bodies");
@@ -43,10 +44,11 @@ int write(const LatticeOptions& options) {
     return coupler::exit_done;
 }
 
-// Gmsh goes round the lower and the upper face.
+// Corners of a hexahedron in the order of Gmsh, which goes around the lower face, then
+// around the upper one; ours numbers x fastest, then y, then z.
 constexpr std::array gmsh_order{0, 1, 3, 2, 4, 5, 7, 6};
 
-// Materials are its regions.
+// Text of a Gmsh 2.2 file; each material becomes a physical volume "material_N".
 std::string gmsh_text(const structure::LatticeFile& lattice) {
     const auto material = [&](std::size_t e) {
         return lattice.element_material.empty() ? 0 : lattice.element_material[e];
@@ -72,6 +74,8 @@ std::string gmsh_text(const structure::LatticeFile& lattice) {
     return text + "$EndElements\n";
 }
 
+// Table of magnetisations: element centres [m] and vectors [A/m], in the order of the
+// elements.
 std::string table_text(const structure::LatticeFile& lattice) {
     std::string text = "x[m],y[m],z[m],Mx[A/m],My[A/m],Mz[A/m]\n";
     for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
@@ -110,7 +114,7 @@ int lattice(const LatticeOptions& options) {
     if (options.input.extension() != ".lattice") return write(options);
     try {
         return read(options);
-    } catch (const std::runtime_error& error) {  // of the file
+    } catch (const std::runtime_error& error) {  // a fault in the input file
         throw std::invalid_argument(error.what());
     }
 }

@@ -45,7 +45,7 @@ void add_ranks(CLI::App& command, Options& options) {
     command.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
 }
 
-// As a shell takes it for one.
+// Quotes the text where necessary so that a shell takes it as one word.
 std::string word(const std::string& text) {
     constexpr auto plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=,:+-@%";
@@ -56,9 +56,10 @@ std::string word(const std::string& text) {
     return quoted + "'";
 }
 
+// Explaining the scene builds meshes and solver settings, and so finds faults that
+// reading cannot.
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
-    // What only mesh and solvers can refuse shows here, too.
     for (const std::string& line : launch::warnings(launch::explain(scene)))
         fmt::print("warning: {}\n", line);
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());

@@ -23,7 +23,7 @@ namespace magfsi::launch {
 
 namespace {
 
-// In the order of scene::FluidSolver.
+// Entries in the order of the enumeration scene::FluidSolver.
 const std::array fluid_programs = std::to_array<FluidProgram>({
     {"magfsi-fluid-lbm", [] { return std::string(); }, &lbm::explain, true},
     {"magfsi-fluid-openfoam", &openfoam::missing, &openfoam::explain, false},
@@ -33,15 +33,16 @@ static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
 
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    // In the serial scheme the fluid may have every core, in the parallel one all but the
-    // structure's.
+    // In the serial scheme both sides take turns, and the fluid may use every core; in
+    // the parallel one it leaves a core to the structure.
     const bool parallel =
         scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
     const int cores = std::max(1, available_cores() - (parallel ? 1 : 0));
     return std::min(worthwhile_parts(*scene.fluid), cores);
 }
 
-// Ranks beyond the cores take turns, and a job of many crawls or never gets going.
+// Refuses far more ranks than cores: they take turns on the cores, and a large job hardly
+// advances.
 void check_number(const Ranks& ranks) {
     constexpr int ranks_a_core = 4, always_allowed = 8;
     const int most = std::max(always_allowed, ranks_a_core * available_cores());
@@ -54,7 +55,7 @@ void check_number(const Ranks& ranks) {
         all, most, ranks_a_core, available_cores()));
 }
 
-// A rank without an element would have nothing to do.
+// Refuses more structure ranks than elements, for a rank without elements would idle.
 void check_structure(const scene::Scene& scene, int ranks) {
     if (ranks == 1 || scene.bodies.empty()) return;
     if (by_newton(scene))
@@ -117,7 +118,7 @@ Ranks parse_ranks(const std::string& text) {
 
 std::string to_text(const Ranks& ranks) {
     std::string text;
-    // Of the map, the structure comes last; people name it first.
+    // The map is sorted by name; people name the structure first.
     for (const char* role : {"structure", "fluid"}) {
         if (!ranks.contains(role)) continue;
         text += fmt::format("{}{}={}", text.empty() ? "" : ",", role, ranks.at(role));

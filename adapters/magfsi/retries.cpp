@@ -39,6 +39,8 @@ double Retries::step_s() const {
     return coupled ? *coupled : lammps::choose_substeps(scene_).coupled_step_s;
 }
 
+// The newest checkpoint of the run folder, else the one that the run was started from,
+// else the start.
 Retries::Place Retries::newest() const {
     const auto at = [&](const std::string& restart) -> Place {
         return {restart,
@@ -46,11 +48,12 @@ Retries::Place Retries::newest() const {
     };
     try {
         return at("latest");
-    } catch (const std::invalid_argument&) {  // none yet
+    } catch (const std::invalid_argument&) {  // no checkpoint yet
         return given_.empty() ? Place{} : at(given_);
     }
 }
 
+// Deletes the newest checkpoint of all roles.
 void Retries::drop_newest() const {
     const auto roles = run_plan(scene_).roles;
     const auto steps = coupler::steps_complete(out_, roles);
