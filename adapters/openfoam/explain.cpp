@@ -13,9 +13,11 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// Measured: fields, matrices and multigrid levels of pimpleFoam.
+// Memory per cell as measured: fields, matrices and multigrid levels of pimpleFoam.
 constexpr double bytes_per_cell = 1500;
-// A time step of the second order needs several steps a cell at the fastest place.
+// Limits above which explain warns. The scheme of second order in time needs at least two
+// steps per cell at the fastest place; beyond the grid Reynolds number shear layers are
+// not resolved.
 constexpr double max_courant = 0.5;
 constexpr double max_grid_reynolds = 50;
 

@@ -76,12 +76,13 @@ FastestCell fastest_cell(std::size_t cells, const double* velocity) {
 
 namespace {
 
-constexpr std::size_t values_per_cell = 7;  // velocity, that of the step before, pressure
+// Row of a cell in a checkpoint: velocity, velocity of the step before, pressure.
+constexpr std::size_t values_per_cell = 7;
 constexpr std::array<const char*, 3> flux_table = {"flux_x", "flux_y", "flux_z"};
 
-// A block of cells, or of the faces across an axis, in the whole box. Where two ranks
-// meet both have the faces between them: skip is the number of layers, 0 or 1, that
-// belong to the rank below.
+// This rank's block of cells, or of faces across an axis, within the whole box. Both
+// ranks hold the faces between them: `skip` is the number of layers, 0 or 1, at the lower
+// end that the rank below saves.
 struct Part {
     std::array<int, 3> whole{}, first{}, mine{};
     int skip = 0;
@@ -91,7 +92,8 @@ struct Part {
         return static_cast<std::size_t>(whole[0]) * static_cast<std::size_t>(whole[1]) *
                static_cast<std::size_t>(whole[2]);
     }
-    // Calls visit(place in the whole, place in this rank's).
+    // Calls visit(index in the whole box, index in this rank's block), leaving out the
+    // layers before `from`.
     template <class Visit>
     void for_each(int from, Visit&& visit) const {
         std::size_t local = 0;
@@ -109,7 +111,7 @@ struct Part {
     }
 };
 
-// axis: across which the faces lie; 3: cells.
+// Block of the faces across `axis`, or of the cells for axis 3.
 Part part_of(const BoxMesh& mesh, std::size_t axis) {
     Part part;
     part.whole = part.mine = mesh_cells(mesh);
@@ -124,6 +126,7 @@ Part part_of(const BoxMesh& mesh, std::size_t axis) {
     return part;
 }
 
+// Gathers the rows of all ranks on the root, which writes them as one table. Collective.
 void save_rows(MPI_Comm comm, const Part& part, std::span<const double> rows,
                std::size_t width, const char* table, coupler::StateWriter* file) {
     std::vector<int> index;
@@ -137,6 +140,7 @@ void save_rows(MPI_Comm comm, const Part& part, std::span<const double> rows,
     if (file) file->table(table, all, {part.count(), width});
 }
 
+// Reads this rank's rows, including faces shared with the rank below.
 std::vector<double> load_rows(const coupler::StateReader& file, const char* table,
                               const Part& part, std::size_t width) {
     const std::vector<std::size_t> wanted{part.count(), width};

@@ -33,8 +33,9 @@ int size_of(MPI_Comm comm) {
     return size;
 }
 
-// OpenFOAM takes blanks and letters beyond ASCII out of paths. A folder below such a path
-// is named by a descriptor, which stays open as long as the process.
+// Returns a path that OpenFOAM can use. It removes blanks and non-ASCII letters from
+// paths; such a folder is opened and addressed through its file descriptor, which stays
+// open as long as the process.
 std::string way_for_openfoam(const std::filesystem::path& folder) {
     std::string way = std::filesystem::absolute(folder).string();
     if (words::path_word(way) == way) return way;
@@ -44,7 +45,8 @@ std::string way_for_openfoam(const std::filesystem::path& folder) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-// Far beyond what the explicit force survives: numbers that mean nothing any more.
+// Courant number above which a run counts as diverged; the explicit force is unstable far
+// below it.
 constexpr double max_courant = 10;
 
 }  // namespace
@@ -79,7 +81,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
         if (double* faces = engine_->side_velocity(side))
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
     }
-    MPI_Barrier(comm);  // all have read the case
+    MPI_Barrier(comm);  // all ranks have read the case
     if (mesh_.rank == 0) complete_case(case_folder, fluid, mesh_);
     set_inlets(0);
 }
@@ -112,8 +114,8 @@ void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<doubl
     }
 }
 
-// A graded cell takes the force of every uniform one that it stands for, so that the sum
-// over the fluid is what the bodies gave.
+// The force of each uniform cell goes to the mesh cell that holds its centre, weighted by
+// the ratio of volumes: the total force on the fluid equals what the bodies gave.
 void FoamFluid::set_force(std::span<const coupler::GridRow> rows,
                           std::span<const double> density) {
     if (acceleration_ == nullptr) begin_force();
@@ -239,7 +241,7 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
 void FoamFluid::check_divergence() {
     const FastestCell fastest = fastest_cell(cell_count(width_m_), engine_->velocity());
     const double courant = fastest.speed_m_s * step_s_ / grid_.spacing_m;
-    if (courant < max_courant) return;  // false where it is not a number
+    if (courant < max_courant) return;  // false for NaN
     const scene::Vec3 at = centre(fastest.cell);
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "

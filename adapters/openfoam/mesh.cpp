@@ -11,22 +11,23 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// Sum of growth^1 to growth^cells.
+// Length of `cells` cells in spacings: the sum of growth^1 to growth^cells.
 double reach(double growth, int cells) {
     double sum = 0, width = 1;
     for (int i = 0; i < cells; ++i) sum += width *= growth;
     return sum;
 }
 
-// Widths, in spacings, that fill `gap` spacings, the finest first.
+// Widths in spacings of cells that fill `gap` spacings, the finest first. The number of
+// cells is the smallest that max_growth allows, their ratio is found by bisection.
 std::vector<double> growing(double gap, double max_growth) {
     std::vector<double> widths;
-    if (gap < 0.5) return widths;  // a whole number: none
+    if (gap < 0.5) return widths;  // gap is a whole number
     int cells = 1;
     while (reach(max_growth, cells) < gap) ++cells;
     cells = std::min(cells, static_cast<int>(std::lround(gap)));
     double low = 1, high = max_growth;
-    for (int i = 0; i < 60; ++i) {  // to the last bit
+    for (int i = 0; i < 60; ++i) {  // bisection to the last bit
         const double middle = (low + high) / 2;
         (reach(middle, cells) < gap ? low : high) = middle;
     }
@@ -113,7 +114,8 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     for (std::size_t side = 0; side < 6; ++side)
         mesh.sides[side] = to_side(fluid.boundaries[side].kind);
     const auto cells = mesh_cells(mesh);
-    // Of equal lengths the last: its cuts are contiguous in memory.
+    // Of axes with equally many cells the last one is cut: its slabs are contiguous in
+    // memory.
     for (int d = 0; d < 3; ++d) {
         if (cells[static_cast<std::size_t>(d)] >=
             cells[static_cast<std::size_t>(mesh.cut_axis)])

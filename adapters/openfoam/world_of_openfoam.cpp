@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The functions that OpenFOAM's libPstream calls with a communicator: 15 of its 30.
+// Wrappers of the 15 MPI functions that OpenFOAM's libPstream calls with a communicator.
 #include "adapters/openfoam/world_of_openfoam.h"
 
 namespace {
 
 MPI_Comm world = MPI_COMM_NULL;
 
+// Replaces MPI_COMM_WORLD by the world that was set; leaves all other communicators
+// alone.
 MPI_Comm w(MPI_Comm comm) {
     return comm == MPI_COMM_WORLD && world != MPI_COMM_NULL ? world : comm;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The magnetic field: its laws, sources and gradient.
+// Checks of the magnetic field: its laws over time, sources and gradient.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 
@@ -13,7 +13,7 @@ namespace magfsi::scene {
 
 namespace {
 
-// Of the keys of one law.
+// Finds the place in the file of a key of one law.
 using At = std::function<const Origin&(const char* key)>;
 
 void check_ascending(const std::vector<double>& time_s, const At& at) {
@@ -60,6 +60,7 @@ void check_law(const FormulaField& field, const At& at, double end_s) {
         largest_size(field.component_t[d], end_s, at(names[d]));
 }
 
+// Laws without a function check_law have nothing to check.
 void check_any_law(const FieldLaw& law, const At& at, double end_s) {
     std::visit(
         [&]<class Law>(const Law& one) {
@@ -95,7 +96,7 @@ void check_laws(const MagneticField& field, double end_s, const Marks& marks) {
     }
 }
 
-// Those of a source: its strength, its motion and its currents.
+// Checks the formulas of a source: strength, motion, turning, currents.
 void check_formulas(const FieldSource& source, double end_s, const Marks& marks) {
     constexpr const char* field = "magnetic_field";
     constexpr const char* all = "sources";
@@ -127,6 +128,7 @@ void check_formulas(const FieldSource& source, double end_s, const Marks& marks)
     }
 }
 
+// Checks axes, and tables over time for equal numbers of rows.
 void check_source(const FieldSource& source, const Marks& marks) {
     const std::string& name = source.name;
     const auto at = [&](Path path) -> const Origin& { return marks.value(path); };
@@ -191,7 +193,8 @@ void check_source(const FieldSource& source, const Marks& marks) {
     }
 }
 
-// curl B = 0 and div B = 0 where no current flows.
+// A gradient must have curl B = 0 and div B = 0 (symmetric and traceless matrix), since
+// no current flows at the bodies.
 void check_gradient(const GradientInput& gradient, const Marks& marks) {
     const auto& g = gradient.matrix_t_m;
     double largest = 0, fault = std::abs(g[0][0] + g[1][1] + g[2][2]);
@@ -201,7 +204,7 @@ void check_gradient(const GradientInput& gradient, const Marks& marks) {
             fault = std::max(fault, std::abs(g[i][j] - g[j][i]));
         }
     }
-    // Rounding of typed numbers is no fault.
+    // The tolerance admits the rounding of numbers as people type them.
     require(
         fault <= 1e-9 * largest, marks.value({"magnetic_field", "gradient", "matrix"}),
         "a gradient that is not symmetric and traceless",

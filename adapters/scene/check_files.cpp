@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene names outside of itself: its run folder and its files. A scene may come
-// from a stranger.
+// Checks of what a scene names outside itself, its run folder and its files. A scene may
+// come from a stranger, so nothing here may lead to code being run or files being
+// overwritten.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +21,8 @@ namespace {
 constexpr std::size_t longest_name = 64;
 constexpr std::uintmax_t largest_file_bytes = 200'000'000;
 
-// The name becomes a folder of runs/ and stands in the generated LAMMPS script.
+// Checks the scene's name, which becomes a folder of runs/ and is written into the
+// generated LAMMPS script.
 void check_name(const std::string& name, const Origin& where) {
     const auto allowed = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -37,6 +39,8 @@ void check_name(const std::string& name, const Origin& where) {
         "it names the run folder, runs/NAME; another place is --out's");
 }
 
+// Gmsh chooses its reader by the ending and runs the commands of a file FILE.opt beside
+// FILE.
 void check_mesh_file(const fs::path& file, const Origin& where) {
     require_regular_file(file, where);
     require(file.extension() == ".msh", where,
@@ -55,7 +59,7 @@ void check_mesh_file(const fs::path& file, const Origin& where) {
 void require_regular_file(const fs::path& file, const Origin& where) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
-    if (!fs::exists(status)) return;  // its reader says so
+    if (!fs::exists(status)) return;  // its reader reports it
     require(fs::is_regular_file(status), where,
             fmt::format("{}, which is {}", in_quotes(file.string()),
                         fs::is_directory(status) ? "a folder" : "a pipe or a device"),
@@ -143,7 +147,7 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
     }
     const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder / "."));
     std::erase_if(files, [&](fs::path& file) {
-        file = fs::weakly_canonical(fs::absolute(file));  // through links
+        file = fs::weakly_canonical(fs::absolute(file));  // resolves links
         const std::string from_folder = file.lexically_relative(folder).string();
         return !from_folder.starts_with("..");
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Places in the file; checks of outputs, of what data sheets give for a material, and of
-// the whole.
+// Places in the file (Marks), and checks of outputs, of material constants, and of the
+// whole scene.
 #include "adapters/scene/checks.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace magfsi::scene {
 
 namespace {
 
-// Of a list, by its number from 0.
+// Item of a list by its index from 0, or null.
 const Node* item_of(const Node& list, const std::string& number) {
     for (std::size_t i = 0; i < list.children.size(); ++i) {
         if (std::to_string(i) == number) return &list.children[i];
@@ -71,7 +71,7 @@ namespace {
 
 void check_interval(const Scene& scene, double every_s, const Origin& where) {
     const double dt_s = coupled_step_s(scene).value_or(0);
-    require(every_s >= dt_s * (1 - 1e-9), where,  // rounding is no fault
+    require(every_s >= dt_s * (1 - 1e-9), where,  // admits rounding
             fmt::format("the interval {}", seconds(every_s)),
             fmt::format("at least the coupled step of {}", seconds(dt_s)));
 }
@@ -92,7 +92,7 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
     const auto* box = std::get_if<Box>(&body.mesh);
     for (int i = 0; box && i < 3; ++i) {
         const double size = box->size_m[i];
-        // A point on the surface may round to just outside.
+        // The tolerance admits a point on the surface that rounds to just outside.
         require(point.at_m[i] >= -1e-9 * size && point.at_m[i] <= size * (1 + 1e-9),
                 marks.value({"probes", "points", point.name, "at"}),
                 fmt::format("{} = {} outside the body \"{}\"", axis_names[i],
@@ -233,11 +233,11 @@ void check_scene(const Scene& scene, const Marks& marks) {
 
 namespace {
 
-// Of a material's keys.
+// Places of the keys of a material: the body's own, or that of one of its regions.
 struct MaterialMarks {
     const Marks& marks;
     const std::string& body;
-    std::string region;  // number in material_regions; empty: of the body
+    std::string region;  // index in material_regions; "": the body's
 
     bool has(const char* key) const {
         return region.empty()
@@ -251,6 +251,8 @@ struct MaterialMarks {
     }
 };
 
+// Requires a complete pair: shear_modulus with lame_lambda, or youngs_modulus with
+// poissons_ratio.
 void check(const MaterialMarks& at) {
     const char* pairs[][2] = {{"shear_modulus", "lame_lambda"},
                               {"youngs_modulus", "poissons_ratio"}};

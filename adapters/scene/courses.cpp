@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Courses over time: rows in CSV files become part of the scene, and of its hash; those
-// of inlets are checked and made what the fluid calls.
+// Courses over time. Rows of CSV files become part of the scene and its hash; courses of
+// inlets are checked and turned into functions that the fluid calls.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,7 +31,8 @@ constexpr ColumnKind field_columns[] = {{"t", units::time},
 constexpr structure::ColumnUnit plain[] = {{""}, {"1"}};
 constexpr ColumnKind inlet_columns[] = {{"t", units::time}, {"factor", plain}};
 
-// The table's columns, all of which are needed.
+// Reads the columns of a table's file, all of which must be there. Clears table.file and
+// sets table.source to the full path.
 std::vector<std::vector<double>> read_columns(auto& table, const char* what,
                                               std::span<const ColumnKind> columns,
                                               const std::filesystem::path& folder,
@@ -84,6 +85,7 @@ void check(const InletTable& table, const Origin& where) {
             "it with at least 2 rows");
 }
 
+// Makes the function of time [s] for each type of course.
 struct Factor {
     std::function<double(double)> operator()(const InletWave& wave) const {
         return [wave](double t) {
@@ -102,7 +104,8 @@ struct Factor {
     }
 };
 
-// The largest size: of a wave exactly, of a table that of its rows.
+// Largest magnitude of a course: exact for a wave; from the rows of a table; sampled for
+// a formula.
 double peak(const InletCourse& course, double end_s, const Origin& where) {
     if (const auto* wave = std::get_if<InletWave>(&course))
         return std::abs(wave->mean) + std::abs(wave->amplitude);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of the scene file, each said once. keys_*.cpp have one function a type of
-// options: keys(io, value) names every key with its unit, range and meaning, and the
-// member that it is stored in. Three visitors make the table of all keys from
-// it (Describer), read a validated tree (tree_reader.h) and write a scene's values
-// (JsonWriter). A key's kind and layout follow from the type of its member, and so does
-// its default.
+// The keys of the scene file, each declared once. keys_*.cpp have one function for each
+// type of options: keys(io, value) names every key with its unit, range and meaning, and
+// the member that stores it. Three visitors use it: Describer makes the table of all
+// keys, TreeReader (tree_reader.h) reads a validated tree, and JsonWriter writes a
+// scene's values. A key's kind, layout and default follow from its member.
 #pragma once
 
 #include <algorithm>
@@ -20,12 +19,13 @@
 
 namespace magfsi::scene {
 
-// The whole scene as a group without a name.
+// Table of the whole scene, as a group without a name.
 const Field& scene_fields();
 
 // --- writing ------------------------------------------------------------------------
 
-// Values in SI under the scene file's keys; what is absent has no key.
+// Visitor that writes values in SI units under the keys of the scene file. Absent values
+// have no key.
 class JsonWriter {
   public:
     template <class T>
@@ -127,10 +127,11 @@ class JsonWriter {
 
 // --- the table ----------------------------------------------------------------------
 
-// A default as it stands in YAML.
+// Text of a default value in YAML, with its unit.
 std::string yaml_text(const nlohmann::ordered_json& value, const std::string& unit);
 
-// Makes the table of keys, with defaults from the members.
+// Visitor that makes the table of keys, with defaults from the initial values of the
+// members.
 class Describer {
   public:
     explicit Describer(Field& field) : field_(&field) {}
@@ -142,7 +143,8 @@ class Describer {
         field_->children.push_back(std::move(key));
     }
 
-    // Keys of a map that is no type of its own; there: whether the map is written.
+    // A map of keys without a type of its own. The bool tells JsonWriter whether to write
+    // the map.
     template <class Body>
     void group(Field key, bool, const Body& body) {
         Describer inner(key);
@@ -150,24 +152,26 @@ class Describer {
         field_->children.push_back(std::move(key));
     }
 
-    // Exactly one of the keys, for each type of the variant in its order.
+    // Exactly one of the keys must be present; one key for each type of the variant, in
+    // its order.
     template <class... T, class... Keys>
     void alternatives(std::variant<T...>&, Keys... keys) {
         (alternative<T>(std::move(keys), Presence::alternative), ...);
     }
-    // At most one.
+    // At most one of the keys may be present.
     template <class... T, class... Keys>
     void alternatives(std::optional<std::variant<T...>>&, Keys... keys) {
         (alternative<T>(std::move(keys), Presence::optional_alternative), ...);
     }
 
-    // A word that may stand alone (whole) or carry a map of keys.
+    // A word of an enumeration that may stand alone (read by whole()) or carry a map of
+    // keys.
     template <Named E, class Body>
     void word_with_map(E&, E word, std::string_view doc, bool, const Body& body) {
         group(key(name_of(word), doc), true, body);
     }
 
-    // This place itself.
+    // A value without a key of its own: it stands in the place of the map.
     template <class T>
     void whole(T&& value) {
         describe(value);
@@ -283,6 +287,7 @@ void keys(Io& io, Fluid& fluid);  // keys_fluid.cpp
 template <class Io>
 void keys(Io& io, Coupling& coupling);  // keys_coupling.cpp
 
+// Instantiates keys(io, Type&) for the three visitors.
 #define MAGFSI_KEYS_OF(Type)                   \
     template void keys(Describer& io, Type&);  \
     template void keys(TreeReader& io, Type&); \

@@ -16,7 +16,7 @@ namespace magfsi::scene {
 
 namespace {
 
-// Of a scene file: far beyond any scene, and read in a moment.
+// Size limit of a scene file: larger than any scene, and still read quickly.
 constexpr std::uintmax_t largest_scene_bytes = 4'000'000;
 
 std::string file_text(const std::filesystem::path& file) {
@@ -34,12 +34,13 @@ std::string file_text(const std::filesystem::path& file) {
     return text.str();
 }
 
-// A vector of length 0 is left for the checks to refuse.
+// Scales a vector to unit length. A zero vector is left as it is; check_scene refuses it.
 void normalise(Vec3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     for (double& component : v) component /= length > 0 ? length : 1;
 }
 
+// Fills in defaults of the coupling that depend on the scheme.
 void complete(Coupling& coupling) {
     const bool implicit = coupling.scheme == Scheme::implicit;
     if (implicit && !coupling.iteration) coupling.iteration.emplace();
@@ -48,14 +49,16 @@ void complete(Coupling& coupling) {
             implicit ? SampledVelocity::linear : SampledVelocity::frozen;
 }
 
-// Who asks for another strength means the penalty's.
+// Default forcing: no_slip where it is possible. A strength other than 1 has a meaning
+// only with the penalty method, so it selects that one.
 coupler::Forcing usual_forcing(const Scene& scene) {
     const bool penalty = scene.has_own_structure() || objection_to_no_slip(scene) ||
                          scene.coupling->immersed_boundary.strength != 1;
     return penalty ? coupler::Forcing::penalty : coupler::Forcing::no_slip;
 }
 
-// Defaults that depend on other keys; files of the scene count from its folder.
+// Fills in defaults that depend on other keys, and makes file names relative to the
+// scene's folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
         if (auto* mesh = std::get_if<MeshFile>(&body.mesh))
@@ -102,7 +105,7 @@ Node read_tree(const std::filesystem::path& file,
     return root;
 }
 
-// Checked key by key only.
+// Reads a scene whose keys are checked one by one, but not against each other.
 Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
     validate(root, scene_fields());
     Scene scene;

@@ -12,8 +12,8 @@
 
 namespace magfsi::scene {
 
-// A place in a validated tree with its entry of the table. An absent key leaves its
-// member as it is.
+// A node of a validated tree with its entry in the table. An absent key leaves its member
+// unchanged.
 class TreeReader {
   public:
     TreeReader(const Node& node, const Field& field) : node_(&node), field_(&field) {}
@@ -52,7 +52,7 @@ class TreeReader {
 
     template <class T>
     void whole(T&& value) {
-        // Of a word with a map, word_with_map.
+        // A word that carries a map is read by word_with_map.
         if (!Named<std::decay_t<T>> || node_->type == Node::Type::scalar) read(value);
     }
 
@@ -91,7 +91,7 @@ class TreeReader {
     void read(std::array<T, N>& value) {
         read_each(value.begin());
     }
-    // Rows of vectors.
+    // Rows of vectors, read one after the other into the contiguous memory of the rows.
     template <std::size_t N>
     void read(std::vector<std::array<double, N>>& value) {
         value.resize(scalars(*node_, *field_).size() / N);
@@ -121,7 +121,7 @@ class TreeReader {
             if constexpr (HasName<T>) item.name = child.key;
             value.push_back(std::move(item));
         }
-        // Names have no order in YAML: theirs here is that of the alphabet.
+        // Names have no order in YAML; they are sorted alphabetically.
         if constexpr (HasName<T>) std::ranges::sort(value, {}, &T::name);
     }
     template <class T>

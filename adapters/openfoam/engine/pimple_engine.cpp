@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // pimpleFoam on a fixed mesh. The momentum and pressure equations are the solver's own
-// files, taken in unchanged; what surrounds them here is its loop over time, turned
-// inside out so that each step is a call.
+// files, included unchanged; the code here replaces its loop over time by one call per
+// step.
 #include <algorithm>
 #include <cctype>
 #include <memory>
@@ -24,36 +24,40 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// The force on the fluid as one of OpenFOAM's sources of momentum (fvOption), handed to
-// it from outside in every step, in balance with the pressure.
+// The coupling force on the fluid as an OpenFOAM momentum source (fvOption), set from
+// outside before every step and balanced with the pressure.
 //
-// pimpleFoam keeps velocities in cells and fluxes on faces. A source a that changes from
-// cell to cell drives the flux through a face by the mean of its two cells, and the
-// pressure holds that; in the cell, the pressure's gradient is the mean of its two faces.
-// So of a layer of force along its normal, which pressure holds in full, a -
-// mean(mean(a)) = -h^2 a''/4 is left over and moves the cells, though nothing flows
-// through their faces. With the force of a sheet, three cells thick, that is a quarter of
-// it: markers see the fluid follow a sheet that it leaks through. Here cells get the mean
-// of what their faces get, and what is held on faces is held in cells: Francois et al.,
-// J. Comput. Phys. 213 (2006) 141, for the same trouble with surface tension.
+// pimpleFoam stores velocities in cells and fluxes on faces. An acceleration a that
+// varies from cell to cell drives the flux through a face by the mean of its two cells,
+// and the pressure balances that; in a cell, the pressure's gradient is the mean over its
+// two faces. For a layer of force along its normal, which the pressure should balance in
+// full, the residual a - mean(mean(a)) = -h^2 a''/4 accelerates the cells, though nothing
+// flows through their faces. For the force of a sheet, three cells thick, that is a
+// quarter of it: markers see the fluid follow a sheet that it leaks through. Here cells
+// get the mean of what their faces get, so that a force balanced on faces is balanced in
+// cells: Francois et al., J. Comput. Phys. 213 (2006) 141, for the same problem with
+// surface tension.
 class CoupledForce : public Foam::fv::option {
   public:
     explicit CoupledForce(const Foam::fvMesh& mesh);
 
+    // Adds the acceleration to the momentum equation.
     void addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label field) override;
 
-    // The whole equation of momentum, before it is solved.
+    // Stores the response of the velocity, 1 / A, of the assembled momentum equation
+    // before it is solved.
     void constrain(Foam::fvMatrix<Foam::vector>& equation,
                    const Foam::label field) override;
 
-    // After the velocity was corrected by the pressure.
+    // Replaces the cell value of the force's effect by the mean of its faces, after each
+    // pressure correction of the velocity.
     void correct(Foam::volVectorField& velocity) override;
 
     Foam::vectorField& acceleration() { return acceleration_.primitiveFieldRef(); }
 
   private:
     Foam::volVectorField acceleration_;
-    Foam::tmp<Foam::volScalarField> response_;  // velocity by acceleration [s]
+    Foam::tmp<Foam::volScalarField> response_;  // velocity over acceleration [s]
 };
 
 CoupledForce::CoupledForce(const Foam::fvMesh& mesh)
@@ -74,7 +78,7 @@ void CoupledForce::constrain(Foam::fvMatrix<Foam::vector>& equation, const Foam:
 
 void CoupledForce::correct(Foam::volVectorField& velocity) {
     Foam::volVectorField push(response_() * acceleration_);
-    push.correctBoundaryConditions();  // of neighbours on other ranks
+    push.correctBoundaryConditions();  // values of neighbours on other ranks
     velocity += Foam::fvc::reconstruct(Foam::fvc::flux(push)) - push;
     velocity.correctBoundaryConditions();
 }
@@ -102,7 +106,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-// Foam's FatalError and FatalIOError as exceptions of the standard library.
+// Runs `work` and turns Foam's FatalError and FatalIOError into std::runtime_error.
 template <class Work>
 auto guarded(Work&& work) -> decltype(work()) {
     try {
@@ -115,6 +119,8 @@ auto guarded(Work&& work) -> decltype(work()) {
     }
 }
 
+// The engine on one rank. Members are initialised in the order that OpenFOAM requires:
+// time, mesh, fields, models.
 class PimpleEngine final : public Engine {
   public:
     explicit PimpleEngine(const EngineSetup& setup)
@@ -177,9 +183,10 @@ class PimpleEngine final : public Engine {
         });
     }
 
-    // The fluxes first, for the velocity at outlets follows them. The velocity of two
-    // steps ago and the old fluxes have no say: the one goes when the step begins, the
-    // others have the coefficient 0.
+    // Fluxes are restored first, since the velocity at outlets depends on them. The
+    // velocity of two steps ago is discarded when the step begins, and the old fluxes
+    // have the coefficient 0 in the scheme; calls of oldTime() only make sure that these
+    // fields exist.
     void go_back(const FlowState& state, long step) override {
         guarded([&] {
             const auto index = static_cast<Foam::label>(step);
@@ -227,13 +234,14 @@ class PimpleEngine final : public Engine {
     Foam::autoPtr<Foam::incompressible::turbulenceModel> turbulence_;
     Foam::IOMRFZoneList zones_;
     Foam::fv::options& sources_;
-    CoupledForce* force_ = nullptr;  // of sources_, once there is a force
+    // The coupling force, owned by sources_; null until the first force.
+    CoupledForce* force_ = nullptr;
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;
     Foam::scalar continuity_error_ = 0;
 };
 
-// The names are those that the solver's files use.
+// One step of pimpleFoam. The local names are those that the included solver files use.
 void PimpleEngine::step() {
     using namespace Foam;
     fvMesh& mesh = mesh_();
@@ -249,7 +257,7 @@ void PimpleEngine::step() {
     const label pRefCell = reference_cell_;
     const scalar pRefValue = reference_pressure_;
     scalar& cumulativeContErr = continuity_error_;
-    autoPtr<surfaceVectorField> Uf;  // of moving meshes only
+    autoPtr<surfaceVectorField> Uf;  // used with moving meshes only
 
     ++runTime;
     while (pimple.loop()) {
