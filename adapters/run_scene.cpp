@@ -33,6 +33,7 @@ double given_speed(const scene::Fluid& fluid) {
     return largest;
 }
 
+// Whole contents of a file; "" if it cannot be read.
 std::string text_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
@@ -48,6 +49,7 @@ int available_cores() {
     return CPU_COUNT(&set);
 }
 
+// Counts the cells of the coarsest level.
 int worthwhile_parts(const scene::Fluid& fluid) {
     constexpr double min_cells = 20000;
     double cells = 1;
@@ -65,6 +67,7 @@ std::string processor() {
     return "a processor";
 }
 
+// Warnings become part of the log: effects without influence and rounded intervals.
 coupler::RunPlan run_plan(const scene::Scene& scene) {
     coupler::RunPlan plan;
     plan.name = scene.name;

@@ -32,6 +32,8 @@ coupler::BodyMarkers numbered(std::vector<coupler::Marker> markers, MPI_Comm com
 // The structure participant around the user's solver: coupling, probes and progress.
 class Participant {
   public:
+    // The fluid sends the description of its grid during the start, and the markers are
+    // set up for that grid.
     Participant(const scene::Scene& scene, coupler::Session& session, OwnStructure own,
                 output::ProgressMode mode)
         : scene_(scene),
@@ -50,6 +52,7 @@ class Participant {
                           [this] { progress_->update(session_.clock().step()); });
     }
 
+    // Log, first exchange, probes at time 0, then all steps and the summary.
     void run() {
         coupler::log_effects(session_);
         coupler::log_steps(session_, tasks_);
@@ -61,6 +64,7 @@ class Participant {
     }
 
   private:
+    // Columns: the user's, then the fluid's. Rows follow at whole coupled steps.
     void add_probes() {
         fluid_columns_ = fluids::fluid_columns(scene_);
         std::vector<std::string> columns = own_.columns;
@@ -85,6 +89,8 @@ class Participant {
         probes_->row(session_.clock().time_s(), row);
     }
 
+    // Collective: every rank contributes to the report. The leading rank writes the
+    // summary.
     void finish(double wall_s) {
         std::vector<coupler::ParticipantReport> reports{
             coupler::basic_report(session_.world(), tasks_)};
@@ -110,6 +116,8 @@ class Participant {
 
 }  // namespace
 
+// The marker's whole weight is on its first node; the other entries repeat the node with
+// weight 0.
 coupler::Marker node_marker(int node, double volume_m3) {
     coupler::Marker marker;
     marker.node.fill(node);

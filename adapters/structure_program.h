@@ -17,7 +17,7 @@ namespace magfsi {
 // The user's solver with its markers and probes.
 struct OwnStructure {
     std::unique_ptr<coupler::StructureSolver> solver;
-    std::vector<coupler::Marker> markers;  // those of this rank
+    std::vector<coupler::Marker> markers;  // markers of this rank
     // Columns of probes.csv before the fluid's, named with their units ("tip_x[m]"), and
     // a function that returns their present values. Both are needed on rank 0 only, which
     // alone calls `values`.

@@ -17,8 +17,8 @@ namespace magfsi::launch {
 // Work of the fluid participant over the whole run, as the lattice Boltzmann solver does
 // it.
 struct FluidWork {
-    // Cells updated per coarse step (cells of finer levels count by their updates and
-    // their higher cost), and cells at sides of the box that are not periodic.
+    // Cell updates per coupled step (on a refined grid those of finer levels count more,
+    // by their measured cost), and cells at sides of the box that are not periodic.
     double cells = 0, wall_cells = 0;
     bool recursive_collision = false;
     bool single_precision = false;  // populations are stored in single precision
@@ -100,7 +100,7 @@ struct Calibration {
     double s_per_coupled_cell = 0, s_per_coupled_cell_shared = 0;
     double s_per_cell_row = 0;        // sums over all cells for a probe row
     double s_per_cell_enstrophy = 0;  // vorticity of a cell for probes or files
-    double s_per_probe_row = 0;       // one row of probes.csv of the structure
+    double s_per_probe_row = 0;       // one row of probes.csv
     double s_per_cell_byte = 0;       // writing of one byte of a fluid field file
     // Writing of one element to a structure field file.
     double s_per_element_file = 0;

@@ -67,6 +67,7 @@ std::string look_at_cores() {
     return fmt::format("{}, {} to this process", processor(), available_cores());
 }
 
+// need_stack raises the limit as far as it may, and throws where that is not enough.
 std::string look_at_stack() {
     need_stack();
     struct rlimit stack {};
@@ -75,6 +76,7 @@ std::string look_at_stack() {
                                            : fmt::format("{} kB", stack.rlim_cur / 1024);
 }
 
+// A slow look-up of the host's name delays every start of MPI.
 std::string look_at_name() {
     const std::string fault = fault_of_host_name();
     if (!fault.empty()) throw Fault(fault);
@@ -167,6 +169,7 @@ std::string look_at_openfoam() {
 
 }  // namespace
 
+// Every check runs even if an earlier one has failed.
 int doctor() {
     struct Item {
         const char* name;

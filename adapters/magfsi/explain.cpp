@@ -46,6 +46,7 @@ void check_columns(const scene::Scene& scene) {
     }
 }
 
+// The script's rights are named, since a scene may come from a stranger.
 std::string explain_control(const scene::Scene& scene) {
     check_columns(scene);
     const scene::Control& control = *scene.control;
@@ -74,7 +75,7 @@ std::pair<double, double> density_ratios(const scene::Scene& scene) {
     return {low, high};
 }
 
-// How the coupling scheme orders the work of both sides.
+// Order of work of structure and fluid under the coupling scheme, in words.
 std::string in_words(const coupler::Coupling& coupling) {
     const auto velocity = scene::name_of(*coupling.sampled_velocity);
     switch (coupling.scheme) {
@@ -124,6 +125,7 @@ std::string recommended(const scene::Scene& scene, double min_ratio) {
            "phase of fast ones is to be followed without its lag of a step";
 }
 
+// Scheme, cost, density ratio, explicit limit of the drag, and recommended scheme.
 std::string explain_coupling(const scene::Scene& scene) {
     const coupler::Coupling& coupling = *scene.coupling;
     const auto [low, high] = density_ratios(scene);
@@ -166,6 +168,7 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     return text + explain_files(scene);
 }
 
+// Warnings are found by their prefix in the text, so that every part of it may give some.
 std::vector<std::string> warnings(const std::string& explanation) {
     constexpr std::string_view mark = "warning: ";
     std::vector<std::string> out;
@@ -178,6 +181,7 @@ std::vector<std::string> warnings(const std::string& explanation) {
     return out;
 }
 
+// explain() runs here, too, for its warnings; values that do not apply have no key.
 nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
     nlohmann::ordered_json out;
     out["name"] = scene.name;

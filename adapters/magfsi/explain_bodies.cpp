@@ -99,7 +99,7 @@ std::string explain_layer(const scene::Scene& scene, std::size_t number) {
 }
 
 // Error of the moments of inertia about the axes through the centre of mass, made by
-// masses lumped in the nodes. It matters only for bodies that can turn freely.
+// masses that sit in the nodes. It matters only for bodies that can turn freely.
 std::string explain_moments(const scene::Scene& scene, const structure::Body& solid) {
     const structure::Vec3 error = structure::inertia_error(solid);
     std::string text =
@@ -116,8 +116,8 @@ std::string explain_moments(const scene::Scene& scene, const structure::Body& so
                           : "");
 }
 
-// How the inertia of the fluid that the grid has inside the body is taken away: from the
-// nodes' mass, by a force on the markers, or in part by each.
+// Treatment of the inertia of the fluid that the grid has inside the body: subtracted
+// from the nodes' mass, by a force on the markers, or in part by each.
 std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
     const double off = bodies::off_nodes_kg_m3(scene, solid);
     const double fluid = scene.fluid->density_kg_m3;
@@ -283,6 +283,7 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                        largest * field_t);
 }
 
+// All lines on one body. Faults of its mesh are thrown before anything is computed on it.
 std::string explain_body(const scene::Scene& scene, std::size_t number,
                          const structure::Body& solid) {
     const scene::Body& body = scene.bodies[number];
@@ -322,6 +323,8 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     return text;
 }
 
+// Coupled step, substeps, and the two limits of the substep: elastic waves and the
+// explicit drag.
 std::string explain_steps(const scene::Scene& scene) {
     const lammps::Substeps s = lammps::choose_substeps(scene);
     std::string text =
@@ -340,6 +343,8 @@ std::string explain_steps(const scene::Scene& scene) {
 
 }  // namespace
 
+// The field sources and, for Newton's method, the surroundings are built only for the
+// faults that show then.
 std::string explain_structure(const scene::Scene& scene) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"

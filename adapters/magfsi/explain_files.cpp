@@ -21,6 +21,7 @@ using scene::format_si;
 using structure::Bounds;
 using structure::Vec3;
 
+// One line of the text.
 std::string line(const std::string& file, const std::string& what) {
     return fmt::format("  {}: {}\n", file, what);
 }
@@ -45,6 +46,7 @@ std::string range(std::span<const Vec3> vectors, const char* unit) {
     return fmt::format("{} to {}", format_si(least, unit), format_si(most, unit));
 }
 
+// Longest edge of a bounding box [m].
 double longest_m(const Bounds& bounds) {
     return std::ranges::max(bounds.extent_m());
 }
@@ -84,6 +86,8 @@ std::string compare(const Bounds& grid, const structure::FieldSource& source,
     return {};
 }
 
+// Points, extent, mean spacing and magnitudes of a grid, with a warning for each body
+// that does not fit it.
 std::string explain_grid(const scene::Scene& scene,
                          const structure::FieldSource& source) {
     const std::string& file = std::get<structure::GridField>(source.shape).file;
@@ -107,6 +111,7 @@ std::string explain_grid(const scene::Scene& scene,
     return text;
 }
 
+// Times and magnitudes of a table of the uniform field that was read from a file.
 std::string explain_course(const scene::FieldLaw& law) {
     const auto* table = std::get_if<scene::VectorTable>(&law);
     if (table == nullptr || table->source.empty()) return {};
@@ -117,6 +122,7 @@ std::string explain_course(const scene::FieldLaw& law) {
                     format_si(table->time_s.back(), "s"), range(table->vector_t, "T")));
 }
 
+// Times and factors of an inlet's course that was read from a file.
 std::string explain_inlet(const fluid::Inlet& inlet) {
     if (!inlet.course) return {};
     const auto* table = std::get_if<fluid::InletTable>(&*inlet.course);
@@ -128,6 +134,7 @@ std::string explain_inlet(const fluid::Inlet& inlet) {
                             format_si(table->time_s.back(), "s"), least, most));
 }
 
+// Triangles, parts, extent and volume of an STL surface.
 std::string explain_surface(const fluid::StlSurface& surface) {
     const fluid::StlExtent read = fluid::stl_extent(surface);
     return line(surface.file,
@@ -137,6 +144,7 @@ std::string explain_surface(const fluid::StlSurface& surface) {
                             read.volume_m3 * 1e9));
 }
 
+// Files of a body: its mesh or surface, and its table of magnetisation.
 std::string explain_body(const scene::Body& body) {
     std::string text;
     if (const auto* mesh = std::get_if<structure::MeshFile>(&body.mesh)) {

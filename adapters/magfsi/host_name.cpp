@@ -18,6 +18,8 @@ std::string host_name() {
     return name.data();
 }
 
+// The same look-up as MPI does at start, timed. A name that is quickly not found does no
+// harm.
 std::string fault_of_host_name() {
     using Clock = std::chrono::steady_clock;
     constexpr double noticeable_s = 0.5;

@@ -11,7 +11,7 @@
 
 namespace magfsi::launch {
 
-// How a job ended.
+// End of a job: exit code and cause.
 struct JobEnd {
     // Exit code of mpirun; 128 + signal if a signal killed mpirun.
     int exit_code = 0;

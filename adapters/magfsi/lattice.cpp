@@ -90,6 +90,8 @@ std::string table_text(const structure::LatticeFile& lattice) {
     return text;
 }
 
+// Writes the mesh and the magnetisations of a lattice file and prints the keys that use
+// them in a scene.
 int read(const LatticeOptions& options) {
     if (!options.overrides.empty())
         throw std::invalid_argument(
@@ -110,6 +112,7 @@ int read(const LatticeOptions& options) {
 
 }  // namespace
 
+// The ending decides which way to convert.
 int lattice(const LatticeOptions& options) {
     if (options.input.extension() != ".lattice") return write(options);
     try {

@@ -17,10 +17,10 @@ struct LatticeOptions {
     std::vector<std::string> overrides;  // --set, allowed with a scene only
 };
 
-// From a scene: writes bodies.data, one NAME.lattice per body, and lammps.in, the script
-// with all loads of the scene. From NAME.lattice: writes NAME.msh (Gmsh 2.2) and NAME.csv
-// (magnetisation [A/m] at element centres), which a scene can read. Returns the exit
-// code. Throws std::invalid_argument and scene::SceneError.
+// Converts the input. A scene becomes bodies.data, one NAME.lattice per body, and
+// lammps.in, the script with all loads of the scene. NAME.lattice becomes NAME.msh (Gmsh
+// 2.2) and NAME.csv (magnetisation [A/m] at element centres), which a scene can read.
+// Returns the exit code. Throws std::invalid_argument and scene::SceneError.
 int lattice(const LatticeOptions& options);
 
 }  // namespace magfsi::launch

@@ -83,6 +83,8 @@ bool by_newton(const scene::Scene& scene) {
            scene.time.equilibrium->method == scene::EquilibriumMethod::newton;
 }
 
+// Bodies are moved by LAMMPS, or brought to equilibrium by Newton's method in a program
+// of its own.
 std::map<std::string, std::string> programs_of(const scene::Scene& scene) {
     std::map<std::string, std::string> programs;
     if (scene.has_own_structure())
@@ -94,6 +96,7 @@ std::map<std::string, std::string> programs_of(const scene::Scene& scene) {
     return programs;
 }
 
+// Numbers of more than five digits are refused, too, so that stoi cannot overflow.
 Ranks parse_ranks(const std::string& text) {
     Ranks ranks;
     std::istringstream in(text);
@@ -126,6 +129,7 @@ std::string to_text(const Ranks& ranks) {
     return text;
 }
 
+// Defaults first, then the given numbers, then the limits.
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     Ranks ranks;
     for (const auto& [role, name] : programs_of(scene))
@@ -142,6 +146,8 @@ Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     return ranks;
 }
 
+// Lower bound of the fluid's memory: 19 populations a cell (D3Q19). Batch systems may
+// distribute it over machines and are not checked.
 void check_memory(const scene::Scene& scene) {
     if (!scene.fluid || has_more_machines()) return;
     const bool single = scene.fluid->solver == scene::FluidSolver::lbm &&

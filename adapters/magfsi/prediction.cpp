@@ -54,8 +54,8 @@ double between(double x, double x1, double y1, double x2, double y2) {
 }
 
 // Wall time of one update of a cell [s], interpolated over the size of the lattice: small
-// lattices fit into caches, large ones are bound by the memory's bandwidth. More ranks
-// than the calibration has are taken as its largest number.
+// lattices fit into caches, large ones are bound by the memory's bandwidth. Any number of
+// ranks above one takes the figures of the calibration's largest number.
 double cell_step_s(const FluidWork& work, const Calibration& c) {
     const FluidSpeed *below = nullptr, *above = nullptr;
     int max_ranks = 1;
@@ -72,6 +72,8 @@ double cell_step_s(const FluidWork& work, const Calibration& c) {
                    above->s_per_cell_step);
 }
 
+// Time of the fluid [s]: steps, probes and files. s_per_cell_step is measured with all
+// ranks at work; collisions, walls and probes share the ranks, markers and files do not.
 double fluid_s(const Work& work, const Calibration& c) {
     const FluidWork& f = *work.fluid;
     const double markers = work.structure ? work.structure->markers : 0;
@@ -107,6 +109,7 @@ double substep_s(const StructureWork& s, const Calibration& c) {
                s.ranks;
 }
 
+// Time of the structure [s]: substeps, probes and files.
 double structure_s(const Work& work, const Calibration& c) {
     const StructureWork& s = *work.structure;
     return work.steps * work.iterations * s.substeps * substep_s(s, c) +
@@ -133,6 +136,7 @@ double passing_bytes(const FluidWork& f, const Calibration& c) {
         curl, c.bytes_per_cell_file + (f.vorticity_files ? c.bytes_per_cell_curl : 0));
 }
 
+// Memory and disk space [bytes] of all ranks.
 void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (work.structure) {
         const StructureWork& s = *work.structure;
@@ -154,6 +158,8 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }
 
+// The sides' times add up in the serial scheme; in the parallel one the slower side
+// decides.
 Prediction predict(const Work& work, const Calibration& c) {
     Prediction p;
     add_memory(work, c, p);
@@ -211,12 +217,14 @@ std::optional<std::pair<Ranks, double>> faster_ranks(const Work& work, const Ran
     return best;
 }
 
+// Two significant digits are all that a prediction is worth.
 std::string duration(double seconds) {
     if (seconds < 120) return fmt::format("{:.2g} s", seconds);
     if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
     return fmt::format("{:.2g} h", seconds / 3600);
 }
 
+// Predicted time with its parts, or the reason why it is unknown.
 std::string time_line(const Prediction& p, bool path) {
     if (!p.wall_s)
         return "unknown: damped motion takes as many steps as it needs to come to rest";

@@ -14,6 +14,7 @@ namespace magfsi::launch {
 
 namespace {
 
+// Time of a checkpoint [s]. Steps of a halved run are counted in its own, shorter steps.
 double time_of(const coupler::StateHeader& header) {
     return static_cast<double>(header.step) * header.step_s;
 }
@@ -24,6 +25,8 @@ bool retry(const scene::Scene& scene) {
 
 }  // namespace
 
+// A restart takes the number of halvings from the ratio of the scene's step to the
+// checkpoint's.
 Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
                  const std::string& restart)
     : scene_(scene), out_(out), given_(restart), restart_(restart) {
@@ -34,6 +37,8 @@ Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
     if (ratio > 1) scene_.time.halvings = std::ilogb(static_cast<double>(ratio));
 }
 
+// Coupled step [s] with all halvings so far; of bodies alone it follows from their stable
+// step.
 double Retries::step_s() const {
     const auto coupled = scene::coupled_step_s(scene_);
     return coupled ? *coupled : lammps::choose_substeps(scene_).coupled_step_s;
@@ -62,6 +67,8 @@ void Retries::drop_newest() const {
         std::filesystem::remove(coupler::checkpoint_file(out_, steps.front(), role));
 }
 
+// A new divergence without progress since the last restart means that the newest
+// checkpoint already holds the growing instability, so it is deleted.
 bool Retries::again(const std::string& cause) {
     if (!retry(scene_)) return false;
     const auto done = static_cast<int>(record_.size());

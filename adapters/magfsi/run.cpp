@@ -32,16 +32,21 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+// Path of a program beside this one.
 fs::path program(const std::string& name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
+// True if the run continues in the folder of its checkpoint, whose results must then
+// stay.
 bool goes_on_in(const fs::path& out, const RunOptions& options) {
     if (options.restart.empty()) return false;
     std::error_code none;  // false where one of them is not there
     return fs::equivalent(coupler::restart_folder(options.restart, out), out, none);
 }
 
+// Command lines of all participants: the user's program, replays and the controller
+// included.
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,
                                   const fs::path& out) {
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),

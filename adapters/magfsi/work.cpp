@@ -32,6 +32,8 @@ double bytes_per_cell(const std::vector<scene::FluidField>& fields) {
     return bytes;
 }
 
+// The obstacle force comes out of the bounce-back of each step and needs no pass over the
+// cells.
 void add_probes(const scene::Probes& probes, double end_s, FluidWork& work) {
     using Quantity = scene::FluidQuantity;
     work.probe_rows = rows(end_s, probes.every_s);
@@ -77,6 +79,7 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
     work.single_precision = scene.fluid->precision != fluid::Precision::double_;
 }
 
+// Work of the lattice, of probes and of field files.
 FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     FluidWork work;
     add_lattice(scene, work);
@@ -117,6 +120,7 @@ StructureWork structure_work(const scene::Scene& scene, int ranks) {
     return work;
 }
 
+// Number of equilibria of a path.
 PathWork path_work(const scene::Scene& scene) {
     PathWork work;
     work.points = std::round(scene.time.end_s / scene::path_step_s(scene));
@@ -126,6 +130,8 @@ PathWork path_work(const scene::Scene& scene) {
 
 }  // namespace
 
+// The number of steps follows the structure's choice of the coupled step if there are
+// bodies.
 Work work_of(const scene::Scene& scene, const Ranks& ranks) {
     Work work;
     if (scene.fluid) work.fluid = fluid_work(scene, ranks.at("fluid"));

@@ -225,6 +225,7 @@ void clear_stock_case(const std::filesystem::path& folder) {
 
 }  // namespace
 
+// The end time and the intervals matter only to stock programs.
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times) {
     clear_stock_case(folder);

@@ -27,6 +27,7 @@ fs::path library() {
            "libmagfsi_openfoam_engine.so";
 }
 
+// WM_PROJECT_DIR of the user's environment, else Debian's folder.
 fs::path project_folder() {
     const char* given = std::getenv("WM_PROJECT_DIR");
     return given ? given : debian_project_folder;
@@ -44,6 +45,7 @@ std::string missing() {
     return "";
 }
 
+// The library stays loaded until the process ends.
 std::unique_ptr<Engine> load_engine(const EngineSetup& setup) {
     const std::string fault = missing();
     if (!fault.empty()) throw std::runtime_error("fluid.solver: openfoam: " + fault);

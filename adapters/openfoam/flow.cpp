@@ -16,6 +16,7 @@ namespace magfsi::openfoam {
 
 namespace {
 
+// |v|^2 / 2 of a vector.
 double half_square(const double* v) {
     return (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2;
 }
@@ -36,6 +37,7 @@ double volume(const Widths& width_m, std::size_t cell) {
     return width_m[0][i[0]] * width_m[1][i[1]] * width_m[2][i[2]];
 }
 
+// max_speed_m_s ignores NaN (fmax); fastest_cell reports it.
 FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
                    std::span<const double> vorticity) {
     enum { space, x, y, z, energy, enstrophy, count };
@@ -60,6 +62,8 @@ FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
             std::sqrt(2 * most)};
 }
 
+// The comparison is false for NaN, so that the first NaN ends the search as the fastest
+// cell.
 FastestCell fastest_cell(std::size_t cells, const double* velocity) {
     FastestCell fastest;
     double most = -1;
@@ -161,6 +165,7 @@ std::vector<double> load_rows(const coupler::StateReader& file, const char* tabl
 
 }  // namespace
 
+// Writes one table for the cells and one for the faces across each axis.
 void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
                coupler::StateWriter* file) {
     std::vector<double> cells;
@@ -175,6 +180,7 @@ void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
         save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
 }
 
+// The inverse of save_flow, on any number of ranks.
 FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file) {
     FlowState state;
     const auto cells = load_rows(file, "cells", part_of(mesh, 3), values_per_cell);

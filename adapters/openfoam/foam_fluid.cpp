@@ -51,6 +51,8 @@ constexpr double max_courant = 10;
 
 }  // namespace
 
+// Rank 0 writes the case; between the two barriers all ranks read it. The communicator
+// replaces MPI_COMM_WORLD before OpenFOAM is loaded, since its start-up uses it.
 FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
                      const std::filesystem::path& case_folder)
     : comm_(comm),
@@ -86,12 +88,14 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
     set_inlets(0);
 }
 
+// Adds the momentum source and fills it with the body force.
 void FoamFluid::begin_force() {
     acceleration_ = engine_->acceleration();
     for (std::size_t cell = 0; cell < cell_count(width_m_); ++cell)
         std::ranges::copy(everywhere(), acceleration_ + 3 * cell);
 }
 
+// (x, y, z) must be a cell of the uniform grid that this rank owns.
 std::size_t FoamFluid::cell_at(int x, int y, int z) const {
     const std::array<int, 3> at{x, y, z};
     std::array<int, 3> i{};
@@ -103,6 +107,7 @@ std::size_t FoamFluid::cell_at(int x, int y, int z) const {
                 static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(i[2]));
 }
 
+// The fluid is incompressible: its density relative to the mean is 1 everywhere.
 void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out,
                          std::span<double> relative_density) {
     std::ranges::fill(relative_density, 1.0);
@@ -140,12 +145,15 @@ scene::Vec3 FoamFluid::everywhere() const {
     return acceleration;
 }
 
+// Resets only the cells with a coupling force to the body force.
 void FoamFluid::clear_force() {
     for (const std::size_t cell : forced_)
         std::ranges::copy(everywhere(), acceleration_ + 3 * cell);
     forced_.clear();
 }
 
+// Sets the inlets' faces to the velocity at this time; OpenFOAM's own condition there is
+// a fixed value.
 void FoamFluid::set_inlets(double time_s) {
     for (const Inlet& inlet : inlets_) {
         const auto& side = fluid_.boundaries[static_cast<std::size_t>(inlet.side)];
@@ -156,6 +164,8 @@ void FoamFluid::set_inlets(double time_s) {
     }
 }
 
+// Inlets have the values of the step's end, as the implicit time scheme needs. Forces
+// hold for one step.
 void FoamFluid::advance() {
     ++steps_;
     set_inlets(static_cast<double>(steps_) * step_s_);
@@ -188,6 +198,8 @@ std::string FoamFluid::headline() const {
         step_s_ * 1e6, versions().front().second);
 }
 
+// Kinetic energy [J], mass [kg], largest speed [m/s] and momentum [kg m/s] of the whole
+// box. Collective.
 fluids::FluidTotals FoamFluid::totals() {
     const FlowSums sums = flow_sums(comm_, width_m_, engine_->velocity(), {});
     fluids::FluidTotals all{fluid_.density_kg_m3 * sums.half_square_m5_s2,
@@ -197,6 +209,8 @@ fluids::FluidTotals FoamFluid::totals() {
     return all;
 }
 
+// The mean enstrophy density, |curl u|^2 / 2 [1/s2], is the only quantity beyond
+// totals(). Collective.
 double FoamFluid::quantity(scene::FluidQuantity quantity) {
     if (quantity != scene::FluidQuantity::enstrophy)
         throw std::logic_error("no probe of OpenFOAM");
@@ -205,6 +219,8 @@ double FoamFluid::quantity(scene::FluidQuantity quantity) {
     return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
 }
 
+// Values in the order of the uniform cells of this rank, x fastest, also on graded
+// meshes; pressure is gauge pressure [Pa].
 void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out) {
     if (field == scene::FluidField::density) {
         std::ranges::fill(out, static_cast<float>(fluid_.density_kg_m3));
@@ -238,6 +254,7 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
     }
 }
 
+// Checks this rank's cells; the run ends if any rank throws.
 void FoamFluid::check_divergence() {
     const FastestCell fastest = fastest_cell(cell_count(width_m_), engine_->velocity());
     const double courant = fastest.speed_m_s * step_s_ / grid_.spacing_m;
@@ -279,6 +296,8 @@ void FoamFluid::save(coupler::StateWriter* file) {
     save_flow(comm_, mesh_, state, file);
 }
 
+// Boundary values of inlets are not part of the state and are set for the checkpoint's
+// time first.
 void FoamFluid::restore(const coupler::StateReader& file) {
     steps_ = file.header().step;
     set_inlets(static_cast<double>(steps_) * step_s_);

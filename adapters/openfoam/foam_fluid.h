@@ -19,9 +19,9 @@ namespace magfsi::openfoam {
 // share a cell of OpenFOAM.
 class FoamFluid final : public fluids::FluidSolver {
   public:
-    // Writes the case into case_folder, makes it OpenFOAM's world and loads the engine.
-    // One instance per process. Throws std::runtime_error if OpenFOAM is missing or
-    // refuses the case. Collective over `comm`.
+    // Writes the case into case_folder, makes `comm` OpenFOAM's world and loads the
+    // engine. Throws std::runtime_error if OpenFOAM is missing or refuses the case.
+    // Collective over `comm`.
     FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
               const std::filesystem::path& case_folder);
     FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, double step_s,

@@ -14,6 +14,7 @@ namespace {
 
 using Axes = std::array<std::size_t, 2>;
 
+// The two axes of a side's plane, in ascending order.
 Axes plane_axes(int side) {
     return {side / 2 == 0 ? 1u : 0u, side / 2 == 2 ? 1u : 2u};
 }
@@ -99,6 +100,8 @@ std::vector<T> in_opening(const fluid::Boundary& side, const std::array<T, 2>& a
     return all;
 }
 
+// Profile at a point of the side, not yet scaled to a mean of 1. A side without an
+// opening takes the product of the profiles along its two axes.
 template <class T>
 T shape_at(const scene::Fluid& fluid, const fluid::Boundary& side, const Axes& axes,
            const std::array<T, 2>& at_m) {

@@ -40,11 +40,13 @@ std::vector<double> growing(double gap, double max_growth) {
 
 }  // namespace
 
+// Planes below the uniform part are built downwards and reversed. The first and last one
+// are set to the exact ends of the box.
 std::vector<double> axis_planes(double length_m, double spacing_m,
                                 const UniformPart* uniform) {
     const auto cells = static_cast<int>(std::lround(length_m / spacing_m));
     int from = 0, to = cells;
-    constexpr double rounding = 1e-6;  // of a cell
+    constexpr double rounding = 1e-6;  // in cells
     if (uniform) {
         from = static_cast<int>(std::floor(uniform->from_m / spacing_m + rounding));
         to = static_cast<int>(std::ceil(uniform->to_m / spacing_m - rounding));
@@ -65,6 +67,7 @@ std::vector<double> axis_planes(double length_m, double spacing_m,
     return planes;
 }
 
+// Both lists ascend, so one pass over the planes finds all cells.
 std::vector<int> cell_of_uniform(const std::vector<double>& planes_m, double spacing_m) {
     const auto cells = std::lround(planes_m.back() / spacing_m);
     std::vector<int> cell(static_cast<std::size_t>(cells));
@@ -79,6 +82,7 @@ std::vector<int> cell_of_uniform(const std::vector<double>& planes_m, double spa
 
 namespace {
 
+// Throws for boundary conditions of the lattice that OpenFOAM's adapter lacks.
 SideType to_side(fluid::BoundaryKind kind) {
     using enum fluid::BoundaryKind;
     if (kind == periodic) return SideType::periodic;
@@ -114,7 +118,7 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     for (std::size_t side = 0; side < 6; ++side)
         mesh.sides[side] = to_side(fluid.boundaries[side].kind);
     const auto cells = mesh_cells(mesh);
-    // Of axes with equally many cells the last one is cut: its slabs are contiguous in
+    // The last of axes with equally many cells is cut: its slabs are contiguous in
     // memory.
     for (int d = 0; d < 3; ++d) {
         if (cells[static_cast<std::size_t>(d)] >=
@@ -133,6 +137,8 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     return mesh;
 }
 
+// Since `cell` ascends, the uniform cells of a rank are the range between two lower
+// bounds.
 coupler::Grid to_grid(const scene::Fluid& fluid, const BoxMesh& mesh) {
     coupler::Grid grid;
     grid.spacing_m = fluid.spacing_m;

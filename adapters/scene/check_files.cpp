@@ -59,7 +59,7 @@ void check_mesh_file(const fs::path& file, const Origin& where) {
 void require_regular_file(const fs::path& file, const Origin& where) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
-    if (!fs::exists(status)) return;  // its reader reports it
+    if (!fs::exists(status)) return;  // reported by its reader
     require(fs::is_regular_file(status), where,
             fmt::format("{}, which is {}", in_quotes(file.string()),
                         fs::is_directory(status) ? "a folder" : "a pipe or a device"),
@@ -70,6 +70,8 @@ void require_regular_file(const fs::path& file, const Origin& where) {
             fmt::format("files of at most {} bytes", largest_file_bytes));
 }
 
+// The script runs with the user's rights, so that only a regular file with the ending .py
+// is accepted.
 void check_script(const fs::path& file, const Origin& where) {
     std::error_code none;
     require(fs::exists(fs::status(file, none)), where,
@@ -80,6 +82,7 @@ void check_script(const fs::path& file, const Origin& where) {
             fmt::format("the script {}", in_quotes(file.string())), "the ending .py");
 }
 
+// Goes through all files that bodies, sources and obstacles name.
 void check_files(const Scene& scene, const Marks& marks) {
     check_name(scene.name, marks.value({"name"}));
     for (const Body& body : scene.bodies) {
@@ -112,6 +115,7 @@ void check_files(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Collects every file of the scene, then drops those inside its folder.
 std::vector<fs::path> files_elsewhere(const Scene& scene) {
     std::vector<fs::path> files;
     const auto add_table = [&](const FieldLaw& law) {

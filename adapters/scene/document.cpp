@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Encoding, syntax, the tree from yaml-cpp's events, and --set.
+// Encoding check, YAML syntax, the tree built from yaml-cpp's events, and --set.
 #include "adapters/scene/document.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@ namespace magfsi::scene {
 
 namespace {
 
-// Bytes of the well-formed character at the start; 0: there is none.
+// Number of bytes of the well-formed UTF-8 character at the start (RFC 3629, table of
+// section 4); 0 if there is none.
 std::size_t character_length(std::string_view bytes) {
     const auto byte = [&](std::size_t i) {
         return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
@@ -68,8 +69,8 @@ void check_encoding(const std::string& text, const Origin& whole) {
            "text in UTF-8");
 }
 
-// Builds the tree from yaml-cpp's events. YAML::Node would hide keys given twice and lose
-// the marks of keys.
+// Builds the tree from yaml-cpp's events. YAML::Node would hide duplicate keys and lose
+// the places of keys.
 class Builder : public YAML::EventHandler {
   public:
     explicit Builder(Origin whole) : whole_(std::move(whole)) {}
@@ -112,6 +113,7 @@ class Builder : public YAML::EventHandler {
     void OnMapEnd() override { close(); }
 
   private:
+    // A list or map that is being read, with the key that waits for its value.
     struct Level {
         Node node;
         YAML::anchor_t anchor = 0;
@@ -122,7 +124,8 @@ class Builder : public YAML::EventHandler {
 
     Origin origin(const YAML::Mark& mark) const { return at(mark, whole_); }
 
-    // Aliases of aliases grow without bound; no scene needs this many nodes.
+    // Counts nodes with all expanded aliases: aliases of aliases grow exponentially with
+    // the length of the file.
     void count(const Node& node, const YAML::Mark& mark) {
         constexpr std::size_t max_nodes = 200'000;
         if (++nodes_ > max_nodes)
@@ -165,6 +168,7 @@ class Builder : public YAML::EventHandler {
         attach(std::move(level.node), YAML::Mark());
     }
 
+    // Takes a complete node as the root, as the next key of a map, or as the next value.
     void attach(Node node, const YAML::Mark& mark) {
         if (levels_.empty()) {
             root_ = std::move(node);
@@ -225,11 +229,11 @@ Node parse_document(const std::string& text, const Origin& whole) {
     check_encoding(text, whole);
     Builder builder(whole);
     try {
-        YAML::Load(text);  // faults of syntax are told first
+        YAML::Load(text);  // reports errors of syntax first
         std::istringstream stream(text);
         YAML::Parser parser(stream);
-        // yaml-cpp takes what it cannot read, such as "!a, b", for empty documents
-        // without end; the second one is refused.
+        // yaml-cpp reads some invalid text, such as "!a, b", as an endless sequence of
+        // empty documents; the second one is refused.
         while (parser.HandleNextDocument(builder)) {
         }
     } catch (const YAML::Exception& error) {
@@ -267,6 +271,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 namespace {
 
+// Item of a list addressed by its index in a --set path.
 Node& list_item(Node& list, const std::string& part, const Origin& origin) {
     std::size_t index = 0;
     const auto [end, error] =
@@ -278,8 +283,8 @@ Node& list_item(Node& list, const std::string& part, const Origin& origin) {
     return list.children[index];
 }
 
-// The child of that name, created if missing. What is not a container becomes a map: the
-// reader then judges whether a map may stand there.
+// Child with that name, created if missing. A node that is no container becomes a map;
+// the check against the table then decides whether a map is allowed there.
 Node& descend(Node& node, const std::string& part, const Origin& origin) {
     if (node.type == Node::Type::sequence && !node.children.empty())
         return list_item(node, part, origin);
@@ -296,6 +301,7 @@ Node& descend(Node& node, const std::string& part, const Origin& origin) {
     return node.children.back();
 }
 
+// Removes a key; items of lists cannot be removed.
 void remove(Node& root, const std::vector<std::string>& parts, const Origin& origin) {
     Node* node = &root;
     for (std::size_t i = 0; i + 1 < parts.size() && node; ++i)
@@ -306,6 +312,7 @@ void remove(Node& root, const std::vector<std::string>& parts, const Origin& ori
                   [&](const Node& child) { return child.key == parts.back(); });
 }
 
+// Applies one override "path.to.key=value".
 void apply(Node& root, const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string path = text.substr(0, equals);

@@ -37,7 +37,7 @@ Node parse_document(const std::string& text, const Origin& whole);
 std::size_t first_fault_in_utf8(std::string_view bytes);
 
 // Short description of a node for errors: "nothing", "\"full\"", "a list of 3 values", "a
-// map with keys a, b".
+// map with the key \"a\"" (its first one).
 std::string describe(const Node& node);
 
 // Applies overrides "path.to.key=value", where the value is YAML. A missing key is

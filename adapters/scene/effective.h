@@ -23,8 +23,9 @@ std::string law_key(const FieldLaw& law);
 // the spelling of units do not change it, nor does scene.hash.
 std::uint64_t scene_hash(const Scene& scene);
 
-// Hash that does not depend on time.end and the like. Scenes with equal state hashes go
-// through the same states, so that a run may continue from a checkpoint of another.
+// Hash without what changes no state of the run: time.end, report, timeouts, the overlap
+// check and the reaction to a divergence. Scenes with equal state hashes go through the
+// same states, so that a run may continue from a checkpoint of another.
 std::uint64_t state_hash(const Scene& scene);
 
 // Interval between points on the path of equilibria [s]: that of the probe rows, or the
@@ -48,10 +49,11 @@ constexpr double min_relaxation_time = 0.5001;
 std::optional<double> relaxation_time(const Scene& scene);
 std::optional<double> relaxation_time_at_bodies(const Scene& scene);
 
-// How a refined grid follows the bodies. Every `every` coupled steps it looks where they
-// are; in between no marker may move further than `moves_cells` of its finest cells. The
-// least margin, in cells of the finest level but one, leaves room for that motion, the
-// kernel, and a cell of the level below between the last force and the patch's side.
+// Rule by which a refined grid follows the bodies. Their places are checked every `every`
+// coupled steps; in between no marker may move further than `moves_cells` of its finest
+// cells. The least margin, in cells of the finest level but one, leaves room for that
+// motion, the kernel, and a cell of the level below between the last force and the
+// patch's side.
 struct Following {
     int every = 4, moves_cells = 2;
 };
@@ -67,6 +69,7 @@ std::string fault_of_half_step(const Scene& scene);
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
 
+// True if the scene has the effect; `name` must be one of the names above.
 bool has_effect(const Scene& scene, std::string_view name);
 
 // The effects in one line each for the structure step, the coupled step, the fluid step

@@ -15,7 +15,7 @@ namespace magfsi::scene {
 // A place in a scene file, or a whole source such as "--set fluid.spacing" (line 0).
 struct Origin {
     std::string source;
-    int line = 0;  // from 1; 0: no line
+    int line = 0;  // counted from 1; 0: no line
     int column = 0;
 };
 // "file:line:column", or the source alone without a line.

@@ -13,6 +13,7 @@ namespace magfsi::scene {
 
 namespace {
 
+// Description of a single value, with its limits.
 std::string one_value(const Field& field) {
     const std::string limits = describe(field.range, field.unit);
     const std::string tail = limits.empty() ? "" : ", " + limits;
@@ -36,6 +37,7 @@ std::string one_value(const Field& field) {
     }
 }
 
+// Description of a group, a named group or a list.
 std::string container(const Field& field) {
     std::vector<std::string> keys;
     for (const Field& child : field.children) keys.push_back(child.name);

@@ -39,8 +39,8 @@ enum class Layout {
     rows,         // list of count_min to count_max vectors of `length`
 };
 
-// Whether a key must be present. Of all `alternative` keys of a group exactly one must
-// be, of all `optional_alternative` keys at most one.
+// Presence of a key. Of all `alternative` keys of a group exactly one must be present, of
+// all `optional_alternative` keys at most one.
 enum class Presence { required, optional, alternative, optional_alternative };
 
 // Allowed interval of a number, in SI units, both ends included unless low_open.
@@ -138,10 +138,10 @@ struct PlaneRef {
 // True unless the key is a group, a named group or a list of groups.
 bool is_leaf(const Field& field);
 
-// Description of the allowed values, for errors: "3 values, each a length such as 0.2
-// mm".
+// Description of the allowed values, for errors: "a list of 3 values, each a length such
+// as 0.2 mm".
 std::string expectation(const Field& field);
-// Description of a range such as "above 0 m, at most 1 m"; "" without limits.
+// Description of a range such as "above 0 m and at most 1 m"; "" without limits.
 std::string describe(const Range& range, std::string_view unit);
 // The words separated by commas.
 std::string joined(const std::vector<std::string>& words);

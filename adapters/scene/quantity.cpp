@@ -32,7 +32,7 @@ namespace {
 
 // A number's text in parts.
 struct Number {
-    std::string mantissa;  // without a leading plus
+    std::string mantissa;  // digits without a leading plus
     int exponent = 0;
     std::string_view rest;  // the unit
 };
@@ -66,7 +66,7 @@ void refuse_other_writing(std::string_view text, std::string_view rest) {
 bool split(std::string_view text, Number& number) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     const std::size_t sign = text.starts_with('-') ? 1 : 0;
-    // from_chars also accepts words such as inf, which are excluded here.
+    // Words such as inf, which from_chars accepts, are excluded here.
     if (text.find_first_of("0123456789.", sign) != sign) return false;
     double value = 0;
     const char* begin = text.data();
@@ -98,6 +98,8 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
     return value;
 }
 
+// A unit with a factor (min, h, deg) is applied in long double, before the only rounding
+// to double.
 SiValue any_quantity(std::string_view text) {
     Number number;
     if (!split(text, number)) throw Complaint(in_quotes(text), "a number", remedy(text));
@@ -142,6 +144,7 @@ std::string likely_size(std::string_view text, const Dimension& dimension, doubl
     return {};
 }
 
+// Refuses implausible sizes of the dimensions in `beyond`; others have no limit.
 void check_size(const SiValue& found, std::string_view text) {
     static const std::vector<Dimension> dimensions = [] {
         std::vector<Dimension> list;
@@ -168,6 +171,8 @@ SiValue parse_any_quantity(std::string_view raw) {
     return found;
 }
 
+// A bare number where a unit is needed is refused with the SI unit as a suggestion, never
+// guessed.
 double parse_quantity(std::string_view raw, std::string_view si_unit) {
     const std::string plain = words::plain(raw);
     const std::string_view text = trim(plain);

@@ -171,8 +171,8 @@ struct Fluid : fluid::Options {
     double spacing_m = 0;
     // Largest speed that the step must resolve; 0 if time.step is given instead.
     double expected_speed_m_s = 0;
-    double lattice_speed = 0.05;           // that speed in lattice units (Mach number)
-    double courant = 0.2;                  // its counterpart for openfoam
+    double lattice_speed = 0.05;           // expected speed in cells a step (Mach limit)
+    double courant = 0.2;                  // expected speed in cells a step, for openfoam
     std::optional<Grading> grading;        // openfoam only
     std::optional<Refinement> refinement;  // lbm only
     std::optional<Vec3> initial_velocity_m_s;

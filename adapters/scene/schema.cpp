@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// JSON Schema and docs/scene.md from the table of keys.
+// Makes the JSON Schema and docs/scene.md from the table of keys.
 #include "adapters/scene/schema.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@ constexpr const char* identifier_pattern = "^[A-Za-z][A-Za-z0-9_]*$";
 
 Json schema_of(const Field& field);
 
-// The keys of a group; alternatives become oneOf.
+// Schema of a group of keys. Alternatives become oneOf; if none is an admissible choice,
+// "none of them" becomes one of the options.
 Json object_schema(const Field& field) {
     Json schema = {{"type", "object"}, {"additionalProperties", false}};
     Json required = Json::array(), alternatives = Json::array();
@@ -38,7 +39,7 @@ Json object_schema(const Field& field) {
     return schema;
 }
 
-// A map of this key alone.
+// Schema of a map that has this key only.
 Json only_key(const Field& field) {
     return {{"type", "object"},
             {"additionalProperties", false},
@@ -52,7 +53,7 @@ void add_range(Json& schema, const Range& range) {
     if (std::isfinite(range.high)) schema["maximum"] = range.high;
 }
 
-// A quantity is text: its range is the reader's business.
+// Schema of a single value. A quantity is text, whose range only the reader can check.
 Json value_schema(const Field& field) {
     switch (field.kind) {
         case Kind::quantity: {
@@ -67,7 +68,7 @@ Json value_schema(const Field& field) {
             add_range(schema, field.range);
             return schema;
         }
-        case Kind::formula:  // 0 may stand for itself
+        case Kind::formula:  // the number 0 is a formula, too
             return {{"anyOf", Json::array({{{"type", "string"}}, {{"type", "number"}}})}};
         case Kind::integer: {
             Json schema = {{"type", "integer"}};
@@ -130,7 +131,7 @@ Json kind_schema(const Field& field) {
     }
 }
 
-// The default as it stands in YAML: numbers, booleans and lists of words keep their type.
+// Default value for the schema: numbers, booleans and lists of words keep their type.
 Json default_value(const Field& field, const Node& node) {
     if (node.type == Node::Type::sequence) {
         Json list = Json::array();
@@ -188,6 +189,7 @@ these" marks those of which none may be there as well.
 
 void add_rows(std::string& page, const Field& field, const std::string& path);
 
+// Entry of the column "default" of the reference page.
 std::string presence(const Field& field) {
     if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
     if (field.presence == Presence::alternative) return "one of these";
@@ -220,7 +222,8 @@ void add_row(std::string& page, const Field& field, const std::string& path) {
     add_rows(page, field, inner_path(field, path));
 }
 
-// Keys that differ by name alone, such as the sides of a box, share a row.
+// True if two keys differ in nothing but their names, such as the sides of a box. They
+// share a row.
 bool alike(const Field& a, const Field& b) {
     if (a.children.empty() || a.doc != b.doc || a.fallback != b.fallback) return false;
     std::string rows_a, rows_b;
@@ -229,6 +232,7 @@ bool alike(const Field& a, const Field& b) {
     return rows_a == rows_b;
 }
 
+// Adds a row for each key of the group, and rows for its children below it.
 void add_rows(std::string& page, const Field& field, const std::string& path) {
     for (std::size_t i = 0; i < field.children.size(); ++i) {
         const Field& child = field.children[i];

@@ -17,6 +17,7 @@ namespace magfsi::scene {
 
 namespace {
 
+// Symbol of a unit. `prefixed` is true if it takes SI prefixes.
 struct Symbol {
     std::string_view text;
     Unit unit;
@@ -51,12 +52,14 @@ const std::vector<Symbol>& symbols() {
     return list;
 }
 
+// SI prefixes with their decimal exponents.
 constexpr std::pair<std::string_view, int> prefixes[] = {
     {"p", -12}, {"n", -9}, {"u", -6}, {"m", -3}, {"c", -2}, {"d", -1},
     {"h", 2},   {"k", 3},  {"M", 6},  {"G", 9},  {"T", 12},
 };
 
-// Words that people write for symbols, too far from them for an edit distance.
+// Words that people write in place of symbols, too different from them for an edit
+// distance.
 constexpr std::pair<std::string_view, std::string_view> spelled_out[] = {
     {"sec", "s"},       {"second", "s"},   {"seconds", "s"}, {"meter", "m"},
     {"metre", "m"},     {"micron", "um"},  {"tesla", "T"},   {"degree", "deg"},
@@ -64,6 +67,7 @@ constexpr std::pair<std::string_view, std::string_view> spelled_out[] = {
     {"gauss", "G"},     {"minute", "min"}, {"hour", "h"},
 };
 
+// Finds a whole symbol, else an SI prefix with a symbol that takes prefixes.
 std::optional<Unit> find_symbol(std::string_view text) {
     for (const Symbol& symbol : symbols()) {
         if (symbol.text == text) return symbol.unit;
@@ -80,6 +84,7 @@ std::optional<Unit> find_symbol(std::string_view text) {
     return std::nullopt;
 }
 
+// Suggestion of a symbol for a misspelt one, with all prefixes considered.
 std::string near_symbol(std::string_view text) {
     for (const auto& [word, symbol] : spelled_out) {
         if (word == text) return fmt::format("did you mean \"{}\"?", symbol);
@@ -105,7 +110,7 @@ std::string remedy(std::string_view text) {
 
 namespace {
 
-// "mm2", "s^-1", "m^2": a symbol and its power.
+// Reads a symbol with its power, such as "mm2", "s^-1" or "m^2".
 Unit parse_factor(std::string_view text) {
     const std::size_t end = text.find_first_of("^-0123456789");
     const std::string_view symbol = text.substr(0, end);
@@ -135,6 +140,7 @@ Unit parse_factor(std::string_view text) {
     return unit;
 }
 
+// Multiplies a unit by another (sign 1) or divides it (sign -1).
 void multiply(Unit& unit, const Unit& other, int sign) {
     for (std::size_t i = 0; i < unit.dimension.size(); ++i)
         unit.dimension[i] += sign * other.dimension[i];
@@ -187,14 +193,14 @@ Unit parse_unit(std::string_view text) {
 
 namespace {
 
+// Name of a dimension with its SI unit and an example.
 struct NamedDimension {
     std::string_view si;
     std::string_view name;
     std::string_view example;
 };
 
-// The dimensions that scenes use. One line here gives error messages and the reference
-// page their words.
+// Dimensions used in scenes. Errors and the reference page take their words from here.
 constexpr NamedDimension named[] = {
     {"", "a plain number", "0.5"},
     {"m", "a length", "0.2 mm"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Keys and values of a tree against the table.
+// Checks keys and values of a tree against the table of keys.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,6 +44,7 @@ void check_identifier(const std::string& name, const Origin& where) {
            "letters, digits and _, a letter first");
 }
 
+// Items of a list whose length is within the limits of the field.
 std::vector<const Node*> items(const Node& node, const Field& field) {
     if (node.type != Node::Type::sequence || node.children.size() < field.count_min ||
         node.children.size() > field.count_max)
@@ -53,6 +54,7 @@ std::vector<const Node*> items(const Node& node, const Field& field) {
     return list;
 }
 
+// Scalars of all rows, row by row.
 std::vector<const Node*> rows(const Node& node, const Field& field) {
     std::vector<const Node*> list;
     for (const Node* row : items(node, field)) {
@@ -129,7 +131,7 @@ structure::Formula formula_value(const Node& scalar, const Field& field) {
 
 namespace {
 
-// Words that a key took once, and what to write in their place.
+// Former words of a key, with the advice that replaces them.
 struct RemovedWord {
     std::string_view key, word, instead;
 };
@@ -159,10 +161,12 @@ std::size_t choice_value(const Node& scalar, const Field& field) {
 
 namespace {
 
+// Name of a group for errors.
 std::string place(const std::string& name) {
     return name.empty() ? "the scene" : fmt::format("\"{}\"", name);
 }
 
+// Checks that exactly one alternative is present, or at most one if they are optional.
 void check_alternatives(const Node& node, const Field& field, const std::string& where) {
     std::vector<std::string> all;
     const Node* first = nullptr;
@@ -197,7 +201,7 @@ void check_required(const Node& node, const Field& field, const std::string& whe
     }
 }
 
-// Keys that had another name once.
+// Former names of keys.
 struct Renamed {
     std::string_view group, old_name, new_name;
 };
@@ -209,7 +213,8 @@ constexpr Renamed renamed[] = {
     {"checkpoint", "retries", "max_retries"},
 };
 
-// What to do about a key that the group has not, or "".
+// Advice about an unknown key: its new name, the group that it belongs to, or the most
+// similar key; "" if none applies.
 std::string advice(const std::string& key, const Field& group) {
     for (const Renamed& entry : renamed) {
         if (entry.group == group.name && entry.old_name == key)
@@ -224,7 +229,8 @@ std::string advice(const std::string& key, const Field& group) {
     return fmt::format("it is a key of {}", joined(owners));
 }
 
-// where: the group as errors call it.
+// Checks a group. `where` is its name in errors. Unknown keys are reported before missing
+// ones.
 void check_group(const Node& node, const Field& field, const std::string& where) {
     if (node.type != Node::Type::map)
         refuse(node.origin, fmt::format("{} as {}", describe(node), where),
@@ -262,7 +268,7 @@ void check_list(const Node& node, const Field& field) {
         check_group(child, field, "an item of " + place(field.name));
 }
 
-// "no_slip", or "no_slip: {...}" where the choice may carry a map.
+// Checks a word that carries a map, such as "no_slip: {...}".
 void check_choice_with_map(const Node& node, const Field& field) {
     if (node.children.size() != 1 || !field.find(node.children.front().key)) {
         std::vector<std::string> maps;
@@ -274,6 +280,7 @@ void check_choice_with_map(const Node& node, const Field& field) {
     validate(node.children.front(), *field.find(node.children.front().key));
 }
 
+// Reads each value for its errors only. A list of words may have each word once.
 void check_leaf(const Node& node, const Field& field) {
     std::vector<std::size_t> chosen;
     for (const Node* scalar : scalars(node, field)) {

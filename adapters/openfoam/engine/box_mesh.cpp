@@ -117,12 +117,14 @@ void visit_side(const Index& cells, int side, const VisitFace& visit) {
     });
 }
 
-// What lies beyond a side of this rank's slab.
+// Neighbour beyond a side of this rank's slab.
 struct Meeting {
     int neighbor = -1;   // rank; -1: none, the side is one of the box
     bool wraps = false;  // the neighbour lies across a periodic side
 };
 
+// The box is cut along one axis, so that only the two sides across it can meet other
+// ranks.
 Meeting meeting(const BoxMesh& box, int side) {
     const int ranks = static_cast<int>(box.first_cell.size()) - 1;
     if (side / 2 != box.cut_axis || ranks == 1) return {};
@@ -165,6 +167,8 @@ struct BoxFaces {
     Foam::label of_side[6] = {};              // number of faces of each side
 };
 
+// The owner of an inner face is the cell below it, which has the smaller number; of a
+// boundary face its only cell.
 BoxFaces make_faces(const BoxMesh& box) {
     const Slab slab(box);
     BoxFaces out;
@@ -185,6 +189,7 @@ BoxFaces make_faces(const BoxMesh& box) {
     return out;
 }
 
+// OpenFOAM's type of a patch; periodic sides get their own class (cyclicPolyPatch).
 const char* type_name(SideType type) {
     switch (type) {
         case SideType::wall:
@@ -212,6 +217,8 @@ class Patches {
     }
 
   private:
+    // A side that meets another rank leaves an empty patch, since every rank must have
+    // the same patches of the box.
     void add_side(int side) {
         const bool here = meeting(box_, side).neighbor < 0;
         const Foam::label size = here ? faces_.of_side[side] : 0;
@@ -231,6 +238,8 @@ class Patches {
         next_face_ += size;
     }
 
+    // A neighbour across a periodic side needs a patch that refers to the cyclic patch it
+    // belongs to.
     void add_neighbor(int side) {
         const Meeting m = meeting(box_, side);
         if (m.neighbor < 0) return;
@@ -305,6 +314,8 @@ std::vector<FacePlace> face_places(const BoxMesh& box) {
     return places;
 }
 
+// Shared faces between ranks are stored on both of them, with the same sign along the
+// axis.
 void take_flux(const Foam::surfaceScalarField& phi, const std::vector<FacePlace>& places,
                FlowState& out) {
     std::array<std::size_t, 3> size{};

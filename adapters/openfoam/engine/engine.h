@@ -25,7 +25,7 @@ struct BoxMesh {
     int rank = 0;
 };
 
-// What the engine needs to start.
+// Start-up data of the engine.
 struct EngineSetup {
     std::string case_folder;  // absolute, with system/, constant/ and 0/
     BoxMesh mesh;

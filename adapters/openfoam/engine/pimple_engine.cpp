@@ -85,6 +85,7 @@ void CoupledForce::correct(Foam::volVectorField& velocity) {
 
 static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three doubles");
 
+// The field's memory as plain doubles, three a cell.
 double* numbers(Foam::vectorField& field) {
     return reinterpret_cast<double*>(field.data());
 }
@@ -94,11 +95,13 @@ std::vector<double> copy_of(const Foam::vectorField& field) {
     return {first, first + 3 * field.size()};
 }
 
+// Description of an initial field in the case's folder 0/, which must exist.
 Foam::IOobject field_file(const char* name, const Foam::fvMesh& mesh) {
     return {name, mesh.time().timeName(), mesh, Foam::IOobject::MUST_READ,
             Foam::IOobject::NO_WRITE};
 }
 
+// OpenFOAM's messages have several lines; ours have one.
 std::string one_line(std::string text) {
     while (!text.empty() && std::isspace(text.back()) != 0) text.pop_back();
     for (char& c : text)
@@ -276,6 +279,8 @@ void PimpleEngine::step() {
 
 }  // namespace magfsi::openfoam
 
+// Errors of OpenFOAM become exceptions in place of an exit, and its log is switched off.
+// Pstream starts only for more than one rank, and only once.
 magfsi::openfoam::Engine* magfsi_openfoam_engine(
     const magfsi::openfoam::EngineSetup& setup) {
     using namespace magfsi::openfoam;
