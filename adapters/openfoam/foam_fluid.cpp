@@ -180,6 +180,7 @@ void FoamFluid::start_from(Flow flow) {
     engine_->set_velocity(velocity.data());
 }
 
+// Centre [m] of a cell of this rank, in the box's frame.
 scene::Vec3 FoamFluid::centre(std::size_t cell) const {
     const auto i = index_of(width_m_, cell);
     scene::Vec3 at{};
@@ -267,6 +268,8 @@ void FoamFluid::check_divergence() {
                     at[0], at[1], at[2], fastest.speed_m_s, courant));
 }
 
+// Counts the cells of the whole mesh, which on graded meshes are fewer than those of the
+// uniform grid.
 output::FluidSummary FoamFluid::summary() const {
     const auto n = mesh_cells(mesh_);
     output::FluidSummary summary;
@@ -280,6 +283,7 @@ output::Named<std::string> FoamFluid::versions() const {
     return {{"OpenFOAM", engine_->version()}};
 }
 
+// Stores the state at the start of a step that the implicit scheme may repeat.
 void FoamFluid::keep() {
     engine_->keep(kept_);
     kept_steps_ = steps_;
@@ -290,6 +294,7 @@ void FoamFluid::go_back() {
     steps_ = kept_steps_;
 }
 
+// Collective; `file` is null except on the root.
 void FoamFluid::save(coupler::StateWriter* file) {
     FlowState state;
     engine_->keep(state);

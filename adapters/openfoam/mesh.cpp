@@ -97,6 +97,7 @@ SideType to_side(fluid::BoundaryKind kind) {
 
 }  // namespace
 
+// There is one plane more than cells along each axis.
 std::array<int, 3> mesh_cells(const BoxMesh& mesh) {
     std::array<int, 3> cells{};
     for (std::size_t d = 0; d < 3; ++d)
@@ -137,7 +138,7 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     return mesh;
 }
 
-// Since `cell` ascends, the uniform cells of a rank are the range between two lower
+// `cell` ascends, so that the uniform cells of a rank are the range between two lower
 // bounds.
 coupler::Grid to_grid(const scene::Fluid& fluid, const BoxMesh& mesh) {
     coupler::Grid grid;

@@ -57,12 +57,14 @@ double elements_of(const Body& body) {
     return elements;
 }
 
+// Place of the number of elements; of meshes without one, the mesh.
 Origin place_of_elements(const Body& body, const Marks& marks) {
     if (std::holds_alternative<Box>(body.mesh))
         return marks.value({"bodies", body.name, "mesh", "box", "elements"});
     return marks.value({"bodies", body.name, "mesh"});
 }
 
+// The limit holds for all bodies together.
 void check_element_count(const Scene& scene, const Marks& marks) {
     double all = 0;
     for (const Body& body : scene.bodies) {
@@ -73,6 +75,7 @@ void check_element_count(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Bodies of other meshes are checked when their mesh is known (magfsi explain).
 void check_marker_count(const Scene& scene, const Body& body, const Box& box,
                         const Marks& marks) {
     const double markers = most_markers(scene, box.size_m);
@@ -118,6 +121,7 @@ void check_face(const Body& body, const std::string& face, std::string_view list
             did_you_mean(face, faces));
 }
 
+// Each face may be named once.
 void check_clamps(const Body& body, const Marks& marks) {
     for (std::size_t i = 0; i < body.clamps.size(); ++i) {
         const std::string& clamp = body.clamps[i];
@@ -169,6 +173,8 @@ void check_regions(const Body& body, const std::vector<Item>& list, Path here,
     }
 }
 
+// The two axes of a harmonic magnetisation span a plane; boxes of domains must not be
+// empty.
 void check_magnetization(const Body& body, const Marks& marks) {
     if (!body.magnetization) return;
     if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization))
@@ -191,6 +197,8 @@ void check_magnetization(const Body& body, const Marks& marks) {
     }
 }
 
+// Named faces of a body of cubes: boxes that may be flat but not inverted, with names of
+// their own.
 void check_voxels(const Body& body, const VoxelMesh& voxels, const Marks& marks) {
     for (const FaceBox& face : voxels.faces) {
         const Path here{"bodies", body.name, "mesh", "voxels", "faces", face.name};
@@ -204,6 +212,8 @@ void check_voxels(const Body& body, const VoxelMesh& voxels, const Marks& marks)
     }
 }
 
+// A body in a fluid needs a position in the fluid's box; a relaxed shape needs a
+// magnetisation.
 void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
     require(!body.initial.relaxed || body.magnetization,
             marks.key({"bodies", body.name, "initial", "relaxed"}),
@@ -287,6 +297,8 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 
 }  // namespace
 
+// n is the extent in marker spacings; faces counts both sides of all three pairs of
+// faces.
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
     const auto& boundary = scene.coupling->immersed_boundary;
@@ -345,6 +357,8 @@ void check_bodies(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Peak speeds: 2 pi f A of an oscillation, pi / 2 of the mean speed of a ramp by (1 -
+// cos) / 2, sampled for formulas.
 double largest_speed_m_s(const PrescribedMotion& motion, double end_s) {
     constexpr double pi = std::numbers::pi;
     if (const auto* o = std::get_if<Oscillation>(&motion.course))

@@ -12,6 +12,8 @@ namespace magfsi::scene {
 
 namespace {
 
+// The controller replaces the law of the field, which must hold until its first call;
+// calls are made at probe rows.
 void check_control(const Scene& scene, const Marks& marks) {
     const Control& control = *scene.control;
     require_with(scene.magnetic_field && scene.magnetic_field->uniform,
@@ -55,6 +57,8 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
 // converges, yet the run gains energy.
 constexpr double max_implicit_strength = 2;
 
+// Refuses forcing: no_slip where it was asked for and cannot be. The default avoids this
+// (usual_forcing).
 void check_no_slip(const Scene& scene, const Marks& marks) {
     if (scene.coupling->immersed_boundary.forcing != coupler::Forcing::no_slip) return;
     const auto objection = objection_to_no_slip(scene);
@@ -142,6 +146,8 @@ double reach_m(const Body& body, const Box& box) {
     return (held ? 4 : 2) * half_diagonal_m(box);
 }
 
+// True if the body surely never touches the platform: a clamped one by its reach, a free
+// one if nothing drives it there.
 bool out_of_reach(const Scene& scene, const Body& body) {
     const auto* box = std::get_if<Box>(&body.mesh);
     if (!box) return false;  // only the mesh knows its extent
@@ -149,6 +155,7 @@ bool out_of_reach(const Scene& scene, const Body& body) {
     return height_m(*scene.platform, centre_m(body, *box)) > reach_m(body, *box);
 }
 
+// A body that starts wholly behind the platform shows a mistake in its normal or point.
 void check_not_behind(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<Box>(&body.mesh);
@@ -240,6 +247,7 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
     return {};
 }
 
+// Loads need bodies, equilibria exclude a fluid, and a coupling needs both sides.
 void check_loads(const Scene& scene, const Marks& marks) {
     const auto with_bodies = [&](bool present, const char* key) {
         require_with(!present || !scene.bodies.empty(), marks.key({key}), key, "bodies",

@@ -25,6 +25,8 @@ const Node* item_of(const Node& list, const std::string& number) {
 
 }  // namespace
 
+// The deepest node that exists along the path, so that the fault of a missing key is
+// reported at the group that should have it.
 const Node& Marks::deepest(Path path) const {
     const Node* node = root_;
     for (const std::string& part : path) {
@@ -40,6 +42,7 @@ const Origin& Marks::value(Path path) const {
     return deepest(path).origin;
 }
 
+// A deeper key missing leaves the walk at a node with another name.
 bool Marks::has(Path path) const {
     const Node& node = deepest(path);
     return &node != root_ && node.key == *(path.end() - 1);
@@ -57,6 +60,7 @@ const Origin& Marks::item(Path path, std::size_t i) const {
                : node.origin;
 }
 
+// Error for a key that means nothing without another one.
 void require_with(bool there, const Origin& where, std::string_view what,
                   std::string_view need, std::string_view suggestion) {
     require(there, where, fmt::format("{} without {}", what, need),
@@ -69,6 +73,7 @@ double length(const Vec3& v) {
 
 namespace {
 
+// Probes, files and checkpoints are written after whole coupled steps.
 void check_interval(const Scene& scene, double every_s, const Origin& where) {
     const double dt_s = coupled_step_s(scene).value_or(0);
     require(every_s >= dt_s * (1 - 1e-9), where,  // admits rounding
@@ -76,6 +81,7 @@ void check_interval(const Scene& scene, double every_s, const Origin& where) {
             fmt::format("at least the coupled step of {}", seconds(dt_s)));
 }
 
+// Finds a body or refuses with the most similar name.
 const Body& body_named(const Scene& scene, const std::string& name, const Origin& where) {
     const auto body = std::ranges::find(scene.bodies, name, &Body::name);
     if (body != scene.bodies.end()) return *body;
@@ -86,6 +92,8 @@ const Body& body_named(const Scene& scene, const std::string& name, const Origin
            did_you_mean(name, bodies));
 }
 
+// Only blocks are checked here; for other meshes the point is located when the mesh is
+// built.
 void check_point(const Scene& scene, const PointProbe& point, const Marks& marks) {
     const Body& body = body_named(scene, point.body,
                                   marks.value({"probes", "points", point.name, "body"}));
@@ -102,6 +110,7 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
     }
 }
 
+// The plane must cut the box, and the solver must have planes.
 void check_plane(const Scene& scene, const std::string& name, const FluidPlane& plane,
                  const Marks& marks) {
     if (!scene.fluid || scene.fluid->solver != FluidSolver::lbm)
@@ -116,6 +125,7 @@ void check_plane(const Scene& scene, const std::string& name, const FluidPlane& 
             fmt::format("{} from 0 m to {}", axis_names[axis], side));
 }
 
+// The body must exist and the box must not be empty.
 void check_part(const Scene& scene, const std::string& name, const BodyPart& part,
                 const Marks& marks) {
     body_named(scene, part.body,
@@ -127,6 +137,8 @@ void check_part(const Scene& scene, const std::string& name, const BodyPart& par
                 "[lower corner, upper corner]");
 }
 
+// Names of integrals become prefixes of columns, which those of bodies and obstacles are,
+// too.
 void check_integrals(const Scene& scene, const Marks& marks) {
     for (const IntegralProbe& integral : scene.probes->integrals) {
         const auto taken = [&](const auto& thing) { return thing.name == integral.name; };
@@ -143,6 +155,7 @@ void check_integrals(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Every probe needs the effect that it measures.
 void check_probes(const Scene& scene, const Marks& marks) {
     if (!scene.probes) return;
     const Probes& probes = *scene.probes;
@@ -184,6 +197,7 @@ void check_probes(const Scene& scene, const Marks& marks) {
     check_integrals(scene, marks);
 }
 
+// Paths of equilibria have no history, so that a checkpoint of them would be of no use.
 void check_checkpoint(const Scene& scene, const Marks& marks) {
     if (!scene.checkpoint) return;
     require(!scene.time.equilibrium, marks.key({"checkpoint"}),
@@ -194,6 +208,7 @@ void check_checkpoint(const Scene& scene, const Marks& marks) {
     if (scene.checkpoint->retry()) check_retry(scene, marks);
 }
 
+// Files of a side need that side; the field `obstacle` needs obstacles.
 void check_output(const Scene& scene, const Marks& marks) {
     if (scene.output.structure) {
         require_with(!scene.bodies.empty(), marks.key({"output", "structure"}),
@@ -216,6 +231,8 @@ void check_output(const Scene& scene, const Marks& marks) {
 
 }  // namespace
 
+// Files come first: a name or path that is not allowed must be refused before anything
+// uses it.
 void check_scene(const Scene& scene, const Marks& marks) {
     require(!scene.bodies.empty() || scene.fluid, marks.value({}),
             "neither bodies nor a fluid", "at least one of them",
@@ -270,6 +287,8 @@ void check(const MaterialMarks& at) {
 
 }  // namespace
 
+// The check reads the keys of the file, since the scene has only G, lambda and the
+// kinematic viscosity, whichever way they were given.
 void check_materials(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         check({marks, body.name, ""});

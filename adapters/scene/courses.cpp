@@ -52,6 +52,7 @@ std::vector<std::vector<double>> read_columns(auto& table, const char* what,
     }
 }
 
+// Only vector tables can be in a file. A table has either a file or rows.
 void read_law(FieldLaw& law, const std::filesystem::path& folder, const Origin& where) {
     auto* table = std::get_if<VectorTable>(&law);
     if (!table || table->file.empty()) return;
@@ -63,6 +64,7 @@ void read_law(FieldLaw& law, const std::filesystem::path& folder, const Origin& 
         table->vector_t.push_back({values[1][row], values[2][row], values[3][row]});
 }
 
+// Columns t and factor of an inlet's table.
 void read_rows(InletTable& table, const std::filesystem::path& folder,
                const Origin& where) {
     require(table.time_s.empty() && table.factor.empty(), where,
@@ -72,6 +74,7 @@ void read_rows(InletTable& table, const std::filesystem::path& folder,
     table.factor = std::move(values[1]);
 }
 
+// Times must ascend strictly; repetition needs at least two rows.
 void check(const InletTable& table, const Origin& where) {
     const std::size_t rows = table.time_s.size();
     require(rows > 0, where, "a table without time", "time and factor, or file");
@@ -119,6 +122,7 @@ double peak(const InletCourse& course, double end_s, const Origin& where) {
 
 }  // namespace
 
+// The first law and those in `plus` may be tables.
 void read_field_files(Scene& scene, const Marks& marks) {
     if (!scene.magnetic_field) return;
     MagneticField& field = *scene.magnetic_field;
@@ -131,6 +135,8 @@ void read_field_files(Scene& scene, const Marks& marks) {
                               "file"}));
 }
 
+// The peak factor bounds the velocity, which check_fluid compares with the lattice's
+// limit.
 void complete_inlets(Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
     for (std::size_t face = 0; face < 6; ++face) {

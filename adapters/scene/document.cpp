@@ -50,11 +50,13 @@ std::size_t first_fault_in_utf8(std::string_view bytes) {
 
 namespace {
 
+// Place of a mark; marks count from 0, places from 1.
 Origin at(const YAML::Mark& mark, const Origin& whole) {
     if (whole.line == 0 || mark.is_null()) return whole;
     return {whole.source, mark.line + 1, mark.column + 1};
 }
 
+// Refuses invalid UTF-8, which would end up in logs and names of files.
 void check_encoding(const std::string& text, const Origin& whole) {
     const std::size_t fault = first_fault_in_utf8(text);
     if (fault == std::string::npos) return;
@@ -155,6 +157,7 @@ class Builder : public YAML::EventHandler {
         levels_.push_back(std::move(level));
     }
 
+    // Keys must be scalars; lists and maps as keys are valid YAML.
     void want_key_before_nesting(const YAML::Mark& mark) const {
         const Level& parent = levels_.back();
         if (parent.node.type == Node::Type::map && !parent.has_key)
@@ -185,6 +188,8 @@ class Builder : public YAML::EventHandler {
         level.node.children.push_back(std::move(node));
     }
 
+    // Stores a key until its value comes. Duplicate keys are refused, and so are maps of
+    // extreme length, in which the search for duplicates would take quadratic time.
     void start_pair(Level& level, const Node& key, const YAML::Mark& mark) const {
         if (key.type != Node::Type::scalar)
             refuse(origin(mark), "a key that is not a word", "plain words as keys");
@@ -221,10 +226,12 @@ const Node* Node::find(std::string_view name) const {
     return nullptr;
 }
 
+// The same search for a node that is to be changed.
 Node* Node::find(std::string_view name) {
     return const_cast<Node*>(std::as_const(*this).find(name));
 }
 
+// The text is parsed twice: once by YAML::Load for errors of syntax, once for the events.
 Node parse_document(const std::string& text, const Origin& whole) {
     check_encoding(text, whole);
     Builder builder(whole);
@@ -245,6 +252,7 @@ Node parse_document(const std::string& text, const Origin& whole) {
     return root;
 }
 
+// Only the first key of a map is named.
 std::string describe(const Node& node) {
     if (node.type == Node::Type::null) return "nothing";
     if (node.type == Node::Type::scalar) return in_quotes(node.scalar);

@@ -16,11 +16,15 @@
 
 namespace magfsi::scene {
 
+// Defaults are included, so that scenes which differ only in spelled-out defaults are the
+// same.
 nlohmann::ordered_json effective_scene(const Scene& scene) {
     Scene copy = scene;  // keys() takes a reference that reading may change
     return JsonWriter::of(copy);
 }
 
+// The key under which JsonWriter writes the law, so that the names stand only in
+// keys_field.cpp.
 std::string law_key(const FieldLaw& law) {
     FieldTerm term{law};
     return JsonWriter::of(term).begin().key();
@@ -55,6 +59,7 @@ double halved(const Scene& scene, double step_s) {
     return std::ldexp(step_s, -scene.time.halvings);
 }
 
+// An expected speed of 0 means that none was given.
 std::optional<double> coupled_step_s(const Scene& scene) {
     if (scene.time.step_s) return halved(scene, *scene.time.step_s);
     if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;
@@ -65,6 +70,7 @@ std::optional<double> coupled_step_s(const Scene& scene) {
                   cells_per_step * fluid.finest_spacing_m() / fluid.expected_speed_m_s);
 }
 
+// The coarsest level advances by all coupled steps at once.
 std::optional<double> relaxation_time(const Scene& scene) {
     const auto dt_s = coupled_step_s(scene);
     if (!dt_s || !scene.fluid || scene.fluid->solver != FluidSolver::lbm) return {};
@@ -106,6 +112,7 @@ struct Effect {
     bool active;
 };
 
+// True if any material of the body is viscous.
 bool is_viscous(const Body& body) {
     return body.material.viscosity_pa_s > 0 ||
            std::ranges::any_of(body.material_regions, [](const RegionMaterial& region) {
@@ -351,6 +358,7 @@ std::vector<std::string> idle_effects(const Scene& scene) {
     return lines;
 }
 
+// clock.every() gives the number of coupled steps that an interval becomes.
 std::vector<std::string> rounded_intervals(const Scene& scene) {
     constexpr double unnoticed = 0.05;  // relative change that needs no warning
     Lines lines;

@@ -48,6 +48,7 @@ std::string in_quotes(std::string_view text) {
     return fmt::format("\"{}...\"", text.substr(0, cut));
 }
 
+// Line breaks stay, for messages may have several lines.
 std::string printable(std::string_view text) {
     std::string out(text);
     for (std::size_t at = 0; (at = first_fault_in_utf8(out)) != std::string::npos;)
@@ -93,6 +94,8 @@ int doubled_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+// Ties go to the first candidate. A candidate that would have to be replaced as a whole
+// is never taken.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
     std::string best;
     // A candidate may differ by one edit in short words, by about one in three letters in

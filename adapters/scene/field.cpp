@@ -55,6 +55,7 @@ const Field* Field::find(std::string_view key) const {
     return nullptr;
 }
 
+// Kind, layout and range are completed by Describer (keys.h) from the type of the member.
 Field key(std::string_view name, std::string_view doc) {
     Field field;
     field.name = name;
@@ -62,6 +63,7 @@ Field key(std::string_view name, std::string_view doc) {
     return field;
 }
 
+// The unit also decides the dimension that errors and the reference page name.
 Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc) {
     Field field = key(name, doc);
     field.unit = si_unit;
@@ -77,6 +79,7 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// Limits are printed with the unit's prefixes, as users write them.
 std::string describe(const Range& range, std::string_view unit) {
     std::string text;
     if (std::isfinite(range.low))
@@ -88,6 +91,8 @@ std::string describe(const Range& range, std::string_view unit) {
     return text;
 }
 
+// For a leaf the value with its limits, repeated for lists; for groups the names of their
+// keys.
 std::string expectation(const Field& field) {
     if (!is_leaf(field)) return container(field);
     const std::string value = one_value(field);

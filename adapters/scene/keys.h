@@ -35,6 +35,7 @@ class JsonWriter {
         return std::move(writer.json_);
     }
 
+    // Optional numbers without a default use 0 for "not given" and are then left out.
     template <class T>
     void operator()(const Field& key, T&& value) {
         if constexpr (std::is_arithmetic_v<std::decay_t<T>>) {
@@ -44,6 +45,7 @@ class JsonWriter {
         add(key.name, of(value));
     }
 
+    // Writes a map of keys if `there`.
     template <class Body>
     void group(const Field& key, bool there, const Body& body) {
         if (!there) return;
@@ -52,6 +54,7 @@ class JsonWriter {
         add(key.name, std::move(inner.json_));
     }
 
+    // Writes the alternative that the variant holds under the key of the same index.
     template <class... T, class... Keys>
     void alternatives(std::variant<T...>& value, const Keys&... keys) {
         const Field* list[] = {&keys...};
@@ -62,6 +65,7 @@ class JsonWriter {
         if (value) alternatives(*value, keys...);
     }
 
+    // Writes "word: {...}" over the plain word that whole() has written.
     template <Named E, class Body>
     void word_with_map(E& value, E word, std::string_view, bool there, const Body& body) {
         if (value != word || !there) return;

@@ -19,6 +19,8 @@ namespace {
 // Size limit of a scene file: larger than any scene, and still read quickly.
 constexpr std::uintmax_t largest_scene_bytes = 4'000'000;
 
+// An empty file is left to the parser; a folder or a device is refused first, since
+// reading it could block.
 std::string file_text(const std::filesystem::path& file) {
     std::error_code none;
     require_regular_file(file, {file.string()});
@@ -95,6 +97,7 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     if (!forcing) forcing = usual_forcing(scene);
 }
 
+// The tree of the file with all overrides.
 Node read_tree(const std::filesystem::path& file,
                const std::vector<std::string>& overrides) {
     const Origin start{file.string(), 1, 1};
@@ -118,6 +121,8 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
 
 }  // namespace
 
+// Keys of the text replace the scene's; `plus` is emptied first, and the sources are
+// replaced as a whole. A gradient is refused, since the solvers hold it constant.
 MagneticField read_field(const std::string& text, const std::string& source,
                          const Scene& scene) {
     constexpr const char* key = "magnetic_field";
@@ -146,6 +151,9 @@ std::filesystem::path scene_file(const std::filesystem::path& path) {
     return file;
 }
 
+// Order: keys one by one, materials as given, files, then checks of the whole scene.
+// Places in the file are kept for faults that show later. The hash comes last, of the
+// complete scene.
 Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides) {
     const std::filesystem::path file = scene_file(path);

@@ -25,8 +25,8 @@ Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides = {});
 
 // Reads the magnetic field that a controller returns as YAML text {"magnetic_field":
-// ...}. Keys that the text leaves out keep the scene's values. `source` names the text in
-// errors. Throws SceneError.
+// ...}. Keys that the text leaves out keep the scene's values, except `plus`, which is
+// then empty. `source` names the text in errors. Throws SceneError.
 MagneticField read_field(const std::string& text, const std::string& source,
                          const Scene& scene);
 

@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* number_pattern = R"(^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)";
-constexpr const char* identifier_pattern = "^[A-Za-z][A-Za-z0-9_]*$";
+constexpr const char* identifier_pattern =  //
+    "^[A-Za-z][A-Za-z0-9_]*$";              // as is_identifier checks
 
 Json schema_of(const Field& field);
 
@@ -47,6 +48,7 @@ Json only_key(const Field& field) {
             {"properties", {{field.name, schema_of(field)}}}};
 }
 
+// Limits of plain numbers; infinite ones are left out.
 void add_range(Json& schema, const Range& range) {
     if (std::isfinite(range.low))
         schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
@@ -91,12 +93,14 @@ Json value_schema(const Field& field) {
     }
 }
 
+// Schema of a list of `least` to `most` items.
 Json array_of(const Json& items, std::size_t least, std::size_t most) {
     Json schema = {{"type", "array"}, {"items", items}, {"minItems", least}};
     if (most < std::numeric_limits<std::size_t>::max()) schema["maxItems"] = most;
     return schema;
 }
 
+// Schema of a leaf, from its value and layout.
 Json leaf_schema(const Field& field) {
     Json value = value_schema(field);
     const std::size_t least = field.count_min, most = field.count_max;
@@ -114,6 +118,7 @@ Json leaf_schema(const Field& field) {
     return value;
 }
 
+// Schema of a key by its kind; lists and named groups repeat the schema of a group.
 Json kind_schema(const Field& field) {
     switch (field.kind) {
         case Kind::group:
@@ -146,6 +151,8 @@ Json default_value(const Field& field, const Node& node) {
     return node.scalar;
 }
 
+// The default is parsed from its YAML text, so that it has the type that the file would
+// give it.
 Json schema_of(const Field& field) {
     Json schema = {{"description", field.doc}};
     schema.update(kind_schema(field));
@@ -210,12 +217,14 @@ std::string value(const Field& field) {
     }
 }
 
+// Path of a key's children: a name or an index stands between.
 std::string inner_path(const Field& field, const std::string& path) {
     if (field.kind == Kind::named) return path + ".NAME";
     if (field.kind == Kind::list) return path + "[]";
     return path;
 }
 
+// A row of the page: key, value, default, meaning; then the rows of its children.
 void add_row(std::string& page, const Field& field, const std::string& path) {
     page += fmt::format("| `{}` | {} | {} | {} |\n", path, value(field), presence(field),
                         field.doc);
@@ -249,6 +258,7 @@ constexpr std::string_view table_head =
 
 }  // namespace
 
+// One section for each top-level key.
 std::string scene_reference_markdown() {
     std::string page(introduction);
     for (const Field& section : scene_fields().children) {

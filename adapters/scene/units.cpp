@@ -26,6 +26,8 @@ struct Symbol {
 
 constexpr long double degree = std::numbers::pi_v<long double> / 180;
 
+// All symbols, with exponents of kg, m, s, A, rad, a decimal exponent and a factor. The
+// gram has the exponent -3, since the unit of mass in SI is the kilogram.
 const std::vector<Symbol>& symbols() {
     static const std::vector<Symbol> list = {
         {"m", {{0, 1, 0, 0, 0}, 0, 1}},
@@ -102,6 +104,8 @@ std::string near_symbol(std::string_view text) {
 
 }  // namespace
 
+// A character that only looks like a letter or a digit is named; otherwise a similar
+// symbol is suggested.
 std::string remedy(std::string_view text) {
     const std::string strange = words::strange_character(text);
     return strange.empty() ? near_symbol(text)
@@ -154,6 +158,8 @@ bool is_unit_symbol(std::string_view text) {
     return find_symbol(words::plain(text)).has_value();
 }
 
+// A leading "1" stands for a plain number, as in "1/s". After the first "/" only further
+// divisions are allowed, for the reading of "N/m s" would be ambiguous.
 Unit parse_unit(std::string_view text) {
     std::string plain = words::plain(text);
     words::replace_all(plain, "**", "^");
@@ -228,6 +234,7 @@ constexpr NamedDimension named[] = {
     {"A/m", "a magnetization", "62 kA/m (or a remanence such as 78 mT)"},
 };
 
+// Entry of a dimension by its exponents; units such as Hz and 1/s share one.
 const NamedDimension* find(const Dimension& dimension) {
     static const std::vector<Dimension> dimensions = [] {
         std::vector<Dimension> list;
@@ -253,6 +260,7 @@ std::string dimension_name(const Dimension& dimension) {
     return "a quantity in" + product;
 }
 
+// "%" is a plain number to parse_unit and gets words of its own.
 std::string dimension_expectation(std::string_view si_unit) {
     if (si_unit == "%") return "a share such as 3 %";
     const Dimension dimension = parse_unit(si_unit).dimension;

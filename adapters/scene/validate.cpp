@@ -16,17 +16,21 @@ namespace magfsi::scene {
 
 namespace {
 
+// Refuses a value with the description of what its key allows.
 [[noreturn]] void refuse_value(const Node& node, const Field& field) {
     refuse(node.origin, fmt::format("{} as {}", describe(node), field.name),
            expectation(field));
 }
 
+// The range is in SI units, and so is the value.
 void check_range(double value, const Node& node, const Field& field) {
     if (field.range.holds(value)) return;
     refuse(node.origin, fmt::format("{} as {}", describe(node), field.name),
            "values " + describe(field.range, field.unit));
 }
 
+// Names become parts of column names, file names and LAMMPS identifiers, so only ASCII
+// letters, digits and "_" are allowed.
 bool is_identifier(std::string_view name) {
     const auto letter = [](char c) {
         return std::isalpha(static_cast<unsigned char>(c));
@@ -68,6 +72,7 @@ std::vector<const Node*> rows(const Node& node, const Field& field) {
 
 }  // namespace
 
+// one_or_list accepts a scalar in place of a list.
 std::vector<const Node*> scalars(const Node& node, const Field& field) {
     std::vector<const Node*> list;
     if (field.layout == Layout::rows) {
@@ -95,6 +100,8 @@ double number_value(const Node& scalar, const Field& field) {
     return value;
 }
 
+// Digits of other scripts and signs that look like a minus are converted first; the whole
+// text must be the number.
 int integer_value(const Node& scalar, const Field& field) {
     const std::string text = words::plain(scalar.scalar);
     int value = 0;
@@ -106,12 +113,14 @@ int integer_value(const Node& scalar, const Field& field) {
     return value;
 }
 
+// Only `true` and `false`: YAML 1.1's yes, no, on and off are refused.
 bool boolean_value(const Node& scalar, const Field& field) {
     if (scalar.scalar == "true") return true;
     if (scalar.scalar == "false") return false;
     refuse_value(scalar, field);
 }
 
+// Control characters are refused, since texts are written to logs and terminals.
 std::string text_value(const Node& scalar, const Field& field) {
     if (field.kind == Kind::identifier) check_identifier(scalar.scalar, scalar.origin);
     const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
@@ -151,6 +160,7 @@ std::string advice_on_word(const std::string& word, const Field& field) {
 
 }  // namespace
 
+// Index of the word in the list of choices.
 std::size_t choice_value(const Node& scalar, const Field& field) {
     const auto found = std::ranges::find(field.choices, scalar.scalar);
     if (found == field.choices.end())
@@ -193,6 +203,7 @@ void check_alternatives(const Node& node, const Field& field, const std::string&
                "exactly one of " + joined(all));
 }
 
+// Reports the first missing key with its description.
 void check_required(const Node& node, const Field& field, const std::string& where) {
     for (const Field& child : field.children) {
         if (child.presence != Presence::required || node.find(child.name)) continue;
@@ -250,6 +261,7 @@ void check_group(const Node& node, const Field& field, const std::string& where)
     check_alternatives(node, field, where);
 }
 
+// Each entry has a name of its own and is checked as a group.
 void check_named(const Node& node, const Field& field) {
     if (node.type != Node::Type::map || node.children.empty())
         refuse(node.origin, fmt::format("{} as {}", describe(node), place(field.name)),
@@ -260,6 +272,7 @@ void check_named(const Node& node, const Field& field) {
     }
 }
 
+// An empty list is refused: the key could be left out.
 void check_list(const Node& node, const Field& field) {
     if (node.type != Node::Type::sequence || node.children.empty())
         refuse(node.origin, fmt::format("{} as {}", describe(node), place(field.name)),
@@ -314,6 +327,7 @@ void check_leaf(const Node& node, const Field& field) {
 
 }  // namespace
 
+// Leaves are read for their errors; TreeReader reads them again for their values.
 void validate(const Node& node, const Field& field) {
     switch (field.kind) {
         case Kind::group:
