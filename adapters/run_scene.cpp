@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The bridge from the scene, which the coupler does not know, to the coupler's own
+// options (RunPlan).
 #include "adapters/run_scene.h"
 
 #include <fmt/format.h>
@@ -57,6 +59,7 @@ int worthwhile_parts(const scene::Fluid& fluid) {
     return static_cast<int>(std::clamp(cells / min_cells, 1.0, 1e6));
 }
 
+// "a processor" where /proc/cpuinfo names none, as on some ARM machines.
 std::string processor() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {
@@ -108,6 +111,7 @@ void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
         scene::name_of(solver)));
 }
 
+// The scene goes into the run folder twice: as given, and as read with defaults in SI.
 int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
               const RunScene& run) {
     return coupler::run_participant(

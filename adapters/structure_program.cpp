@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A structure participant with one solver and one set of markers; magfsi-structure
+// (adapters/lammps) is the same for bodies of a scene.
 #include "adapters/structure_program.h"
 
 #include <numeric>
@@ -126,6 +128,8 @@ coupler::Marker node_marker(int node, double volume_m3) {
     return marker;
 }
 
+// The coupled step is that of the scene: a structure of the user's own has no substeps
+// that could set it.
 int run_structure(const std::string& description, int argc, char** argv,
                   const MakeStructure& make) {
     return run_scene(

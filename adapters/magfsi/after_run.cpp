@@ -21,6 +21,7 @@ namespace magfsi::launch {
 
 namespace fs = std::filesystem;
 
+// Parts are texts of JSON arrays; merging them as texts needs no memory for their trees.
 void merge_traces(const fs::path& out) {
     std::vector<fs::path> parts;
     for (const auto& entry : fs::directory_iterator(out)) {
@@ -56,6 +57,7 @@ void no_page(const std::string& folder) {
 
 }  // namespace
 
+// PYTHONPATH is set by ./magfsi, without which the package is not found.
 void start_page(const scene::Scene& scene, const fs::path& out) {
     const char* const asked = std::getenv("MAGFSI_PAGE");
     if (scene.report == scene::PageAtEnd::off || !asked ||

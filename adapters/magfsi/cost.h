@@ -22,12 +22,14 @@ struct FluidWork {
     double cells = 0, wall_cells = 0;
     bool recursive_collision = false;
     bool single_precision = false;  // populations are stored in single precision
+    // Rows of probes.csv for which the fluid computes something.
     double probe_rows = 0;
     double sum_rows = 0;  // probe rows that need a sum over all cells
     bool vorticity_files = false;
     double enstrophy_rows = 0;  // passes that compute vorticities, for probes or files
     double files = 0;           // number of field files written
     double bytes_per_cell = 0;  // size of one field file over the number of cells
+    // Number of MPI ranks of the fluid.
     int ranks = 1;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One function look_at_... for each check: it returns what it found, or throws a Fault
+// with the cure.
 #include "adapters/magfsi/doctor.h"
 
 #include <fcntl.h>
@@ -59,6 +61,7 @@ struct Folder {
     fs::path path;
 };
 
+// Decimal megabytes, rounded down.
 std::string megabytes(std::uintmax_t bytes) {
     return fmt::format("{} MB", bytes / 1'000'000);
 }
@@ -126,6 +129,7 @@ class WithoutOutput {
     int kept_;
 };
 
+// Throws if every mpirun on PATH belongs to another MPI.
 std::string look_at_mpirun() {
     const Mpirun& mpirun = find_mpirun();
     const std::string version =

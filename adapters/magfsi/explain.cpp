@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Text of `magfsi explain` in order: effects, warnings, bodies, control, fluid, coupling,
+// files.
 #include "adapters/magfsi/explain.h"
 
 #include <fmt/format.h>
@@ -63,6 +65,7 @@ std::string explain_control(const scene::Scene& scene) {
 constexpr double min_serial_ratio = 0.01;
 
 // Smallest and largest density of the bodies over the fluid's.
+// Bodies with regions count by their regions' densities.
 std::pair<double, double> density_ratios(const scene::Scene& scene) {
     std::vector<double> ratios;
     for (const scene::Body& body : scene.bodies) {
@@ -148,6 +151,7 @@ std::string explain_coupling(const scene::Scene& scene) {
 
 }  // namespace
 
+// Parts are left out for effects that the scene lacks.
 std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     const int fluid_ranks = ranks.contains("fluid") ? ranks.at("fluid") : 1;
     std::string text = fmt::format("scene '{}'; effects in step order:\n", scene.name);

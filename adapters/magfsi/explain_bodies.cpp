@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Text on each body, from the mesh that the run would build. Estimates beyond a threshold
+// come with a warning and advice.
 #include "adapters/magfsi/explain_bodies.h"
 
 #include <fmt/format.h>

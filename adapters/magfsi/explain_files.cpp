@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One function for each kind of file. All of them print the range of what was read, in
+// which a wrong unit (mm for m, mT for T) shows.
 #include "adapters/magfsi/explain_files.h"
 
 #include <fmt/format.h>
@@ -26,6 +28,7 @@ std::string line(const std::string& file, const std::string& what) {
     return fmt::format("  {}: {}\n", file, what);
 }
 
+// "x 0 mm to 5 mm, y ...".
 std::string in_words(const Bounds& bounds) {
     std::string text;
     for (std::size_t d = 0; d < 3; ++d)
@@ -35,7 +38,7 @@ std::string in_words(const Bounds& bounds) {
     return text;
 }
 
-// Smallest and largest length of the vectors, with unit.
+// Smallest and largest length of the vectors, with unit: "0 T to 12 mT".
 std::string range(std::span<const Vec3> vectors, const char* unit) {
     double least = INFINITY, most = 0;
     for (const Vec3& v : vectors) {

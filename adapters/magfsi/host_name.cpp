@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The look-up uses getaddrinfo, as MPI does at its start.
 #include "adapters/magfsi/host_name.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Start and supervision of mpirun: signals are passed on to it, its error output is
+// filtered, and a hung mpirun is killed.
 #include "adapters/magfsi/job.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/fault.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Both directions of `magfsi lattice`: scene to LAMMPS files, lattice file to Gmsh mesh
+// and table.
 #include "adapters/magfsi/lattice.h"
 
 #include <fmt/format.h>
@@ -49,6 +51,7 @@ int write(const LatticeOptions& options) {
 constexpr std::array gmsh_order{0, 1, 3, 2, 4, 5, 7, 6};
 
 // Text of a Gmsh 2.2 file; each material becomes a physical volume "material_N".
+// Physical tags count from 1, materials of the lattice file from 0.
 std::string gmsh_text(const structure::LatticeFile& lattice) {
     const auto material = [&](std::size_t e) {
         return lattice.element_material.empty() ? 0 : lattice.element_material[e];

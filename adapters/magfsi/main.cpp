@@ -43,11 +43,13 @@ void add_scene_options(CLI::App& command, Options& options) {
                                    fmt::join(scene::names<scene::FluidSolver>, " or ")));
 }
 
+// Option of the commands whose result depends on the ranks.
 void add_ranks(CLI::App& command, Options& options) {
     command.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
 }
 
 // Quotes the text where necessary so that a shell takes it as one word.
+// The command is kept for run.json, from where it can be pasted into a shell.
 std::string word(const std::string& text) {
     constexpr auto plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=,:+-@%";

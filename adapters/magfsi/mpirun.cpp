@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Choice of mpirun and of its options, by what the environment tells of the machine.
 #include "adapters/magfsi/mpirun.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ namespace magfsi::launch {
 
 namespace {
 
+// PATH for environments that have none.
 constexpr const char* default_path = "/usr/local/bin:/usr/bin:/bin";
 
 // First line of the output of "NAME --version"; nullopt if the shell does not find the
@@ -43,12 +45,15 @@ bool is_of_another_mpi(const std::string& version) {
     return false;
 }
 
+// Major version from text such as "mpirun (Open MPI) 4.1.4"; 0 if it is not there.
 int version_number(const std::string& version) {
     std::smatch found;
     static const std::regex pattern(R"(\(Open MPI\) (\d+))");
     return std::regex_search(version, found, pattern) ? std::stoi(found[1]) : 0;
 }
 
+// An mpirun that is missing or tells no version is returned as well: the start of the job
+// then shows the fault.
 Mpirun look_for_mpirun() {
     setenv("PATH", default_path, 0);
     std::string passed_over;
@@ -68,6 +73,7 @@ Mpirun look_for_mpirun() {
         passed_over));
 }
 
+// Number of processes of the whole job.
 int all_ranks(const std::vector<Program>& programs) {
     return std::accumulate(programs.begin(), programs.end(), 0,
                            [](int sum, const Program& p) { return sum + p.ranks; });
@@ -75,6 +81,7 @@ int all_ranks(const std::vector<Program>& programs) {
 
 }  // namespace
 
+// Variables of Slurm, PBS, LSF, Grid Engine, and Open MPI's host files.
 bool has_more_machines() {
     return std::ranges::any_of(
         std::to_array({"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID",

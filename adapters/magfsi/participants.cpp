@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The table of fluid solvers, and the number of ranks that each participant gets.
 #include "adapters/magfsi/participants.h"
 
 #include "adapters/magfsi/mpirun.h"
@@ -31,6 +32,7 @@ const std::array fluid_programs = std::to_array<FluidProgram>({
 static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
               scene::names<scene::FluidSolver>.size());
 
+// The structure gets one rank unless --ranks gives it more.
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
     // In the serial scheme both sides take turns, and the fluid may use every core; in

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Predicted time and memory: each kind of work times its measured cost (struct
+// Calibration). The model is linear except for the size of the lattice and of the mesh,
+// in which it interpolates by power laws.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -244,10 +247,12 @@ std::string time_line(const Prediction& p, bool path) {
 
 }  // namespace
 
+// Part of the calibration's key: another processor or number of cores needs another one.
 std::string machine() {
     return fmt::format("{}, {} cores", processor(), available_cores());
 }
 
+// A file of another format counts as no calibration.
 std::optional<Calibration> read_calibration() {
     std::ifstream in(calibration_file());
     const auto json = nlohmann::json::parse(in, nullptr, false);
@@ -261,6 +266,7 @@ std::optional<Calibration> read_calibration() {
     }
 }
 
+// OpenFOAM is not calibrated.
 std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks) {
     if (scene.fluid && !fluid_program(scene).predicted) return std::nullopt;
     const auto calibration = read_calibration();
@@ -268,6 +274,7 @@ std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ran
     return predict(work_of(scene, ranks), *calibration);
 }
 
+// Memory is given for the participants that there are.
 nlohmann::ordered_json to_json(const Prediction& p) {
     nlohmann::ordered_json out;
     out["wall_s"] = p.wall_s ? nlohmann::ordered_json(*p.wall_s) : nullptr;
@@ -277,6 +284,7 @@ nlohmann::ordered_json to_json(const Prediction& p) {
     return out;
 }
 
+// Numbers of ranks that are clearly faster are named with the option that takes them.
 std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
     std::string text = fmt::format("\ncost on ranks {}\n", to_text(ranks));
     if (scene.fluid && !fluid_program(scene).predicted)

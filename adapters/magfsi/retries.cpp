@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The place of a restart is found among the checkpoints of the run folder;
+// coupler/checkpoint/restart.h reads them.
 #include "adapters/magfsi/retries.h"
 
 #include <fmt/format.h>

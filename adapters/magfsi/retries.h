@@ -46,13 +46,18 @@ class Retries {
         std::string restart;  // "" for the start
         double time_s = 0;
     };
+    // Newest checkpoint that all participants have written completely.
     Place newest() const;
+    // Deletes the newest checkpoint of every participant.
     void drop_newest() const;
+    // Coupled step with the present number of halvings [s].
     double step_s() const;
 
     scene::Scene scene_;
     std::filesystem::path out_;
+    // Checkpoint of the command line, and that of the coming job.
     std::string given_, restart_;
+    // Time from which the last job started [s].
     double from_s_ = 0;
     std::string note_;
     std::vector<std::string> notes_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A run in order: read and check the scene, lock the run folder, start the job, retry
+// after a divergence if the scene says so, name the end, and complete summary.json.
 #include "adapters/magfsi/run.h"
 #include "adapters/magfsi/host_name.h"
 
@@ -92,6 +94,7 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     return programs;
 }
 
+// Not an object if there is no summary or it cannot be parsed.
 Json read_summary(const fs::path& out) {
     std::ifstream in(out / "summary.json");
     return Json::parse(in, nullptr, false);  // no object where there is none

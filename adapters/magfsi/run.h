@@ -14,12 +14,14 @@ namespace magfsi::launch {
 
 // Options of the command line. Values that the launcher adds for its jobs are marked.
 struct RunOptions {
+    // Scene file, or folder with a scene.yaml.
     std::filesystem::path scene;
+    // Run folder; "" for runs/NAME.
     std::filesystem::path out;
-    std::vector<std::string> overrides;
-    Ranks ranks;                     // only those given
-    std::vector<std::string> notes;  // lines for the head of the log
-    std::string restart;             // latest, a file of a checkpoint, or empty
+    std::vector<std::string> overrides;  // --set, as typed
+    Ranks ranks;                         // only those given
+    std::vector<std::string> notes;      // lines for the head of the log
+    std::string restart;                 // latest, a file of a checkpoint, or empty
     // Number of times that retries have halved every step (set by the launcher).
     int halvings = 0;
     bool overwrite = false;  // drop earlier results

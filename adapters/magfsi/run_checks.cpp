@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Each check throws with the option's name first, what was found, and what is allowed, in
+// the form of a scene's faults.
 #include "adapters/magfsi/run_checks.h"
 
 #include <fmt/format.h>

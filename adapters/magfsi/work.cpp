@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The work of a run, counted from the scene without running it. prediction.cpp multiplies
+// it by the calibration.
 #include "adapters/magfsi/cost.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Texts of the dictionaries and fields of a case. Numbers are printed with 17 digits, so
+// that OpenFOAM reads the same doubles.
 #include "adapters/openfoam/case.h"
 
 #include <fmt/format.h>
@@ -20,6 +22,7 @@ namespace {
 constexpr std::array<const char*, 6> sides = {"(0 4 7 3)", "(1 2 6 5)", "(0 1 5 4)",
                                               "(3 7 6 2)", "(0 3 2 1)", "(4 5 6 7)"};
 
+// A vector in OpenFOAM's syntax.
 std::string vector(const scene::Vec3& v) {
     return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
 }
@@ -248,6 +251,7 @@ void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                     }));
 }
 
+// The file 0/U is written again, with the inlets' expressions in place of zero velocity.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                    const BoxMesh& mesh) {
     write_foam_file(folder, "system", "blockMeshDict", "dictionary",

@@ -35,6 +35,7 @@ fs::path project_folder() {
 
 }  // namespace
 
+// Looks for the engine's library and for OpenFOAM's controlDict.
 std::string missing() {
     if (!fs::exists(library()))
         return fmt::format("this build has no OpenFOAM; {}", advice);

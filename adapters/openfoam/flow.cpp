@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Sums over cells weigh each cell with its volume. Checkpoint tables are indexed by the
+// cells and faces of the whole box.
 #include "adapters/openfoam/flow.h"
 
 #include <fmt/format.h>
@@ -32,6 +34,7 @@ std::array<std::size_t, 3> index_of(const Widths& width_m, std::size_t cell) {
     return {cell % width_m[0].size(), row % width_m[1].size(), row / width_m[1].size()};
 }
 
+// Cells are bricks between the planes of the three axes.
 double volume(const Widths& width_m, std::size_t cell) {
     const auto i = index_of(width_m, cell);
     return width_m[0][i[0]] * width_m[1][i[1]] * width_m[2][i[2]];

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Between coupling and engine: cells of the uniform grid to cells of the mesh, forces per
+// volume to accelerations, inlets over time.
 #include "adapters/openfoam/foam_fluid.h"
 
 #include <fcntl.h>

@@ -53,17 +53,22 @@ class FoamFluid final : public fluids::FluidSolver {
     void start_from(Flow flow);
 
   private:
+    // Writes the inlets' velocities at this time into the engine.
     void set_inlets(double time_s);
+    // Asks the engine for its momentum source, once.
     void begin_force();
+    // Leaves the body force alone in all cells.
     void clear_force();
     scene::Vec3 everywhere() const;  // acceleration by the body force [m/s2]
     // Local number of the mesh cell that holds a cell of the uniform grid.
     std::size_t cell_at(int x, int y, int z) const;
+    // Centre of a mesh cell of this rank [m].
     scene::Vec3 centre(std::size_t cell) const;
 
     MPI_Comm comm_;
     scene::Fluid fluid_;
     double step_s_;
+    // Steps done since time 0, whose number gives the time.
     std::int64_t steps_ = 0;
     BoxMesh mesh_;
     std::array<int, 3> first_{}, cells_{};        // this rank's block of the mesh

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Inlet profiles, once as numbers for the engine and once as expressions for stock
+// programs, from the same templates.
 #include "adapters/openfoam/inlet.h"
 
 #include <fmt/format.h>
@@ -157,17 +159,21 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
 
 }  // namespace
 
+// The factor is the same on all ranks.
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     Shape shape = shape_of(fluid, mesh, side);
     for (double& s : shape.here) s *= shape.factor;
     return std::move(shape.here);
 }
 
+// The factor is 1 from the start if there is no ramp (ramp_s = 0).
 double inlet_ramp(const fluid::Boundary& side, double time_s) {
     if (time_s >= side.inlet.ramp_s) return 1;
     return (1 - std::cos(std::numbers::pi * time_s / side.inlet.ramp_s)) / 2;
 }
 
+// exprFixedValue evaluates the text for each face and step; the mean of 1 comes from the
+// factor in front.
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     const fluid::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
     const auto coordinate = [axes = plane_axes(side)](std::size_t i) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Graded axes: from the uniform part outwards the cells grow as a geometric series whose
+// ratio fits the rest of the axis.
 #include "adapters/openfoam/mesh.h"
 
 #include <fmt/format.h>
@@ -105,6 +107,7 @@ std::array<int, 3> mesh_cells(const BoxMesh& mesh) {
     return cells;
 }
 
+// Layers of cells are distributed as evenly as whole numbers allow.
 BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     BoxMesh mesh;
     for (std::size_t d = 0; d < 3; ++d) {

@@ -336,6 +336,8 @@ void require_marker_spacing(const Scene& scene, const Body& body, double longest
             "take larger elements, or leave the key out");
 }
 
+// Checks that need the shape of a body are made here for blocks only, whose shape the
+// keys tell.
 void check_bodies(const Scene& scene, const Marks& marks) {
     check_element_count(scene, marks);
     for (const Body& body : scene.bodies) {

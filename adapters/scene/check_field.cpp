@@ -65,7 +65,8 @@ void check_law(const FormulaField& field, const At& at, double end_s) {
         largest_size(field.component_t[d], end_s, at(names[d]));
 }
 
-// Laws without a function check_law have nothing to check.
+// Calls the check of the law's type; laws without a function check_law have nothing to
+// check.
 void check_any_law(const FieldLaw& law, const At& at, double end_s) {
     std::visit(
         [&]<class Law>(const Law& one) {

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Limits of the scene's name [bytes] and of any file that it names.
 constexpr std::size_t longest_name = 64;
 constexpr std::uintmax_t largest_file_bytes = 200'000'000;
 
@@ -56,6 +57,7 @@ void check_mesh_file(const fs::path& file, const Origin& where) {
 
 }  // namespace
 
+// Reading a pipe or a device could block or never end.
 void require_regular_file(const fs::path& file, const Origin& where) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);

@@ -53,6 +53,7 @@ const Origin& Marks::key(Path path) const {
     return &node == root_ ? node.origin : node.key_origin;
 }
 
+// A single value in place of a list stands for its only item.
 const Origin& Marks::item(Path path, std::size_t i) const {
     const Node& node = deepest(path);
     return node.type == Node::Type::sequence && i < node.children.size()

@@ -83,11 +83,18 @@ struct NoSlipObjection {
 std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene);
 
 // Parts of check_scene, by source file.
+// Name of the scene, and files that it names; check_script also checks that the file
+// exists.
 void check_files(const Scene& scene, const Marks& marks);
+// Meshes, magnetisations, supports and initial placement.
 void check_bodies(const Scene& scene, const Marks& marks);
+// Field, control, gravity, platform, contact, paths of equilibria, coupling.
 void check_loads(const Scene& scene, const Marks& marks);
+// Box, spacing, boundaries, refinement, solver, coupled step, relaxation time.
 void check_fluid(const Scene& scene, const Marks& marks);
+// Scenes whose steps a retry may halve.
 void check_retry(const Scene& scene, const Marks& marks);
+// Laws, sources and gradient; also called for fields that a controller returns.
 void check_magnetic_field(const Scene& scene, const Marks& marks);
 void check_script(const std::filesystem::path& file, const Origin& where);
 

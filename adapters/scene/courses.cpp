@@ -24,6 +24,7 @@ namespace {
 using structure::ColumnKind;
 namespace units = structure::units;
 
+// Columns of the CSV files, with the units that their headers may have.
 constexpr ColumnKind field_columns[] = {{"t", units::time},
                                         {"Bx", units::flux_density},
                                         {"By", units::flux_density},
@@ -109,6 +110,7 @@ struct Factor {
 
 // Largest magnitude of a course: exact for a wave; from the rows of a table; sampled for
 // a formula.
+// Between rows a table is linear, so that its rows have the peak.
 double peak(const InletCourse& course, double end_s, const Origin& where) {
     if (const auto* wave = std::get_if<InletWave>(&course))
         return std::abs(wave->mean) + std::abs(wave->amplitude);

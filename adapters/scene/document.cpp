@@ -136,6 +136,7 @@ class Builder : public YAML::EventHandler {
         for (const Node& child : node.children) count(child, mark);
     }
 
+    // Takes a scalar or a null.
     void add(Node::Type type, const YAML::Mark& mark, YAML::anchor_t anchor,
              const std::string& value) {
         Node node;
@@ -147,6 +148,7 @@ class Builder : public YAML::EventHandler {
         attach(std::move(node), mark);
     }
 
+    // Begins a list or map; it is attached to its parent when it is complete.
     void open(Node::Type type, const YAML::Mark& mark, YAML::anchor_t anchor) {
         if (!levels_.empty()) want_key_before_nesting(mark);
         Level level;
@@ -164,6 +166,8 @@ class Builder : public YAML::EventHandler {
             refuse(origin(mark), "a list or map as a key", "plain words as keys");
     }
 
+    // An anchor is known from the end of its node on, so that no alias can contain
+    // itself.
     void close() {
         Level level = std::move(levels_.back());
         levels_.pop_back();
@@ -265,6 +269,7 @@ std::string describe(const Node& node) {
                                                in_quotes(node.children.front().key));
 }
 
+// All parts are kept, so that errors can name an empty one.
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts(1);
     for (const char c : text) {

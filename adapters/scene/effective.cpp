@@ -250,6 +250,7 @@ void note(Lines& lines, bool idle, const char* key, const char* why) {
             "{} can do nothing: {}; remove the key, or correct it", key, why));
 }
 
+// True if a value, all components, or all rows are exactly zero.
 bool is_zero(double value) {
     return value == 0;
 }
@@ -282,6 +283,7 @@ bool is_zero(const FieldLaw& law) {
         law);
 }
 
+// Sources are taken as nonzero.
 bool no_field_at_any_time(const MagneticField& field) {
     if (!field.sources.empty()) return false;
     return is_zero(field.course) && std::ranges::all_of(field.plus, [](const auto& term) {
@@ -301,6 +303,7 @@ bool has_no_moment(const Body& body) {
            });
 }
 
+// Warnings on the field: no moments, no field, no gradient.
 void check_field(const MagneticField& field, const Scene& scene, Lines& lines) {
     const bool no_moment = std::ranges::all_of(scene.bodies, has_no_moment);
     note(lines, no_moment, "magnetic_field", "every magnetization is 0");
@@ -324,6 +327,7 @@ bool floats(const Scene& scene, const Body& body) {
                                [&](const auto& r) { return as_fluid(r.material); });
 }
 
+// Warnings on gravity: no acceleration, or bodies of the fluid's density.
 void check_gravity(const Gravity& gravity, const Scene& scene, Lines& lines) {
     const bool none = gravity.acceleration_m_s2 == 0;
     note(lines, none, "gravity", "its acceleration is 0");

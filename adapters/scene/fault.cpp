@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Text of faults, safe for logs and terminals, and suggestions by edit distance.
 #include "adapters/scene/fault.h"
 
 #include <fmt/format.h>
@@ -39,6 +40,8 @@ void refuse(const Origin& where, const Complaint& complaint) {
     throw SceneError(fmt::format("{}: {}", to_string(where), complaint.what()));
 }
 
+// Long values, such as a whole file pasted in place of a value, would hide the rest of
+// the message.
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 48;
     if (text.size() <= longest) return fmt::format("\"{}\"", text);

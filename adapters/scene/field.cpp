@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Descriptions of keys in words, for errors and the reference page.
 #include "adapters/scene/field.h"
 
 #include <fmt/format.h>
@@ -75,6 +76,7 @@ bool is_leaf(const Field& field) {
            field.kind != Kind::list;
 }
 
+// Words for messages, in the order given.
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }

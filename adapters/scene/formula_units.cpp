@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Formulas are converted as text, number by number, and checked by evaluation in several
+// systems of units; no syntax tree is needed.
 #include "adapters/scene/formula_units.h"
 
 #include <fmt/format.h>

@@ -90,6 +90,7 @@ class JsonWriter {
     void write(E& value) {
         json_ = name_of(value);
     }
+    // Formulas are written as the user gave them.
     void write(structure::Formula& value) { json_ = value.written; }
     void write(AxisRef& value) {
         json_ = axis_names[static_cast<std::size_t>(value.axis)];
@@ -189,6 +190,7 @@ class Describer {
         (*this)(std::move(key), value);
     }
 
+    // A kind that the key has been given before, such as identifier, stays.
     void leaf(Kind kind) {
         if (field_->kind == Kind::group) field_->kind = kind;
     }
@@ -209,12 +211,14 @@ class Describer {
     void describe(AxisRef&) { words(axis_names); }
     void describe(PlaneRef&) { words(plane_names); }
 
+    // An optional member makes its key optional.
     template <class T>
     void describe(std::optional<T>&) {
         if (field_->presence == Presence::required) field_->presence = Presence::optional;
         T value{};
         describe(value);
     }
+    // Arrays are vectors of fixed length.
     template <class T, std::size_t N>
     void describe(std::array<T, N>& value) {
         describe(value[0]);
@@ -233,6 +237,8 @@ class Describer {
         field_->layout = Layout::rows;
         field_->length = N;
     }
+    // Vectors are lists of scalars, maps by name (types with a member `name`), or lists
+    // of maps.
     template <class T>
     void describe(std::vector<T>&) {
         T item{};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers with units are converted through their text: the decimal exponents are added
+// before the only rounding.
 #include "adapters/scene/quantity.h"
 
 #include <fmt/format.h>

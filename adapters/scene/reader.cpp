@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From file to scene: text, tree, overrides, check of single keys, values, completion by
+// dependent defaults, check of the whole.
 #include "adapters/scene/reader.h"
 
 #include <fmt/format.h>
@@ -142,6 +144,7 @@ MagneticField read_field(const std::string& text, const std::string& source,
     return *changed.magnetic_field;
 }
 
+// A folder stands for its scene.yaml.
 std::filesystem::path scene_file(const std::filesystem::path& path) {
     const bool folder = std::filesystem::is_directory(path);
     std::filesystem::path file = folder ? path / "scene.yaml" : path;

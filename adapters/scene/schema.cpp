@@ -14,9 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Patterns of a decimal number at the start of a text, and of a name (is_identifier in
+// validate.cpp).
 constexpr const char* number_pattern = R"(^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)";
-constexpr const char* identifier_pattern =  //
-    "^[A-Za-z][A-Za-z0-9_]*$";              // as is_identifier checks
+constexpr const char* identifier_pattern = "^[A-Za-z][A-Za-z0-9_]*$";
 
 Json schema_of(const Field& field);
 
@@ -164,6 +165,7 @@ Json schema_of(const Field& field) {
 
 }  // namespace
 
+// The scene as a whole is a group like any other.
 nlohmann::ordered_json scene_schema() {
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                    {"title", "magfsi scene"}};
@@ -204,6 +206,7 @@ std::string presence(const Field& field) {
     return field.presence == Presence::required ? "required" : "";
 }
 
+// Entry of the column "value" of the reference page.
 std::string value(const Field& field) {
     switch (field.kind) {
         case Kind::group:

@@ -110,6 +110,7 @@ class TreeReader {
     void read(std::array<std::array<double, N>, M>& value) {
         read_each(value.front().begin());
     }
+    // A key that is present makes the optional non-empty.
     template <class T>
     void read(std::optional<T>& value) {
         T inner{};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Table of unit symbols, prefixes and named dimensions, and the parser of units.
 #include "adapters/scene/units.h"
 
 #include <fmt/format.h>
@@ -104,8 +105,8 @@ std::string near_symbol(std::string_view text) {
 
 }  // namespace
 
-// A character that only looks like a letter or a digit is named; otherwise a similar
-// symbol is suggested.
+// A character beyond ASCII is named in the advice; otherwise a similar symbol is
+// suggested.
 std::string remedy(std::string_view text) {
     const std::string strange = words::strange_character(text);
     return strange.empty() ? near_symbol(text)
@@ -154,6 +155,7 @@ void multiply(Unit& unit, const Unit& other, int sign) {
 
 }  // namespace
 
+// Formulas use it to tell the unit in 5 mT/s from the time in 5 mT/t.
 bool is_unit_symbol(std::string_view text) {
     return find_symbol(words::plain(text)).has_value();
 }
@@ -250,6 +252,7 @@ const NamedDimension* find(const Dimension& dimension) {
 
 }  // namespace
 
+// Products read like "a quantity in kg^1 m^2".
 std::string dimension_name(const Dimension& dimension) {
     if (const NamedDimension* entry = find(dimension)) return std::string(entry->name);
     constexpr std::string_view base[] = {"kg", "m", "s", "A", "rad"};

@@ -89,6 +89,7 @@ std::vector<const Node*> scalars(const Node& node, const Field& field) {
     return list;
 }
 
+// parse_quantity knows no place in the file, which is added here.
 double number_value(const Node& scalar, const Field& field) {
     double value = 0;
     try {
@@ -100,8 +101,8 @@ double number_value(const Node& scalar, const Field& field) {
     return value;
 }
 
-// Digits of other scripts and signs that look like a minus are converted first; the whole
-// text must be the number.
+// Typographic minus signs and blanks are converted first; then the whole text must be the
+// number.
 int integer_value(const Node& scalar, const Field& field) {
     const std::string text = words::plain(scalar.scalar);
     int value = 0;
@@ -129,6 +130,7 @@ std::string text_value(const Node& scalar, const Field& field) {
     return scalar.scalar;
 }
 
+// Both texts are kept: the one as written for messages, the one in SI for the solvers.
 structure::Formula formula_value(const Node& scalar, const Field& field) {
     const std::string text = text_value(scalar, field);
     try {
@@ -150,6 +152,7 @@ constexpr RemovedWord removed_words[] = {
      "write recursive_regularized"},
 };
 
+// Advice for a removed word, else the most similar one.
 std::string advice_on_word(const std::string& word, const Field& field) {
     for (const RemovedWord& entry : removed_words) {
         if (entry.key == field.name && entry.word == word)

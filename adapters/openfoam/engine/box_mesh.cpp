@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The order of faces that OpenFOAM requires is made by visiting them in that order: inner
+// faces by owner and neighbour, then the sides one after the other. Points, faces, fluxes
+// and places all come from the same visits.
 #include "adapters/openfoam/engine/box_mesh.h"
 
 #include <algorithm>

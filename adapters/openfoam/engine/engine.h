@@ -18,16 +18,17 @@ enum class SideType { periodic, wall, open, symmetry };
 struct BoxMesh {
     std::array<std::vector<double>, 3> planes_m;  // whole box, ascending
     std::array<SideType, 6> sides{};              // x_min, x_max, y_min ...
-    int cut_axis = 2;
+    int cut_axis = 2;                             // axis across which the box is cut
     // First layer of cells of each rank along cut_axis, and the end of the last rank:
     // ranks + 1 numbers.
     std::vector<int> first_cell;
-    int rank = 0;
+    int rank = 0;  // this rank
 };
 
 // Start-up data of the engine.
 struct EngineSetup {
     std::string case_folder;  // absolute, with system/, constant/ and 0/
+    // The mesh of this rank; boundary files of the case name its sides x_min to z_max.
     BoxMesh mesh;
 };
 

@@ -145,9 +145,11 @@ class PimpleEngine final : public Engine {
         turbulence_->validate();
     }
 
+    // The internal field holds three doubles a cell (static_assert above).
     const double* velocity() const override {
         return reinterpret_cast<const double*>(u_.primitiveField().cdata());
     }
+    // OpenFOAM's list of sources takes ownership of the force.
     double* acceleration() override {
         if (force_ == nullptr) {
             force_ = new CoupledForce(mesh_());
@@ -163,6 +165,8 @@ class PimpleEngine final : public Engine {
         return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
     }
 
+    // Fluxes are interpolated from the cells; the next pressure correction makes them
+    // free of divergence.
     void set_velocity(const double* velocity) override {
         guarded([&] {
             auto& values = u_.primitiveFieldRef();
@@ -176,6 +180,7 @@ class PimpleEngine final : public Engine {
         guarded([&] { step(); });
     }
 
+    // oldTime() is the velocity one step ago, which the backward scheme needs.
     void keep(FlowState& state) const override {
         guarded([&] {
             state.velocity = copy_of(u_.primitiveField());
@@ -210,6 +215,7 @@ class PimpleEngine final : public Engine {
         });
     }
 
+    // The curl comes from gradients of OpenFOAM's scheme gradSchemes (Gauss linear).
     void vorticity(double* out) override {
         guarded([&] {
             const Foam::tmp<Foam::volVectorField> curl = Foam::fvc::curl(u_);
