@@ -66,6 +66,7 @@ std::string megabytes(std::uintmax_t bytes) {
     return fmt::format("{} MB", bytes / 1'000'000);
 }
 
+// The number of cores is that of this process's affinity mask.
 std::string look_at_cores() {
     return fmt::format("{}, {} to this process", processor(), available_cores());
 }

@@ -23,7 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Writes the files of a scene's bodies into options.out.
+// Writes the files of a scene's bodies into options.out. The script lammps.in has all
+// loads of the scene except the fluid, and runs until the scene's end; a path of
+// equilibria has no such number of steps.
 int write(const LatticeOptions& options) {
     const scene::Scene scene = scene::read_scene(options.input, options.overrides);
     if (scene.bodies.empty()) throw std::invalid_argument("the scene has no bodies");

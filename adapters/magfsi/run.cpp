@@ -283,7 +283,7 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
 }
 
 // Replaces this process by the Python package, which searches for the cheapest setting
-// within the tolerance and then calls this program without one. Returns never; throws if
+// within the tolerance and then calls this program without one. Never returns; throws if
 // that cannot be done.
 void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) {
     if (!options.restart.empty() || options.record || !options.replay.empty()) {

@@ -82,9 +82,8 @@ struct NoSlipObjection {
 };
 std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene);
 
-// Parts of check_scene, by source file.
-// Name of the scene, and files that it names; check_script also checks that the file
-// exists.
+// Parts of check_scene. The first checks the scene's name and the files that it names;
+// check_script also checks that the controller's file exists.
 void check_files(const Scene& scene, const Marks& marks);
 // Meshes, magnetisations, supports and initial placement.
 void check_bodies(const Scene& scene, const Marks& marks);

@@ -89,7 +89,8 @@ void check(const InletTable& table, const Origin& where) {
             "it with at least 2 rows");
 }
 
-// Makes the function of time [s] for each type of course.
+// Makes the function of time [s] for each type of course. It keeps a copy of the course,
+// so that it may outlive the scene.
 struct Factor {
     std::function<double(double)> operator()(const InletWave& wave) const {
         return [wave](double t) {

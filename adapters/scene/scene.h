@@ -82,7 +82,8 @@ constexpr auto words_of(Face) {
         {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
 }
 
-// A soft body. Its mesh, materials and loads refer to its own frame; `initial` places it.
+// A soft body. Its mesh, regions and magnetisation refer to its own frame; `initial`
+// places it. Rollers and prescribed motion are along the axes of space.
 struct Body {
     std::string name;
     MeshOptions mesh;
@@ -116,8 +117,8 @@ struct Control {
     double every_s = 0;               // interval between two calls
     std::vector<std::string> probes;  // columns of probes.csv, unit optional
     double timeout_s = 60;            // longest wait for an answer
-    // Place of each entry of `probes` in the file, "file:line:column", for errors; no
-    // key.
+    // Place of each entry of `probes` in the file, "file:line:column". It is used in
+    // errors and is no key.
     std::vector<std::string> probe_places;
 };
 

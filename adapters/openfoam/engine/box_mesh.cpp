@@ -270,6 +270,7 @@ class Patches {
 
 }  // namespace
 
+// Patches are added after the mesh is made, since they refer to it.
 Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box) {
     BoxFaces faces = make_faces(box);
     // READ_IF_PRESENT makes fvMesh read fvSchemes and fvSolution; mesh files do not
