@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The bridge from the scene, which the coupler does not know, to the coupler's own
+// options (RunPlan).
 #include "adapters/run_scene.h"
 
 #include <fmt/format.h>
@@ -18,6 +20,8 @@ namespace magfsi {
 
 namespace {
 
+// Largest speed [m/s] that the scene prescribes to the fluid: walls, inlets, initial
+// velocity.
 double given_speed(const scene::Fluid& fluid) {
     double largest = 0;
     const auto compare = [&](const scene::Vec3& v) {
@@ -31,6 +35,7 @@ double given_speed(const scene::Fluid& fluid) {
     return largest;
 }
 
+// Whole contents of a file; "" if it cannot be read.
 std::string text_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
@@ -46,6 +51,7 @@ int available_cores() {
     return CPU_COUNT(&set);
 }
 
+// Counts the cells of the coarsest level.
 int worthwhile_parts(const scene::Fluid& fluid) {
     constexpr double min_cells = 20000;
     double cells = 1;
@@ -53,6 +59,7 @@ int worthwhile_parts(const scene::Fluid& fluid) {
     return static_cast<int>(std::clamp(cells / min_cells, 1.0, 1e6));
 }
 
+// "a processor" where /proc/cpuinfo names none, as on some ARM machines.
 std::string processor() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {
@@ -63,6 +70,7 @@ std::string processor() {
     return "a processor";
 }
 
+// Warnings become part of the log: effects without influence and rounded intervals.
 coupler::RunPlan run_plan(const scene::Scene& scene) {
     coupler::RunPlan plan;
     plan.name = scene.name;
@@ -103,6 +111,7 @@ void require_solver(const scene::Scene& scene, scene::FluidSolver solver) {
         scene::name_of(solver)));
 }
 
+// The scene goes into the run folder twice: as given, and as read with defaults in SI.
 int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
               const RunScene& run) {
     return coupler::run_participant(
@@ -113,7 +122,8 @@ int run_scene(coupler::Role role, const std::string& description, int argc, char
             coupler::RunPlan plan = run_plan(scene);
             plan.scene_as_given = text_of(scene::scene_file(arguments.scene));
             plan.scene_as_read = scene::effective_scene(scene).dump(2) + "\n";
-            // Of all cores: mpirun may bind this process to one of them.
+            // All cores of the machine count: mpirun may bind this process to one of
+            // them.
             plan.machine = fmt::format("{}, {} cores", processor(),
                                        std::thread::hardware_concurrency());
             coupler::Session session(role, arguments, std::move(plan), state);

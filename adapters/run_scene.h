@@ -11,24 +11,29 @@
 
 namespace magfsi {
 
-// What the coupler has to know of a scene.
+// Collects what the coupler needs to know of a scene: roles, end time, densities, hashes,
+// effects, warnings. The coupler itself does not know the scene.
 coupler::RunPlan run_plan(const scene::Scene& scene);
 
-std::string processor();  // in words
-int available_cores();    // to this process
-// Number of ranks or threads of a fluid that have enough cells to be worth their
+// Model name of the processor as in /proc/cpuinfo.
+std::string processor();
+// Number of cores that this process may use (its affinity mask).
+int available_cores();
+// Number of ranks or threads at which each still has enough cells (20000) to be worth its
 // messages.
 int worthwhile_parts(const scene::Fluid& fluid);
 
-// Begins the session with its coupled step and runs. scene and session outlive the call.
+// Solver part of a participant: must call session.begin with the coupled step, then run
+// all steps. Scene and session outlive the call.
 using RunScene = std::function<void(const scene::Scene&, coupler::Session&,
                                     const coupler::ParticipantArguments&)>;
 
-// Throws std::invalid_argument where the scene's fluid is another solver's, or none.
+// Throws std::invalid_argument if the scene has no fluid, or one of another solver.
 void require_solver(const scene::Scene& scene, scene::FluidSolver solver);
 
-// coupler::run_participant with the scene of the arguments, read, and its session.
-// Returns the exit code.
+// Main function of a participant: reads the arguments and the scene, joins the MPI job,
+// makes the session and calls `run`. Collective over all ranks of the job. Returns the
+// exit code.
 int run_scene(coupler::Role role, const std::string& description, int argc, char** argv,
               const RunScene& run);
 

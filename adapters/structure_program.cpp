@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A structure participant with one solver and one set of markers; magfsi-structure
+// (adapters/lammps) is the same for bodies of a scene.
 #include "adapters/structure_program.h"
 
 #include <numeric>
@@ -14,6 +16,7 @@ namespace magfsi {
 
 namespace {
 
+// Numbers the markers of all ranks consecutively by rank. Collective over `comm`.
 coupler::BodyMarkers numbered(std::vector<coupler::Marker> markers, MPI_Comm comm) {
     coupler::BodyMarkers mine;
     const auto count = static_cast<int>(markers.size());
@@ -28,8 +31,11 @@ coupler::BodyMarkers numbered(std::vector<coupler::Marker> markers, MPI_Comm com
     return mine;
 }
 
+// The structure participant around the user's solver: coupling, probes and progress.
 class Participant {
   public:
+    // The fluid sends the description of its grid during the start, and the markers are
+    // set up for that grid.
     Participant(const scene::Scene& scene, coupler::Session& session, OwnStructure own,
                 output::ProgressMode mode)
         : scene_(scene),
@@ -48,6 +54,7 @@ class Participant {
                           [this] { progress_->update(session_.clock().step()); });
     }
 
+    // Log, first exchange, probes at time 0, then all steps and the summary.
     void run() {
         coupler::log_effects(session_);
         coupler::log_steps(session_, tasks_);
@@ -59,6 +66,7 @@ class Participant {
     }
 
   private:
+    // Columns: the user's, then the fluid's. Rows follow at whole coupled steps.
     void add_probes() {
         fluid_columns_ = fluids::fluid_columns(scene_);
         std::vector<std::string> columns = own_.columns;
@@ -70,6 +78,7 @@ class Participant {
         });
     }
 
+    // Root only: its own values, then the fluid's, which the fluid sends each time.
     void write_probes() {
         if (!session_.world().root()) return;
         std::vector<double> row = own_.values ? own_.values() : std::vector<double>();
@@ -82,6 +91,8 @@ class Participant {
         probes_->row(session_.clock().time_s(), row);
     }
 
+    // Collective: every rank contributes to the report. The leading rank writes the
+    // summary.
     void finish(double wall_s) {
         std::vector<coupler::ParticipantReport> reports{
             coupler::basic_report(session_.world(), tasks_)};
@@ -107,6 +118,8 @@ class Participant {
 
 }  // namespace
 
+// The marker's whole weight is on its first node; the other entries repeat the node with
+// weight 0.
 coupler::Marker node_marker(int node, double volume_m3) {
     coupler::Marker marker;
     marker.node.fill(node);
@@ -115,6 +128,8 @@ coupler::Marker node_marker(int node, double volume_m3) {
     return marker;
 }
 
+// The coupled step is that of the scene: a structure of the user's own has no substeps
+// that could set it.
 int run_structure(const std::string& description, int argc, char** argv,
                   const MakeStructure& make) {
     return run_scene(

@@ -21,6 +21,7 @@ namespace magfsi::launch {
 
 namespace fs = std::filesystem;
 
+// Parts are texts of JSON arrays; merging them as texts needs no memory for their trees.
 void merge_traces(const fs::path& out) {
     std::vector<fs::path> parts;
     for (const auto& entry : fs::directory_iterator(out)) {
@@ -30,7 +31,7 @@ void merge_traces(const fs::path& out) {
     }
     if (parts.empty()) return;
     std::ranges::sort(parts);
-    // Each is an array of events: one array of all.
+    // Each file holds a JSON array of events; their contents are joined to one array.
     std::string all = "[";
     for (const fs::path& part : parts) {
         std::ostringstream text;
@@ -47,7 +48,8 @@ void merge_traces(const fs::path& out) {
 
 namespace {
 
-// Of a process that cannot be started: the run itself is well.
+// Warns that the page's process could not be started. The run itself has ended well, so
+// this is no error.
 void no_page(const std::string& folder) {
     fmt::print(stderr, "warning: no page is written ({}); ./magfsi report {} writes it\n",
                std::strerror(errno), folder);
@@ -55,6 +57,7 @@ void no_page(const std::string& folder) {
 
 }  // namespace
 
+// PYTHONPATH is set by ./magfsi, without which the package is not found.
 void start_page(const scene::Scene& scene, const fs::path& out) {
     const char* const asked = std::getenv("MAGFSI_PAGE");
     if (scene.report == scene::PageAtEnd::off || !asked ||
@@ -62,8 +65,9 @@ void start_page(const scene::Scene& scene, const fs::path& out) {
         return;
     const std::string folder = out.string();
     std::fflush(nullptr);
-    // Until it has closed what it inherits, the lock of the run folder among it, the next
-    // run would find the folder taken: waits for that, not for the page.
+    // The child inherits the lock of the run folder, and the next run would find the
+    // folder taken. The pipe closes when the child has closed all inherited files
+    // (close_range or exec), and the parent waits for that, not for the page.
     int inherited[2];
     if (::pipe2(inherited, O_CLOEXEC) != 0) return no_page(folder);
     if (const ::pid_t child = ::fork(); child != 0) {
@@ -82,8 +86,9 @@ void start_page(const scene::Scene& scene, const fs::path& out) {
         return;
     }
     ::close_range(STDERR_FILENO + 1, ~0U, 0);
-    ::setsid();  // outlives the terminal
-    // Behind other work, but not so far that a busy machine never comes to it.
+    ::setsid();  // the page is written even if the terminal closes
+    // Nice value 10: other work goes first, but even on a busy machine the page gets
+    // done.
     ::setpriority(PRIO_PROCESS, 0, 10);
     const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

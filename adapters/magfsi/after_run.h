@@ -8,12 +8,14 @@
 
 namespace magfsi::launch {
 
-// One trace.json of the files that the ranks have left.
+// Merges the files trace_*.json of the ranks in the run folder into one trace.json,
+// sorted by name, and removes them. Does nothing if there are none.
 void merge_traces(const std::filesystem::path& out);
 
-// Starts what writes report.html, at a low priority, and does not wait for it: the
-// run has ended. Only for a person's run: ./magfsi says so by MAGFSI_PAGE=yes, which
-// tests, studies and searches do not.
+// Starts the Python program that writes report.html, at a low priority, and returns
+// without waiting for it. Starts nothing if the scene switches the page off or if
+// MAGFSI_PAGE is not "yes": ./magfsi sets it for runs of a person, while tests, studies
+// and searches leave it unset.
 void start_page(const scene::Scene& scene, const std::filesystem::path& out);
 
 }  // namespace magfsi::launch

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One function look_at_... for each check: it returns what it found, or throws a Fault
+// with the cure.
 #include "adapters/magfsi/doctor.h"
 
 #include <fcntl.h>
@@ -29,15 +31,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is wrong and what to do.
+// A failed check; its message says what is wrong and how to cure it.
 using Fault = std::runtime_error;
 
-// Two ranks that exchange populations, a few steps.
+// A small fluid that exchanges populations between two ranks for a few steps.
 constexpr auto small_scene = R"(time: {end: 2 ms}
 fluid: {box: [8 mm, 8 mm, 8 mm], spacing: 1 mm, density: 1000 kg/m3,
         viscosity: 10 mm2/s, expected_speed: 0.1 m/s}
 )";
 
+// Makes a folder with a unique name in `where`, as proof that it is writable.
 fs::path new_folder(const fs::path& where) {
     std::string name = (where / "magfsi-doctor-XXXXXX").string();
     if (!mkdtemp(name.data()))
@@ -46,6 +49,7 @@ fs::path new_folder(const fs::path& where) {
     return name;
 }
 
+// A temporary folder that is removed with its contents at the end of its scope.
 struct Folder {
     explicit Folder(const fs::path& where) : path(new_folder(where)) {}
     ~Folder() {
@@ -57,14 +61,17 @@ struct Folder {
     fs::path path;
 };
 
+// Decimal megabytes, rounded down.
 std::string megabytes(std::uintmax_t bytes) {
     return fmt::format("{} MB", bytes / 1'000'000);
 }
 
+// The number of cores is that of this process's affinity mask.
 std::string look_at_cores() {
     return fmt::format("{}, {} to this process", processor(), available_cores());
 }
 
+// need_stack raises the limit as far as it may, and throws where that is not enough.
 std::string look_at_stack() {
     need_stack();
     struct rlimit stack {};
@@ -73,13 +80,15 @@ std::string look_at_stack() {
                                            : fmt::format("{} kB", stack.rlim_cur / 1024);
 }
 
+// A slow look-up of the host's name delays every start of MPI.
 std::string look_at_name() {
     const std::string fault = fault_of_host_name();
     if (!fault.empty()) throw Fault(fault);
     return host_name();
 }
 
-// Messages between ranks go through it.
+// Checks that the folder is writable and has `least` bytes left. /dev/shm carries the
+// messages between ranks of one machine.
 std::string look_at_space(const fs::path& where, std::uintmax_t least) {
     const Folder folder(where);
     const fs::space_info space = fs::space(where);
@@ -90,6 +99,7 @@ std::string look_at_space(const fs::path& where, std::uintmax_t least) {
     return fmt::format("{}, {} left", where.string(), megabytes(space.available));
 }
 
+// Run folders are protected by file locks, which some network file systems lack.
 std::string look_at_locks() {
     const Folder folder(fs::current_path());
     const output::FolderLock lock(folder.path, output::FolderLock::Holder::launcher, 0);
@@ -100,7 +110,7 @@ std::string look_at_locks() {
     return fs::current_path().string();
 }
 
-// What a job prints is not for here; its errors are.
+// Discards what a job prints on stdout during its scope; stderr stays visible.
 class WithoutOutput {
   public:
     WithoutOutput() : kept_(dup(STDOUT_FILENO)) {
@@ -120,6 +130,7 @@ class WithoutOutput {
     int kept_;
 };
 
+// Throws if every mpirun on PATH belongs to another MPI.
 std::string look_at_mpirun() {
     const Mpirun& mpirun = find_mpirun();
     const std::string version =
@@ -129,6 +140,8 @@ std::string look_at_mpirun() {
                        mpirun.passed_over);
 }
 
+// Starts mpirun with two ranks of the fluid solver, the only check that shows a broken
+// MPI.
 std::string look_at_mpi() {
     const Folder folder(fs::temp_directory_path());
     const fs::path scene = folder.path / "scene.yaml";
@@ -152,6 +165,7 @@ std::string look_at_mpi() {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
+// A missing OpenFOAM is no fault: only scenes with fluid.solver: openfoam need it.
 std::string look_at_openfoam() {
     const std::string fault = openfoam::missing();
     return fault.empty() ? "there"
@@ -160,6 +174,7 @@ std::string look_at_openfoam() {
 
 }  // namespace
 
+// Every check runs even if an earlier one has failed.
 int doctor() {
     struct Item {
         const char* name;

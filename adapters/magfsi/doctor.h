@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi doctor: what a run needs of this machine, tried out, and what to do where it is
-// not there.
+// magfsi doctor: tries out everything that a run needs of this machine and says how to
+// cure each fault.
 #pragma once
 
 namespace magfsi::launch {
 
-// Prints a line for each; exit_done if all is well, else exit_error.
+// Prints one line per check to stdout. Returns exit_done if all of them pass, else
+// exit_error. Starts a short MPI job and makes temporary folders, which it removes.
 int doctor();
 
 }  // namespace magfsi::launch

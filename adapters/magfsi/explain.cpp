@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Text of `magfsi explain` in order: effects, warnings, bodies, control, fluid, coupling,
+// files.
 #include "adapters/magfsi/explain.h"
 
 #include <fmt/format.h>
@@ -26,7 +28,8 @@ namespace magfsi::launch {
 
 namespace {
 
-// Of runs with motion: of the energy audit the run knows the columns.
+// Refuses a control.probes entry that names no column of probes.csv. The columns of the
+// energy audit ("audit.") are known only to the run and are passed here.
 void check_columns(const scene::Scene& scene) {
     std::vector<structure::Body> solids = bodies::bodies_in_fluid(scene);
     bodies::NodalState start;
@@ -45,6 +48,7 @@ void check_columns(const scene::Scene& scene) {
     }
 }
 
+// The script's rights are named, since a scene may come from a stranger.
 std::string explain_control(const scene::Scene& scene) {
     check_columns(scene);
     const scene::Control& control = *scene.control;
@@ -55,13 +59,13 @@ std::string explain_control(const scene::Scene& scene) {
         fmt::join(control.probes, ", "));
 }
 
-// The scheme in words, what it costs, and which one is recommended for these densities.
-
-// Measured (docs/coupling.md): the serial scheme runs down to this density ratio; below
-// it the inertia of the enclosed fluid, which it follows late, may have to be implicit.
+// Smallest density ratio of body to fluid at which the serial scheme was measured to be
+// stable (docs/coupling.md). Below it the inertia of the enclosed fluid, which the serial
+// scheme follows one step late, may have to be implicit.
 constexpr double min_serial_ratio = 0.01;
 
 // Smallest and largest density of the bodies over the fluid's.
+// Bodies with regions count by their regions' densities.
 std::pair<double, double> density_ratios(const scene::Scene& scene) {
     std::vector<double> ratios;
     for (const scene::Body& body : scene.bodies) {
@@ -74,6 +78,7 @@ std::pair<double, double> density_ratios(const scene::Scene& scene) {
     return {low, high};
 }
 
+// Order of work of structure and fluid under the coupling scheme, in words.
 std::string in_words(const coupler::Coupling& coupling) {
     const auto velocity = scene::name_of(*coupling.sampled_velocity);
     switch (coupling.scheme) {
@@ -94,6 +99,7 @@ std::string in_words(const coupler::Coupling& coupling) {
         scene::name_of(i.acceleration), i.velocity_tolerance, i.max_iterations, velocity);
 }
 
+// Cost of a coupled step under the scheme, in words.
 std::string cost(const coupler::Coupling& coupling) {
     switch (coupling.scheme) {
         case coupler::Scheme::serial:
@@ -108,6 +114,7 @@ std::string cost(const coupler::Coupling& coupling) {
            "walls or obstacles, the whole fluid and a copy of it each time";
 }
 
+// Scheme recommended for the smallest density ratio of body to fluid, with the reason.
 std::string recommended(const scene::Scene& scene, double min_ratio) {
     if (min_ratio < min_serial_ratio) {
         return fmt::format(
@@ -121,6 +128,7 @@ std::string recommended(const scene::Scene& scene, double min_ratio) {
            "phase of fast ones is to be followed without its lag of a step";
 }
 
+// Scheme, cost, density ratio, explicit limit of the drag, and recommended scheme.
 std::string explain_coupling(const scene::Scene& scene) {
     const coupler::Coupling& coupling = *scene.coupling;
     const auto [low, high] = density_ratios(scene);
@@ -130,7 +138,8 @@ std::string explain_coupling(const scene::Scene& scene) {
                     scene::name_of(coupling.scheme), in_words(coupling), cost(coupling));
     text += fmt::format("  density of the bodies over the fluid's: {:.3g}", low);
     if (high > low) text += fmt::format(" to {:.3g}", high);
-    // 2 over the limit is the rate at which the lightest node takes on the fluid's speed.
+    // The explicit limit of the drag is dt < 2 / rate, where rate [1/s] is that at which
+    // the lightest node takes on the fluid's velocity.
     if (std::isfinite(s.drag_limit_s)) {
         text += fmt::format(
             "; the lightest node follows the fluid at {:.3g} of its slip per coupled "
@@ -142,6 +151,7 @@ std::string explain_coupling(const scene::Scene& scene) {
 
 }  // namespace
 
+// Parts are left out for effects that the scene lacks.
 std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     const int fluid_ranks = ranks.contains("fluid") ? ranks.at("fluid") : 1;
     std::string text = fmt::format("scene '{}'; effects in step order:\n", scene.name);
@@ -157,11 +167,12 @@ std::string explain(const scene::Scene& scene, const Ranks& ranks) {
     if (scene.control) text += explain_control(scene);
     if (scene.fluid) text += fluid_program(scene).explain(scene, fluid_ranks);
     if (scene.coupling && !scene.bodies.empty()) text += explain_coupling(scene);
-    // Last: what cannot be read has been refused by its user, with the place in the
-    // scene.
+    // Files come last: one that cannot be read has then been refused with its place in
+    // the scene by the part that uses it.
     return text + explain_files(scene);
 }
 
+// Warnings are found by their prefix in the text, so that every part of it may give some.
 std::vector<std::string> warnings(const std::string& explanation) {
     constexpr std::string_view mark = "warning: ";
     std::vector<std::string> out;
@@ -174,6 +185,7 @@ std::vector<std::string> warnings(const std::string& explanation) {
     return out;
 }
 
+// explain() runs here, too, for its warnings; values that do not apply have no key.
 nlohmann::ordered_json facts(const scene::Scene& scene, const Ranks& ranks) {
     nlohmann::ordered_json out;
     out["name"] = scene.name;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Text on each body, from the mesh that the run would build. Estimates beyond a threshold
+// come with a warning and advice.
 #include "adapters/magfsi/explain_bodies.h"
 
 #include <fmt/format.h>
@@ -30,7 +32,8 @@
 namespace magfsi::launch {
 namespace {
 
-// Elements, what they do to the displacements, steps.
+// Thresholds above which a mesh gets a warning: relative error of the displacements and
+// of the moments of inertia.
 
 constexpr double error_to_warn_of = 0.05;
 constexpr double inertia_to_warn_of = 0.1;
@@ -39,6 +42,8 @@ std::string in_percent(double error) {
     return fmt::format("{:+.2g} %", 100 * error);
 }
 
+// Estimated error of the displacements by discretisation: the linear response of this
+// mesh is compared with that of a reference (bodies::estimate_mesh_error).
 std::string explain_error(const scene::Scene& scene, const scene::Body& body,
                           const structure::Body& solid) {
     const auto estimate = bodies::estimate_mesh_error(scene, body, solid);
@@ -67,7 +72,7 @@ std::string explain_error(const scene::Scene& scene, const scene::Body& body,
                    : ", more layers or element assumed_strain");
 }
 
-// Of the block's bricks; thickness: the body's shortest side.
+// Advice on the shape of a block's bricks. The thickness is the body's shortest side.
 std::string explain_bricks(const structure::Body& solid, const structure::Box& box) {
     structure::Vec3 edges{};
     for (std::size_t d = 0; d < 3; ++d) edges[d] = box.size_m[d] / box.elements[d];
@@ -77,7 +82,8 @@ std::string explain_bricks(const structure::Body& solid, const structure::Box& b
     return advice.text.empty() ? "" : fmt::format("    warning: {}\n", advice.text);
 }
 
-// Of a thin sheet without slip.
+// Note on a thin sheet with a no-slip surface: a single layer of markers moves more or
+// less fluid along with it than the sheet's volume.
 std::string explain_layer(const scene::Scene& scene, std::size_t number) {
     const auto layer = bodies::carried_layer(scene, number);
     if (!layer) return "";
@@ -94,7 +100,8 @@ std::string explain_layer(const scene::Scene& scene, std::size_t number) {
     return text + "\n";
 }
 
-// Of turning about the axes through the centre of mass.
+// Error of the moments of inertia about the axes through the centre of mass, made by
+// masses that sit in the nodes. It matters only for bodies that can turn freely.
 std::string explain_moments(const scene::Scene& scene, const structure::Body& solid) {
     const structure::Vec3 error = structure::inertia_error(solid);
     std::string text =
@@ -111,7 +118,8 @@ std::string explain_moments(const scene::Scene& scene, const structure::Body& so
                           : "");
 }
 
-// Of the fluid that the grid has inside the body.
+// Treatment of the inertia of the fluid that the grid has inside the body: subtracted
+// from the nodes' mass, by a force on the markers, or in part by each.
 std::string explain_inertia(const scene::Scene& scene, const structure::Body& solid) {
     const double off = bodies::off_nodes_kg_m3(scene, solid);
     const double fluid = scene.fluid->density_kg_m3;
@@ -129,7 +137,8 @@ std::string explain_inertia(const scene::Scene& scene, const structure::Body& so
         100 * off / fluid);
 }
 
-// What the steps of a surface of cubes do to its volume.
+// Error of the volume of a body of cubes, whose surface has steps, against the closed
+// surface of the STL file; also with cubes weighed by their share of the inside.
 std::string explain_voxels(const structure::Body& solid,
                            const structure::VoxelMesh& voxels) {
     const double volume_m3 = structure::volume_m3(solid.mesh);
@@ -147,16 +156,17 @@ std::string explain_voxels(const structure::Body& solid,
         in_percent(volume_m3 / surface_m3 - 1), in_percent(weighed_m3 / surface_m3 - 1));
 }
 
-// What only shows once the mesh is there; the run would refuse it, too. On a platform
-// even parts that nothing holds come to rest.
+// Throws std::invalid_argument for a mesh that the run would refuse: contradicting
+// supports, inverted elements, an equilibrium of a body that is free to move. On a
+// platform even parts without support come to rest.
 void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& solid) {
     (void)structure::held_axes(solid);
     (void)structure::build_lattice(solid);
     if (scene.time.equilibrium && !scene.platform) structure::require_held(solid, {});
 }
 
-// What is known only with the mesh: its size, places that are probed. Throws
-// std::invalid_argument as the run would.
+// Checks what depends on the mesh: number of elements and markers, places of probes.
+// Throws std::invalid_argument as the run would.
 void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    const structure::Body& solid) {
     const auto elements = static_cast<double>(solid.mesh.elements.size());
@@ -192,8 +202,9 @@ void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
     }
 }
 
-// Where it starts, but for a body that comes bent: of sources at some of its elements, at
-// some instants of the run.
+// Largest magnitude of the field [T] at the body. A uniform field is exact. Fields of
+// sources are sampled at up to about 50 elements and 101 instants, with the body at its
+// initial place and not bent (a body with initial.relaxed is taken as straight).
 double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
                          const structure::Body& solid) {
     const scene::MagneticField& field = *scene.magnetic_field;
@@ -225,7 +236,8 @@ double strongest_field_t(const scene::Scene& scene, const scene::Body& body,
     return strongest;
 }
 
-// What holds it, and what loads it: M B / G is about the strain that the field makes.
+// Size, mass, supports and loads of a body. M B / G estimates the strain caused by the
+// field.
 std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                           const structure::Body& solid) {
     const structure::Vec3 size = structure::bounds(solid.mesh.nodes).extent_m();
@@ -273,6 +285,7 @@ std::string explain_loads(const scene::Scene& scene, const scene::Body& body,
                        largest * field_t);
 }
 
+// All lines on one body. Faults of its mesh are thrown before anything is computed on it.
 std::string explain_body(const scene::Scene& scene, std::size_t number,
                          const structure::Body& solid) {
     const scene::Body& body = scene.bodies[number];
@@ -312,6 +325,8 @@ std::string explain_body(const scene::Scene& scene, std::size_t number,
     return text;
 }
 
+// Coupled step, substeps, and the two limits of the substep: elastic waves and the
+// explicit drag.
 std::string explain_steps(const scene::Scene& scene) {
     const lammps::Substeps s = lammps::choose_substeps(scene);
     std::string text =
@@ -330,6 +345,8 @@ std::string explain_steps(const scene::Scene& scene) {
 
 }  // namespace
 
+// The field sources and, for Newton's method, the surroundings are built only for the
+// faults that show then.
 std::string explain_structure(const scene::Scene& scene) {
     const bool newton = by_newton(scene);
     std::string text = newton ? "\nstructure (Newton's method)\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What explain tells of the bodies: elements, what they do to the displacements, what
-// holds and loads each, markers, steps.
+// The part of `magfsi explain` about bodies: elements and their discretisation error,
+// supports, loads, markers and time steps.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace magfsi::launch {
 
-// Throws std::invalid_argument as the run would, of what is known only with the meshes.
+// Builds all meshes and throws std::invalid_argument on faults that show only then, as
+// the run would.
 std::string explain_structure(const scene::Scene& scene);
 
 }  // namespace magfsi::launch

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One function for each kind of file. All of them print the range of what was read, in
+// which a wrong unit (mm for m, mT for T) shows.
 #include "adapters/magfsi/explain_files.h"
 
 #include <fmt/format.h>
@@ -21,10 +23,12 @@ using scene::format_si;
 using structure::Bounds;
 using structure::Vec3;
 
+// One line of the text.
 std::string line(const std::string& file, const std::string& what) {
     return fmt::format("  {}: {}\n", file, what);
 }
 
+// "x 0 mm to 5 mm, y ...".
 std::string in_words(const Bounds& bounds) {
     std::string text;
     for (std::size_t d = 0; d < 3; ++d)
@@ -34,7 +38,7 @@ std::string in_words(const Bounds& bounds) {
     return text;
 }
 
-// Of the vectors' lengths.
+// Smallest and largest length of the vectors, with unit: "0 T to 12 mT".
 std::string range(std::span<const Vec3> vectors, const char* unit) {
     double least = INFINITY, most = 0;
     for (const Vec3& v : vectors) {
@@ -45,10 +49,12 @@ std::string range(std::span<const Vec3> vectors, const char* unit) {
     return fmt::format("{} to {}", format_si(least, unit), format_si(most, unit));
 }
 
+// Longest edge of a bounding box [m].
 double longest_m(const Bounds& bounds) {
     return std::ranges::max(bounds.extent_m());
 }
 
+// Bounding box [m] of the body at its initial place, not bent.
 Bounds placed_bounds(const scene::Body& body) {
     const structure::Body solid = bodies::to_body(body);
     structure::Placement placement = body.initial;
@@ -56,7 +62,9 @@ Bounds placed_bounds(const scene::Body& body) {
     return structure::bounds(structure::placed_nodes(solid, placement, {0, 2}));
 }
 
-// A grid in metres for millimetres holds the bodies in a corner of one of its cells.
+// Warns if a source's grid is far larger or smaller than the body, a sign of a wrong unit
+// (a grid read in metres instead of millimetres would hold the body within one cell), or
+// if the body starts outside the grid of a source at rest.
 std::string compare(const Bounds& grid, const structure::FieldSource& source,
                     const scene::Body& body) {
     constexpr double larger = 300;
@@ -81,6 +89,8 @@ std::string compare(const Bounds& grid, const structure::FieldSource& source,
     return {};
 }
 
+// Points, extent, mean spacing and magnitudes of a grid, with a warning for each body
+// that does not fit it.
 std::string explain_grid(const scene::Scene& scene,
                          const structure::FieldSource& source) {
     const std::string& file = std::get<structure::GridField>(source.shape).file;
@@ -104,6 +114,7 @@ std::string explain_grid(const scene::Scene& scene,
     return text;
 }
 
+// Times and magnitudes of a table of the uniform field that was read from a file.
 std::string explain_course(const scene::FieldLaw& law) {
     const auto* table = std::get_if<scene::VectorTable>(&law);
     if (table == nullptr || table->source.empty()) return {};
@@ -114,6 +125,7 @@ std::string explain_course(const scene::FieldLaw& law) {
                     format_si(table->time_s.back(), "s"), range(table->vector_t, "T")));
 }
 
+// Times and factors of an inlet's course that was read from a file.
 std::string explain_inlet(const fluid::Inlet& inlet) {
     if (!inlet.course) return {};
     const auto* table = std::get_if<fluid::InletTable>(&*inlet.course);
@@ -125,6 +137,7 @@ std::string explain_inlet(const fluid::Inlet& inlet) {
                             format_si(table->time_s.back(), "s"), least, most));
 }
 
+// Triangles, parts, extent and volume of an STL surface.
 std::string explain_surface(const fluid::StlSurface& surface) {
     const fluid::StlExtent read = fluid::stl_extent(surface);
     return line(surface.file,
@@ -134,6 +147,7 @@ std::string explain_surface(const fluid::StlSurface& surface) {
                             read.volume_m3 * 1e9));
 }
 
+// Files of a body: its mesh or surface, and its table of magnetisation.
 std::string explain_body(const scene::Body& body) {
     std::string text;
     if (const auto* mesh = std::get_if<structure::MeshFile>(&body.mesh)) {

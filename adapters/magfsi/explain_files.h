@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What was read from the files that a scene names: a file in another unit is seen here.
+// The part of `magfsi explain` about files that a scene names: extents and ranges as
+// read, so that a file in a wrong unit is noticed.
 #pragma once
 
 #include <string>
@@ -8,6 +9,9 @@
 
 namespace magfsi::launch {
 
+// Reads meshes, surfaces, magnetisations, grids and tables. Returns "" for a scene that
+// names no files. Throws std::invalid_argument or std::runtime_error for a file that
+// cannot be read.
 std::string explain_files(const scene::Scene& scene);
 
 }  // namespace magfsi::launch

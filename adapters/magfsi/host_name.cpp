@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The look-up uses getaddrinfo, as MPI does at its start.
 #include "adapters/magfsi/host_name.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,8 @@ std::string host_name() {
     return name.data();
 }
 
+// The same look-up as MPI does at start, timed. A name that is quickly not found does no
+// harm.
 std::string fault_of_host_name() {
     using Clock = std::chrono::steady_clock;
     constexpr double noticeable_s = 0.5;
@@ -35,7 +38,8 @@ std::string fault_of_host_name() {
 }
 
 void warn_of_host_name() {
-    // Detached: a look-up that takes longer than the run ends with the program.
+    // The thread is detached: the end of the program ends a look-up that is still
+    // waiting.
     std::thread([] {
         const std::string fault = fault_of_host_name();
         if (!fault.empty()) fmt::print(stderr, "warning: {}\n", fault);

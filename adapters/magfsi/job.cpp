@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Start and supervision of mpirun: signals are passed on to it, its error output is
+// filtered, and a hung mpirun is killed.
 #include "adapters/magfsi/job.h"
 #include "adapters/run_scene.h"
 #include "adapters/scene/fault.h"
@@ -31,7 +33,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Whether one of the texts is part of one of the lines.
+// True if any of the texts occurs in any of the lines.
 bool has_any(std::span<const std::string> lines, std::span<const char* const> texts) {
     return std::ranges::any_of(lines, [&](const std::string& line) {
         return std::ranges::any_of(texts, [&](const char* text) {
@@ -49,8 +51,9 @@ constexpr const char* known_banners[] = {"MPI_ABORT was invoked",
                                          "prterun noticed that process",
                                          "prterun detected that one",
                                          "prterun has exited due to process rank"};
-// Its own lines "[host:pid] ..." about these banners, and about a read of shared memory
-// that a killed partner had offered; libevent's "[warn] ..." about a socket that is gone.
+// Lines of Open MPI ("[host:pid] ...") about these banners and about a read of shared
+// memory that a killed partner had offered, and libevent's "[warn] ..." about a closed
+// socket. They are dropped.
 constexpr const char* known_lines[] = {"more process has sent help message",
                                        "more processes have sent help message",
                                        "Set MCA parameter \"orte_base_help_aggregate\"",
@@ -61,13 +64,14 @@ constexpr const char* known_lines[] = {"more process has sent help message",
 
 volatile pid_t child = 0;
 volatile std::sig_atomic_t stop_signal = 0;
-volatile std::sig_atomic_t seconds_to_end = 0;  // 0: as many as it takes
+volatile std::sig_atomic_t seconds_to_end = 0;  // 0: no limit
 volatile std::sig_atomic_t seconds_asked = 0;
 
-// mpirun kills a second after SIGTERM, too soon for a summary on a busy machine; SIGUSR1
-// it hands to every process, and waits. It is said again every second, for mpirun has
-// nobody to hand it to while it starts. Those that are suspended or hang never answer:
-// for them, and where the user asks twice, SIGTERM.
+// Signal handler. mpirun kills its processes one second after SIGTERM, too early for a
+// summary on a busy machine; SIGUSR1 is passed on to every process without a limit. It is
+// repeated every second by SIGALRM, since mpirun has no processes to pass it on to while
+// it starts. SIGTERM follows when the time is over (processes that hang or are suspended
+// do not answer) and when the user asks twice.
 extern "C" void pass_on(int signal) {
     const bool again = signal == SIGALRM;
     const bool twice = !again && stop_signal != 0;
@@ -81,14 +85,15 @@ extern "C" void pass_on(int signal) {
     if (!twice && !late) alarm(1);
 }
 
-// Ours, of which each is shown once, whatever the number of ranks that say it.
+// Messages of magfsi that have been shown; each is shown once, however many ranks print
+// it.
 std::set<std::string> shown;
 
 void show(const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
         if (line.starts_with("magfsi") && !shown.insert(line).second) continue;
-        // Survivors that mpirun ends when another process was lost say so; the cause is
-        // named once, at the end.
+        // Participants that mpirun ends after another one was lost print this line; the
+        // cause is named once at the end of the job.
         if (stop_signal == 0 && line.find("told to end by signal") != std::string::npos)
             continue;
         std::fprintf(stderr, "%s\n", scene::printable(line).c_str());
@@ -100,8 +105,8 @@ struct LostProcess {
     int signal = 0;
 };
 
-// mpirun's error output, line by line: its banners, framed by lines of dashes, are kept
-// from the user, and what they say about a killed process is kept.
+// Filter of mpirun's error output, line by line. Known banners, framed by lines of
+// dashes, are hidden; what they say about a killed process is stored.
 class MpirunMessages {
   public:
     void take(const std::string& line) {
@@ -123,7 +128,7 @@ class MpirunMessages {
             show({line});
         }
     }
-    // Also at the end of the stream.
+    // Ends the present banner; must be called at the end of the stream, too.
     void close_banner() {
         in_banner_ = false;
         look_for_lost_process();
@@ -157,10 +162,12 @@ std::string name_of(const std::vector<Program>& programs, int world_rank) {
     return "a process";
 }
 
-// signals: those that are blocked.
+// Turns the forked child into mpirun; never returns. `signals` is the signal mask to
+// restore.
 [[noreturn]] void become(const std::vector<std::string>& command, int error_pipe,
                          pid_t launcher, const sigset_t& signals) {
-    // mpirun passes it on to all processes of the job.
+    // mpirun gets SIGTERM when the launcher dies, and passes it on to all processes of
+    // the job.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != launcher) _exit(1);
     sigprocmask(SIG_SETMASK, &signals, nullptr);
@@ -201,8 +208,9 @@ bool has_living_children(pid_t pid) {
     });
 }
 
-// Asked once a second while mpirun is silent: whether all that it had started ended
-// hung_after_s ago and it is still there.
+// Detects a hung mpirun. now() must be called about once a second while mpirun is silent;
+// it returns true when all child processes of mpirun have been gone for more than
+// hung_after_s calls.
 class HungMpirun {
   public:
     bool now(pid_t mpirun) {
@@ -217,8 +225,9 @@ class HungMpirun {
     int alone_s_ = 0;
 };
 
-// A shell that waits for the launcher's end, which closes the pipe, gives mpirun its
-// seconds, and ends it.
+// A shell process that waits for the launcher's end (its end of the pipe closes), gives
+// mpirun hung_after_s seconds, and kills it. It works even if the launcher itself was
+// killed.
 class MpirunGuard {
   public:
     explicit MpirunGuard(pid_t mpirun) {
@@ -233,7 +242,7 @@ class MpirunGuard {
     }
     MpirunGuard(const MpirunGuard&) = delete;
     MpirunGuard& operator=(const MpirunGuard&) = delete;
-    // After mpirun has been waited for, so that the shell finds it gone.
+    // Must run after waitpid for mpirun, so that the shell finds no mpirun to kill.
     ~MpirunGuard() {
         close(pipe_[1]);
         while (shell_ > 0 && waitpid(shell_, nullptr, 0) < 0 && errno == EINTR) {
@@ -242,7 +251,7 @@ class MpirunGuard {
 
   private:
     [[noreturn]] void wait_as_shell(const std::string& script) const {
-        setsid();  // what a terminal or a test sends to the job is not for it
+        setsid();  // signals to the job's process group pass it by
         const int nothing = open("/dev/null", O_WRONLY);
         dup2(pipe_[0], STDIN_FILENO);
         dup2(nothing, STDOUT_FILENO);
@@ -257,7 +266,8 @@ class MpirunGuard {
 
 }  // namespace
 
-// A terminal that goes asks for an end, too, unless nohup has it ignored.
+// A closing terminal (SIGHUP) asks for an end, too, unless nohup has made the process
+// ignore it.
 void pass_on_signals() {
     struct sigaction action {
     }, before{};
@@ -271,7 +281,8 @@ void pass_on_signals() {
 
 namespace {
 
-// Until mpirun ends. Returns whether it hung and had to be ended.
+// Reads mpirun's error output until mpirun ends. Returns true if mpirun hung and was
+// killed.
 bool filter_errors(int pipe, MpirunMessages& messages) {
     std::string pending;
     char buffer[4096];
@@ -318,7 +329,8 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
     const auto command = mpirun_command(programs);
     const pid_t launcher = getpid();
-    // A signal that comes from here on waits until there is somebody to pass it on to.
+    // Signals are blocked until `child` is set, so that the handler has a process to pass
+    // them on to.
     sigset_t all, before;
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &before);
@@ -348,13 +360,15 @@ JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop) {
                            strsignal(signal));
     };
     if (hung) {
-        // The code went with it: what the participants said or wrote tells their end.
+        // The exit code is lost with the killed mpirun: messages or the summary of the
+        // participants tell the outcome.
         end.exit_code = end.told ? 1 : 0;
     } else if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         end.exit_code = 128 + signal;
         end.crashed = signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT;
-        // One that has just been started does not answer a request: it ends of it.
+        // An mpirun that has just been started has no handler of SIGUSR1 yet and dies of
+        // the request.
         const bool of_request = end.stopped && signal == SIGUSR1;
         if (!of_request) end.lost = killed_by("mpirun", signal);
     }

@@ -11,28 +11,37 @@
 
 namespace magfsi::launch {
 
+// End of a job: exit code and cause.
 struct JobEnd {
+    // Exit code of mpirun; 128 + signal if a signal killed mpirun.
     int exit_code = 0;
-    std::string lost;      // "fluid rank 1 was killed by signal 9"; empty if nobody was
-    bool crashed = false;  // mpirun itself, maybe when all was done
-    bool stopped = false;  // this process was told to end
-    bool told = false;     // a participant has said why it ended
+    // Name and signal of a killed process, such as "fluid rank 1 was killed by signal 9
+    // (Killed)"; empty if none was killed.
+    std::string lost;
+    // True if mpirun itself crashed, possibly after all participants had ended well.
+    bool crashed = false;
+    // True if this process was asked to end by a signal.
+    bool stopped = false;
+    // True if a participant has printed an error message.
+    bool told = false;
 };
 
-// What SIGINT and SIGTERM lead to: participants are asked to end in order, with
-// checkpoint after writing one, however long that takes, else within some seconds; a
-// second signal ends them at once.
+// Response to SIGINT and SIGTERM. Participants are asked to end in order; with
+// `checkpoint` they first write one, however long that takes, with `end` they are killed
+// after some seconds. A second signal kills them at once.
 enum class OnStop { end, checkpoint };
 
-// Raises a small limit of the stack as far as it may. Throws std::runtime_error where
-// that is not far enough.
+// Raises the stack limit of this process towards 8 MiB. Throws std::runtime_error if the
+// hard limit is below 1 MiB.
 void need_stack();
 
-// From here on requests to end (SIGINT, SIGTERM, SIGHUP) wait for the job that starts,
-// and are passed on to it. run_job calls it, too.
+// Installs the handlers of SIGINT, SIGTERM and SIGHUP. A request that comes before a job
+// runs is kept for the job that starts next. run_job calls this function, too.
 void pass_on_signals();
 
-// Runs it to the end. It ends, too, when this process dies.
+// Runs the programs as one MPMD job and waits for its end. Errors of the participants go
+// to stderr, each line that begins with "magfsi" once. The job ends when this process
+// dies. Throws std::runtime_error if no process can be started.
 JobEnd run_job(const std::vector<Program>& programs, OnStop on_stop);
 
 }  // namespace magfsi::launch

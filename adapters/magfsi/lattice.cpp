@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Both directions of `magfsi lattice`: scene to LAMMPS files, lattice file to Gmsh mesh
+// and table.
 #include "adapters/magfsi/lattice.h"
 
 #include <fmt/format.h>
@@ -21,6 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Writes the files of a scene's bodies into options.out. The script lammps.in has all
+// loads of the scene except the fluid, and runs until the scene's end; a path of
+// equilibria has no such number of steps.
 int write(const LatticeOptions& options) {
     const scene::Scene scene = scene::read_scene(options.input, options.overrides);
     if (scene.bodies.empty()) throw std::invalid_argument("the scene has no bodies");
@@ -43,10 +48,12 @@ int write(const LatticeOptions& options) {
     return coupler::exit_done;
 }
 
-// Gmsh goes round the lower and the upper face.
+// Corners of a hexahedron in the order of Gmsh, which goes around the lower face, then
+// around the upper one; ours numbers x fastest, then y, then z.
 constexpr std::array gmsh_order{0, 1, 3, 2, 4, 5, 7, 6};
 
-// Materials are its regions.
+// Text of a Gmsh 2.2 file; each material becomes a physical volume "material_N".
+// Physical tags count from 1, materials of the lattice file from 0.
 std::string gmsh_text(const structure::LatticeFile& lattice) {
     const auto material = [&](std::size_t e) {
         return lattice.element_material.empty() ? 0 : lattice.element_material[e];
@@ -72,6 +79,8 @@ std::string gmsh_text(const structure::LatticeFile& lattice) {
     return text + "$EndElements\n";
 }
 
+// Table of magnetisations: element centres [m] and vectors [A/m], in the order of the
+// elements.
 std::string table_text(const structure::LatticeFile& lattice) {
     std::string text = "x[m],y[m],z[m],Mx[A/m],My[A/m],Mz[A/m]\n";
     for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
@@ -86,6 +95,8 @@ std::string table_text(const structure::LatticeFile& lattice) {
     return text;
 }
 
+// Writes the mesh and the magnetisations of a lattice file and prints the keys that use
+// them in a scene.
 int read(const LatticeOptions& options) {
     if (!options.overrides.empty())
         throw std::invalid_argument(
@@ -106,11 +117,12 @@ int read(const LatticeOptions& options) {
 
 }  // namespace
 
+// The ending decides which way to convert.
 int lattice(const LatticeOptions& options) {
     if (options.input.extension() != ".lattice") return write(options);
     try {
         return read(options);
-    } catch (const std::runtime_error& error) {  // of the file
+    } catch (const std::runtime_error& error) {  // a fault in the input file
         throw std::invalid_argument(error.what());
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `magfsi lattice`: the bodies of a scene as files for plain LAMMPS scripts, and back.
+// `magfsi lattice`: converts the bodies of a scene to files for plain LAMMPS scripts, and
+// a lattice file back to a mesh that a scene can read.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +9,18 @@
 
 namespace magfsi::launch {
 
+// Options of the command line.
 struct LatticeOptions {
-    std::filesystem::path input;  // a scene, its folder, or a lattice file
+    // A scene file, a folder with scene.yaml, or a NAME.lattice file.
+    std::filesystem::path input;
     std::filesystem::path out = ".";
-    std::vector<std::string> overrides;  // of the scene
+    std::vector<std::string> overrides;  // --set, allowed with a scene only
 };
 
-// Of a scene: bodies.data, a NAME.lattice a body and lammps.in, the script with all of
-// its loads. Of NAME.lattice: NAME.msh for Gmsh and NAME.csv with the magnetisation,
-// which a scene reads. The exit code; throws std::invalid_argument and scene::SceneError.
+// Converts the input. A scene becomes bodies.data, one NAME.lattice per body, and
+// lammps.in, the script with all loads of the scene. NAME.lattice becomes NAME.msh (Gmsh
+// 2.2) and NAME.csv (magnetisation [A/m] at element centres), which a scene can read.
+// Returns the exit code. Throws std::invalid_argument and scene::SceneError.
 int lattice(const LatticeOptions& options);
 
 }  // namespace magfsi::launch

@@ -22,6 +22,7 @@ namespace {
 
 using namespace magfsi;
 
+// Values of the command line, in text where they need more than CLI11's checks.
 struct Options {
     launch::RunOptions run;
     launch::LatticeOptions lattice;
@@ -29,6 +30,7 @@ struct Options {
     bool json = false;
 };
 
+// Options that all commands with a scene share.
 void add_scene_options(CLI::App& command, Options& options) {
     command.add_option("scene", options.run.scene, "Scene file or tutorial folder")
         ->required();
@@ -41,11 +43,13 @@ void add_scene_options(CLI::App& command, Options& options) {
                                    fmt::join(scene::names<scene::FluidSolver>, " or ")));
 }
 
+// Option of the commands whose result depends on the ranks.
 void add_ranks(CLI::App& command, Options& options) {
     command.add_option("--ranks", options.ranks, "MPI ranks: structure=N,fluid=M");
 }
 
-// As a shell takes it for one.
+// Quotes the text where necessary so that a shell takes it as one word.
+// The command is kept for run.json, from where it can be pasted into a shell.
 std::string word(const std::string& text) {
     constexpr auto plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=,:+-@%";
@@ -56,15 +60,17 @@ std::string word(const std::string& text) {
     return quoted + "'";
 }
 
+// Explaining the scene builds meshes and solver settings, and so finds faults that
+// reading cannot.
 int check(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
-    // What only mesh and solvers can refuse shows here, too.
     for (const std::string& line : launch::warnings(launch::explain(scene)))
         fmt::print("warning: {}\n", line);
     fmt::print("{}: good\n", scene::scene_file(options.run.scene).string());
     return coupler::exit_done;
 }
 
+// Text and facts are both computed, so that faults show the same with and without --json.
 int explain(const Options& options) {
     const auto scene = scene::read_scene(options.run.scene, options.run.overrides);
     const auto ranks = launch::choose_ranks(scene, options.run.ranks);
@@ -77,6 +83,7 @@ int explain(const Options& options) {
     return coupler::exit_done;
 }
 
+// --fluid is an override of the scene's key fluid.solver.
 int execute(CLI::App& app, Options& options) {
     if (!options.fluid.empty()) {
         options.run.overrides.push_back("fluid.solver=" + options.fluid);
@@ -97,6 +104,8 @@ int execute(CLI::App& app, Options& options) {
 
 }  // namespace
 
+// Exit codes are those of coupler/participants/errors.h: faults of the input are
+// exit_input, all others exit_error. User text in messages is made safe for the terminal.
 int main(int argc, char** argv) {
     CLI::App app{"Hard-magnetic soft robots in a fluid", "magfsi"};
     app.require_subcommand(1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Choice of mpirun and of its options, by what the environment tells of the machine.
 #include "adapters/magfsi/mpirun.h"
 
 #include <fmt/format.h>
@@ -20,10 +21,11 @@ namespace magfsi::launch {
 
 namespace {
 
+// PATH for environments that have none.
 constexpr const char* default_path = "/usr/local/bin:/usr/bin:/bin";
 
-// The first line that "NAME --version" prints, without a name of its own where the shell
-// does not find it.
+// First line of the output of "NAME --version"; nullopt if the shell does not find the
+// program.
 std::optional<std::string> version_line(const std::string& name) {
     const std::string command =
         fmt::format("command -v {0} >/dev/null && timeout 5 {0} --version 2>&1", name);
@@ -36,26 +38,29 @@ std::optional<std::string> version_line(const std::string& name) {
     return text;
 }
 
-// MPICH and those made from it.
+// True for MPICH and the libraries derived from it.
 bool is_of_another_mpi(const std::string& version) {
     for (const char* name : {"HYDRA", "MPICH", "MVAPICH", "Intel"})
         if (version.find(name) != std::string::npos) return true;
     return false;
 }
 
+// Major version from text such as "mpirun (Open MPI) 4.1.4"; 0 if it is not there.
 int version_number(const std::string& version) {
     std::smatch found;
     static const std::regex pattern(R"(\(Open MPI\) (\d+))");
     return std::regex_search(version, found, pattern) ? std::stoi(found[1]) : 0;
 }
 
+// An mpirun that is missing or tells no version is returned as well: the start of the job
+// then shows the fault.
 Mpirun look_for_mpirun() {
     setenv("PATH", default_path, 0);
     std::string passed_over;
     for (const char* name : {"mpirun", "mpirun.openmpi"}) {
         const auto version = version_line(name);
         if (!version || !is_of_another_mpi(*version)) {
-            // The second name is for the case that the first one is another MPI's.
+            // mpirun.openmpi is tried only where mpirun belongs to another MPI.
             if (!version && !passed_over.empty()) continue;
             return {name, version_number(version.value_or("")), passed_over};
         }
@@ -68,6 +73,7 @@ Mpirun look_for_mpirun() {
         passed_over));
 }
 
+// Number of processes of the whole job.
 int all_ranks(const std::vector<Program>& programs) {
     return std::accumulate(programs.begin(), programs.end(), 0,
                            [](int sum, const Program& p) { return sum + p.ranks; });
@@ -75,6 +81,7 @@ int all_ranks(const std::vector<Program>& programs) {
 
 }  // namespace
 
+// Variables of Slurm, PBS, LSF, Grid Engine, and Open MPI's host files.
 bool has_more_machines() {
     return std::ranges::any_of(
         std::to_array({"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID",
@@ -92,8 +99,9 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
     std::vector<std::string> words{find_mpirun().program};
     if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
     const bool crowded = all_ranks(programs) > available_cores();
-    // Bound to cores, which Open MPI counts from the first one in every job, runs side by
-    // side would share theirs while others idle.
+    // Open MPI binds the ranks of every job to cores counted from the first one, so that
+    // jobs side by side would share cores while others idle. Without binding the system
+    // distributes them.
     if (crowded || (!std::getenv("OMPI_MCA_hwloc_base_binding_policy") &&
                     !std::getenv("PRTE_MCA_hwloc_default_binding_policy"))) {
         words.emplace_back("--bind-to");
@@ -119,13 +127,14 @@ std::vector<std::string> mpirun_command(const std::vector<Program>& programs) {
 
 void set_mpirun_environment() {
     setenv("PATH", default_path, 0);  // Open MPI needs one
-    // Debian's PMIx 5 crashes at every job of several programs where it writes variables
-    // that tell of them (open-mpi/ompi#13303); nobody here reads those.
+    // Debian's PMIx 5 crashes on jobs of several programs in the plug-in that writes
+    // variables about them (open-mpi/ompi#13303). Nothing in magfsi reads those
+    // variables.
     if (find_mpirun().version >= 5) setenv("PMIX_MCA_pmdl", "^ompi", 0);
-    // On one machine the drivers of fast networks need not be looked at: half of the time
-    // that MPI takes to start.
+    // ob1 skips the search for drivers of fast networks, which takes half of MPI's
+    // start-up time and is of no use on a single machine.
     if (!has_more_machines()) setenv("OMPI_MCA_pml", "ob1", 0);
-    // On processors that came after it, OpenBLAS falls back to kernels without AVX.
+    // OpenBLAS falls back to kernels without AVX on processors newer than itself.
     if (__builtin_cpu_supports("avx2")) setenv("OPENBLAS_CORETYPE", "Haswell", 0);
 }
 

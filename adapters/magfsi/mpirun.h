@@ -7,30 +7,37 @@
 
 namespace magfsi::launch {
 
+// An mpirun of Open MPI.
 struct Mpirun {
-    std::string program;  // as found through PATH
-    int version = 0;      // Open MPI's first number; 0: it does not say
-    // Empty, or which mpirun comes first on PATH and is passed over.
+    std::string program;  // name, looked up through PATH
+    int version = 0;      // major version of Open MPI; 0 if unknown
+    // Name and version of an mpirun of another MPI that comes first on PATH and is not
+    // used; mostly empty.
     std::string passed_over;
 };
 
-// The first of mpirun and Debian's mpirun.openmpi that belongs to Open MPI. Throws
-// std::runtime_error, with the remedy, where all of them belong to another MPI.
+// Finds the first of `mpirun` and Debian's `mpirun.openmpi` that belongs to Open MPI; the
+// result is kept. Throws std::runtime_error with the remedy if all of them belong to
+// another MPI.
 const Mpirun& find_mpirun();
 
-// Whether mpirun may use other machines than this one, as the environment says.
+// True if the environment names a batch system or a host file, so that mpirun may use
+// other machines than this one.
 bool has_more_machines();
 
+// One program of an MPMD job: its role (for messages), its ranks, and its command line.
 struct Program {
-    std::string role;  // for messages
+    std::string role;  // structure, fluid or controller
     int ranks = 1;
     std::vector<std::string> command;
 };
 
-// mpirun with the options that this machine and this number of ranks need, no others.
+// Command line of mpirun for the programs, with only those options that this machine and
+// the number of ranks need.
 std::vector<std::string> mpirun_command(const std::vector<Program>& programs);
 
-// Sets the environment variables that mpirun and its processes need, unless they are set.
+// Sets environment variables that mpirun and its processes need; those that the user has
+// set stay as they are. Changes this process's environment.
 void set_mpirun_environment();
 
 }  // namespace magfsi::launch

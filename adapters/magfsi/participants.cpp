@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The table of fluid solvers, and the number of ranks that each participant gets.
 #include "adapters/magfsi/participants.h"
 
 #include "adapters/magfsi/mpirun.h"
@@ -23,7 +24,7 @@ namespace magfsi::launch {
 
 namespace {
 
-// In the order of scene::FluidSolver.
+// Entries in the order of the enumeration scene::FluidSolver.
 const std::array fluid_programs = std::to_array<FluidProgram>({
     {"magfsi-fluid-lbm", [] { return std::string(); }, &lbm::explain, true},
     {"magfsi-fluid-openfoam", &openfoam::missing, &openfoam::explain, false},
@@ -31,17 +32,19 @@ const std::array fluid_programs = std::to_array<FluidProgram>({
 static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
               scene::names<scene::FluidSolver>.size());
 
+// The structure gets one rank unless --ranks gives it more.
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    // In the serial scheme the fluid may have every core, in the parallel one all but the
-    // structure's.
+    // In the serial scheme both sides take turns, and the fluid may use every core; in
+    // the parallel one it leaves a core to the structure.
     const bool parallel =
         scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
     const int cores = std::max(1, available_cores() - (parallel ? 1 : 0));
     return std::min(worthwhile_parts(*scene.fluid), cores);
 }
 
-// Ranks beyond the cores take turns, and a job of many crawls or never gets going.
+// Refuses far more ranks than cores: they take turns on the cores, and a large job hardly
+// advances.
 void check_number(const Ranks& ranks) {
     constexpr int ranks_a_core = 4, always_allowed = 8;
     const int most = std::max(always_allowed, ranks_a_core * available_cores());
@@ -54,7 +57,7 @@ void check_number(const Ranks& ranks) {
         all, most, ranks_a_core, available_cores()));
 }
 
-// A rank without an element would have nothing to do.
+// Refuses more structure ranks than elements, for a rank without elements would idle.
 void check_structure(const scene::Scene& scene, int ranks) {
     if (ranks == 1 || scene.bodies.empty()) return;
     if (by_newton(scene))
@@ -82,6 +85,8 @@ bool by_newton(const scene::Scene& scene) {
            scene.time.equilibrium->method == scene::EquilibriumMethod::newton;
 }
 
+// Bodies are moved by LAMMPS, or brought to equilibrium by Newton's method in a program
+// of its own.
 std::map<std::string, std::string> programs_of(const scene::Scene& scene) {
     std::map<std::string, std::string> programs;
     if (scene.has_own_structure())
@@ -93,6 +98,7 @@ std::map<std::string, std::string> programs_of(const scene::Scene& scene) {
     return programs;
 }
 
+// Numbers of more than five digits are refused, too, so that stoi cannot overflow.
 Ranks parse_ranks(const std::string& text) {
     Ranks ranks;
     std::istringstream in(text);
@@ -117,7 +123,7 @@ Ranks parse_ranks(const std::string& text) {
 
 std::string to_text(const Ranks& ranks) {
     std::string text;
-    // Of the map, the structure comes last; people name it first.
+    // The map is sorted by name; people name the structure first.
     for (const char* role : {"structure", "fluid"}) {
         if (!ranks.contains(role)) continue;
         text += fmt::format("{}{}={}", text.empty() ? "" : ",", role, ranks.at(role));
@@ -125,6 +131,7 @@ std::string to_text(const Ranks& ranks) {
     return text;
 }
 
+// Defaults first, then the given numbers, then the limits.
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     Ranks ranks;
     for (const auto& [role, name] : programs_of(scene))
@@ -141,6 +148,8 @@ Ranks choose_ranks(const scene::Scene& scene, const Ranks& given) {
     return ranks;
 }
 
+// Lower bound of the fluid's memory: 19 populations a cell (D3Q19). Batch systems may
+// distribute it over machines and are not checked.
 void check_memory(const scene::Scene& scene) {
     if (!scene.fluid || has_more_machines()) return;
     const bool single = scene.fluid->solver == scene::FluidSolver::lbm &&

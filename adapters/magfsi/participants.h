@@ -10,38 +10,46 @@
 
 namespace magfsi::launch {
 
-// What the command line needs to know of a fluid solver. The table is in
-// participants.cpp: a new solver adds its line there, its name in the scene, and its own
-// folder.
+// Entry of a fluid solver in the table of participants.cpp. A new solver adds its entry
+// there, its name in the scene, and a folder of its own.
 struct FluidProgram {
+    // Name of the executable, beside magfsi's own.
     const char* program;
-    std::string (*missing)();  // why this build cannot run it, and what to do; or empty
-    // For `magfsi explain`. Throws std::invalid_argument on what the solver refuses.
+    // Returns why this build cannot run the solver and what to do, or "".
+    std::string (*missing)();
+    // Text of `magfsi explain` on the fluid. Throws std::invalid_argument on what the
+    // solver refuses.
     std::string (*explain)(const scene::Scene& scene, int ranks);
-    bool predicted;  // its time and memory, in cost.h
+    // True if cost.h predicts time and memory of this solver.
+    bool predicted;
 };
+// Solver of the scene's fluid; the scene must have one.
 const FluidProgram& fluid_program(const scene::Scene& scene);
 
+// True if the scene asks for static equilibria by Newton's method.
 bool by_newton(const scene::Scene& scene);
 
-// Names of programs by role: structure, fluid.
+// Names of the executables by role, "structure" and "fluid", for those that the scene
+// needs. The name is "" for a structure of the user's own, which --structure names.
 std::map<std::string, std::string> programs_of(const scene::Scene& scene);
 
-using Ranks = std::map<std::string, int>;  // by role: structure, fluid
+// Number of MPI ranks by role, "structure" and "fluid".
+using Ranks = std::map<std::string, int>;
 
-// "structure=1,fluid=2". Throws std::invalid_argument.
+// Reads text such as "structure=1,fluid=2". Throws std::invalid_argument on any other.
 Ranks parse_ranks(const std::string& text);
 
-// "structure=1,fluid=2", as --ranks takes it.
+// Writes text such as "structure=1,fluid=2", as --ranks reads it.
 std::string to_text(const Ranks& ranks);
 
-// Of each participant that the scene has: as given, or what the cores and the number of
-// cells make of it. Throws std::invalid_argument if one is given that the scene lacks, or
-// a number beyond what the machine's cores or the bodies' elements can use.
+// Number of ranks of each participant of the scene: as given, or by default one for the
+// structure and as many for the fluid as cores and cells justify. Throws
+// std::invalid_argument if a rank number is given for a role that the scene lacks, or one
+// beyond what this machine's cores or the bodies' elements can use.
 Ranks choose_ranks(const scene::Scene& scene, const Ranks& given);
 
-// Throws std::invalid_argument where the fluid's cells take more than this machine's
-// memory.
+// Throws std::invalid_argument if the populations of the fluid's cells alone need more
+// than this machine's memory.
 void check_memory(const scene::Scene& scene);
 
 }  // namespace magfsi::launch

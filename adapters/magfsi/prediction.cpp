@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Predicted time and memory: each kind of work times its measured cost (struct
+// Calibration). The model is linear except for the size of the lattice and of the mesh,
+// in which it interpolates by power laws.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +18,7 @@
 
 namespace magfsi::launch {
 
-// From calibration.json, whose keys are the members' names.
+// JSON conversions for calibration.json, whose keys are the names of the members.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FluidSpeed, cells, ranks, single_precision,
                                    s_per_cell_step)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NewtonSpeed, nodes, s_per_point)
@@ -30,7 +33,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 
 namespace {
 
-// $XDG_CACHE_HOME/magfsi/calibration.json, or ~/.cache/magfsi/calibration.json.
+// Path $XDG_CACHE_HOME/magfsi/calibration.json, or ~/.cache/magfsi/calibration.json.
 std::filesystem::path calibration_file() {
     const char* cache = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");
@@ -40,11 +43,12 @@ std::filesystem::path calibration_file() {
     return folder / "magfsi/calibration.json";
 }
 
-// Files of elements: 8 corners and 9 + 4 numbers around them, as counted on a strip.
+// Size of an element in a structure field file: 8 corners, and 9 + 4 numbers for the data
+// around them, as counted on a strip.
 constexpr double bytes_per_element_file = 280;
 constexpr double bytes_per_probe_row = 600;
 
-// y over x on a line through the logarithms of two points; beyond them, held.
+// Interpolates y(x) as a power law through two points; constant beyond them.
 double between(double x, double x1, double y1, double x2, double y2) {
     if (x <= x1 || x1 == x2) return y1;
     if (x >= x2) return y2;
@@ -52,7 +56,9 @@ double between(double x, double x1, double y1, double x2, double y2) {
     return y1 * std::pow(y2 / y1, part);
 }
 
-// Wall time of a cell's step: caches hold small lattices, memory bounds large ones.
+// Wall time of one update of a cell [s], interpolated over the size of the lattice: small
+// lattices fit into caches, large ones are bound by the memory's bandwidth. Any number of
+// ranks above one takes the figures of the calibration's largest number.
 double cell_step_s(const FluidWork& work, const Calibration& c) {
     const FluidSpeed *below = nullptr, *above = nullptr;
     int max_ranks = 1;
@@ -69,6 +75,8 @@ double cell_step_s(const FluidWork& work, const Calibration& c) {
                    above->s_per_cell_step);
 }
 
+// Time of the fluid [s]: steps, probes and files. s_per_cell_step is measured with all
+// ranks at work; collisions, walls and probes share the ranks, markers and files do not.
 double fluid_s(const Work& work, const Calibration& c) {
     const FluidWork& f = *work.fluid;
     const double markers = work.structure ? work.structure->markers : 0;
@@ -83,7 +91,8 @@ double fluid_s(const Work& work, const Calibration& c) {
            f.files * f.cells * f.bytes_per_cell * c.s_per_cell_byte;
 }
 
-// Of a coupled step, what neither side's work explains.
+// Part of a coupled step's time [s] that the work of neither side explains: messages,
+// waiting, caches.
 double exchange_s(const Work& work, const Calibration& c) {
     const bool shared = work.fluid->ranks + work.structure->ranks > available_cores();
     return shared ? c.s_per_coupled_step_shared +
@@ -91,10 +100,11 @@ double exchange_s(const Work& work, const Calibration& c) {
                   : c.s_per_coupled_step + work.fluid->cells * c.s_per_coupled_cell;
 }
 
-// Ranks share elements and markers, and exchange the nodes between them.
-// Of one element's dipole on another, with AVX2 (docs/effects.md).
+// Time [s] of one element's dipole acting on another, with AVX2 (docs/effects.md).
 constexpr double s_per_dipole = 4e-9;
 
+// Wall time of a substep [s]. Ranks share elements, markers and dipole pairs evenly, and
+// exchange ghost nodes.
 double substep_s(const StructureWork& s, const Calibration& c) {
     return c.s_per_substep + (s.ranks > 1 ? c.s_per_substep_exchange : 0) +
            (s.elements * c.s_per_element_substep + s.markers * c.s_per_marker_substep +
@@ -102,13 +112,15 @@ double substep_s(const StructureWork& s, const Calibration& c) {
                s.ranks;
 }
 
+// Time of the structure [s]: substeps, probes and files.
 double structure_s(const Work& work, const Calibration& c) {
     const StructureWork& s = *work.structure;
     return work.steps * work.iterations * s.substeps * substep_s(s, c) +
            s.probe_rows * c.s_per_probe_row + s.files * s.elements * c.s_per_element_file;
 }
 
-// The cost of a point grows as a power of the nodes, through the two that were measured.
+// Time of a path of equilibria [s]. The cost of a point is a power law of the number of
+// nodes through the smallest and the largest mesh measured.
 double newton_s(const Work& work, const Calibration& c) {
     const StructureWork& s = *work.structure;
     if (c.newton.size() < 2) return 0;
@@ -119,7 +131,7 @@ double newton_s(const Work& work, const Calibration& c) {
            s.files * s.elements * c.s_per_element_file;
 }
 
-// Passing: what a cell takes while it is probed or written.
+// Memory per cell [bytes] that is needed only while probes or files are written.
 double passing_bytes(const FluidWork& f, const Calibration& c) {
     const double curl = f.enstrophy_rows > 0 ? c.bytes_per_cell_curl : 0;
     if (f.files == 0) return curl;
@@ -127,6 +139,7 @@ double passing_bytes(const FluidWork& f, const Calibration& c) {
         curl, c.bytes_per_cell_file + (f.vorticity_files ? c.bytes_per_cell_curl : 0));
 }
 
+// Memory and disk space [bytes] of all ranks.
 void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (work.structure) {
         const StructureWork& s = *work.structure;
@@ -148,6 +161,8 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }
 
+// The sides' times add up in the serial scheme; in the parallel one the slower side
+// decides.
 Prediction predict(const Work& work, const Calibration& c) {
     Prediction p;
     add_memory(work, c, p);
@@ -165,14 +180,15 @@ Prediction predict(const Work& work, const Calibration& c) {
     return p;
 }
 
-// The same work on other ranks.
+// Returns the same work with another number of ranks.
 Work on_ranks(Work work, const Ranks& ranks) {
     if (work.fluid) work.fluid->ranks = ranks.at("fluid");
     if (work.structure) work.structure->ranks = ranks.at("structure");
     return work;
 }
 
-// Those worth a look: one rank a core at most, and Newton's method has one.
+// Other numbers of ranks to consider: at most one rank a core; Newton's method runs on
+// one rank only.
 std::vector<Ranks> other_ranks(const Work& work, const Ranks& ranks) {
     std::vector<Ranks> all;
     if (work.path && work.path->newton) return all;
@@ -185,12 +201,13 @@ std::vector<Ranks> other_ranks(const Work& work, const Ranks& ranks) {
     return all;
 }
 
-// The ranks, up to a core each, on which this will take clearly less time; nothing where
-// there are none. Memory decides nothing here.
+// Numbers of ranks, at most one a core, on which the run is predicted to be clearly
+// faster, and the predicted time [s]; nullopt if there are none. Memory is not
+// considered.
 std::optional<std::pair<Ranks, double>> faster_ranks(const Work& work, const Ranks& ranks,
                                                      double wall_s,
                                                      const Calibration& calibration) {
-    // Of the time: less is within the prediction's error.
+    // Smaller gains are within the prediction's error.
     constexpr double clearly = 0.85;
     double min_s = clearly * wall_s;
     std::optional<std::pair<Ranks, double>> best;
@@ -203,12 +220,14 @@ std::optional<std::pair<Ranks, double>> faster_ranks(const Work& work, const Ran
     return best;
 }
 
+// Two significant digits are all that a prediction is worth.
 std::string duration(double seconds) {
     if (seconds < 120) return fmt::format("{:.2g} s", seconds);
     if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
     return fmt::format("{:.2g} h", seconds / 3600);
 }
 
+// Predicted time with its parts, or the reason why it is unknown.
 std::string time_line(const Prediction& p, bool path) {
     if (!p.wall_s)
         return "unknown: damped motion takes as many steps as it needs to come to rest";
@@ -228,10 +247,12 @@ std::string time_line(const Prediction& p, bool path) {
 
 }  // namespace
 
+// Part of the calibration's key: another processor or number of cores needs another one.
 std::string machine() {
     return fmt::format("{}, {} cores", processor(), available_cores());
 }
 
+// A file of another format counts as no calibration.
 std::optional<Calibration> read_calibration() {
     std::ifstream in(calibration_file());
     const auto json = nlohmann::json::parse(in, nullptr, false);
@@ -241,10 +262,11 @@ std::optional<Calibration> read_calibration() {
             return std::nullopt;
         return json.get<Calibration>();
     } catch (const nlohmann::json::exception&) {
-        return std::nullopt;  // of another making: as good as none
+        return std::nullopt;  // written in another format
     }
 }
 
+// OpenFOAM is not calibrated.
 std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ranks) {
     if (scene.fluid && !fluid_program(scene).predicted) return std::nullopt;
     const auto calibration = read_calibration();
@@ -252,6 +274,7 @@ std::optional<Prediction> prediction(const scene::Scene& scene, const Ranks& ran
     return predict(work_of(scene, ranks), *calibration);
 }
 
+// Memory is given for the participants that there are.
 nlohmann::ordered_json to_json(const Prediction& p) {
     nlohmann::ordered_json out;
     out["wall_s"] = p.wall_s ? nlohmann::ordered_json(*p.wall_s) : nullptr;
@@ -261,6 +284,7 @@ nlohmann::ordered_json to_json(const Prediction& p) {
     return out;
 }
 
+// Numbers of ranks that are clearly faster are named with the option that takes them.
 std::string explain_cost(const scene::Scene& scene, const Ranks& ranks) {
     std::string text = fmt::format("\ncost on ranks {}\n", to_text(ranks));
     if (scene.fluid && !fluid_program(scene).predicted)

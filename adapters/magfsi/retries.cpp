@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The place of a restart is found among the checkpoints of the run folder;
+// coupler/checkpoint/restart.h reads them.
 #include "adapters/magfsi/retries.h"
 
 #include <fmt/format.h>
@@ -14,6 +16,7 @@ namespace magfsi::launch {
 
 namespace {
 
+// Time of a checkpoint [s]. Steps of a halved run are counted in its own, shorter steps.
 double time_of(const coupler::StateHeader& header) {
     return static_cast<double>(header.step) * header.step_s;
 }
@@ -24,6 +27,8 @@ bool retry(const scene::Scene& scene) {
 
 }  // namespace
 
+// A restart takes the number of halvings from the ratio of the scene's step to the
+// checkpoint's.
 Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
                  const std::string& restart)
     : scene_(scene), out_(out), given_(restart), restart_(restart) {
@@ -34,11 +39,15 @@ Retries::Retries(const scene::Scene& scene, const std::filesystem::path& out,
     if (ratio > 1) scene_.time.halvings = std::ilogb(static_cast<double>(ratio));
 }
 
+// Coupled step [s] with all halvings so far; of bodies alone it follows from their stable
+// step.
 double Retries::step_s() const {
     const auto coupled = scene::coupled_step_s(scene_);
     return coupled ? *coupled : lammps::choose_substeps(scene_).coupled_step_s;
 }
 
+// The newest checkpoint of the run folder, else the one that the run was started from,
+// else the start.
 Retries::Place Retries::newest() const {
     const auto at = [&](const std::string& restart) -> Place {
         return {restart,
@@ -46,11 +55,12 @@ Retries::Place Retries::newest() const {
     };
     try {
         return at("latest");
-    } catch (const std::invalid_argument&) {  // none yet
+    } catch (const std::invalid_argument&) {  // no checkpoint yet
         return given_.empty() ? Place{} : at(given_);
     }
 }
 
+// Deletes the newest checkpoint of all roles.
 void Retries::drop_newest() const {
     const auto roles = run_plan(scene_).roles;
     const auto steps = coupler::steps_complete(out_, roles);
@@ -59,6 +69,8 @@ void Retries::drop_newest() const {
         std::filesystem::remove(coupler::checkpoint_file(out_, steps.front(), role));
 }
 
+// A new divergence without progress since the last restart means that the newest
+// checkpoint already holds the growing instability, so it is deleted.
 bool Retries::again(const std::string& cause) {
     if (!retry(scene_)) return false;
     const auto done = static_cast<int>(record_.size());

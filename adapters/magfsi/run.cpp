@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A run in order: read and check the scene, lock the run folder, start the job, retry
+// after a divergence if the scene says so, name the end, and complete summary.json.
 #include "adapters/magfsi/run.h"
 #include "adapters/magfsi/host_name.h"
 
@@ -32,16 +34,21 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+// Path of a program beside this one.
 fs::path program(const std::string& name) {
     return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
+// True if the run continues in the folder of its checkpoint, whose results must then
+// stay.
 bool goes_on_in(const fs::path& out, const RunOptions& options) {
     if (options.restart.empty()) return false;
     std::error_code none;  // false where one of them is not there
     return fs::equivalent(coupler::restart_folder(options.restart, out), out, none);
 }
 
+// Command lines of all participants: the user's program, replays and the controller
+// included.
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,
                                   const fs::path& out) {
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),
@@ -67,7 +74,7 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
         p.command.insert(p.command.end(), arguments.begin(), arguments.end());
         if (p.role == "structure" && scene.has_own_structure()) {
             p.command.front() = fs::absolute(options.structure).string();
-            // Its partner looks for programs of ours in the job.
+            // The user's program knows no log of magfsi: its name is noted there.
             p.command.insert(p.command.end(),
                              {"--note", fmt::format("{} in place of magfsi-structure",
                                                     options.structure.string())});
@@ -87,6 +94,7 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
     return programs;
 }
 
+// Not an object if there is no summary or it cannot be parsed.
 Json read_summary(const fs::path& out) {
     std::ifstream in(out / "summary.json");
     return Json::parse(in, nullptr, false);  // no object where there is none
@@ -102,8 +110,8 @@ void write_summary(const fs::path& out, const Json& summary) {
     output::write_atomically(out / "summary.json", summary.dump(2) + "\n");
 }
 
-// For participants that had no time to say how it ended: survivors of a lost process,
-// processes that were asked to end while they started.
+// Writes the outcome into summary.json in place of participants that could not: survivors
+// of a lost process, or processes that were asked to end while they started.
 void write_end(const scene::Scene& scene, const fs::path& out, output::Outcome outcome,
                const std::string& cause) {
     Json json = read_summary(out);
@@ -120,7 +128,7 @@ void write_end(const scene::Scene& scene, const fs::path& out, output::Outcome o
     write_summary(out, json);
 }
 
-// Beside the actual figures, in summary.json and in a line.
+// Adds the predicted cost to summary.json and prints it beside the actual figures.
 void write_predicted(const fs::path& out, const std::optional<Prediction>& predicted) {
     Json json = read_summary(out);
     if (!predicted || !json.is_object()) return;
@@ -135,8 +143,9 @@ void write_predicted(const fs::path& out, const std::optional<Prediction>& predi
                json.value("wall_s", 0.0), bytes / 1e6);
 }
 
-// Takes the folder before anything is started: what is refused later has cost nothing.
-// The job's own processes take it over (coupler::Session).
+// Locks the run folder before anything is started, so that a refusal costs nothing, and
+// moves results of an earlier run aside. The job's processes take the lock over
+// (coupler::Session).
 void take_run_folder(const fs::path& out, const RunOptions& options,
                      output::FolderLock& lock) {
     const bool free = lock.wait_for_job(output::patience_with_the_ending_s, [] {
@@ -161,8 +170,9 @@ void take_run_folder(const fs::path& out, const RunOptions& options,
             earlier.string());
 }
 
-// Open MPI's mpirun crashes now and then on its way out, when all its processes are gone
-// (open-mpi/ompi #13650). Then what they have written since the job began tells the end.
+// Open MPI's mpirun sometimes crashes after all its processes have ended (open-mpi/ompi
+// #13650). If a summary written since the start of the job says that the run is complete
+// or stopped on request, the crash is ignored.
 void forgive_a_late_crash(const fs::path& out, fs::file_time_type began, JobEnd& end) {
     std::error_code absent;
     const auto written = fs::last_write_time(out / "summary.json", absent);
@@ -187,7 +197,8 @@ JobEnd run_once(const scene::Scene& scene, const RunOptions& options, const fs::
     std::fflush(stdout);
     const auto began = fs::file_time_type::clock::now();
     JobEnd end = run_job(programs, scene.checkpoint ? OnStop::checkpoint : OnStop::end);
-    // Whatever became of mpirun: nothing of the job is left when this process ends.
+    // No process of the job may be left when this process ends, whatever became of
+    // mpirun.
     if (!lock.wait_for_job(output::patience_with_the_ending_s))
         fmt::print(stderr, "magfsi: processes of the run are still there: {}\n",
                    lock.owner());
@@ -216,8 +227,8 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
             return end;
         }
         fmt::print("{}\n", retries.note());
-        options.overwrite = true;  // from here on they are this run's own
-        // A log that goes on has the earlier ones.
+        options.overwrite = true;  // results in the folder are this run's own
+        // A log that is continued already has the earlier notes.
         options.notes = {retries.note()};
         if (!retries.restart().empty()) continue;
         options.notes = head;
@@ -226,7 +237,8 @@ JobEnd run_with_retries(const scene::Scene& scene, RunOptions options,
     }
 }
 
-// A code that is not of the table has a cause outside of the participants.
+// Maps the exit code of a job: one outside the table of coupler/participants/errors.h has
+// a cause outside the participants.
 int unnamed_end(const JobEnd& end) {
     if (!end.told)
         fmt::print(stderr,
@@ -236,6 +248,8 @@ int unnamed_end(const JobEnd& end) {
     return end.exit_code > coupler::exit_partner ? coupler::exit_error : end.exit_code;
 }
 
+// Reports how the run ended, completes summary.json, and returns the exit code of the
+// command line.
 int conclude(const scene::Scene& scene, const RunOptions& options, const fs::path& out,
              const JobEnd& end, bool without_retries) {
     if (!end.lost.empty()) {
@@ -243,7 +257,7 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
         write_end(scene, out, output::Outcome::lost_partner, end.lost);
         return coupler::exit_partner;
     }
-    // On a busy machine the request may come when the last step is done.
+    // A request to end may arrive after the last step.
     const bool came_late = end.exit_code == coupler::exit_done && is_complete(out);
     if (end.stopped && !came_late) {
         if (!read_summary(out).is_object())
@@ -262,14 +276,15 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
             (out / "summary.json").string());
         return coupler::exit_error;
     }
-    // What a restart or one side alone takes is not what was predicted.
+    // The prediction holds for whole runs with both sides and without retries.
     if (options.restart.empty() && options.replay.empty() && without_retries)
         write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
     return coupler::exit_done;
 }
 
-// The setting within a tolerance is looked for by the Python package, which then calls
-// this program without the tolerance. Returns only where that cannot be.
+// Replaces this process by the Python package, which searches for the cheapest setting
+// within the tolerance and then calls this program without one. Never returns; throws if
+// that cannot be done.
 void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) {
     if (!options.restart.empty() || options.record || !options.replay.empty()) {
         throw std::invalid_argument(
@@ -338,8 +353,8 @@ int run(const RunOptions& options) {
     }
     check_memory(scene);
     check_structure_program(scene, options);
-    // Meshes, magnetisations, obstacles and steps are looked at here, before anything is
-    // written or started: what cannot run is bad input.
+    // explain() builds meshes, magnetisations, obstacles and steps, so that a scene that
+    // cannot run is refused as bad input before anything is written or started.
     const auto warned = warnings(explain(scene, choose_ranks(scene, options.ranks)));
     const fs::path out =
         options.out.empty() ? coupler::default_out(scene.name) : options.out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi run: checks the scene, starts its participants as one MPI job, names how it
-// ended.
+// magfsi run: checks the scene, starts its participants as one MPI job, and reports how
+// it ended.
 #pragma once
 
 #include <filesystem>
@@ -12,29 +12,41 @@
 
 namespace magfsi::launch {
 
+// Options of the command line. Values that the launcher adds for its jobs are marked.
 struct RunOptions {
+    // Scene file, or folder with a scene.yaml.
     std::filesystem::path scene;
+    // Run folder; "" for runs/NAME.
     std::filesystem::path out;
-    std::vector<std::string> overrides;
-    Ranks ranks;                     // those that are given
-    std::vector<std::string> notes;  // for the head of the log
-    std::string restart;             // latest, a file of a checkpoint, or empty
-    int halvings = 0;                // of every step, by retries
-    bool overwrite = false;          // what an earlier run left in the folder
-    std::string command;             // what the user typed
-    bool trace = false;              // write trace.json
-    bool page = true;                // write report.html, where the scene lets it
-    bool record = false;             // write exchange.record
-    std::map<std::string, std::filesystem::path> replay;  // side: the record it plays
-    std::filesystem::path structure;  // program in the place of bodies
-    std::string error;  // tolerance, "3 %": another setting than the scene's may be run
+    std::vector<std::string> overrides;  // --set, as typed
+    Ranks ranks;                         // only those given
+    std::vector<std::string> notes;      // lines for the head of the log
+    std::string restart;                 // latest, a file of a checkpoint, or empty
+    // Number of times that retries have halved every step (set by the launcher).
+    int halvings = 0;
+    bool overwrite = false;  // drop earlier results
+    std::string command;     // the command as typed, for run.json
+    bool trace = false;      // write trace.json
+    // True to write report.html at the end, unless the scene switches it off.
+    bool page = true;
+    bool record = false;  // write exchange.record
+    // Record by the role that it plays: structure or fluid.
+    std::map<std::string, std::filesystem::path> replay;
+    // Program of the user's own that replaces the bodies (coupling.structure: own).
+    std::filesystem::path structure;
+    // Tolerance such as "3 %", or "". With one, a cheaper setting than the scene's may be
+    // run.
+    std::string error;
 };
 
-// The exit code of the command line. Throws scene::SceneError on bad input.
+// Runs the scene to its end. Returns the exit code of the command line. Throws
+// std::invalid_argument and scene::SceneError on bad input, std::runtime_error if the job
+// cannot be started.
 int run(const RunOptions& options);
 
-// "fluid=runs/swimmer": one side and the run folder, or the record in it, that it plays.
-// Throws std::invalid_argument.
+// Reads text such as "fluid=runs/swimmer": a role, and the run folder or record file that
+// plays it. Returns an empty map for "". Throws std::invalid_argument if there is no such
+// record.
 std::map<std::string, std::filesystem::path> parse_replay(const std::string& text);
 
 }  // namespace magfsi::launch

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Each check throws with the option's name first, what was found, and what is allowed, in
+// the form of a scene's faults.
 #include "adapters/magfsi/run_checks.h"
 
 #include <fmt/format.h>
@@ -11,6 +13,8 @@ namespace magfsi::launch {
 
 namespace fs = std::filesystem;
 
+// Imports are tried in a new interpreter. -P keeps the current folder, whose files may be
+// a stranger's, off Python's path.
 void need_controller() {
     const auto imports = [](const std::string& package) {
         const std::string command =
@@ -26,6 +30,8 @@ void need_controller() {
             "control: needs the launcher ./magfsi, which knows the Python package");
 }
 
+// A record has one message for each step, which a retry with halved steps would not
+// match. A run in the recorded run's folder would move the record away before it is read.
 void check_exchange(const scene::Scene& scene, const RunOptions& options,
                     const fs::path& out) {
     const bool replays = !options.replay.empty();
@@ -43,7 +49,7 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
             scene.fluid ? "bodies" : "fluid"));
     }
     for (const auto& [role, record] : options.replay) {
-        std::error_code none;  // false where one of them is not there
+        std::error_code none;  // equivalent() is false if a path is missing
         if (fs::equivalent(record.parent_path(), out, none)) {
             throw std::invalid_argument(
                 fmt::format("--replay: the run folder {} is the recorded run's; give "
@@ -53,6 +59,7 @@ void check_exchange(const scene::Scene& scene, const RunOptions& options,
     }
 }
 
+// Only the command line may name the program: a scene from a stranger must not start one.
 void check_structure_program(const scene::Scene& scene, const RunOptions& options) {
     const fs::path& program = options.structure;
     if (scene.has_own_structure() == program.empty()) {
@@ -71,6 +78,7 @@ void check_structure_program(const scene::Scene& scene, const RunOptions& option
     }
 }
 
+// The folder `runs` and the run folder in it are both checked.
 void check_default_out(const scene::Scene& scene, const fs::path& out) {
     std::error_code none;  // false where one of them is not there
     if (!fs::equivalent(scene.folder / ".", ".", none)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a run is refused for beside its scene: the command line's options, the run folder,
-// what is missing on this machine. Each throws std::invalid_argument with the advice.
+// Checks of a run beyond its scene: command-line options, run folder, missing software.
+// Each function throws std::invalid_argument with advice.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,24 @@
 
 namespace magfsi::launch {
 
-constexpr const char* python = "/usr/bin/python3";  // with Debian's packages
+// The system's Python, which has Debian's packages.
+constexpr const char* python = "/usr/bin/python3";
 
-// For scenes with control.
+// Requires the Python packages that a scene with `control` needs: mpi4py and magfsi.
 void need_controller();
 
-// --record and --replay.
+// Checks --record and --replay: needs a body in a fluid and fixed steps, and another run
+// folder than the record's.
 void check_exchange(const scene::Scene& scene, const RunOptions& options,
                     const std::filesystem::path& out);
 
-// --structure.
+// Checks --structure: it must be given exactly for scenes with coupling.structure: own,
+// and be executable.
 void check_structure_program(const scene::Scene& scene, const RunOptions& options);
 
-// Where the scene's folder is the present one, its author may have put a link in the
-// place of the run folder.
+// Refuses a default run folder that is a symbolic link, where the scene's folder is the
+// current one: the scene's author, perhaps a stranger, may have placed the link to have
+// files elsewhere overwritten.
 void check_default_out(const scene::Scene& scene, const std::filesystem::path& out);
 
 }  // namespace magfsi::launch

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The work of a run, counted from the scene without running it. prediction.cpp multiplies
+// it by the calibration.
 #include "adapters/magfsi/cost.h"
 
 #include <algorithm>
@@ -16,19 +18,24 @@ namespace magfsi::launch {
 
 namespace {
 
-// Measured: what iqn_ils takes at its default tolerance (docs/coupling.md).
+// Usual number of iterations of iqn_ils at its default tolerance, as measured
+// (docs/coupling.md).
 constexpr double usual_iterations = 2.5;
 
+// Number of outputs from time 0 to end_s, both included.
 double rows(double end_s, double every_s) {
     return std::floor(end_s / every_s * (1 + 1e-9)) + 1;
 }
 
+// Bytes per cell of a field file, which stores single-precision numbers.
 double bytes_per_cell(const std::vector<scene::FluidField>& fields) {
     double bytes = 0;
     for (const scene::FluidField field : fields) bytes += 4 * scene::components_of(field);
     return bytes;
 }
 
+// The obstacle force comes out of the bounce-back of each step and needs no pass over the
+// cells.
 void add_probes(const scene::Probes& probes, double end_s, FluidWork& work) {
     using Quantity = scene::FluidQuantity;
     work.probe_rows = rows(end_s, probes.every_s);
@@ -41,6 +48,8 @@ void add_probes(const scene::Probes& probes, double end_s, FluidWork& work) {
     if (probes.energy_audit) work.sum_rows = work.probe_rows;
 }
 
+// Number of cells next to non-periodic sides; a cell in an edge counts for each of its
+// sides.
 double wall_cells(const fluid::FluidConfig& config) {
     double cells = 0;
     for (std::size_t side = 0; side < config.boundaries.size(); ++side) {
@@ -52,12 +61,13 @@ double wall_cells(const fluid::FluidConfig& config) {
     return cells;
 }
 
-// Of a refined grid: a finer level's update with its share of what levels tell each
-// other, over an update. At the swimmer's patch 3.3 with two levels, 4.1 with one on a
-// busy machine, 3.1 on an idle one.
+// Cost of a cell update on a finer level, with its share of the exchange between levels,
+// over that of a plain update. Measured on the tutorial swimmer: 3.3 with two levels;
+// with one level 4.1 on a busy machine, 3.1 on an idle one.
 constexpr double finer_cell_cost = 3.2;
 
-// What the lattice does to each cell in each step.
+// Adds the cell updates per step. A refined grid counts per step of its finest level,
+// hence the factor for the coarse one.
 void add_lattice(const scene::Scene& scene, FluidWork& work) {
     const auto levels = lbm::level_configs(scene);
     const fluid::FluidConfig& config = levels.front().front();
@@ -71,6 +81,7 @@ void add_lattice(const scene::Scene& scene, FluidWork& work) {
     work.single_precision = scene.fluid->precision != fluid::Precision::double_;
 }
 
+// Work of the lattice, of probes and of field files.
 FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     FluidWork work;
     add_lattice(scene, work);
@@ -88,6 +99,7 @@ FluidWork fluid_work(const scene::Scene& scene, int ranks) {
     return work;
 }
 
+// Counts elements, markers and dipole pairs over all bodies, whose meshes it builds.
 StructureWork structure_work(const scene::Scene& scene, int ranks) {
     StructureWork work;
     double magnets = 0, within = 0;
@@ -110,6 +122,7 @@ StructureWork structure_work(const scene::Scene& scene, int ranks) {
     return work;
 }
 
+// Number of equilibria of a path.
 PathWork path_work(const scene::Scene& scene) {
     PathWork work;
     work.points = std::round(scene.time.end_s / scene::path_step_s(scene));
@@ -119,6 +132,8 @@ PathWork path_work(const scene::Scene& scene) {
 
 }  // namespace
 
+// The number of steps follows the structure's choice of the coupled step if there are
+// bodies.
 Work work_of(const scene::Scene& scene, const Ranks& ranks) {
     Work work;
     if (scene.fluid) work.fluid = fluid_work(scene, ranks.at("fluid"));

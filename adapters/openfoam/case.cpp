@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Texts of the dictionaries and fields of a case. Numbers are printed with 17 digits, so
+// that OpenFOAM reads the same doubles.
 #include "adapters/openfoam/case.h"
 
 #include <fmt/format.h>
@@ -15,19 +17,23 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// The sides by their corners in blockMesh's order, seen from outside.
+// Corners of each side of the box in blockMesh's numbering, in the order seen from
+// outside.
 constexpr std::array<const char*, 6> sides = {"(0 4 7 3)", "(1 2 6 5)", "(0 1 5 4)",
                                               "(3 7 6 2)", "(0 3 2 1)", "(4 5 6 7)"};
 
+// A vector in OpenFOAM's syntax.
 std::string vector(const scene::Vec3& v) {
     return fmt::format("({:.17g} {:.17g} {:.17g})", v[0], v[1], v[2]);
 }
 
-// What the case says of a side: of its patch in the mesh, its velocity and its pressure.
+// Dictionary entries of one side of the box: its patch in the mesh, and its conditions
+// for velocity and pressure.
 struct SideEntries {
     std::string patch, velocity, pressure;
 };
 
+// The pressure of OpenFOAM's incompressible solvers is divided by the density [m2/s2].
 SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
     const fluid::Boundary& side = fluid.boundaries[number];
     switch (side.kind) {
@@ -42,10 +48,10 @@ SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
                     "type pressureInletOutletVelocity; value uniform (0 0 0);",
                     fmt::format("type fixedValue; value uniform {:.17g};",
                                 side.outlet_pressure_pa / fluid.density_kg_m3)};
-        case fluid::BoundaryKind::velocity_inlet:  // it opens with the first step
+        case fluid::BoundaryKind::velocity_inlet:  // zero before the first step
             return {"type patch;", "type fixedValue; value uniform (0 0 0);",
                     "type zeroGradient;"};
-        default:  // no_slip; what OpenFOAM has not, to_mesh refuses
+        default:  // no_slip; to_mesh refuses what OpenFOAM lacks
             break;
     }
     return {
@@ -54,7 +60,8 @@ SideEntries entries_of(const scene::Fluid& fluid, std::size_t number) {
         "type zeroGradient;"};
 }
 
-// One section a cell, each of its own length: whatever the grading is.
+// Cell widths along an axis as blockMesh's grading: one section per cell, so that any
+// grading can be written.
 std::string widths(const std::vector<double>& planes_m) {
     std::string text = "(";
     for (std::size_t i = 1; i < planes_m.size(); ++i)
@@ -62,6 +69,7 @@ std::string widths(const std::vector<double>& planes_m) {
     return text + ")";
 }
 
+// Text of blockMeshDict: a single block with the cells of `mesh`.
 std::string block_mesh(const scene::Fluid& fluid, const BoxMesh& mesh) {
     std::string text = "scale 1;\nvertices\n(\n";
     for (int i = 0; i < 8; ++i) {  // around the lower square, then around the upper one
@@ -83,6 +91,7 @@ std::string block_mesh(const scene::Fluid& fluid, const BoxMesh& mesh) {
     return text + ");\nmergePatchPairs ();\n";
 }
 
+// The body force as a stock fvOption. OpenFOAM takes force over mass [m/s2].
 std::string body_force(const scene::Fluid& fluid) {
     scene::Vec3 a = *fluid.body_force_n_m3;
     for (double& component : a) component /= fluid.density_kg_m3;
@@ -93,7 +102,8 @@ std::string body_force(const scene::Fluid& fluid) {
         vector(a));
 }
 
-// Times with as many digits as a double has, for a step is not a round number.
+// Template of controlDict. Times have as many digits as a double, for the step is seldom
+// a round number.
 constexpr const char* control = R"(
 application pimpleFoam;
 startFrom startTime;
@@ -109,10 +119,11 @@ timePrecision 15;
 runTimeModifiable false;
 )";
 
-// Second order in time and space. Central differences: what is compared is the physics,
-// and an upwind scheme would add viscosity of its own. So does OpenFOAM's correction of
-// the fluxes by their old values, which the 0 leaves out: with it a Taylor-Green vortex
-// on 24 cells loses 8 % of its energy beyond the exact law in half a turn, without 0.6 %.
+// Schemes of second order in time and space. Central differences are taken because an
+// upwind scheme adds numerical viscosity. OpenFOAM's correction of fluxes by their old
+// values (ddtPhiCoeff) does so, too; the 0 switches it off: with it a Taylor-Green vortex
+// on 24 cells loses 8 % of its energy beyond the exact law in half a turn, without it 0.6
+// %.
 constexpr const char* schemes = R"(
 ddtSchemes { default backward 0; }
 gradSchemes { default Gauss linear; }
@@ -127,8 +138,9 @@ interpolationSchemes { default linear; }
 snGradSchemes { default orthogonal; }
 )";
 
-// One pass of PISO with two pressure corrections, of second order at small Courant
-// numbers. maxIter keeps a diverged step from running on: it is named right after it.
+// One outer pass of PISO with two pressure corrections, of second order at small Courant
+// numbers. maxIter bounds the time that a diverged step takes; check_divergence reports
+// it right after the step.
 constexpr const char* solution = R"(
 solvers
 {
@@ -161,6 +173,7 @@ PIMPLE
 }
 )";
 
+// Text of a field file: a uniform interior and the condition at_side(side) for each side.
 template <class AtSide>
 std::string field(const std::string& dimensions, const std::string& inside,
                   AtSide&& at_side) {
@@ -171,7 +184,8 @@ std::string field(const std::string& dimensions, const std::string& inside,
         text += fmt::format("    {} {{ {} }}\n", scene::names<scene::Face>[side],
                             at_side(side));
     }
-    // Between ranks; groups of patches by their type.
+    // Patches between ranks are addressed by their type, for their number depends on the
+    // ranks.
     for (const char* between : {"processor", "processorCyclic"}) {
         text +=
             fmt::format("    {0} {{ type {0}; value uniform {1}; }}\n", between, inside);
@@ -179,7 +193,7 @@ std::string field(const std::string& dimensions, const std::string& inside,
     return text + "}\n";
 }
 
-// A file with OpenFOAM's header.
+// Writes one file of the case with OpenFOAM's header.
 void write_foam_file(const std::filesystem::path& folder, const char* location,
                      const char* name, const char* type, const std::string& text) {
     std::filesystem::create_directories(folder / location);
@@ -190,7 +204,7 @@ void write_foam_file(const std::filesystem::path& folder, const char* location,
                     type, location, name, text));
 }
 
-// 0/U alone, with a boundary condition for each inlet.
+// Writes 0/U, with the condition at_inlet(side) for each inlet.
 void write_velocity(const std::filesystem::path& folder, const scene::Fluid& fluid,
                     const std::function<std::string(std::size_t side)>& at_inlet) {
     write_foam_file(folder, "0", "U", "volVectorField",
@@ -204,8 +218,9 @@ void write_velocity(const std::filesystem::path& folder, const scene::Fluid& flu
                           }));
 }
 
-// Takes away all that the engine reads in a folder that was used before: a body force, a
-// mesh that blockMesh made, or what somebody else put there, which may be code.
+// Deletes all that the engine reads from a folder used before: a body force or mesh of an
+// earlier run, or foreign files, which may contain code (OpenFOAM compiles code in
+// dictionaries).
 void clear_stock_case(const std::filesystem::path& folder) {
     for (const char* part : {"0", "constant", "system"})
         std::filesystem::remove_all(folder / part);
@@ -213,6 +228,7 @@ void clear_stock_case(const std::filesystem::path& folder) {
 
 }  // namespace
 
+// The end time and the intervals matter only to stock programs.
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times) {
     clear_stock_case(folder);
@@ -235,6 +251,7 @@ void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                     }));
 }
 
+// The file 0/U is written again, with the inlets' expressions in place of zero velocity.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                    const BoxMesh& mesh) {
     write_foam_file(folder, "system", "blockMeshDict", "dictionary",

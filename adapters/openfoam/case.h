@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The case that OpenFOAM reads: what is to be solved and how. The engine makes its mesh
-// in memory. After a run the case is completed for the stock programs: `blockMesh -case
-// FOLDER` and `pimpleFoam -case FOLDER` then run the same flow by themselves, without
-// bodies.
+// The OpenFOAM case of a scene's fluid. The engine reads it but makes its mesh in memory.
+// After the engine has read it, the case is completed for the stock programs: `blockMesh
+// -case FOLDER` and `pimpleFoam -case FOLDER` then run the same flow by themselves,
+// without bodies.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,22 @@
 
 namespace magfsi::openfoam {
 
+// Time step and number of steps for controlDict.
 struct CaseTimes {
     double step_s = 0;
     std::int64_t steps = 1;
-    std::int64_t steps_between_files = 1;  // of a stock run; the engine writes none
+    // Steps between field files of a stock run; the engine writes none.
+    std::int64_t steps_between_files = 1;
 };
 
-// Writes system/, constant/ and 0/ into folder. Throws output::FileError.
+// Deletes and writes system/, constant/ and 0/ in `folder`. Called by rank 0 only. Throws
+// output::FileError.
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times);
 
-// Once the engine has read the case, which must not take these for its own: inlets and
-// the body force are the adapter's there.
+// Adds blockMeshDict, the body force and the inlets' conditions for stock programs. Must
+// be called after the engine has read the case: within the engine these parts come from
+// FoamFluid and would act twice.
 void complete_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                    const BoxMesh& mesh);
 

@@ -15,17 +15,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// OpenFOAM's libraries read etc/controlDict there while they are loaded.
+// OpenFOAM's libraries read etc/controlDict in this folder while they are being loaded.
 constexpr const char* debian_project_folder = "/usr/share/openfoam";
 constexpr const char* advice =
     "install it with apt-get install openfoam, build with ./magfsi build, or use "
     "fluid.solver: lbm";
 
+// Path of the engine, in lib/ beside the folder of this executable.
 fs::path library() {
     return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" /
            "libmagfsi_openfoam_engine.so";
 }
 
+// WM_PROJECT_DIR of the user's environment, else Debian's folder.
 fs::path project_folder() {
     const char* given = std::getenv("WM_PROJECT_DIR");
     return given ? given : debian_project_folder;
@@ -33,6 +35,7 @@ fs::path project_folder() {
 
 }  // namespace
 
+// Looks for the engine's library and for OpenFOAM's controlDict.
 std::string missing() {
     if (!fs::exists(library()))
         return fmt::format("this build has no OpenFOAM; {}", advice);
@@ -43,11 +46,13 @@ std::string missing() {
     return "";
 }
 
+// The library stays loaded until the process ends.
 std::unique_ptr<Engine> load_engine(const EngineSetup& setup) {
     const std::string fault = missing();
     if (!fault.empty()) throw std::runtime_error("fluid.solver: openfoam: " + fault);
     setenv("WM_PROJECT_DIR", debian_project_folder, 0);
-    // Global: OpenFOAM's libraries find each other's tables of types by name.
+    // RTLD_GLOBAL lets OpenFOAM's libraries find each other's run-time selection tables
+    // by name.
     void* handle = dlopen(library().c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (!handle) {
         const char* why = dlerror();

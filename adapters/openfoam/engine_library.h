@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Finds and loads the library with OpenFOAM's solver.
+// Finds and loads the shared library with OpenFOAM's solver.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace magfsi::openfoam {
 
-// Throws std::runtime_error when a library is missing or OpenFOAM refuses the case.
+// Loads the library, which stays loaded, and makes an engine. Sets WM_PROJECT_DIR if
+// unset. Throws std::runtime_error if a library is missing or OpenFOAM refuses the case.
 // Collective.
 std::unique_ptr<Engine> load_engine(const EngineSetup& setup);
 

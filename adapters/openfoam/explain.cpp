@@ -13,16 +13,20 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// Measured: fields, matrices and multigrid levels of pimpleFoam.
+// Memory per cell as measured: fields, matrices and multigrid levels of pimpleFoam.
 constexpr double bytes_per_cell = 1500;
-// A time step of the second order needs several steps a cell at the fastest place.
+// Limits above which explain warns. The scheme of second order in time needs at least two
+// steps per cell at the fastest place; beyond the grid Reynolds number shear layers are
+// not resolved.
 constexpr double max_courant = 0.5;
 constexpr double max_grid_reynolds = 50;
 
+// A line of the table: name and SI value.
 std::string row(const char* name, const std::string& si) {
     return fmt::format("  {:<34} {:>14}\n", name, si);
 }
 
+// Longest edge of any cell [m].
 double largest_cell_m(const BoxMesh& mesh) {
     double largest = 0;
     for (const auto& planes : mesh.planes_m) {
@@ -34,6 +38,7 @@ double largest_cell_m(const BoxMesh& mesh) {
 
 }  // namespace
 
+// The Reynolds number of a cell is U h / nu, its Courant number U dt / h.
 std::string explain(const scene::Scene& scene, int /*ranks*/) {
     for (const auto& integral : scene.probes.value_or(scene::Probes{}).integrals) {
         if (!std::holds_alternative<scene::FluidPlane>(integral.over)) continue;

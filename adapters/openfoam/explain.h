@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `magfsi explain` says of this fluid.
+// The part of `magfsi explain` about OpenFOAM as the fluid solver.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace magfsi::openfoam {
 
-// Cells, step, Courant number, memory. Throws std::invalid_argument on what the solver
-// refuses.
+// Text with cells, time step, Courant number, grid Reynolds number, memory and warnings.
+// `ranks` is not used. Throws std::invalid_argument on what the solver refuses.
 std::string explain(const scene::Scene& scene, int ranks);
 
-// Why this build cannot run OpenFOAM, and what to do; empty when it can. Loads nothing.
+// Returns why this build cannot run OpenFOAM and what to do, or "". Only looks for files
+// and loads nothing.
 std::string missing();
 
 }  // namespace magfsi::openfoam

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Sums over cells weigh each cell with its volume. Checkpoint tables are indexed by the
+// cells and faces of the whole box.
 #include "adapters/openfoam/flow.h"
 
 #include <fmt/format.h>
@@ -16,6 +18,7 @@ namespace magfsi::openfoam {
 
 namespace {
 
+// |v|^2 / 2 of a vector.
 double half_square(const double* v) {
     return (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2;
 }
@@ -31,11 +34,13 @@ std::array<std::size_t, 3> index_of(const Widths& width_m, std::size_t cell) {
     return {cell % width_m[0].size(), row % width_m[1].size(), row / width_m[1].size()};
 }
 
+// Cells are bricks between the planes of the three axes.
 double volume(const Widths& width_m, std::size_t cell) {
     const auto i = index_of(width_m, cell);
     return width_m[0][i[0]] * width_m[1][i[1]] * width_m[2][i[2]];
 }
 
+// max_speed_m_s ignores NaN (fmax); fastest_cell reports it.
 FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
                    std::span<const double> vorticity) {
     enum { space, x, y, z, energy, enstrophy, count };
@@ -60,6 +65,8 @@ FlowSums flow_sums(MPI_Comm comm, const Widths& width_m, const double* velocity,
             std::sqrt(2 * most)};
 }
 
+// The comparison is false for NaN, so that the first NaN ends the search as the fastest
+// cell.
 FastestCell fastest_cell(std::size_t cells, const double* velocity) {
     FastestCell fastest;
     double most = -1;
@@ -76,12 +83,13 @@ FastestCell fastest_cell(std::size_t cells, const double* velocity) {
 
 namespace {
 
-constexpr std::size_t values_per_cell = 7;  // velocity, that of the step before, pressure
+// Row of a cell in a checkpoint: velocity, velocity of the step before, pressure.
+constexpr std::size_t values_per_cell = 7;
 constexpr std::array<const char*, 3> flux_table = {"flux_x", "flux_y", "flux_z"};
 
-// A block of cells, or of the faces across an axis, in the whole box. Where two ranks
-// meet both have the faces between them: skip is the number of layers, 0 or 1, that
-// belong to the rank below.
+// This rank's block of cells, or of faces across an axis, within the whole box. Both
+// ranks hold the faces between them: `skip` is the number of layers, 0 or 1, at the lower
+// end that the rank below saves.
 struct Part {
     std::array<int, 3> whole{}, first{}, mine{};
     int skip = 0;
@@ -91,7 +99,8 @@ struct Part {
         return static_cast<std::size_t>(whole[0]) * static_cast<std::size_t>(whole[1]) *
                static_cast<std::size_t>(whole[2]);
     }
-    // Calls visit(place in the whole, place in this rank's).
+    // Calls visit(index in the whole box, index in this rank's block), leaving out the
+    // layers before `from`.
     template <class Visit>
     void for_each(int from, Visit&& visit) const {
         std::size_t local = 0;
@@ -109,7 +118,7 @@ struct Part {
     }
 };
 
-// axis: across which the faces lie; 3: cells.
+// Block of the faces across `axis`, or of the cells for axis 3.
 Part part_of(const BoxMesh& mesh, std::size_t axis) {
     Part part;
     part.whole = part.mine = mesh_cells(mesh);
@@ -124,6 +133,7 @@ Part part_of(const BoxMesh& mesh, std::size_t axis) {
     return part;
 }
 
+// Gathers the rows of all ranks on the root, which writes them as one table. Collective.
 void save_rows(MPI_Comm comm, const Part& part, std::span<const double> rows,
                std::size_t width, const char* table, coupler::StateWriter* file) {
     std::vector<int> index;
@@ -137,6 +147,7 @@ void save_rows(MPI_Comm comm, const Part& part, std::span<const double> rows,
     if (file) file->table(table, all, {part.count(), width});
 }
 
+// Reads this rank's rows, including faces shared with the rank below.
 std::vector<double> load_rows(const coupler::StateReader& file, const char* table,
                               const Part& part, std::size_t width) {
     const std::vector<std::size_t> wanted{part.count(), width};
@@ -157,6 +168,7 @@ std::vector<double> load_rows(const coupler::StateReader& file, const char* tabl
 
 }  // namespace
 
+// Writes one table for the cells and one for the faces across each axis.
 void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
                coupler::StateWriter* file) {
     std::vector<double> cells;
@@ -171,6 +183,7 @@ void save_flow(MPI_Comm comm, const BoxMesh& mesh, const FlowState& state,
         save_rows(comm, part_of(mesh, d), state.flux[d], 1, flux_table[d], file);
 }
 
+// The inverse of save_flow, on any number of ranks.
 FlowState load_flow(const BoxMesh& mesh, const coupler::StateReader& file) {
     FlowState state;
     const auto cells = load_rows(file, "cells", part_of(mesh, 3), values_per_cell);

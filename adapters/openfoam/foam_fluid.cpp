@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Between coupling and engine: cells of the uniform grid to cells of the mesh, forces per
+// volume to accelerations, inlets over time.
 #include "adapters/openfoam/foam_fluid.h"
 
 #include <fcntl.h>
@@ -33,8 +35,9 @@ int size_of(MPI_Comm comm) {
     return size;
 }
 
-// OpenFOAM takes blanks and letters beyond ASCII out of paths. A folder below such a path
-// is named by a descriptor, which stays open as long as the process.
+// Returns a path that OpenFOAM can use. It removes blanks and non-ASCII letters from
+// paths; such a folder is opened and addressed through its file descriptor, which stays
+// open as long as the process.
 std::string way_for_openfoam(const std::filesystem::path& folder) {
     std::string way = std::filesystem::absolute(folder).string();
     if (words::path_word(way) == way) return way;
@@ -44,11 +47,14 @@ std::string way_for_openfoam(const std::filesystem::path& folder) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-// Far beyond what the explicit force survives: numbers that mean nothing any more.
+// Courant number above which a run counts as diverged; the explicit force is unstable far
+// below it.
 constexpr double max_courant = 10;
 
 }  // namespace
 
+// Rank 0 writes the case; between the two barriers all ranks read it. The communicator
+// replaces MPI_COMM_WORLD before OpenFOAM is loaded, since its start-up uses it.
 FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& times,
                      const std::filesystem::path& case_folder)
     : comm_(comm),
@@ -79,17 +85,19 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
         if (double* faces = engine_->side_velocity(side))
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
     }
-    MPI_Barrier(comm);  // all have read the case
+    MPI_Barrier(comm);  // all ranks have read the case
     if (mesh_.rank == 0) complete_case(case_folder, fluid, mesh_);
     set_inlets(0);
 }
 
+// Adds the momentum source and fills it with the body force.
 void FoamFluid::begin_force() {
     acceleration_ = engine_->acceleration();
     for (std::size_t cell = 0; cell < cell_count(width_m_); ++cell)
         std::ranges::copy(everywhere(), acceleration_ + 3 * cell);
 }
 
+// (x, y, z) must be a cell of the uniform grid that this rank owns.
 std::size_t FoamFluid::cell_at(int x, int y, int z) const {
     const std::array<int, 3> at{x, y, z};
     std::array<int, 3> i{};
@@ -101,6 +109,7 @@ std::size_t FoamFluid::cell_at(int x, int y, int z) const {
                 static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(i[2]));
 }
 
+// The fluid is incompressible: its density relative to the mean is 1 everywhere.
 void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<double> out,
                          std::span<double> relative_density) {
     std::ranges::fill(relative_density, 1.0);
@@ -112,8 +121,8 @@ void FoamFluid::velocity(std::span<const coupler::GridRow> rows, std::span<doubl
     }
 }
 
-// A graded cell takes the force of every uniform one that it stands for, so that the sum
-// over the fluid is what the bodies gave.
+// The force of each uniform cell goes to the mesh cell that holds its centre, weighted by
+// the ratio of volumes: the total force on the fluid equals what the bodies gave.
 void FoamFluid::set_force(std::span<const coupler::GridRow> rows,
                           std::span<const double> density) {
     if (acceleration_ == nullptr) begin_force();
@@ -138,12 +147,15 @@ scene::Vec3 FoamFluid::everywhere() const {
     return acceleration;
 }
 
+// Resets only the cells with a coupling force to the body force.
 void FoamFluid::clear_force() {
     for (const std::size_t cell : forced_)
         std::ranges::copy(everywhere(), acceleration_ + 3 * cell);
     forced_.clear();
 }
 
+// Sets the inlets' faces to the velocity at this time; OpenFOAM's own condition there is
+// a fixed value.
 void FoamFluid::set_inlets(double time_s) {
     for (const Inlet& inlet : inlets_) {
         const auto& side = fluid_.boundaries[static_cast<std::size_t>(inlet.side)];
@@ -154,6 +166,8 @@ void FoamFluid::set_inlets(double time_s) {
     }
 }
 
+// Inlets have the values of the step's end, as the implicit time scheme needs. Forces
+// hold for one step.
 void FoamFluid::advance() {
     ++steps_;
     set_inlets(static_cast<double>(steps_) * step_s_);
@@ -168,6 +182,7 @@ void FoamFluid::start_from(Flow flow) {
     engine_->set_velocity(velocity.data());
 }
 
+// Centre [m] of a cell of this rank, in the box's frame.
 scene::Vec3 FoamFluid::centre(std::size_t cell) const {
     const auto i = index_of(width_m_, cell);
     scene::Vec3 at{};
@@ -186,6 +201,8 @@ std::string FoamFluid::headline() const {
         step_s_ * 1e6, versions().front().second);
 }
 
+// Kinetic energy [J], mass [kg], largest speed [m/s] and momentum [kg m/s] of the whole
+// box. Collective.
 fluids::FluidTotals FoamFluid::totals() {
     const FlowSums sums = flow_sums(comm_, width_m_, engine_->velocity(), {});
     fluids::FluidTotals all{fluid_.density_kg_m3 * sums.half_square_m5_s2,
@@ -195,6 +212,8 @@ fluids::FluidTotals FoamFluid::totals() {
     return all;
 }
 
+// The mean enstrophy density, |curl u|^2 / 2 [1/s2], is the only quantity beyond
+// totals(). Collective.
 double FoamFluid::quantity(scene::FluidQuantity quantity) {
     if (quantity != scene::FluidQuantity::enstrophy)
         throw std::logic_error("no probe of OpenFOAM");
@@ -203,6 +222,8 @@ double FoamFluid::quantity(scene::FluidQuantity quantity) {
     return flow_sums(comm_, width_m_, engine_->velocity(), vorticity).enstrophy_1_s2;
 }
 
+// Values in the order of the uniform cells of this rank, x fastest, also on graded
+// meshes; pressure is gauge pressure [Pa].
 void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out) {
     if (field == scene::FluidField::density) {
         std::ranges::fill(out, static_cast<float>(fluid_.density_kg_m3));
@@ -236,10 +257,11 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
     }
 }
 
+// Checks this rank's cells; the run ends if any rank throws.
 void FoamFluid::check_divergence() {
     const FastestCell fastest = fastest_cell(cell_count(width_m_), engine_->velocity());
     const double courant = fastest.speed_m_s * step_s_ / grid_.spacing_m;
-    if (courant < max_courant) return;  // false where it is not a number
+    if (courant < max_courant) return;  // false for NaN
     const scene::Vec3 at = centre(fastest.cell);
     throw coupler::Diverged(
         fmt::format("the fluid diverged at ({:.4g}, {:.4g}, {:.4g}) m: speed {:.4g} m/s, "
@@ -248,6 +270,8 @@ void FoamFluid::check_divergence() {
                     at[0], at[1], at[2], fastest.speed_m_s, courant));
 }
 
+// Counts the cells of the whole mesh, which on graded meshes are fewer than those of the
+// uniform grid.
 output::FluidSummary FoamFluid::summary() const {
     const auto n = mesh_cells(mesh_);
     output::FluidSummary summary;
@@ -261,6 +285,7 @@ output::Named<std::string> FoamFluid::versions() const {
     return {{"OpenFOAM", engine_->version()}};
 }
 
+// Stores the state at the start of a step that the implicit scheme may repeat.
 void FoamFluid::keep() {
     engine_->keep(kept_);
     kept_steps_ = steps_;
@@ -271,12 +296,15 @@ void FoamFluid::go_back() {
     steps_ = kept_steps_;
 }
 
+// Collective; `file` is null except on the root.
 void FoamFluid::save(coupler::StateWriter* file) {
     FlowState state;
     engine_->keep(state);
     save_flow(comm_, mesh_, state, file);
 }
 
+// Boundary values of inlets are not part of the state and are set for the checkpoint's
+// time first.
 void FoamFluid::restore(const coupler::StateReader& file) {
     steps_ = file.header().step;
     set_inlets(static_cast<double>(steps_) * step_s_);

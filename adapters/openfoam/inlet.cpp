@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Inlet profiles, once as numbers for the engine and once as expressions for stock
+// programs, from the same templates.
 #include "adapters/openfoam/inlet.h"
 
 #include <fmt/format.h>
@@ -14,12 +16,14 @@ namespace {
 
 using Axes = std::array<std::size_t, 2>;
 
+// The two axes of a side's plane, in ascending order.
 Axes plane_axes(int side) {
     return {side / 2 == 0 ? 1u : 0u, side / 2 == 2 ? 1u : 2u};
 }
 
-// A number in OpenFOAM's language of expressions, so that the profile below is said once:
-// of doubles it gives a value, of these the text of its formula.
+// An expression in OpenFOAM's language. The profile below is a template over the number
+// type: with double it gives a value, with Formula the text of its formula, so that it is
+// written only once.
 struct Formula {
     std::string text;
 
@@ -43,6 +47,7 @@ Formula hypot(const Formula& a, const Formula& b) {
     return Formula(fmt::format("sqrt(sqr({}) + sqr({}))", a.text, b.text));
 }
 
+// max(0, 1 - s^exponent), and a value that is 0 for s > 1: as numbers and as formulas.
 double one_minus_power(double s, int exponent) {
     return std::max(0.0, 1 - std::pow(s, exponent));
 }
@@ -56,14 +61,17 @@ Formula zero_beyond_one(const Formula& s, const Formula& value) {
     return Formula(fmt::format("({} > 1 ? 0 : {})", s.text, value.text));
 }
 
+// Profile over the distance s from the middle, with s = 1 at the wall: uniform (1),
+// parabolic (1 - s^2), or blunt (1 - s^8).
 template <class T>
 T falloff(fluid::InletProfile profile, const T& s) {
     if (profile == fluid::InletProfile::uniform) return 1.0;
     return one_minus_power(s, profile == fluid::InletProfile::parabolic ? 2 : 8);
 }
 
-// Over a whole side, along one axis of it; a plane of symmetry at one end doubles the
-// width.
+// Profile along one axis of an inlet that spans a whole side. Walls at both ends make it
+// symmetric; with a wall at one end only, the other end is the middle of the profile (as
+// at a plane of symmetry).
 template <class T>
 T between_sides(const scene::Fluid& fluid, fluid::InletProfile profile, std::size_t axis,
                 const T& at_m) {
@@ -78,7 +86,8 @@ T between_sides(const scene::Fluid& fluid, fluid::InletProfile profile, std::siz
     return falloff<T>(profile, low ? 1.0 - s : s);
 }
 
-// Distances from the middle of a part of a side over its half widths, 1 at its rim.
+// Distances from the middle of an opening, over its half widths: one for a disc, two for
+// a rectangle, none for a whole side. They are 1 at the rim.
 template <class T>
 std::vector<T> in_opening(const fluid::Boundary& side, const std::array<T, 2>& at_m) {
     using std::abs, std::hypot;
@@ -93,6 +102,8 @@ std::vector<T> in_opening(const fluid::Boundary& side, const std::array<T, 2>& a
     return all;
 }
 
+// Profile at a point of the side, not yet scaled to a mean of 1. A side without an
+// opening takes the product of the profiles along its two axes.
 template <class T>
 T shape_at(const scene::Fluid& fluid, const fluid::Boundary& side, const Axes& axes,
            const std::array<T, 2>& at_m) {
@@ -107,12 +118,14 @@ T shape_at(const scene::Fluid& fluid, const fluid::Boundary& side, const Axes& a
     return shape;
 }
 
-// What brings the mean over the opening to 1, and the shape by face of this rank's part.
+// Profile of this rank's faces, and the factor that makes the mean over the opening 1.
 struct Shape {
     double factor = 0;
     std::vector<double> here;
 };
 
+// Sums over the faces of the whole side, so that all ranks get the same factor. The
+// opening's exact area counts, not that of the faces whose centres lie in it.
 Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     const Axes axes = plane_axes(side);
     const auto is_here = [&](std::size_t axis, std::size_t cell) {
@@ -146,17 +159,21 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
 
 }  // namespace
 
+// The factor is the same on all ranks.
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     Shape shape = shape_of(fluid, mesh, side);
     for (double& s : shape.here) s *= shape.factor;
     return std::move(shape.here);
 }
 
+// The factor is 1 from the start if there is no ramp (ramp_s = 0).
 double inlet_ramp(const fluid::Boundary& side, double time_s) {
     if (time_s >= side.inlet.ramp_s) return 1;
     return (1 - std::cos(std::numbers::pi * time_s / side.inlet.ramp_s)) / 2;
 }
 
+// exprFixedValue evaluates the text for each face and step; the mean of 1 comes from the
+// factor in front.
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     const fluid::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
     const auto coordinate = [axes = plane_axes(side)](std::size_t i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The velocity that the scene gives to a side of the box.
+// Velocity profiles and ramps of inlets at the sides of the box.
 #pragma once
 
 #include <string>
@@ -10,15 +10,16 @@
 
 namespace magfsi::openfoam {
 
-// By face of this rank's part of a side, the first axis of its plane fastest: velocity
-// over its mean, 0 outside the opening. The mean over the opening is 1 whatever the
-// profile.
+// Velocity over its mean in each face of this rank's part of a side, the first axis of
+// the side's plane fastest; 0 outside the opening. For any profile the mean over the
+// opening is 1.
 std::vector<double> slab_shape(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
-// The velocity over time as a boundary condition of OpenFOAM, by its own expressions.
+// The inlet's velocity as an OpenFOAM boundary condition with expressions of place and
+// time, for stock programs.
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side);
 
-// 0 to 1, as (1 - cos(pi t / ramp)) / 2.
+// Factor of the velocity during the ramp, (1 - cos(pi t / ramp)) / 2, from 0 to 1.
 double inlet_ramp(const fluid::Boundary& inlet, double time_s);
 
 }  // namespace magfsi::openfoam

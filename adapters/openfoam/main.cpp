@@ -10,6 +10,8 @@
 #include "adapters/run_scene.h"
 #include "adapters/scene/effective.h"
 
+// Stock programs get field files as often as the scene's output asks, or ten over the
+// run.
 int main(int argc, char** argv) {
     using namespace magfsi;
     return run_scene(

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Graded axes: from the uniform part outwards the cells grow as a geometric series whose
+// ratio fits the rest of the axis.
 #include "adapters/openfoam/mesh.h"
 
 #include <fmt/format.h>
@@ -11,22 +13,23 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// Sum of growth^1 to growth^cells.
+// Length of `cells` cells in spacings: the sum of growth^1 to growth^cells.
 double reach(double growth, int cells) {
     double sum = 0, width = 1;
     for (int i = 0; i < cells; ++i) sum += width *= growth;
     return sum;
 }
 
-// Widths, in spacings, that fill `gap` spacings, the finest first.
+// Widths in spacings of cells that fill `gap` spacings, the finest first. The number of
+// cells is the smallest that max_growth allows, their ratio is found by bisection.
 std::vector<double> growing(double gap, double max_growth) {
     std::vector<double> widths;
-    if (gap < 0.5) return widths;  // a whole number: none
+    if (gap < 0.5) return widths;  // gap is a whole number
     int cells = 1;
     while (reach(max_growth, cells) < gap) ++cells;
     cells = std::min(cells, static_cast<int>(std::lround(gap)));
     double low = 1, high = max_growth;
-    for (int i = 0; i < 60; ++i) {  // to the last bit
+    for (int i = 0; i < 60; ++i) {  // bisection to the last bit
         const double middle = (low + high) / 2;
         (reach(middle, cells) < gap ? low : high) = middle;
     }
@@ -39,11 +42,13 @@ std::vector<double> growing(double gap, double max_growth) {
 
 }  // namespace
 
+// Planes below the uniform part are built downwards and reversed. The first and last one
+// are set to the exact ends of the box.
 std::vector<double> axis_planes(double length_m, double spacing_m,
                                 const UniformPart* uniform) {
     const auto cells = static_cast<int>(std::lround(length_m / spacing_m));
     int from = 0, to = cells;
-    constexpr double rounding = 1e-6;  // of a cell
+    constexpr double rounding = 1e-6;  // in cells
     if (uniform) {
         from = static_cast<int>(std::floor(uniform->from_m / spacing_m + rounding));
         to = static_cast<int>(std::ceil(uniform->to_m / spacing_m - rounding));
@@ -64,6 +69,7 @@ std::vector<double> axis_planes(double length_m, double spacing_m,
     return planes;
 }
 
+// Both lists ascend, so one pass over the planes finds all cells.
 std::vector<int> cell_of_uniform(const std::vector<double>& planes_m, double spacing_m) {
     const auto cells = std::lround(planes_m.back() / spacing_m);
     std::vector<int> cell(static_cast<std::size_t>(cells));
@@ -78,6 +84,7 @@ std::vector<int> cell_of_uniform(const std::vector<double>& planes_m, double spa
 
 namespace {
 
+// Throws for boundary conditions of the lattice that OpenFOAM's adapter lacks.
 SideType to_side(fluid::BoundaryKind kind) {
     using enum fluid::BoundaryKind;
     if (kind == periodic) return SideType::periodic;
@@ -92,6 +99,7 @@ SideType to_side(fluid::BoundaryKind kind) {
 
 }  // namespace
 
+// There is one plane more than cells along each axis.
 std::array<int, 3> mesh_cells(const BoxMesh& mesh) {
     std::array<int, 3> cells{};
     for (std::size_t d = 0; d < 3; ++d)
@@ -99,6 +107,7 @@ std::array<int, 3> mesh_cells(const BoxMesh& mesh) {
     return cells;
 }
 
+// Layers of cells are distributed as evenly as whole numbers allow.
 BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     BoxMesh mesh;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -113,7 +122,8 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     for (std::size_t side = 0; side < 6; ++side)
         mesh.sides[side] = to_side(fluid.boundaries[side].kind);
     const auto cells = mesh_cells(mesh);
-    // Of equal lengths the last: its cuts are contiguous in memory.
+    // The last of axes with equally many cells is cut: its slabs are contiguous in
+    // memory.
     for (int d = 0; d < 3; ++d) {
         if (cells[static_cast<std::size_t>(d)] >=
             cells[static_cast<std::size_t>(mesh.cut_axis)])
@@ -131,6 +141,8 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     return mesh;
 }
 
+// `cell` ascends, so that the uniform cells of a rank are the range between two lower
+// bounds.
 coupler::Grid to_grid(const scene::Fluid& fluid, const BoxMesh& mesh) {
     coupler::Grid grid;
     grid.spacing_m = fluid.spacing_m;

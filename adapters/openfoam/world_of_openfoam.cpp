@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The functions that OpenFOAM's libPstream calls with a communicator: 15 of its 30.
+// Wrappers of the 15 MPI functions that OpenFOAM's libPstream calls with a communicator.
 #include "adapters/openfoam/world_of_openfoam.h"
 
 namespace {
 
+// Communicator that stands for MPI_COMM_WORLD; MPI_COMM_NULL until set_world() is called.
 MPI_Comm world = MPI_COMM_NULL;
 
+// Replaces MPI_COMM_WORLD by the world that was set; leaves all other communicators
+// alone.
 MPI_Comm w(MPI_Comm comm) {
     return comm == MPI_COMM_WORLD && world != MPI_COMM_NULL ? world : comm;
 }
@@ -22,6 +25,9 @@ void set_world(MPI_Comm comm) {
 
 extern "C" {
 
+// These definitions take precedence over the MPI library's. Each calls the library's
+// function under its profiling name (PMPI_...) with the communicator replaced; collective
+// or blocking behaviour stays the same.
 int MPI_Comm_size(MPI_Comm c, int* n) {
     return PMPI_Comm_size(w(c), n);
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// OpenFOAM in parallel takes MPI_COMM_WORLD for itself, where the structure is, too. This
-// program's own MPI functions (the MPI profiling interface) give it another world.
+// A world of its own for OpenFOAM, which in parallel uses MPI_COMM_WORLD, to which the
+// structure's ranks belong, too. This program defines MPI functions (by the MPI profiling
+// interface, PMPI) that replace the communicator.
 #pragma once
 
 #include <mpi.h>
 
 namespace magfsi::openfoam {
 
-// From now on MPI_COMM_WORLD stands for comm in all that OpenFOAM calls; MPI_Abort still
-// ends the whole job. Nothing else of this process may mean the world any more.
+// Makes `comm` the communicator that MPI_COMM_WORLD stands for in the wrapped functions.
+// MPI_Abort still ends the whole job. After this call no other code of this process can
+// reach the true world through them.
 void set_world(MPI_Comm comm);
 
 }  // namespace magfsi::openfoam

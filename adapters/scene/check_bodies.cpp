@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies: mesh, magnetisation, faces that are held or moved, where they start.
+// Checks of bodies: mesh, magnetisation, held and moved faces, initial placement.
 #include "adapters/scene/checks.h"
 
 #include <fmt/format.h>
@@ -16,9 +16,9 @@ namespace magfsi::scene {
 
 namespace {
 
-// mean_f takes 3 min(l_i, l_j)^2 for the hourglass stiffness; with an in-plane edge below
-// the edge through the thickness that is the wrong one, and bending several times too
-// soft.
+// mean_f uses 3 min(l_i, l_j)^2 for the hourglass stiffness. If an in-plane edge is
+// shorter than the edge through the thickness, the minimum picks the wrong one and
+// bending is several times too soft.
 void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     if (body.element != ElementVariant::mean_f) return;
     Vec3 edge{};
@@ -26,7 +26,7 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     const auto& size = box.size_m;
     const auto thickness = std::ranges::min_element(size) - size.begin();
     for (int i = 0; i < 3; ++i) {
-        // Rounding of equal edges is no fault.
+        // The tolerance admits the rounding of equal edges.
         if (edge[i] >= edge[thickness] * (1 - 1e-9)) continue;
         const int most = std::max(1, static_cast<int>(size[i] / edge[thickness] + 1e-9));
         refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
@@ -40,6 +40,8 @@ void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
     }
 }
 
+// Number of elements of a mesh that is described by numbers; 1 for meshes from files,
+// which are counted when they are built.
 double elements_of(const Body& body) {
     double elements = 1;
     if (const auto* box = std::get_if<Box>(&body.mesh)) {
@@ -55,12 +57,14 @@ double elements_of(const Body& body) {
     return elements;
 }
 
+// Place of the number of elements; of meshes without one, the mesh.
 Origin place_of_elements(const Body& body, const Marks& marks) {
     if (std::holds_alternative<Box>(body.mesh))
         return marks.value({"bodies", body.name, "mesh", "box", "elements"});
     return marks.value({"bodies", body.name, "mesh"});
 }
 
+// The limit holds for all bodies together.
 void check_element_count(const Scene& scene, const Marks& marks) {
     double all = 0;
     for (const Body& body : scene.bodies) {
@@ -71,6 +75,7 @@ void check_element_count(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Bodies of other meshes are checked when their mesh is known (magfsi explain).
 void check_marker_count(const Scene& scene, const Body& body, const Box& box,
                         const Marks& marks) {
     const double markers = most_markers(scene, box.size_m);
@@ -81,7 +86,8 @@ void check_marker_count(const Scene& scene, const Body& body, const Box& box,
             "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
 }
 
-// Along the thickness of a sheet there is nothing to space.
+// Checks a marker spacing given in the scene against the longest edge of the block's
+// elements. The direction across a sheet does not count, since its markers form layers.
 void check_marker_spacing(const Scene& scene, const Body& body, const Box& box,
                           const Marks& marks) {
     if (!scene.coupling || !scene.fluid) return;
@@ -102,8 +108,8 @@ void check_marker_spacing(const Scene& scene, const Body& body, const Box& box,
         marks.value({"coupling", "immersed_boundary", "marker_spacing"}));
 }
 
-// Whether the mesh has the face; those of a Gmsh file are known when it is read. list:
-// what the face stands in.
+// Refuses the name of a face that the mesh does not have. Faces of a Gmsh file are known
+// only when it is read. `list` is the key that names the face.
 void check_face(const Body& body, const std::string& face, std::string_view list,
                 const Origin& here) {
     if (std::holds_alternative<MeshFile>(body.mesh)) return;
@@ -115,6 +121,7 @@ void check_face(const Body& body, const std::string& face, std::string_view list
             did_you_mean(face, faces));
 }
 
+// Each face may be named once.
 void check_clamps(const Body& body, const Marks& marks) {
     for (std::size_t i = 0; i < body.clamps.size(); ++i) {
         const std::string& clamp = body.clamps[i];
@@ -132,7 +139,8 @@ void check_rollers(const Body& body, const Marks& marks) {
         for (const std::string& face : body.rollers[i].faces)
             check_face(body, face, "rollers", here);
     }
-    // The relaxed shape is found before the body is turned.
+    // The relaxed shape is computed before the body is rotated, with rollers along axes
+    // of its own frame.
     const auto& turn = body.initial.rotation;
     if (!body.initial.relaxed || !turn) return;
     for (const Roller& roller : body.rollers)
@@ -144,8 +152,9 @@ void check_rollers(const Body& body, const Marks& marks) {
                 "rollers along the axis of initial.rotation, or no relaxed shape");
 }
 
-// Which regions a mesh has is known when it is built; a block has none. name: the list as
-// errors call it.
+// Checks a list of regions: blocks and cubes have none, and each may be named once.
+// Whether a mesh has a region is known only when it is built. `name` is the list in
+// errors.
 template <class Item>
 void check_regions(const Body& body, const std::vector<Item>& list, Path here,
                    std::string_view name, const Marks& marks) {
@@ -164,6 +173,8 @@ void check_regions(const Body& body, const std::vector<Item>& list, Path here,
     }
 }
 
+// The two axes of a harmonic magnetisation span a plane; boxes of domains must not be
+// empty.
 void check_magnetization(const Body& body, const Marks& marks) {
     if (!body.magnetization) return;
     if (const auto* m = std::get_if<HarmonicMagnetization>(&*body.magnetization))
@@ -186,6 +197,8 @@ void check_magnetization(const Body& body, const Marks& marks) {
     }
 }
 
+// Named faces of a body of cubes: boxes that may be flat but not inverted, with names of
+// their own.
 void check_voxels(const Body& body, const VoxelMesh& voxels, const Marks& marks) {
     for (const FaceBox& face : voxels.faces) {
         const Path here{"bodies", body.name, "mesh", "voxels", "faces", face.name};
@@ -199,6 +212,8 @@ void check_voxels(const Body& body, const VoxelMesh& voxels, const Marks& marks)
     }
 }
 
+// A body in a fluid needs a position in the fluid's box; a relaxed shape needs a
+// magnetisation.
 void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
     require(!body.initial.relaxed || body.magnetization,
             marks.key({"bodies", body.name, "initial", "relaxed"}),
@@ -210,7 +225,7 @@ void check_initial(const Scene& scene, const Body& body, const Marks& marks) {
         "initial: {position: [x, y, z]}, where the centre of volume goes");
 }
 
-// Half the extent along each axis of the turned block.
+// Half the extent along each axis of the rotated block's bounding box.
 Vec3 half_extent(const Body& body, const Box& box) {
     Vec3 half{};
     for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
@@ -224,8 +239,8 @@ Vec3 half_extent(const Body& body, const Box& box) {
     return turned;
 }
 
-// Of a body that starts relaxed, the flat block counts: its curled shape is not known
-// yet.
+// Checks that the block lies in the fluid's box. A body that starts relaxed is taken as
+// straight, since its shape is not known yet.
 void check_inside(const Scene& scene, const Body& body, const Box& box,
                   const Marks& marks) {
     if (!scene.fluid || !body.initial.position_m) return;
@@ -234,7 +249,7 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
         const double side = scene.fluid->box_m[i];
         const double centre = (*body.initial.position_m)[i];
         const double slack = 1e-9 * side;  // a body as wide as the box may touch it
-        // Through a periodic side it may reach, and then is on the other one, too.
+        // A body may reach through a periodic side and then appears at the opposite one.
         const bool periodic = scene.fluid->period_m()[i] > 0;
         const double reach = periodic && 2 * half[i] <= side + slack ? 0 : half[i];
         const bool below = centre - reach < -slack;
@@ -251,6 +266,8 @@ void check_inside(const Scene& scene, const Body& body, const Box& box,
     }
 }
 
+// A face may be held or moved once; moved faces need Newton's method on paths of
+// equilibria.
 void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& marks) {
     std::vector<std::string> held = body.clamps;
     for (std::size_t i = 0; i < body.prescribed_motion.size(); ++i) {
@@ -280,6 +297,8 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 
 }  // namespace
 
+// n is the extent in marker spacings; faces counts both sides of all three pairs of
+// faces.
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
     const auto& boundary = scene.coupling->immersed_boundary;
@@ -297,7 +316,7 @@ bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m
     if (turn && (turn->plane[0] == axis || turn->plane[1] == axis)) return false;
     const auto d = static_cast<std::size_t>(axis);
     const bool periodic = fluid.boundaries[2 * d].kind == BoundaryKind::periodic;
-    // Beside a wall no fluid passes through less than half a cell.
+    // No fluid passes through a gap of less than half a cell beside a wall.
     const double gap_m =
         periodic ? 1e-6 * fluid.box_m[d] : 0.5 * fluid.finest_spacing_m();
     return (periodic || between_walls) && extent_m >= fluid.box_m[d] - gap_m;
@@ -307,7 +326,7 @@ void require_marker_spacing(const Scene& scene, const Body& body, double longest
                             const Origin& where) {
     const double spacing = scene.coupling->immersed_boundary.marker_spacing;
     const double most = longest_edge_m / scene.fluid->finest_spacing_m();
-    if (spacing == ImmersedBoundary{}.marker_spacing) return;  // nobody asked for it
+    if (spacing == ImmersedBoundary{}.marker_spacing) return;  // the default
     require(spacing <= most * (1 + 1e-9), where,
             fmt::format("markers {} apart, further than the elements of \"{}\", each of "
                         "which carries one",
@@ -317,6 +336,8 @@ void require_marker_spacing(const Scene& scene, const Body& body, double longest
             "take larger elements, or leave the key out");
 }
 
+// Checks that need the shape of a body are made here for blocks only, whose shape the
+// keys tell.
 void check_bodies(const Scene& scene, const Marks& marks) {
     check_element_count(scene, marks);
     for (const Body& body : scene.bodies) {
@@ -338,6 +359,8 @@ void check_bodies(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Peak speeds: 2 pi f A of an oscillation, pi / 2 of the mean speed of a ramp by (1 -
+// cos) / 2, sampled for formulas.
 double largest_speed_m_s(const PrescribedMotion& motion, double end_s) {
     constexpr double pi = std::numbers::pi;
     if (const auto* o = std::get_if<Oscillation>(&motion.course))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The magnetic field: its laws, sources and gradient.
+// Checks of the magnetic field: its laws over time, sources and gradient.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 
@@ -13,9 +13,10 @@ namespace magfsi::scene {
 
 namespace {
 
-// Of the keys of one law.
+// Finds the place in the file of a key of one law.
 using At = std::function<const Origin&(const char* key)>;
 
+// Interpolation over time needs strictly ascending times.
 void check_ascending(const std::vector<double>& time_s, const At& at) {
     for (std::size_t i = 1; i < time_s.size(); ++i)
         require(time_s[i] > time_s[i - 1], at("time"),
@@ -24,6 +25,7 @@ void check_ascending(const std::vector<double>& time_s, const At& at) {
                 "times that ascend");
 }
 
+// A single direction holds for all rows; repetition needs a period, that is two rows.
 void check_law(const FieldTable& table, const At& at) {
     const std::size_t rows = table.time_s.size();
     check_ascending(table.time_s, at);
@@ -38,6 +40,7 @@ void check_law(const FieldTable& table, const At& at) {
             "it with at least 2 rows");
 }
 
+// The table may come from a file, whose rows have been read before (read_field_files).
 void check_law(const VectorTable& table, const At& at) {
     const std::size_t rows = table.time_s.size();
     require(rows > 0, at("time"), "a table without time", "time and vector, or file");
@@ -49,17 +52,21 @@ void check_law(const VectorTable& table, const At& at) {
             "it with at least 2 rows");
 }
 
+// An axis of length 0 has no direction.
 void check_law(const PrecessingField& field, const At& at) {
     require(length(field.axis) > 0, at("axis"), "an axis of length 0",
             "any other vector such as [0, 0, 1]");
 }
 
+// Each component must have a value during the whole run.
 void check_law(const FormulaField& field, const At& at, double end_s) {
     constexpr const char* names[] = {"x", "y", "z"};
     for (std::size_t d = 0; d < 3; ++d)
         largest_size(field.component_t[d], end_s, at(names[d]));
 }
 
+// Calls the check of the law's type; laws without a function check_law have nothing to
+// check.
 void check_any_law(const FieldLaw& law, const At& at, double end_s) {
     std::visit(
         [&]<class Law>(const Law& one) {
@@ -71,6 +78,8 @@ void check_any_law(const FieldLaw& law, const At& at, double end_s) {
         law);
 }
 
+// A field needs a law or sources. Further laws in `plus` add to the first one, which must
+// be there.
 void check_laws(const MagneticField& field, double end_s, const Marks& marks) {
     const std::string law = field.uniform ? law_key(field.course) : "";
     require(field.uniform || (!field.sources.empty() && field.plus.empty()),
@@ -95,7 +104,7 @@ void check_laws(const MagneticField& field, double end_s, const Marks& marks) {
     }
 }
 
-// Those of a source: its strength, its motion and its currents.
+// Checks the formulas of a source: strength, motion, turning, currents.
 void check_formulas(const FieldSource& source, double end_s, const Marks& marks) {
     constexpr const char* field = "magnetic_field";
     constexpr const char* all = "sources";
@@ -127,6 +136,7 @@ void check_formulas(const FieldSource& source, double end_s, const Marks& marks)
     }
 }
 
+// Checks axes, and tables over time for equal numbers of rows.
 void check_source(const FieldSource& source, const Marks& marks) {
     const std::string& name = source.name;
     const auto at = [&](Path path) -> const Origin& { return marks.value(path); };
@@ -191,7 +201,8 @@ void check_source(const FieldSource& source, const Marks& marks) {
     }
 }
 
-// curl B = 0 and div B = 0 where no current flows.
+// A gradient must have curl B = 0 and div B = 0 (symmetric and traceless matrix), since
+// no current flows at the bodies.
 void check_gradient(const GradientInput& gradient, const Marks& marks) {
     const auto& g = gradient.matrix_t_m;
     double largest = 0, fault = std::abs(g[0][0] + g[1][1] + g[2][2]);
@@ -201,7 +212,7 @@ void check_gradient(const GradientInput& gradient, const Marks& marks) {
             fault = std::max(fault, std::abs(g[i][j] - g[j][i]));
         }
     }
-    // Rounding of typed numbers is no fault.
+    // The tolerance admits the rounding of numbers as people type them.
     require(
         fault <= 1e-9 * largest, marks.value({"magnetic_field", "gradient", "matrix"}),
         "a gradient that is not symmetric and traceless",
@@ -210,6 +221,7 @@ void check_gradient(const GradientInput& gradient, const Marks& marks) {
 
 }  // namespace
 
+// The peak is that of the samples, slightly below the true one.
 double largest_size(const Formula& formula, double end_s, const Origin& where) {
     double largest = 0;
     for (int i = 0; i <= 1000; ++i) {
@@ -224,6 +236,8 @@ double largest_size(const Formula& formula, double end_s, const Origin& where) {
     return largest;
 }
 
+// Only magnetised bodies feel the field; a scene with a field and no such body is mostly
+// a mistake.
 void check_magnetic_field(const Scene& scene, const Marks& marks) {
     const MagneticField& field = *scene.magnetic_field;
     const auto magnetized = [](const Body& body) {

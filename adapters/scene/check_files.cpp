@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene names outside of itself: its run folder and its files. A scene may come
-// from a stranger.
+// Checks of what a scene names outside itself, its run folder and its files. A scene may
+// come from a stranger, so nothing here may lead to code being run or files being
+// overwritten.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,10 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Limits of the scene's name [bytes] and of any file that it names.
 constexpr std::size_t longest_name = 64;
 constexpr std::uintmax_t largest_file_bytes = 200'000'000;
 
-// The name becomes a folder of runs/ and stands in the generated LAMMPS script.
+// Checks the scene's name, which becomes a folder of runs/ and is written into the
+// generated LAMMPS script.
 void check_name(const std::string& name, const Origin& where) {
     const auto allowed = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -37,6 +40,8 @@ void check_name(const std::string& name, const Origin& where) {
         "it names the run folder, runs/NAME; another place is --out's");
 }
 
+// Gmsh chooses its reader by the ending and runs the commands of a file FILE.opt beside
+// FILE.
 void check_mesh_file(const fs::path& file, const Origin& where) {
     require_regular_file(file, where);
     require(file.extension() == ".msh", where,
@@ -52,10 +57,11 @@ void check_mesh_file(const fs::path& file, const Origin& where) {
 
 }  // namespace
 
+// Reading a pipe or a device could block or never end.
 void require_regular_file(const fs::path& file, const Origin& where) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
-    if (!fs::exists(status)) return;  // its reader says so
+    if (!fs::exists(status)) return;  // reported by its reader
     require(fs::is_regular_file(status), where,
             fmt::format("{}, which is {}", in_quotes(file.string()),
                         fs::is_directory(status) ? "a folder" : "a pipe or a device"),
@@ -66,6 +72,8 @@ void require_regular_file(const fs::path& file, const Origin& where) {
             fmt::format("files of at most {} bytes", largest_file_bytes));
 }
 
+// The script runs with the user's rights, so that only a regular file with the ending .py
+// is accepted.
 void check_script(const fs::path& file, const Origin& where) {
     std::error_code none;
     require(fs::exists(fs::status(file, none)), where,
@@ -76,6 +84,7 @@ void check_script(const fs::path& file, const Origin& where) {
             fmt::format("the script {}", in_quotes(file.string())), "the ending .py");
 }
 
+// Goes through all files that bodies, sources and obstacles name.
 void check_files(const Scene& scene, const Marks& marks) {
     check_name(scene.name, marks.value({"name"}));
     for (const Body& body : scene.bodies) {
@@ -108,6 +117,7 @@ void check_files(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Collects every file of the scene, then drops those inside its folder.
 std::vector<fs::path> files_elsewhere(const Scene& scene) {
     std::vector<fs::path> files;
     const auto add_table = [&](const FieldLaw& law) {
@@ -143,7 +153,7 @@ std::vector<fs::path> files_elsewhere(const Scene& scene) {
     }
     const fs::path folder = fs::weakly_canonical(fs::absolute(scene.folder / "."));
     std::erase_if(files, [&](fs::path& file) {
-        file = fs::weakly_canonical(fs::absolute(file));  // through links
+        file = fs::weakly_canonical(fs::absolute(file));  // resolves links
         const std::string from_folder = file.lexically_relative(folder).string();
         return !from_folder.starts_with("..");
     });

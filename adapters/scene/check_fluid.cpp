@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fluid's box, what openfoam cannot do, the coupled step and its halves.
+// Checks of the fluid: its box, options that openfoam lacks, the coupled step and its
+// halving.
 #include "adapters/scene/checks.h"
 
 #include <fmt/format.h>
@@ -13,10 +14,15 @@ namespace magfsi::scene {
 
 namespace {
 
-constexpr double divides_within = 1e-6;  // of a side: far below what a cell resolves
-constexpr int min_cells = 4;        // the widest delta kernel spans 4 cells; it wraps
-constexpr double max_cells = 1e11;  // 8 TB of populations in single precision
-constexpr double max_cells_along = 2e9;  // their number is an int
+// Relative tolerance of a side's length, far below what a cell resolves.
+constexpr double divides_within = 1e-6;
+// The widest delta kernel spans 4 cells. Across periodic sides it wraps around, and fewer
+// cells are allowed.
+constexpr int min_cells = 4;
+// 8 TB of populations in single precision.
+constexpr double max_cells = 1e11;
+// Numbers of cells along an axis are ints.
+constexpr double max_cells_along = 2e9;
 
 bool divides(double side, double spacing) {
     const double cells = std::round(side / spacing);
@@ -27,8 +33,9 @@ bool divides_all(const Vec3& box, double spacing) {
     return std::ranges::all_of(box, [=](double side) { return divides(side, spacing); });
 }
 
-// The spacing nearest to the wanted one that divides all sides, or the box of whole
-// cells. It divides the shortest side, too, which has the fewest cells to look at.
+// Advice for a spacing that does not divide the box: the nearest one that divides all
+// sides, else the nearest box of whole cells. Candidates are taken from the shortest
+// side, which has the fewest cells.
 std::string advice(const Fluid& fluid) {
     const double wanted = fluid.spacing_m;
     const double shortest = std::ranges::min(fluid.box_m);
@@ -41,7 +48,7 @@ std::string advice(const Fluid& fluid) {
                 (best == 0 || std::abs(spacing - wanted) < std::abs(best - wanted)))
                 best = spacing;
         }
-        // Digits enough to pass divides_within when typed in again.
+        // Nine digits pass the tolerance divides_within when typed in again.
         if (best > 0) return fmt::format("the nearest is {:.9g} mm", 1e3 * best);
     }
     Vec3 box{};
@@ -51,7 +58,7 @@ std::string advice(const Fluid& fluid) {
                        metres(box[2]));
 }
 
-// A slip of a unit, most often, and more than any machine holds.
+// Refuses numbers of cells beyond any machine, mostly caused by a wrong unit.
 void check_cells(const Fluid& fluid, const Marks& marks) {
     double all = 1, along = 0;
     for (const double side : fluid.box_m) {
@@ -98,6 +105,7 @@ void check_periodic_pairs(const Fluid& fluid, const Marks& marks) {
     }
 }
 
+// Walls may move only along themselves, and inlets need a velocity.
 void check_sides(const Fluid& fluid, const Marks& marks) {
     for (std::size_t face = 0; face < 6; ++face) {
         const Boundary& side = fluid.boundaries[face];
@@ -144,6 +152,7 @@ void check_grading(const Fluid& fluid, const Marks& marks) {
     }
 }
 
+// Refuses what OpenFOAM's adapter does not have.
 void check_openfoam(const Fluid& fluid, const Marks& marks) {
     const auto not_there = [&](bool present, const Origin& where, const char* what) {
         require(!present, where, fmt::format("{} with fluid.solver openfoam", what),
@@ -183,6 +192,8 @@ void check_rheology(const Fluid& fluid, const Marks& marks) {
     }
 }
 
+// The margin must leave room for the kernel and for the motion of bodies until the patch
+// follows.
 void check_refinement(const Scene& scene, const Marks& marks) {
     const Fluid& fluid = *scene.fluid;
     const Refinement& refinement = *fluid.refinement;
@@ -218,13 +229,13 @@ void check_refinement(const Scene& scene, const Marks& marks) {
                     metres(least_m)));
 }
 
-// The lattice's error grows with the square of the speed; beyond a quarter of a cell a
-// step (Mach 0.43) it is no longer a weakly compressible fluid.
+// The compressibility error of the lattice grows with the square of the speed; above a
+// quarter of a cell a step (Mach 0.43) the fluid is no longer weakly compressible.
 constexpr double max_lattice_speed = 0.25;
-// OpenFOAM's implicit step is stable far beyond, but its explicit coupling is of first
-// order.
+// OpenFOAM's implicit step is stable at much larger Courant numbers, but the explicit
+// coupling is of first order in time.
 constexpr double max_courant = 1;
-// Above it walls slip.
+// Above this relaxation time the fluid slips along bounce-back walls.
 constexpr double max_tau = 2;
 
 void check_speed(double speed, std::string_view what, const Origin& where,
@@ -232,7 +243,7 @@ void check_speed(double speed, std::string_view what, const Origin& where,
     const double limit =
         fluid.solver == FluidSolver::lbm ? max_lattice_speed : max_courant;
     const double cells = speed * dt_s / fluid.finest_spacing_m();
-    if (cells <= limit * (1 + 1e-9)) return;  // rounding is no fault
+    if (cells <= limit * (1 + 1e-9)) return;  // admits rounding
     refuse(
         where,
         fmt::format("{} {:.6g} m/s, which is {:.3g} cells per step", what, speed, cells),
@@ -275,7 +286,8 @@ void check_speeds(const Scene& scene, const Marks& marks, double dt_s) {
     }
 }
 
-// What to change so that 3 nu dt / dx^2 becomes `wanted`; its present value is `now`.
+// Advice on which key to change so that 3 nu dt / dx^2 (= tau - 1/2) becomes `wanted` in
+// place of `now`.
 std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
     const Fluid& fluid = *scene.fluid;
     const double factor = wanted / now;
@@ -284,7 +296,8 @@ std::string advice(const Scene& scene, double dt_s, double now, double wanted) {
                            factor > 1 ? "above" : "below", seconds(dt_s * factor),
                            factor > 1 ? "below" : "above",
                            metres(fluid.spacing_m / std::sqrt(factor)));
-    // With the step from the lattice speed, 3 nu dt / dx^2 = 3 nu u_lattice / (U dx).
+    // A step from the lattice speed gives 3 nu dt / dx^2 = 3 nu u_lattice / (U dx), which
+    // scales with 1 / dx.
     const double lattice_speed = fluid.lattice_speed * factor;
     const std::string spacing =
         fmt::format("spacing {} {}", factor > 1 ? "below" : "above",
@@ -315,7 +328,7 @@ void check_step(const Scene& scene, const Marks& marks) {
             "one of them, to set the coupled step",
             "add expected_speed, the largest speed that the run should resolve");
     if (!dt_s) return;
-    // Rounding in lattice_speed * spacing / expected_speed is no fault.
+    // The tolerance admits rounding of lattice_speed * spacing / expected_speed.
     require(*dt_s <= scene.time.end_s * (1 + 1e-9), marks.value({"time", "end"}),
             fmt::format("the end {} before the first step of {}",
                         seconds(scene.time.end_s), seconds(*dt_s)),
@@ -359,7 +372,8 @@ void check_retry(const Scene& scene, const Marks& marks) {
             "a retry with fluid.solver openfoam",
             "it with the lattice-Boltzmann fluid, or bodies alone",
             without + ", and a smaller fluid.courant");
-    // Impulses under way, or what was learnt, belong to a step of the old length.
+    // Impulses under way (parallel scheme) and the least-squares model (implicit scheme)
+    // belong to a step of the old length.
     require(
         !scene.fluid || scene.bodies.empty() || scene.coupling->scheme == Scheme::serial,
         here, "a retry in a scheme that is not serial", "it with coupling.scheme serial",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Controllers, gravity, platform and contact, the coupling.
+// Checks of controllers, equilibria, gravity, platform, contact and coupling.
 #include "adapters/scene/checks.h"
 #include "adapters/scene/effective.h"
 
@@ -12,6 +12,8 @@ namespace magfsi::scene {
 
 namespace {
 
+// The controller replaces the law of the field, which must hold until its first call;
+// calls are made at probe rows.
 void check_control(const Scene& scene, const Marks& marks) {
     const Control& control = *scene.control;
     require_with(scene.magnetic_field && scene.magnetic_field->uniform,
@@ -31,6 +33,8 @@ void check_control(const Scene& scene, const Marks& marks) {
                         seconds(scene.probes->every_s)));
 }
 
+// Refuses a step, and what Newton's method does not support: friction, contact and
+// dipoles.
 void check_equilibrium(const Scene& scene, const Marks& marks) {
     require(!scene.time.step_s, marks.key({"time", "step"}),
             "a step in a scene of equilibria", "time.step for motion",
@@ -47,11 +51,14 @@ void check_equilibrium(const Scene& scene, const Marks& marks) {
     without(scene.dipoles.has_value(), {"dipoles"}, "dipoles");
 }
 
-// Beside a body at rest a velocity that alternates from step to step decays for strengths
-// below 1/4 over the part, an eighth, by which the scheme draws it back: 2 in a volume of
-// markers. Above it runs converge in every step and gain energy all the same.
+// Limit of the strength in the implicit scheme. Beside a body at rest, a velocity that
+// alternates from step to step decays for strengths below 1/4 divided by the fraction
+// (1/8 in a volume of markers) by which the scheme pulls it back: 2. Above, each step
+// converges, yet the run gains energy.
 constexpr double max_implicit_strength = 2;
 
+// Refuses forcing: no_slip where it was asked for and cannot be. The default avoids this
+// (usual_forcing).
 void check_no_slip(const Scene& scene, const Marks& marks) {
     if (scene.coupling->immersed_boundary.forcing != coupler::Forcing::no_slip) return;
     const auto objection = objection_to_no_slip(scene);
@@ -63,7 +70,8 @@ void check_no_slip(const Scene& scene, const Marks& marks) {
 void check_coupling(const Coupling& coupling, const Marks& marks) {
     const Scheme scheme = coupling.scheme;
     const auto& boundary = coupling.immersed_boundary;
-    // The impulses of an iteration must act in the step whose slip they answer.
+    // The impulses of a forcing iteration must act in the same step as the slip that they
+    // answer.
     require(boundary.iterations == 1 || scheme == Scheme::serial,
             marks.value({"coupling", "immersed_boundary", "iterations"}),
             "iterations of the forcing outside the serial scheme", "1 in other schemes",
@@ -85,7 +93,7 @@ void check_coupling(const Coupling& coupling, const Marks& marks) {
             "remove this key or take another scheme");
 }
 
-// Bodies that act on each other are more than one.
+// Requires two magnetised bodies, or one if its dipoles act on the body itself.
 void check_dipoles(const Scene& scene, const Marks& marks) {
     const auto magnets = std::ranges::count_if(
         scene.bodies, [](const Body& b) { return b.magnetization.has_value(); });
@@ -103,6 +111,7 @@ double dot(const Vec3& a, const Vec3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// Height of a point above the platform along its normal [m].
 double height_m(const Platform& platform, const Vec3& at_m) {
     Vec3 from{};
     for (int i = 0; i < 3; ++i) from[i] = at_m[i] - platform.point_m[i];
@@ -113,13 +122,15 @@ double half_diagonal_m(const Box& box) {
     return 0.5 * length(box.size_m);
 }
 
+// Centre of the block at the start; without a position the body's frame is that of space.
 Vec3 centre_m(const Body& body, const Box& box) {
     Vec3 half{};
     for (int i = 0; i < 3; ++i) half[i] = 0.5 * box.size_m[i];
     return body.initial.position_m.value_or(half);
 }
 
-// A uniform field turns a body and leaves its centre of mass where it is.
+// True if something can move a free body's centre of mass towards the platform. A uniform
+// field only turns a body.
 bool can_travel_towards(const Scene& scene, const Platform& platform) {
     const bool falls = scene.gravity && scene.gravity->acceleration_m_s2 > 0 &&
                        dot(scene.gravity->direction, platform.normal) < 0;
@@ -128,20 +139,23 @@ bool can_travel_towards(const Scene& scene, const Platform& platform) {
     return falls || drawn || scene.fluid || scene.contact || scene.dipoles;
 }
 
-// How far from its centre a body may ever come to be, if it cannot travel. Of a stretch
-// to twice its length; a held one may swing to the other side of where it is held.
+// Largest distance from its centre that a body which cannot travel may reach, for a
+// stretch to twice its length. A held body may swing to the other side of its support.
 double reach_m(const Body& body, const Box& box) {
     const bool held = !body.clamps.empty() || !body.rollers.empty();
     return (held ? 4 : 2) * half_diagonal_m(box);
 }
 
+// True if the body surely never touches the platform: a clamped one by its reach, a free
+// one if nothing drives it there.
 bool out_of_reach(const Scene& scene, const Body& body) {
     const auto* box = std::get_if<Box>(&body.mesh);
-    if (!box) return false;  // what its extent is, only the mesh tells
+    if (!box) return false;  // only the mesh knows its extent
     if (body.clamps.empty() && can_travel_towards(scene, *scene.platform)) return false;
     return height_m(*scene.platform, centre_m(body, *box)) > reach_m(body, *box);
 }
 
+// A body that starts wholly behind the platform shows a mistake in its normal or point.
 void check_not_behind(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<Box>(&body.mesh);
@@ -155,7 +169,7 @@ void check_not_behind(const Scene& scene, const Marks& marks) {
     }
 }
 
-// Bodies stay in the box of their fluid.
+// Bodies stay in the fluid's box, so a platform outside it cannot be touched.
 void check_in_box(const Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
     const Vec3& box = scene.fluid->box_m;
@@ -180,7 +194,7 @@ void check_platform(const Scene& scene, const Marks& marks) {
             "move platform.point, add \"gravity\", or remove the key");
 }
 
-// What a structure of one's own knows nothing of.
+// Refuses options that a structure of the user's own cannot follow.
 void check_own_structure(const Scene& scene, const Marks& marks) {
     require(scene.bodies.empty(), marks.value({"coupling", "structure"}),
             "structure: own beside bodies", "one of the two",
@@ -233,6 +247,7 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
     return {};
 }
 
+// Loads need bodies, equilibria exclude a fluid, and a coupling needs both sides.
 void check_loads(const Scene& scene, const Marks& marks) {
     const auto with_bodies = [&](bool present, const char* key) {
         require_with(!present || !scene.bodies.empty(), marks.key({key}), key, "bodies",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Places in the file; checks of outputs, of what data sheets give for a material, and of
-// the whole.
+// Places in the file (Marks), and checks of outputs, of material constants, and of the
+// whole scene.
 #include "adapters/scene/checks.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace magfsi::scene {
 
 namespace {
 
-// Of a list, by its number from 0.
+// Item of a list by its index from 0, or null.
 const Node* item_of(const Node& list, const std::string& number) {
     for (std::size_t i = 0; i < list.children.size(); ++i) {
         if (std::to_string(i) == number) return &list.children[i];
@@ -25,6 +25,8 @@ const Node* item_of(const Node& list, const std::string& number) {
 
 }  // namespace
 
+// The deepest node that exists along the path, so that the fault of a missing key is
+// reported at the group that should have it.
 const Node& Marks::deepest(Path path) const {
     const Node* node = root_;
     for (const std::string& part : path) {
@@ -40,6 +42,7 @@ const Origin& Marks::value(Path path) const {
     return deepest(path).origin;
 }
 
+// A deeper key missing leaves the walk at a node with another name.
 bool Marks::has(Path path) const {
     const Node& node = deepest(path);
     return &node != root_ && node.key == *(path.end() - 1);
@@ -50,6 +53,7 @@ const Origin& Marks::key(Path path) const {
     return &node == root_ ? node.origin : node.key_origin;
 }
 
+// A single value in place of a list stands for its only item.
 const Origin& Marks::item(Path path, std::size_t i) const {
     const Node& node = deepest(path);
     return node.type == Node::Type::sequence && i < node.children.size()
@@ -57,6 +61,7 @@ const Origin& Marks::item(Path path, std::size_t i) const {
                : node.origin;
 }
 
+// Error for a key that means nothing without another one.
 void require_with(bool there, const Origin& where, std::string_view what,
                   std::string_view need, std::string_view suggestion) {
     require(there, where, fmt::format("{} without {}", what, need),
@@ -69,13 +74,15 @@ double length(const Vec3& v) {
 
 namespace {
 
+// Probes, files and checkpoints are written after whole coupled steps.
 void check_interval(const Scene& scene, double every_s, const Origin& where) {
     const double dt_s = coupled_step_s(scene).value_or(0);
-    require(every_s >= dt_s * (1 - 1e-9), where,  // rounding is no fault
+    require(every_s >= dt_s * (1 - 1e-9), where,  // admits rounding
             fmt::format("the interval {}", seconds(every_s)),
             fmt::format("at least the coupled step of {}", seconds(dt_s)));
 }
 
+// Finds a body or refuses with the most similar name.
 const Body& body_named(const Scene& scene, const std::string& name, const Origin& where) {
     const auto body = std::ranges::find(scene.bodies, name, &Body::name);
     if (body != scene.bodies.end()) return *body;
@@ -86,13 +93,15 @@ const Body& body_named(const Scene& scene, const std::string& name, const Origin
            did_you_mean(name, bodies));
 }
 
+// Only blocks are checked here; for other meshes the point is located when the mesh is
+// built.
 void check_point(const Scene& scene, const PointProbe& point, const Marks& marks) {
     const Body& body = body_named(scene, point.body,
                                   marks.value({"probes", "points", point.name, "body"}));
     const auto* box = std::get_if<Box>(&body.mesh);
     for (int i = 0; box && i < 3; ++i) {
         const double size = box->size_m[i];
-        // A point on the surface may round to just outside.
+        // The tolerance admits a point on the surface that rounds to just outside.
         require(point.at_m[i] >= -1e-9 * size && point.at_m[i] <= size * (1 + 1e-9),
                 marks.value({"probes", "points", point.name, "at"}),
                 fmt::format("{} = {} outside the body \"{}\"", axis_names[i],
@@ -102,6 +111,7 @@ void check_point(const Scene& scene, const PointProbe& point, const Marks& marks
     }
 }
 
+// The plane must cut the box, and the solver must have planes.
 void check_plane(const Scene& scene, const std::string& name, const FluidPlane& plane,
                  const Marks& marks) {
     if (!scene.fluid || scene.fluid->solver != FluidSolver::lbm)
@@ -116,6 +126,7 @@ void check_plane(const Scene& scene, const std::string& name, const FluidPlane& 
             fmt::format("{} from 0 m to {}", axis_names[axis], side));
 }
 
+// The body must exist and the box must not be empty.
 void check_part(const Scene& scene, const std::string& name, const BodyPart& part,
                 const Marks& marks) {
     body_named(scene, part.body,
@@ -127,6 +138,8 @@ void check_part(const Scene& scene, const std::string& name, const BodyPart& par
                 "[lower corner, upper corner]");
 }
 
+// Names of integrals become prefixes of columns, which those of bodies and obstacles are,
+// too.
 void check_integrals(const Scene& scene, const Marks& marks) {
     for (const IntegralProbe& integral : scene.probes->integrals) {
         const auto taken = [&](const auto& thing) { return thing.name == integral.name; };
@@ -143,6 +156,7 @@ void check_integrals(const Scene& scene, const Marks& marks) {
     }
 }
 
+// Every probe needs the effect that it measures.
 void check_probes(const Scene& scene, const Marks& marks) {
     if (!scene.probes) return;
     const Probes& probes = *scene.probes;
@@ -184,6 +198,7 @@ void check_probes(const Scene& scene, const Marks& marks) {
     check_integrals(scene, marks);
 }
 
+// Paths of equilibria have no history, so that a checkpoint of them would be of no use.
 void check_checkpoint(const Scene& scene, const Marks& marks) {
     if (!scene.checkpoint) return;
     require(!scene.time.equilibrium, marks.key({"checkpoint"}),
@@ -194,6 +209,7 @@ void check_checkpoint(const Scene& scene, const Marks& marks) {
     if (scene.checkpoint->retry()) check_retry(scene, marks);
 }
 
+// Files of a side need that side; the field `obstacle` needs obstacles.
 void check_output(const Scene& scene, const Marks& marks) {
     if (scene.output.structure) {
         require_with(!scene.bodies.empty(), marks.key({"output", "structure"}),
@@ -216,6 +232,8 @@ void check_output(const Scene& scene, const Marks& marks) {
 
 }  // namespace
 
+// Files come first: a name or path that is not allowed must be refused before anything
+// uses it.
 void check_scene(const Scene& scene, const Marks& marks) {
     require(!scene.bodies.empty() || scene.fluid, marks.value({}),
             "neither bodies nor a fluid", "at least one of them",
@@ -233,11 +251,11 @@ void check_scene(const Scene& scene, const Marks& marks) {
 
 namespace {
 
-// Of a material's keys.
+// Places of the keys of a material: the body's own, or that of one of its regions.
 struct MaterialMarks {
     const Marks& marks;
     const std::string& body;
-    std::string region;  // number in material_regions; empty: of the body
+    std::string region;  // index in material_regions; "": the body's
 
     bool has(const char* key) const {
         return region.empty()
@@ -251,6 +269,8 @@ struct MaterialMarks {
     }
 };
 
+// Requires a complete pair: shear_modulus with lame_lambda, or youngs_modulus with
+// poissons_ratio.
 void check(const MaterialMarks& at) {
     const char* pairs[][2] = {{"shear_modulus", "lame_lambda"},
                               {"youngs_modulus", "poissons_ratio"}};
@@ -268,6 +288,8 @@ void check(const MaterialMarks& at) {
 
 }  // namespace
 
+// The check reads the keys of the file, since the scene has only G, lambda and the
+// kinematic viscosity, whichever way they were given.
 void check_materials(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         check({marks, body.name, ""});

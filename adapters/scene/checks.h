@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What no single key can tell: contradictions between keys, geometry, stability limits.
+// Checks of a scene beyond single keys: contradictions between keys, geometry, stability
+// limits. All of them throw SceneError at the first fault, with its place in the file.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +15,23 @@
 
 namespace magfsi::scene {
 
+// Names of keys from the root of the scene, and indices of list items (from 0) as text.
 using Path = std::initializer_list<std::string>;
 
-// Finds the place of a value for an error. A path has the names of keys, and the numbers
-// of items in lists, from 0.
+// Finds the place in the file of a value or key, for errors.
 class Marks {
   public:
     explicit Marks(const Node& root) : root_(&root) {}
 
-    // The value at the path, or the nearest map around it when the key is absent.
+    // Place of the value at the path, or of the nearest value around it if the path does
+    // not exist.
     const Origin& value(Path path) const;
-    // The key at the path itself.
+    // Place of the key at the path.
     const Origin& key(Path path) const;
-    bool has(Path path) const;  // a key there
-    // Entry i of the list at the path, or the value itself where it is no such list.
+    // True if the file has the key at the path.
+    bool has(Path path) const;
+    // Place of item i of the list at the path, or of the value itself if it is no list of
+    // that length.
     const Origin& item(Path path, std::size_t i) const;
 
   private:
@@ -35,67 +39,83 @@ class Marks {
     const Node* root_;
 };
 
-// Refuses unless it is fine.
+// Throws SceneError unless `fine`, with what was found, what is allowed, and a
+// suggestion.
 inline void require(bool fine, const Origin& where, std::string_view found,
                     std::string_view allowed, std::string_view suggestion = {}) {
     if (!fine) refuse(where, found, allowed, suggestion);
 }
 
-// Refuses a key of the scene without what it needs: "gravity without bodies".
+// Throws SceneError unless `there`, for a key that needs another: "found gravity without
+// bodies; allowed only with bodies".
 void require_with(bool there, const Origin& where, std::string_view what,
                   std::string_view need, std::string_view suggestion = {});
 
-// Stiffness and viscosity may be said in two ways each: refuses both at once, or half.
+// Checks that stiffness and viscosity are each given in one of their two ways, and
+// completely.
 void check_materials(const Scene& scene, const Marks& marks);
 
-// Field tables that are in files: their rows become the scene's, before it is checked.
+// Reads the tables of the magnetic field that are in CSV files, so that their rows are
+// part of the scene and of its hash.
 void read_field_files(Scene& scene, const Marks& marks);
 
-// Courses of inlets: rows of files become the scene's; what the fluid calls is made.
+// Reads and checks the courses of inlets over time, and makes the functions of time that
+// the fluid calls, with their peaks.
 void complete_inlets(Scene& scene, const Marks& marks);
 
-// Throws SceneError at the first fault. The scene is complete (wavelengths, coupling).
+// Checks a complete scene, with defaults that depend on other keys filled in.
 void check_scene(const Scene& scene, const Marks& marks);
 
-// Refuses what is there but no regular file, or too large to be meant.
+// Refuses folders, pipes and devices, and files above 200 MB. A missing file passes: its
+// reader reports it.
 void require_regular_file(const std::filesystem::path& file, const Origin& where);
 
-// Why forcing: no_slip cannot be: its markers follow from kernel, spacing and thickness,
-// so that what else would move them means nothing; nor do the passes that its memory
+// Reason why a scene cannot have coupling.immersed_boundary.forcing: no_slip. Its markers
+// follow from kernel, spacing and thickness, so that options that place markers otherwise
+// have no meaning, nor has the number of iterations, which its memory of the slip
 // replaces.
 struct NoSlipObjection {
-    const char* key;  // of coupling.immersed_boundary
+    const char* key;  // key in coupling.immersed_boundary
     std::string found;
     const char* allowed;
     const char* suggestion;
 };
 std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene);
 
-// Its parts, a source file each.
+// Parts of check_scene. The first checks the scene's name and the files that it names;
+// check_script also checks that the controller's file exists.
 void check_files(const Scene& scene, const Marks& marks);
+// Meshes, magnetisations, supports and initial placement.
 void check_bodies(const Scene& scene, const Marks& marks);
+// Field, control, gravity, platform, contact, paths of equilibria, coupling.
 void check_loads(const Scene& scene, const Marks& marks);
+// Box, spacing, boundaries, refinement, solver, coupled step, relaxation time.
 void check_fluid(const Scene& scene, const Marks& marks);
+// Scenes whose steps a retry may halve.
 void check_retry(const Scene& scene, const Marks& marks);
+// Laws, sources and gradient; also called for fields that a controller returns.
 void check_magnetic_field(const Scene& scene, const Marks& marks);
 void check_script(const std::filesystem::path& file, const Origin& where);
 
-// What check and explain answer for in seconds, on one core.
+// Largest numbers of elements of a mesh and markers of a body, for which check and
+// explain answer within seconds on one core.
 constexpr double max_elements = 250'000;
 constexpr double max_markers = 500'000;
-// How many a body of this extent may take: over both faces and the rim of a block, or
-// over its volume. 0 without a fluid.
+// Upper bound of the number of markers of a body with this bounding box: over both faces
+// and the rim of a block, or over the volume. 0 without a fluid.
 double most_markers(const Scene& scene, const Vec3& extent_m);
 
-// Along this axis the body, of this extent, spans the fluid's box from one periodic side
-// to the other, or between walls so that no fluid passes.
+// True if a body of this extent [m] spans the fluid's box along the axis: from one
+// periodic side to the other, or between walls so that no fluid passes.
 bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,
                  bool between_walls);
-// Refuses a marker spacing that is asked for and above what markers keep, as each element
-// carries at least one: longest_edge_m, of the elements along the body's surface.
+// Refuses a marker spacing that is given in the scene and cannot be kept, because each
+// element carries at least one marker. `longest_edge_m` is that of the elements along the
+// body's surface.
 void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,
                             const Origin& where);
 
+// Euclidean length.
 double length(const Vec3& v);
 inline std::string metres(double value) {
     return format_si(value, "m");
@@ -103,9 +123,11 @@ inline std::string metres(double value) {
 inline std::string seconds(double value) {
     return format_si(value, "s");
 }
+// Largest speed [m/s] of a prescribed motion within the run.
 double largest_speed_m_s(const PrescribedMotion& motion, double end_s);
-// The largest size of a formula over the run, of a thousand instants with both ends.
-// Refuses one without a value there; what lies in between stops the run.
+// Largest magnitude of a formula over the run, sampled at 1001 instants including both
+// ends. Refuses a formula without a finite value at one of them; a fault in between stops
+// the run when it is met.
 double largest_size(const Formula& formula, double end_s, const Origin& where);
 
 }  // namespace magfsi::scene

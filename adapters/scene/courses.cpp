@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Courses over time: rows in CSV files become part of the scene, and of its hash; those
-// of inlets are checked and made what the fluid calls.
+// Courses over time. Rows of CSV files become part of the scene and its hash; courses of
+// inlets are checked and turned into functions that the fluid calls.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,6 +24,7 @@ namespace {
 using structure::ColumnKind;
 namespace units = structure::units;
 
+// Columns of the CSV files, with the units that their headers may have.
 constexpr ColumnKind field_columns[] = {{"t", units::time},
                                         {"Bx", units::flux_density},
                                         {"By", units::flux_density},
@@ -31,7 +32,8 @@ constexpr ColumnKind field_columns[] = {{"t", units::time},
 constexpr structure::ColumnUnit plain[] = {{""}, {"1"}};
 constexpr ColumnKind inlet_columns[] = {{"t", units::time}, {"factor", plain}};
 
-// The table's columns, all of which are needed.
+// Reads the columns of a table's file, all of which must be there. Clears table.file and
+// sets table.source to the full path.
 std::vector<std::vector<double>> read_columns(auto& table, const char* what,
                                               std::span<const ColumnKind> columns,
                                               const std::filesystem::path& folder,
@@ -51,6 +53,7 @@ std::vector<std::vector<double>> read_columns(auto& table, const char* what,
     }
 }
 
+// Only vector tables can be in a file. A table has either a file or rows.
 void read_law(FieldLaw& law, const std::filesystem::path& folder, const Origin& where) {
     auto* table = std::get_if<VectorTable>(&law);
     if (!table || table->file.empty()) return;
@@ -62,6 +65,7 @@ void read_law(FieldLaw& law, const std::filesystem::path& folder, const Origin& 
         table->vector_t.push_back({values[1][row], values[2][row], values[3][row]});
 }
 
+// Columns t and factor of an inlet's table.
 void read_rows(InletTable& table, const std::filesystem::path& folder,
                const Origin& where) {
     require(table.time_s.empty() && table.factor.empty(), where,
@@ -71,6 +75,7 @@ void read_rows(InletTable& table, const std::filesystem::path& folder,
     table.factor = std::move(values[1]);
 }
 
+// Times must ascend strictly; repetition needs at least two rows.
 void check(const InletTable& table, const Origin& where) {
     const std::size_t rows = table.time_s.size();
     require(rows > 0, where, "a table without time", "time and factor, or file");
@@ -84,6 +89,8 @@ void check(const InletTable& table, const Origin& where) {
             "it with at least 2 rows");
 }
 
+// Makes the function of time [s] for each type of course. It keeps a copy of the course,
+// so that it may outlive the scene.
 struct Factor {
     std::function<double(double)> operator()(const InletWave& wave) const {
         return [wave](double t) {
@@ -102,7 +109,9 @@ struct Factor {
     }
 };
 
-// The largest size: of a wave exactly, of a table that of its rows.
+// Largest magnitude of a course: exact for a wave; from the rows of a table; sampled for
+// a formula.
+// Between rows a table is linear, so that its rows have the peak.
 double peak(const InletCourse& course, double end_s, const Origin& where) {
     if (const auto* wave = std::get_if<InletWave>(&course))
         return std::abs(wave->mean) + std::abs(wave->amplitude);
@@ -116,6 +125,7 @@ double peak(const InletCourse& course, double end_s, const Origin& where) {
 
 }  // namespace
 
+// The first law and those in `plus` may be tables.
 void read_field_files(Scene& scene, const Marks& marks) {
     if (!scene.magnetic_field) return;
     MagneticField& field = *scene.magnetic_field;
@@ -128,6 +138,8 @@ void read_field_files(Scene& scene, const Marks& marks) {
                               "file"}));
 }
 
+// The peak factor bounds the velocity, which check_fluid compares with the lattice's
+// limit.
 void complete_inlets(Scene& scene, const Marks& marks) {
     if (!scene.fluid) return;
     for (std::size_t face = 0; face < 6; ++face) {

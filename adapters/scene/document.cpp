@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Encoding, syntax, the tree from yaml-cpp's events, and --set.
+// Encoding check, YAML syntax, the tree built from yaml-cpp's events, and --set.
 #include "adapters/scene/document.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@ namespace magfsi::scene {
 
 namespace {
 
-// Bytes of the well-formed character at the start; 0: there is none.
+// Number of bytes of the well-formed UTF-8 character at the start (RFC 3629, table of
+// section 4); 0 if there is none.
 std::size_t character_length(std::string_view bytes) {
     const auto byte = [&](std::size_t i) {
         return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
@@ -49,11 +50,13 @@ std::size_t first_fault_in_utf8(std::string_view bytes) {
 
 namespace {
 
+// Place of a mark; marks count from 0, places from 1.
 Origin at(const YAML::Mark& mark, const Origin& whole) {
     if (whole.line == 0 || mark.is_null()) return whole;
     return {whole.source, mark.line + 1, mark.column + 1};
 }
 
+// Refuses invalid UTF-8, which would end up in logs and names of files.
 void check_encoding(const std::string& text, const Origin& whole) {
     const std::size_t fault = first_fault_in_utf8(text);
     if (fault == std::string::npos) return;
@@ -68,8 +71,8 @@ void check_encoding(const std::string& text, const Origin& whole) {
            "text in UTF-8");
 }
 
-// Builds the tree from yaml-cpp's events. YAML::Node would hide keys given twice and lose
-// the marks of keys.
+// Builds the tree from yaml-cpp's events. YAML::Node would hide duplicate keys and lose
+// the places of keys.
 class Builder : public YAML::EventHandler {
   public:
     explicit Builder(Origin whole) : whole_(std::move(whole)) {}
@@ -112,6 +115,7 @@ class Builder : public YAML::EventHandler {
     void OnMapEnd() override { close(); }
 
   private:
+    // A list or map that is being read, with the key that waits for its value.
     struct Level {
         Node node;
         YAML::anchor_t anchor = 0;
@@ -122,7 +126,8 @@ class Builder : public YAML::EventHandler {
 
     Origin origin(const YAML::Mark& mark) const { return at(mark, whole_); }
 
-    // Aliases of aliases grow without bound; no scene needs this many nodes.
+    // Counts nodes with all expanded aliases: aliases of aliases grow exponentially with
+    // the length of the file.
     void count(const Node& node, const YAML::Mark& mark) {
         constexpr std::size_t max_nodes = 200'000;
         if (++nodes_ > max_nodes)
@@ -131,6 +136,7 @@ class Builder : public YAML::EventHandler {
         for (const Node& child : node.children) count(child, mark);
     }
 
+    // Takes a scalar or a null.
     void add(Node::Type type, const YAML::Mark& mark, YAML::anchor_t anchor,
              const std::string& value) {
         Node node;
@@ -142,6 +148,7 @@ class Builder : public YAML::EventHandler {
         attach(std::move(node), mark);
     }
 
+    // Begins a list or map; it is attached to its parent when it is complete.
     void open(Node::Type type, const YAML::Mark& mark, YAML::anchor_t anchor) {
         if (!levels_.empty()) want_key_before_nesting(mark);
         Level level;
@@ -152,12 +159,15 @@ class Builder : public YAML::EventHandler {
         levels_.push_back(std::move(level));
     }
 
+    // Keys must be scalars; lists and maps as keys are valid YAML.
     void want_key_before_nesting(const YAML::Mark& mark) const {
         const Level& parent = levels_.back();
         if (parent.node.type == Node::Type::map && !parent.has_key)
             refuse(origin(mark), "a list or map as a key", "plain words as keys");
     }
 
+    // An anchor is known from the end of its node on, so that no alias can contain
+    // itself.
     void close() {
         Level level = std::move(levels_.back());
         levels_.pop_back();
@@ -165,6 +175,7 @@ class Builder : public YAML::EventHandler {
         attach(std::move(level.node), YAML::Mark());
     }
 
+    // Takes a complete node as the root, as the next key of a map, or as the next value.
     void attach(Node node, const YAML::Mark& mark) {
         if (levels_.empty()) {
             root_ = std::move(node);
@@ -181,6 +192,8 @@ class Builder : public YAML::EventHandler {
         level.node.children.push_back(std::move(node));
     }
 
+    // Stores a key until its value comes. Duplicate keys are refused, and so are maps of
+    // extreme length, in which the search for duplicates would take quadratic time.
     void start_pair(Level& level, const Node& key, const YAML::Mark& mark) const {
         if (key.type != Node::Type::scalar)
             refuse(origin(mark), "a key that is not a word", "plain words as keys");
@@ -217,19 +230,21 @@ const Node* Node::find(std::string_view name) const {
     return nullptr;
 }
 
+// The same search for a node that is to be changed.
 Node* Node::find(std::string_view name) {
     return const_cast<Node*>(std::as_const(*this).find(name));
 }
 
+// The text is parsed twice: once by YAML::Load for errors of syntax, once for the events.
 Node parse_document(const std::string& text, const Origin& whole) {
     check_encoding(text, whole);
     Builder builder(whole);
     try {
-        YAML::Load(text);  // faults of syntax are told first
+        YAML::Load(text);  // reports errors of syntax first
         std::istringstream stream(text);
         YAML::Parser parser(stream);
-        // yaml-cpp takes what it cannot read, such as "!a, b", for empty documents
-        // without end; the second one is refused.
+        // yaml-cpp reads some invalid text, such as "!a, b", as an endless sequence of
+        // empty documents; the second one is refused.
         while (parser.HandleNextDocument(builder)) {
         }
     } catch (const YAML::Exception& error) {
@@ -241,6 +256,7 @@ Node parse_document(const std::string& text, const Origin& whole) {
     return root;
 }
 
+// Only the first key of a map is named.
 std::string describe(const Node& node) {
     if (node.type == Node::Type::null) return "nothing";
     if (node.type == Node::Type::scalar) return in_quotes(node.scalar);
@@ -253,6 +269,7 @@ std::string describe(const Node& node) {
                                                in_quotes(node.children.front().key));
 }
 
+// All parts are kept, so that errors can name an empty one.
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts(1);
     for (const char c : text) {
@@ -267,6 +284,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 namespace {
 
+// Item of a list addressed by its index in a --set path.
 Node& list_item(Node& list, const std::string& part, const Origin& origin) {
     std::size_t index = 0;
     const auto [end, error] =
@@ -278,8 +296,8 @@ Node& list_item(Node& list, const std::string& part, const Origin& origin) {
     return list.children[index];
 }
 
-// The child of that name, created if missing. What is not a container becomes a map: the
-// reader then judges whether a map may stand there.
+// Child with that name, created if missing. A node that is no container becomes a map;
+// the check against the table then decides whether a map is allowed there.
 Node& descend(Node& node, const std::string& part, const Origin& origin) {
     if (node.type == Node::Type::sequence && !node.children.empty())
         return list_item(node, part, origin);
@@ -296,6 +314,7 @@ Node& descend(Node& node, const std::string& part, const Origin& origin) {
     return node.children.back();
 }
 
+// Removes a key; items of lists cannot be removed.
 void remove(Node& root, const std::vector<std::string>& parts, const Origin& origin) {
     Node* node = &root;
     for (std::size_t i = 0; i + 1 < parts.size() && node; ++i)
@@ -306,6 +325,7 @@ void remove(Node& root, const std::vector<std::string>& parts, const Origin& ori
                   [&](const Node& child) { return child.key == parts.back(); });
 }
 
+// Applies one override "path.to.key=value".
 void apply(Node& root, const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string path = text.substr(0, equals);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A YAML text as a tree whose every node knows where it stands, and --set on it.
+// A YAML text as a tree in which every node knows its place in the file, and overrides
+// (--set) of such a tree.
 #pragma once
 
 #include <string>
@@ -10,38 +11,42 @@
 
 namespace magfsi::scene {
 
+// A node of the tree: nothing, a scalar as text, a sequence, or a map.
 struct Node {
     enum class Type { null, scalar, sequence, map };
 
     Type type = Type::null;
     std::string scalar;
-    std::vector<Node> children;  // of a sequence or a map, in the file's order
-    std::string key;             // in a map: this node's key
+    std::vector<Node> children;  // items or values, in the file's order
+    std::string key;             // this node's key if the parent is a map
     Origin origin;
     Origin key_origin;
 
-    const Node* find(std::string_view name) const;  // child of a map by key
+    const Node* find(std::string_view name) const;  // child of a map by key, or null
     Node* find(std::string_view name);
 };
 
-// Parses one YAML document. Anchors and aliases are expanded. Throws SceneError at syntax
-// errors, keys given twice, keys that are not plain words, and a second document.
-// whole.line == 0: every node gets that origin (for --set), not a line and column.
+// Parses one YAML document and expands anchors and aliases. Throws SceneError at syntax
+// errors, duplicate keys, keys that are not plain words, and a second document. With
+// whole.line == 0 (used for --set) every node gets the origin `whole` in place of its
+// line and column.
 Node parse_document(const std::string& text, const Origin& whole);
 
-// Where the first byte stands that begins no well-formed character (RFC 3629: no
-// surrogates, no longer forms than needed, nothing above U+10FFFF); npos: none.
+// Index of the first byte that does not begin a well-formed UTF-8 character (RFC 3629: no
+// surrogates, no overlong forms, nothing above U+10FFFF); npos if there is none.
 std::size_t first_fault_in_utf8(std::string_view bytes);
 
-// "nothing", "\"full\"", "a list of 3 values", "a map with keys a, b"
+// Short description of a node for errors: "nothing", "\"full\"", "a list of 3 values", "a
+// map with the key \"a\"" (its first one).
 std::string describe(const Node& node);
 
-// value is YAML. A missing key is created with the maps above it; an item of a list is
-// addressed by its number from 0; an empty value or null removes the key. What was not
-// overridden keeps its place in the file; what was is reported as "--set path.to.key".
+// Applies overrides "path.to.key=value", where the value is YAML. A missing key is
+// created with the maps above it; an item of a list is addressed by its index from 0; an
+// empty value or null removes the key. Nodes that are not overridden keep their place in
+// the file; others are reported as "--set path.to.key". Throws SceneError.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides);
 
-// The parts between the separators; one empty part of an empty text.
+// Splits a text at every separator; an empty text gives one empty part.
 std::vector<std::string> split(std::string_view text, char separator);
 
 }  // namespace magfsi::scene

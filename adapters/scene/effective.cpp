@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene comes to: values, hash, effects, step; effects that can do nothing.
+// Values, hash, effects and step of a scene, and warnings of effects without influence.
 #include "adapters/scene/effective.h"
 
 #include <fmt/format.h>
@@ -16,26 +16,32 @@
 
 namespace magfsi::scene {
 
+// Defaults are included, so that scenes which differ only in spelled-out defaults are the
+// same.
 nlohmann::ordered_json effective_scene(const Scene& scene) {
-    Scene copy = scene;  // the keys serve reading too
+    Scene copy = scene;  // keys() takes a reference that reading may change
     return JsonWriter::of(copy);
 }
 
+// The key under which JsonWriter writes the law, so that the names stand only in
+// keys_field.cpp.
 std::string law_key(const FieldLaw& law) {
     FieldTerm term{law};
     return JsonWriter::of(term).begin().key();
 }
 
 std::uint64_t scene_hash(const Scene& scene) {
-    // nlohmann::json sorts the keys, ordered_json does not.
+    // nlohmann::json sorts its keys, unlike ordered_json.
     return coupler::hash_of(nlohmann::json(effective_scene(scene)).dump());
 }
 
+// Resets all options that change no state before the end of a run: its length, files,
+// waiting times and the reactions to faults.
 std::uint64_t state_hash(const Scene& scene) {
     Scene endless = scene;
     endless.time.end_s = 0;
     endless.report = PageAtEnd::on;
-    // What a run does when it diverges changes no state before that.
+    // The reaction to a divergence changes no state before it.
     if (endless.checkpoint) endless.checkpoint = Checkpoint{endless.checkpoint->every_s};
     if (endless.coupling) {
         endless.coupling->timeout_s.reset();
@@ -53,6 +59,7 @@ double halved(const Scene& scene, double step_s) {
     return std::ldexp(step_s, -scene.time.halvings);
 }
 
+// An expected speed of 0 means that none was given.
 std::optional<double> coupled_step_s(const Scene& scene) {
     if (scene.time.step_s) return halved(scene, *scene.time.step_s);
     if (!scene.fluid || !(scene.fluid->expected_speed_m_s > 0)) return std::nullopt;
@@ -63,6 +70,7 @@ std::optional<double> coupled_step_s(const Scene& scene) {
                   cells_per_step * fluid.finest_spacing_m() / fluid.expected_speed_m_s);
 }
 
+// The coarsest level advances by all coupled steps at once.
 std::optional<double> relaxation_time(const Scene& scene) {
     const auto dt_s = coupled_step_s(scene);
     if (!dt_s || !scene.fluid || scene.fluid->solver != FluidSolver::lbm) return {};
@@ -79,9 +87,12 @@ std::optional<double> relaxation_time_at_bodies(const Scene& scene) {
 
 Following following(const Fluid& fluid) {
     const int every = std::max(4, fluid.coupled_steps_in_one());
-    return {every, every / 2};  // the lattice allows 0.4 cells a step
+    return {every, every / 2};  // the lattice's limit is 0.4 cells a step
 }
 
+// In finest cells: half the kernel, one for the interpolation between cells, the motion
+// between two looks, and one cell of the level below (two of the finest). Rounded up to
+// cells of the level below.
 int least_margin_cells(const Scene& scene) {
     const int kernel =
         scene.coupling ? coupler::support(scene.coupling->immersed_boundary.kernel) : 0;
@@ -91,15 +102,17 @@ int least_margin_cells(const Scene& scene) {
 
 namespace {
 
-// Where an effect acts.
+// Step in which an effect acts.
 enum class Step { structure, coupled, fluid, output };
 
+// An effect with its name, as summaries and explain show it.
 struct Effect {
     Step step;
     std::string_view name;
     bool active;
 };
 
+// True if any material of the body is viscous.
 bool is_viscous(const Body& body) {
     return body.material.viscosity_pa_s > 0 ||
            std::ranges::any_of(body.material_regions, [](const RegionMaterial& region) {
@@ -107,7 +120,8 @@ bool is_viscous(const Body& body) {
            });
 }
 
-// Kinds of sides of which only their effect knows, by their words.
+// Adds boundary conditions beyond the named ones as effects under their own names, so
+// that a new kind needs no entry in the list below.
 void add_further_kinds(std::vector<Effect>& effects, auto side_of) {
     constexpr auto last_named = static_cast<std::size_t>(BoundaryKind::pressure_outlet);
     for (std::size_t k = last_named + 1; k < names<BoundaryKind>.size(); ++k)
@@ -115,8 +129,8 @@ void add_further_kinds(std::vector<Effect>& effects, auto side_of) {
             {Step::fluid, names<BoundaryKind>[k], side_of(static_cast<BoundaryKind>(k))});
 }
 
-// A coupled step: the structure's substeps, each with the immersed boundary's force, then
-// the fluid, then what is written.
+// All effects in the order of a coupled step: the structure's substeps, each with the
+// immersed-boundary force, then the fluid, then the outputs.
 std::vector<Effect> effects_of(const Scene& s) {
     using enum Step;
     const auto some_body = [&](auto test) { return std::ranges::any_of(s.bodies, test); };
@@ -184,7 +198,7 @@ std::vector<Effect> effects_of(const Scene& s) {
     return effects;
 }
 
-// Those of one step, or of all.
+// Names of the active (or absent) effects of one step, or of all steps.
 std::vector<std::string> select(const Scene& scene, bool active,
                                 std::optional<Step> step = {}) {
     std::vector<std::string> list;
@@ -229,12 +243,14 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+// Adds a warning that an effect has no influence, if `idle`.
 void note(Lines& lines, bool idle, const char* key, const char* why) {
     if (idle)
         lines.push_back(fmt::format(
             "{} can do nothing: {}; remove the key, or correct it", key, why));
 }
 
+// True if a value, all components, or all rows are exactly zero.
 bool is_zero(double value) {
     return value == 0;
 }
@@ -249,7 +265,8 @@ bool is_zero(const std::vector<Vec3>& rows) {
     return std::ranges::all_of(rows, [](const Vec3& row) { return is_zero(row); });
 }
 
-// Every law has a magnitude, a vector or an amplitude, or one per row.
+// True if the field is zero at all times. Every law has a magnitude, a vector, components
+// or an amplitude, one for all times or one per row.
 bool is_zero(const FieldLaw& law) {
     return std::visit(
         []<class Law>(const Law& one) {
@@ -266,6 +283,7 @@ bool is_zero(const FieldLaw& law) {
         law);
 }
 
+// Sources are taken as nonzero.
 bool no_field_at_any_time(const MagneticField& field) {
     if (!field.sources.empty()) return false;
     return is_zero(field.course) && std::ranges::all_of(field.plus, [](const auto& term) {
@@ -273,7 +291,8 @@ bool no_field_at_any_time(const MagneticField& field) {
            });
 }
 
-// Tables and regions, which take a mesh or a file to tell, count as magnetised.
+// True if the body surely has no magnetisation. Tables and regions count as magnetised,
+// since only the mesh or the file could tell.
 bool has_no_moment(const Body& body) {
     if (!body.magnetization) return true;
     if (const auto* uniform = std::get_if<UniformMagnetization>(&*body.magnetization))
@@ -284,6 +303,7 @@ bool has_no_moment(const Body& body) {
            });
 }
 
+// Warnings on the field: no moments, no field, no gradient.
 void check_field(const MagneticField& field, const Scene& scene, Lines& lines) {
     const bool no_moment = std::ranges::all_of(scene.bodies, has_no_moment);
     note(lines, no_moment, "magnetic_field", "every magnetization is 0");
@@ -296,7 +316,8 @@ void check_field(const MagneticField& field, const Scene& scene, Lines& lines) {
          "its matrix is 0");
 }
 
-// Of one density, and that the fluid's: weight and buoyancy are the same everywhere.
+// True if the body has the fluid's density everywhere, so that weight and buoyancy cancel
+// at each point.
 bool floats(const Scene& scene, const Body& body) {
     const auto as_fluid = [&](const Material& m) {
         return m.density_kg_m3 == scene.fluid->density_kg_m3;
@@ -306,6 +327,7 @@ bool floats(const Scene& scene, const Body& body) {
                                [&](const auto& r) { return as_fluid(r.material); });
 }
 
+// Warnings on gravity: no acceleration, or bodies of the fluid's density.
 void check_gravity(const Gravity& gravity, const Scene& scene, Lines& lines) {
     const bool none = gravity.acceleration_m_s2 == 0;
     note(lines, none, "gravity", "its acceleration is 0");
@@ -340,8 +362,9 @@ std::vector<std::string> idle_effects(const Scene& scene) {
     return lines;
 }
 
+// clock.every() gives the number of coupled steps that an interval becomes.
 std::vector<std::string> rounded_intervals(const Scene& scene) {
-    constexpr double unnoticed = 0.05;  // of the interval
+    constexpr double unnoticed = 0.05;  // relative change that needs no warning
     Lines lines;
     const auto dt_s = coupled_step_s(scene);
     if (!dt_s) return lines;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene comes to: its values in SI, its hash, its effects and its step.
+// Quantities derived from a scene: its values in SI, its hash, its effects, and its
+// coupled step.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,70 +16,76 @@ namespace magfsi::scene {
 // All values in SI (angles in rad) under the keys of the scene file, defaults included.
 nlohmann::ordered_json effective_scene(const Scene& scene);
 
-// The key that a law of the field stands under: "rotation".
+// Key of a law of the magnetic field, such as "rotation".
 std::string law_key(const FieldLaw& law);
 
-// 64-bit FNV-1a of effective_scene with sorted keys: comments, the order of keys and the
-// spelling of units do not matter. scene.hash itself is not looked at.
+// 64-bit FNV-1a hash of effective_scene with sorted keys. Comments, the order of keys and
+// the spelling of units do not change it, nor does scene.hash.
 std::uint64_t scene_hash(const Scene& scene);
 
-// The same whatever time.end is: scenes with equal ones go through the same states, so
-// that one may go on from a checkpoint of the other.
+// Hash without what changes no state of the run: time.end, report, timeouts, the overlap
+// check and the reaction to a divergence. Scenes with equal state hashes go through the
+// same states, so that a run may continue from a checkpoint of another.
 std::uint64_t state_hash(const Scene& scene);
 
-// Distance of the points on the path of equilibria [s]: that of the probe rows, or the
-// whole path.
+// Interval between points on the path of equilibria [s]: that of the probe rows, or the
+// whole path without probes.
 double path_step_s(const Scene& scene);
 
-// A step [s] of the scene as it is after scene.time.halvings; exact.
+// The step [s] after scene.time.halvings halvings. Exact, for it scales by a power of
+// two.
 double halved(const Scene& scene, double step_s);
 
-// Coupled step [s]: time.step, or lattice_speed (courant for openfoam) times
-// spacing at the bodies / expected_speed, halved as the scene says. Empty without a fluid
-// and time.step, where the bodies' own stable step rules.
+// Coupled step [s]: time.step, or lattice_speed (openfoam: courant) times the spacing at
+// the bodies over expected_speed; then halved scene.time.halvings times. Empty without
+// fluid and time.step, where the stable step of the bodies decides.
 std::optional<double> coupled_step_s(const Scene& scene);
 
-// The fluid's on its lattice: 3 nu dt / dx^2 + 1/2; empty without such a fluid. Below the
-// least the viscosity is lost in the scheme's own error. In a refined grid it is the
-// least, that away from the bodies; tau - 1/2 doubles with each level.
+// Relaxation time of the lattice, 3 nu dt / dx^2 + 1/2 in SI values; empty without a
+// lattice Boltzmann fluid. Below min_relaxation_time the viscosity is lost in the
+// scheme's own error. In a refined grid the first function gives the smallest value, that
+// of the coarsest level; tau - 1/2 doubles with each level.
 constexpr double min_relaxation_time = 0.5001;
 std::optional<double> relaxation_time(const Scene& scene);
 std::optional<double> relaxation_time_at_bodies(const Scene& scene);
 
-// How a refined grid follows the bodies: looks where they are before every so many
-// coupled steps, in which no marker moves further than a number of its finest cells. The
-// least margin, in cells of the finest level but one, leaves room for that, the kernel,
-// and a cell of the level below between the last force and the patch's side.
+// Rule by which a refined grid follows the bodies. Their places are checked every `every`
+// coupled steps; in between no marker may move further than `moves_cells` of its finest
+// cells. The least margin, in cells of the finest level but one, leaves room for that
+// motion, the kernel, and a cell of the level below between the last force and the
+// patch's side.
 struct Following {
     int every = 4, moves_cells = 2;
 };
+// The fluid must have a refinement.
 Following following(const Fluid& fluid);
 int least_margin_cells(const Scene& scene);
 
-// Empty, or why a retry cannot halve the steps once more.
+// Returns why a retry cannot halve the steps once more, or "".
 std::string fault_of_half_step(const Scene& scene);
 
-// Names of the effects in the order in which a step evaluates them.
+// Names of the effects that the scene has, in the order in which a step evaluates them,
+// and of those that it lacks.
 std::vector<std::string> active_effects(const Scene& scene);
 std::vector<std::string> absent_effects(const Scene& scene);
 
+// True if the scene has the effect; `name` must be one of the names above.
 bool has_effect(const Scene& scene, std::string_view name);
 
-// The same, a line for each of the structure step, the coupled step, the fluid step and
-// the outputs: "fluid step: fluid, obstacles; absent: body force, ...".
+// The effects in one line each for the structure step, the coupled step, the fluid step
+// and the outputs: "fluid step: fluid, obstacles; absent: body force, ...".
 std::vector<std::string> effects_by_step(const Scene& scene);
 
-// A line for each effect that is in the scene and can do nothing there, such as a damping
-// of rate 0: which, why, and what to do. Warnings, for nothing is wrong with the result.
+// One line for each effect of the scene that has no influence, such as a damping of rate
+// 0: which, why, and what to do. These are warnings, for the result is right.
 std::vector<std::string> idle_effects(const Scene& scene);
 
-// A line for each interval of probes, outputs and checkpoints that becomes another,
-// because they come after whole steps: those of a refined grid's coarsest level, which
-// are long.
+// One line for each interval of probes, outputs and checkpoints that is rounded to whole
+// steps of the coarsest level of a refined grid, at which outputs are made.
 std::vector<std::string> rounded_intervals(const Scene& scene);
 
-// Meshes, tables and surfaces that lie outside of the scene's folder, with their full
-// paths: the scene may come from a stranger.
+// Files that the scene names outside its own folder, as full paths with links resolved. A
+// scene may come from a stranger, so explain lists them.
 std::vector<std::filesystem::path> files_elsewhere(const Scene& scene);
 
 }  // namespace magfsi::scene

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Descriptions of keys in words, for errors and the reference page.
 #include "adapters/scene/field.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ namespace magfsi::scene {
 
 namespace {
 
+// Description of a single value, with its limits.
 std::string one_value(const Field& field) {
     const std::string limits = describe(field.range, field.unit);
     const std::string tail = limits.empty() ? "" : ", " + limits;
@@ -36,6 +38,7 @@ std::string one_value(const Field& field) {
     }
 }
 
+// Description of a group, a named group or a list.
 std::string container(const Field& field) {
     std::vector<std::string> keys;
     for (const Field& child : field.children) keys.push_back(child.name);
@@ -53,6 +56,7 @@ const Field* Field::find(std::string_view key) const {
     return nullptr;
 }
 
+// Kind, layout and range are completed by Describer (keys.h) from the type of the member.
 Field key(std::string_view name, std::string_view doc) {
     Field field;
     field.name = name;
@@ -60,6 +64,7 @@ Field key(std::string_view name, std::string_view doc) {
     return field;
 }
 
+// The unit also decides the dimension that errors and the reference page name.
 Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc) {
     Field field = key(name, doc);
     field.unit = si_unit;
@@ -71,10 +76,12 @@ bool is_leaf(const Field& field) {
            field.kind != Kind::list;
 }
 
+// Words for messages, in the order given.
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// Limits are printed with the unit's prefixes, as users write them.
 std::string describe(const Range& range, std::string_view unit) {
     std::string text;
     if (std::isfinite(range.low))
@@ -86,6 +93,8 @@ std::string describe(const Range& range, std::string_view unit) {
     return text;
 }
 
+// For a leaf the value with its limits, repeated for lists; for groups the names of their
+// keys.
 std::string expectation(const Field& field) {
     if (!is_leaf(field)) return container(field);
     const std::string value = one_value(field);

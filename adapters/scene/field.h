@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A key of the scene file as a table entry: what may stand there, its unit, range,
-// default and doc line. keys.h makes the table from the keys_*.cpp; reading, errors,
-// schema and reference page follow from it.
+// Description of a key of the scene file: its kind, unit, range, default and
+// documentation. keys.h builds the table of all keys from the keys_*.cpp; reading,
+// errors, JSON schema and reference page follow from that table.
 #pragma once
 
 #include <array>
@@ -16,47 +16,50 @@
 
 namespace magfsi::scene {
 
+// Kind of a key's value. The first three are groups of keys, the others leaves.
 enum class Kind {
-    group,       // map of the keys in children
-    named,       // map from a name to a group of the keys in children
-    list,        // list of groups of the keys in children
-    quantity,    // number with a unit; SI unit "" is a plain number
+    group,       // map of the keys in `children`
+    named,       // map from a name to a group of `children`
+    list,        // list of groups of `children`
+    quantity,    // number with a unit; SI unit "": plain number
     integer,     // whole number
     boolean,     // true or false
     text,        // one line
-    formula,     // of the time t, whose value has the unit
+    formula,     // function of the time t; its value has the unit
     identifier,  // letters, digits and _, a letter first
-    choice,      // one of choices; a child of the same name lets the choice carry a map
+    choice,      // word of `choices`; a child of that name gives it a map
 };
 
-// How many values stand at a leaf.
+// Number and arrangement of values at a leaf.
 enum class Layout {
     single,
-    vector,       // a list of exactly `length`
-    list,         // a list of at least `count_min`
+    vector,       // list of exactly `length` values
+    list,         // list of at least `count_min` values
     one_or_list,  // one value, or a list
-    rows,         // a list of count_min to count_max vectors of `length`
+    rows,         // list of count_min to count_max vectors of `length`
 };
 
-// alternative: exactly one of the alternatives of a group must be there;
-// optional_alternative: at most one.
+// Presence of a key. Of all `alternative` keys of a group exactly one must be present, of
+// all `optional_alternative` keys at most one.
 enum class Presence { required, optional, alternative, optional_alternative };
 
+// Allowed interval of a number, in SI units, both ends included unless low_open.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    bool low_open = false;  // low itself is not allowed
+    bool low_open = false;  // `low` itself is not allowed
     bool holds(double value) const {
         return (low_open ? value > low : value >= low) && value <= high;
     }
 };
 
+// A key with all that is known of it.
 struct Field {
     static constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
 
     std::string name;
     std::string doc;
-    std::string unit;  // SI
+    std::string unit;  // SI unit
     Kind kind = Kind::group;
     std::vector<std::string> choices;
     std::vector<Field> children;
@@ -67,12 +70,13 @@ struct Field {
 
     Range range;
     Presence presence = Presence::required;
-    bool has_default = false;  // the value that the member has at first
-    std::string fallback;      // it, as YAML text
+    bool has_default = false;  // the member's initial value is the default
+    std::string fallback;      // the default as YAML text
 
-    const Field* find(std::string_view key) const;  // child
+    const Field* find(std::string_view key) const;  // child by name, or null
 
-    // What the member's type does not tell, for one readable line a key.
+    // Modifiers for what the member's type does not tell, chained so that a key fits on a
+    // readable line.
     Field optional() && { return present(Presence::optional); }
     Field alternative() && { return present(Presence::alternative); }
     Field by_default() && {
@@ -107,9 +111,9 @@ struct Field {
     }
 };
 
-// A key whose kind and layout follow from the member that it is stored in.
+// Makes a key whose kind and layout follow from the type of the member that stores it.
 Field key(std::string_view name, std::string_view doc);
-// A number with a unit.
+// Makes a key for a number with a unit.
 Field quantity(std::string_view name, std::string_view si_unit, std::string_view doc);
 
 // --- members that keys are stored in
@@ -122,7 +126,8 @@ concept HasName = requires(T item) {
     item.name;
 };
 
-// Integers that stand for words: "x" and "xz".
+// References to integers that the file gives as words, such as "x" (an axis) and "xz" (a
+// plane).
 struct AxisRef {
     int& axis;
 };
@@ -130,29 +135,35 @@ struct PlaneRef {
     std::array<int, 2>& axes;
 };
 
+// True unless the key is a group, a named group or a list of groups.
 bool is_leaf(const Field& field);
 
-// What may stand there, in words: "3 values, each a length such as 0.2 mm".
+// Description of the allowed values, for errors: "a list of 3 values, each a length such
+// as 0.2 mm".
 std::string expectation(const Field& field);
-// "above 0 m, at most 1 m"; "" without limits.
+// Description of a range such as "above 0 m and at most 1 m"; "" without limits.
 std::string describe(const Range& range, std::string_view unit);
-// "a, b, c"
+// The words separated by commas.
 std::string joined(const std::vector<std::string>& words);
 
 // --- validate.cpp: a tree against the table, throwing SceneError at the node's place ---
 
-// Throws at the first unknown or missing key, wrong kind of node, value that cannot be
-// read or leaves its range, and at alternatives given twice or not at all; keys are
-// compared in the file's order.
+// Checks a tree against the table in the file's order. Throws SceneError at the first
+// unknown or missing key, wrong kind of node, value that cannot be read or is out of
+// range, and at alternatives given twice or not at all.
 void validate(const Node& node, const Field& field);
 
-// The scalars of a leaf in order, whatever its layout; throws if the layout does not fit.
+// The scalars of a leaf in the file's order, whatever its layout. Throws SceneError if
+// the layout does not fit.
 std::vector<const Node*> scalars(const Node& node, const Field& field);
 
-double number_value(const Node& scalar, const Field& field);  // SI
+// Value of a scalar, by the kind of its key. All throw SceneError for a value that cannot
+// be read or is out of range. Numbers are in SI units; a choice is given by its index.
+double number_value(const Node& scalar, const Field& field);
 int integer_value(const Node& scalar, const Field& field);
 bool boolean_value(const Node& scalar, const Field& field);
-std::string text_value(const Node& scalar, const Field& field);  // text and identifier
+// For both text and identifier.
+std::string text_value(const Node& scalar, const Field& field);
 structure::Formula formula_value(const Node& scalar, const Field& field);
 std::size_t choice_value(const Node& scalar, const Field& field);
 

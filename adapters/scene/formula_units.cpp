@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Formulas are converted as text, number by number, and checked by evaluation in several
+// systems of units; no syntax tree is needed.
 #include "adapters/scene/formula_units.h"
 
 #include <fmt/format.h>
@@ -19,9 +21,11 @@ namespace magfsi::scene {
 
 namespace {
 
-// Size of today's unit of mass, length, time and current in another system of units.
+// Sizes of the SI units of mass, length, time and current, expressed in another system of
+// units.
 using Scales = std::array<double, 4>;
 
+// Factor that converts an SI value of this dimension to the other system.
 double scale_of(const Dimension& dimension, const Scales& scales) {
     double factor = 1;
     for (std::size_t i = 0; i < scales.size(); ++i)
@@ -39,13 +43,14 @@ bool is_space(char c) {
     return std::isspace(static_cast<unsigned char>(c));
 }
 
+// Index of the first character at or after `at` that is not of the kind.
 std::size_t after(std::string_view text, std::size_t at, bool (*kind)(char)) {
     while (at < text.size() && kind(text[at])) ++at;
     return at;
 }
 
-// End of a symbol and its power at this place, "mm2", "s^-1"; `at` itself where there is
-// none, as at the name of a function.
+// End of a unit symbol with its power ("mm2", "s^-1") that begins at `at`; `at` itself if
+// there is none, as at the name of a function.
 std::size_t after_unit_factor(std::string_view text, std::size_t at) {
     if (text.substr(at, 1) == "%") return at + 1;
     const std::size_t name = after(text, at, is_letter);
@@ -58,8 +63,8 @@ std::size_t after_unit_factor(std::string_view text, std::size_t at) {
     return digits > power ? digits : name;
 }
 
-// End of the unit that begins at this place. A "/" belongs to it before the symbol of a
-// unit: 5 mT/s; not before the time or a function: 5 mT/t.
+// End of the unit that begins at `at`. A "/" belongs to it if the symbol of a unit
+// follows, as in 5 mT/s, but not before the time or a function, as in 5 mT/t.
 std::size_t after_unit(std::string_view text, std::size_t at) {
     std::size_t end = after_unit_factor(text, at);
     while (end > at && text.substr(end, 1) == "/") {
@@ -73,12 +78,13 @@ std::size_t after_unit(std::string_view text, std::size_t at) {
     return end;
 }
 
-// The numbers, each with its unit, in other units; what is between them as it is.
+// Rewrites a formula for another system of units: each number with its unit becomes a
+// plain number of that system; everything else is kept, without spaces.
 std::string in_units(std::string_view text, const Scales& scales) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         if (is_space(text[at])) {
-            // muParser must not see "3 4" as 34, nor "a b" as ab.
+            // The space is dropped, and muParser would read "3 4" as 34 and "a b" as ab.
             const std::size_t next = after(text, at, is_space);
             const auto joins = [](char c) {
                 return is_letter(c) || is_digit(c) || c == '.';
@@ -103,10 +109,10 @@ std::string in_units(std::string_view text, const Scales& scales) {
             const std::size_t unit = after(text, number, is_space);
             std::size_t end = after_unit(text, unit);
             const std::string_view name = text.substr(unit, end - unit);
-            if (end == unit || name == "t" || name == "pi")  // muParser tells of "2 t"
-                end = std::max(number, at + 1);              // or of a lone point
+            if (end == unit || name == "t" || name == "pi")  // left to muParser
+                end = std::max(number, at + 1);              // steps over a lone "."
             const SiValue found = parse_any_quantity(text.substr(at, end - at));
-            // The shortest digits that read back exactly.
+            // The format prints the shortest digits that read back to the same double.
             out += fmt::format("{}", found.value * scale_of(found.dimension, scales));
             at = end;
         } else {
@@ -116,8 +122,9 @@ std::string in_units(std::string_view text, const Scales& scales) {
     return out;
 }
 
-// What a formula turns out to be: nothing where it scales like no quantity; no dimension
-// where it is zero at all times, which is zero of any.
+// Result of a dimensional analysis. `scales` is false if the formula is dimensionally
+// wrong; `dimension` is empty if the value is zero at all times, which is compatible with
+// any dimension.
 struct Found {
     bool scales = true;
     std::optional<Dimension> dimension;
@@ -125,13 +132,14 @@ struct Found {
 
 constexpr double other_unit = 4096;  // 2^12: square, cube and fourth roots are exact
 
-// A formula is dimensionally right exactly if its value in any other system of units is
-// that in SI, converted (P. W. Bridgman, Dimensional Analysis, 1922, ch. 2). So it is
-// evaluated in SI and in four systems that differ in one unit each. The factor is a power
-// of two, by which all operations but powers scale to the bit. Times of many orders of
-// magnitude reach all branches of what compares, for example, t with 20 ms.
+// Finds the dimension of a formula. A formula is dimensionally right exactly if its value
+// in any other system of units is the converted SI value (P. W. Bridgman, Dimensional
+// Analysis, 1922, ch. 2). It is evaluated in SI and in four systems that differ from SI
+// in one unit each, by a power of two, for which all operations except powers scale
+// exactly. Sampling times over many orders of magnitude reaches all branches of
+// comparisons such as t < 20 ms.
 Found analyse(std::string_view text) {
-    constexpr double tolerance = 1e-9;  // powers round
+    constexpr double tolerance = 1e-9;  // admits the rounding of powers
     const std::string si = in_units(text, {1, 1, 1, 1});
     Found found{.scales = true, .dimension = Dimension{}};
     bool zero = true;
@@ -141,7 +149,7 @@ Found analyse(std::string_view text) {
         const std::string other = in_units(text, scales);
         std::optional<double> power;
         for (int sample = 0; sample < 60; ++sample) {
-            const double t = 1.37e-7 * std::pow(1.61803, sample);  // to 3e5 s
+            const double t = 1.37e-7 * std::pow(1.61803, sample);  // 0.1 us to 3e5 s
             const double here = structure::value_or_nan(si, t);
             const double there =
                 structure::value_or_nan(other, t * (unit == 2 ? other_unit : 1));
@@ -162,7 +170,8 @@ Found analyse(std::string_view text) {
     return found;
 }
 
-// "sin(25*t)" of a function of plain numbers whose argument is none, or "".
+// Explains the first call such as "sin(25*t)" of a function of plain numbers whose
+// argument has a dimension; "" if there is none.
 std::string argument_with_a_unit(std::string_view text) {
     constexpr std::string_view functions[] = {"sin",  "cos",  "tan",  "asin", "acos",
                                               "atan", "sinh", "cosh", "tanh", "exp",
@@ -192,6 +201,8 @@ std::string argument_with_a_unit(std::string_view text) {
 
 }  // namespace
 
+// Text of a formula in SI after the dimensional check. Errors of the syntax are found by
+// evaluation and reported with the text as written.
 std::string formula_in_si(const std::string& written, std::string_view si_unit) {
     const std::string text = words::plain(written);
     const std::string allowed = formula_expectation(si_unit);
@@ -222,6 +233,7 @@ std::string formula_in_si(const std::string& written, std::string_view si_unit) 
     return si;
 }
 
+// The example's factor has the dimension asked for.
 std::string formula_expectation(std::string_view si_unit) {
     constexpr std::array<std::array<std::string_view, 2>, 4> sizes{
         {{"T", "12 mT*"}, {"m", "3 mm*"}, {"A", "2 A*"}, {"rad", "90 deg*"}}};

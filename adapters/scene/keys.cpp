@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of scene.h itself.
+// The keys of the scene itself and of the options in scene.h. A comment before each
+// function names the place of its group in the scene file.
 #include "adapters/scene/keys.h"
 
 #include <fmt/format.h>
 
-// The nesting below is that of the file.
+// The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `time.equilibrium`.
 template <class Io>
 void keys(Io& io, Equilibrium& equilibrium) {
     io(key("method", "newton: Newton's method on the sparse tangent, also with prescribed "
@@ -21,6 +23,7 @@ void keys(Io& io, Equilibrium& equilibrium) {
        equilibrium.tolerance);
 }
 
+// Keys of `time`.
 template <class Io>
 void keys(Io& io, Time& time) {
     io(quantity("end", "s", "End of the run; it starts at 0.").above(0), time.end_s);
@@ -31,6 +34,7 @@ void keys(Io& io, Time& time) {
            "probe row an equilibrium on it."), time.equilibrium);
 }
 
+// Keys of `control`.
 template <class Io>
 void keys(Io& io, Control& control) {
     io(key("script",
@@ -46,6 +50,7 @@ void keys(Io& io, Control& control) {
        control.timeout_s);
 }
 
+// Keys of `gravity`.
 template <class Io>
 void keys(Io& io, Gravity& gravity) {
     io(quantity("acceleration", "m/s2", "Strength of the acceleration.").at_least(0),
@@ -55,6 +60,7 @@ void keys(Io& io, Gravity& gravity) {
        gravity.direction);
 }
 
+// Keys of `damping`.
 template <class Io>
 void keys(Io& io, Damping& damping) {
     io(quantity("rate", "1/s",
@@ -62,6 +68,7 @@ void keys(Io& io, Damping& damping) {
        damping.rate_1_s);
 }
 
+// Keys of `probes.points.NAME`.
 template <class Io>
 void keys(Io& io, PointProbe& point) {
     io(key("body", "Name of the body.").identifier(), point.body);
@@ -69,12 +76,14 @@ void keys(Io& io, PointProbe& point) {
            "Position of the point in the undeformed body, in its frame."), point.at_m);
 }
 
+// Keys of `probes.integrals.NAME.plane`.
 template <class Io>
 void keys(Io& io, FluidPlane& plane) {
     io(key("axis", "Normal of the plane. Flow along it is positive."), AxisRef{plane.axis});
     io(quantity("at", "m", "Coordinate at which the plane cuts the axis."), plane.at_m);
 }
 
+// Keys of `probes.integrals.NAME.part`.
 template <class Io>
 void keys(Io& io, BodyPart& part) {
     io(key("body", "Name of the body.").identifier(), part.body);
@@ -83,6 +92,7 @@ void keys(Io& io, BodyPart& part) {
            "lies there belong to the part; without it, all do."), part.box_m);
 }
 
+// Keys of `probes.integrals.NAME`.
 template <class Io>
 void keys(Io& io, IntegralProbe& integral) {
     io.alternatives(integral.over,
@@ -94,6 +104,7 @@ void keys(Io& io, IntegralProbe& integral) {
            "a fluid, the fluid's force on it."));
 }
 
+// Keys of `probes`.
 template <class Io>
 void keys(Io& io, Probes& probes) {
     io(quantity("every", "s", "Time between rows.").above(0), probes.every_s);
@@ -115,6 +126,7 @@ void keys(Io& io, Probes& probes) {
            "fluid has of them, and the residual.").by_default(), probes.energy_audit);
 }
 
+// Keys of `output.structure`.
 template <class Io>
 void keys(Io& io, StructureOutput& output) {
     io(quantity("every", "s", "Time between files.").above(0), output.every_s);
@@ -124,6 +136,7 @@ void keys(Io& io, StructureOutput& output) {
            "volume_ratio, energy_density.").by_default(), output.fields);
 }
 
+// Keys of `output.fluid`.
 template <class Io>
 void keys(Io& io, FluidOutput& output) {
     io(quantity("every", "s", "Time between files.").above(0), output.every_s);
@@ -133,12 +146,14 @@ void keys(Io& io, FluidOutput& output) {
            .by_default(), output.fields);
 }
 
+// Keys of `output`.
 template <class Io>
 void keys(Io& io, Output& output) {
     io(key("structure", "Fields of the bodies, in structure.pvd."), output.structure);
     io(key("fluid", "Fields of the fluid, in fluid.pvd."), output.fluid);
 }
 
+// Keys of `checkpoint`.
 template <class Io>
 void keys(Io& io, Checkpoint& checkpoint) {
     io(quantity("every", "s", "Time between two states. The two newest are kept.").above(0),
@@ -151,6 +166,7 @@ void keys(Io& io, Checkpoint& checkpoint) {
        checkpoint.max_retries);
 }
 
+// Keys of `accuracy`.
 template <class Io>
 void keys(Io& io, Accuracy& accuracy) {
     io(quantity("error", "",
@@ -165,6 +181,7 @@ void keys(Io& io, Accuracy& accuracy) {
        accuracy.budget_s);
 }
 
+// Keys at the top level of the scene file.
 template <class Io>
 void keys(Io& io, Scene& scene) {
     io(key("name", "Name of the scene, which names the run folder, runs/NAME.").by_default(),
@@ -211,6 +228,7 @@ void keys(Io& io, Scene& scene) {
 MAGFSI_KEYS_OF(Scene)
 // clang-format on
 
+// Angles are written in degrees, as users do.
 std::string yaml_text(const nlohmann::ordered_json& value, const std::string& unit) {
     if (value.is_array()) {
         std::string list;
@@ -223,7 +241,7 @@ std::string yaml_text(const nlohmann::ordered_json& value, const std::string& un
     const bool angle = unit == "rad";
     std::string text = fmt::format(
         "{}", angle ? value.get<double>() * 180 / std::numbers::pi : value.get<double>());
-    const std::size_t zero = text.find("e-0");  // 1e-06 is 1e-6
+    const std::size_t zero = text.find("e-0");  // 1e-06 becomes 1e-6
     if (zero != std::string::npos) text.erase(zero + 2, 1);
     return unit.empty() ? text : fmt::format("{} {}", text, angle ? "deg" : unit);
 }

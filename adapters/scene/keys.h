@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of the scene file, each said once. keys_*.cpp have one function a type of
-// options: keys(io, value) names every key with its unit, range and meaning, and the
-// member that it is stored in. Three visitors make the table of all keys from
-// it (Describer), read a validated tree (tree_reader.h) and write a scene's values
-// (JsonWriter). A key's kind and layout follow from the type of its member, and so does
-// its default.
+// The keys of the scene file, each declared once. keys_*.cpp have one function for each
+// type of options: keys(io, value) names every key with its unit, range and meaning, and
+// the member that stores it. Three visitors use it: Describer makes the table of all
+// keys, TreeReader (tree_reader.h) reads a validated tree, and JsonWriter writes a
+// scene's values. A key's kind, layout and default follow from its member.
 #pragma once
 
 #include <algorithm>
@@ -20,12 +19,13 @@
 
 namespace magfsi::scene {
 
-// The whole scene as a group without a name.
+// Table of the whole scene, as a group without a name.
 const Field& scene_fields();
 
 // --- writing ------------------------------------------------------------------------
 
-// Values in SI under the scene file's keys; what is absent has no key.
+// Visitor that writes values in SI units under the keys of the scene file. Absent values
+// have no key.
 class JsonWriter {
   public:
     template <class T>
@@ -35,6 +35,7 @@ class JsonWriter {
         return std::move(writer.json_);
     }
 
+    // Optional numbers without a default use 0 for "not given" and are then left out.
     template <class T>
     void operator()(const Field& key, T&& value) {
         if constexpr (std::is_arithmetic_v<std::decay_t<T>>) {
@@ -44,6 +45,7 @@ class JsonWriter {
         add(key.name, of(value));
     }
 
+    // Writes a map of keys if `there`.
     template <class Body>
     void group(const Field& key, bool there, const Body& body) {
         if (!there) return;
@@ -52,6 +54,7 @@ class JsonWriter {
         add(key.name, std::move(inner.json_));
     }
 
+    // Writes the alternative that the variant holds under the key of the same index.
     template <class... T, class... Keys>
     void alternatives(std::variant<T...>& value, const Keys&... keys) {
         const Field* list[] = {&keys...};
@@ -62,6 +65,7 @@ class JsonWriter {
         if (value) alternatives(*value, keys...);
     }
 
+    // Writes "word: {...}" over the plain word that whole() has written.
     template <Named E, class Body>
     void word_with_map(E& value, E word, std::string_view, bool there, const Body& body) {
         if (value != word || !there) return;
@@ -86,6 +90,7 @@ class JsonWriter {
     void write(E& value) {
         json_ = name_of(value);
     }
+    // Formulas are written as the user gave them.
     void write(structure::Formula& value) { json_ = value.written; }
     void write(AxisRef& value) {
         json_ = axis_names[static_cast<std::size_t>(value.axis)];
@@ -127,10 +132,11 @@ class JsonWriter {
 
 // --- the table ----------------------------------------------------------------------
 
-// A default as it stands in YAML.
+// Text of a default value in YAML, with its unit.
 std::string yaml_text(const nlohmann::ordered_json& value, const std::string& unit);
 
-// Makes the table of keys, with defaults from the members.
+// Visitor that makes the table of keys, with defaults from the initial values of the
+// members.
 class Describer {
   public:
     explicit Describer(Field& field) : field_(&field) {}
@@ -142,7 +148,8 @@ class Describer {
         field_->children.push_back(std::move(key));
     }
 
-    // Keys of a map that is no type of its own; there: whether the map is written.
+    // A map of keys without a type of its own. The bool tells JsonWriter whether to write
+    // the map.
     template <class Body>
     void group(Field key, bool, const Body& body) {
         Describer inner(key);
@@ -150,24 +157,26 @@ class Describer {
         field_->children.push_back(std::move(key));
     }
 
-    // Exactly one of the keys, for each type of the variant in its order.
+    // Exactly one of the keys must be present; one key for each type of the variant, in
+    // its order.
     template <class... T, class... Keys>
     void alternatives(std::variant<T...>&, Keys... keys) {
         (alternative<T>(std::move(keys), Presence::alternative), ...);
     }
-    // At most one.
+    // At most one of the keys may be present.
     template <class... T, class... Keys>
     void alternatives(std::optional<std::variant<T...>>&, Keys... keys) {
         (alternative<T>(std::move(keys), Presence::optional_alternative), ...);
     }
 
-    // A word that may stand alone (whole) or carry a map of keys.
+    // A word of an enumeration that may stand alone (read by whole()) or carry a map of
+    // keys.
     template <Named E, class Body>
     void word_with_map(E&, E word, std::string_view doc, bool, const Body& body) {
         group(key(name_of(word), doc), true, body);
     }
 
-    // This place itself.
+    // A value without a key of its own: it stands in the place of the map.
     template <class T>
     void whole(T&& value) {
         describe(value);
@@ -181,6 +190,7 @@ class Describer {
         (*this)(std::move(key), value);
     }
 
+    // A kind that the key has been given before, such as identifier, stays.
     void leaf(Kind kind) {
         if (field_->kind == Kind::group) field_->kind = kind;
     }
@@ -201,12 +211,14 @@ class Describer {
     void describe(AxisRef&) { words(axis_names); }
     void describe(PlaneRef&) { words(plane_names); }
 
+    // An optional member makes its key optional.
     template <class T>
     void describe(std::optional<T>&) {
         if (field_->presence == Presence::required) field_->presence = Presence::optional;
         T value{};
         describe(value);
     }
+    // Arrays are vectors of fixed length.
     template <class T, std::size_t N>
     void describe(std::array<T, N>& value) {
         describe(value[0]);
@@ -225,6 +237,8 @@ class Describer {
         field_->layout = Layout::rows;
         field_->length = N;
     }
+    // Vectors are lists of scalars, maps by name (types with a member `name`), or lists
+    // of maps.
     template <class T>
     void describe(std::vector<T>&) {
         T item{};
@@ -283,6 +297,7 @@ void keys(Io& io, Fluid& fluid);  // keys_fluid.cpp
 template <class Io>
 void keys(Io& io, Coupling& coupling);  // keys_coupling.cpp
 
+// Instantiates keys(io, Type&) for the three visitors.
 #define MAGFSI_KEYS_OF(Type)                   \
     template void keys(Describer& io, Type&);  \
     template void keys(TreeReader& io, Type&); \

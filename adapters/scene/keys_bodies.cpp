@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of structure/options.h: bodies and what they touch. Their meshes are in
-// keys_mesh.cpp.
+// The keys of bodies, `platform` and `contact`, stored in structure/options.h. Meshes are
+// in keys_mesh.cpp. A comment before each function names the place of its group below
+// Keys of `bodies.NAME`.
 #include "adapters/scene/keys.h"
 
-// The nesting below is that of the file.
+// The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `material`, and an item of material_regions. Reading converts E and nu to G and lambda;
+// writing has G and lambda only.
 template <class Io>
 void keys(Io& io, Material& material) {
     io(quantity("shear_modulus", "Pa",
@@ -16,7 +19,7 @@ void keys(Io& io, Material& material) {
            .optional(), material.shear_modulus_pa);
     io(quantity("lame_lambda", "Pa", "First Lame constant, called K in the paper.").at_least(0)
            .optional(), material.lame_lambda_pa);
-    double e = 0, nu = 0;  // become the first two as they are read
+    double e = 0, nu = 0;  // converted to the first two when read
     io(quantity("youngs_modulus", "Pa",
            "Young's modulus E at small strains. It goes with poissons_ratio: G = E / (2 "
            "(1 + nu)), K = 2 G nu / (1 - 2 nu).").above(0).optional(), e);
@@ -35,6 +38,7 @@ void keys(Io& io, Material& material) {
        material.viscosity_pa_s);
 }
 
+// Keys of `material_regions[]`.
 template <class Io>
 void keys(Io& io, RegionMaterial& region) {
     io(key("region", "Name of a region of the mesh, or a list of names.").one_or_list(),
@@ -42,11 +46,13 @@ void keys(Io& io, RegionMaterial& region) {
     keys(io, region.material);
 }
 
+// Keys of `magnetization.uniform`: a vector in place of a map.
 template <class Io>
 void keys(Io& io, UniformMagnetization& uniform) {
     io.whole(uniform.vector_a_m);
 }
 
+// Keys of `magnetization.harmonic`.
 template <class Io>
 void keys(Io& io, HarmonicMagnetization& wave) {
     io(quantity("amplitude", "A/m", "Strength of the magnetization.").above(0), wave.amplitude_a_m);
@@ -60,6 +66,7 @@ void keys(Io& io, HarmonicMagnetization& wave) {
        AxisRef{wave.into});
 }
 
+// Keys of `magnetization.domains[]`.
 template <class Io>
 void keys(Io& io, MagneticDomain& domain) {
     io(quantity("box", "m",
@@ -72,11 +79,13 @@ void keys(Io& io, MagneticDomain& domain) {
     io(quantity("vector", "A/m", "Magnetization vector of the domain."), domain.vector_a_m);
 }
 
+// Keys of `magnetization.domains`.
 template <class Io>
 void keys(Io& io, DomainMagnetization& magnetization) {
     io.whole(magnetization.domains);
 }
 
+// Keys of `magnetization.regions[]`.
 template <class Io>
 void keys(Io& io, RegionVector& region) {
     io(key("region", "Name of a region of the mesh, or a list of names.").one_or_list(),
@@ -84,11 +93,13 @@ void keys(Io& io, RegionVector& region) {
     io(quantity("vector", "A/m", "Magnetization vector of the region."), region.vector_a_m);
 }
 
+// Keys of `magnetization.regions`.
 template <class Io>
 void keys(Io& io, RegionMagnetization& magnetization) {
     io.whole(magnetization.regions);
 }
 
+// Keys of `magnetization.table`.
 template <class Io>
 void keys(Io& io, TableMagnetization& table) {
     io(key("file",
@@ -96,6 +107,7 @@ void keys(Io& io, TableMagnetization& table) {
            "Mz[A/m]. Its path counts from the scene's folder."), table.file);
 }
 
+// Keys of `magnetization.curve`.
 template <class Io>
 void keys(Io& io, CurveMagnetization& curve) {
     io(quantity("strength", "A/m", "Strength of the magnetization.").above(0), curve.strength_a_m);
@@ -117,6 +129,7 @@ void keys(Io& io, CurveMagnetization& curve) {
        PlaneRef{curve.plane});
 }
 
+// Keys of `magnetization.radial`.
 template <class Io>
 void keys(Io& io, RadialMagnetization& radial) {
     io(quantity("strength", "A/m",
@@ -130,6 +143,7 @@ void keys(Io& io, RadialMagnetization& radial) {
        radial.axis);
 }
 
+// Keys of `magnetization`.
 template <class Io>
 void keys(Io& io, Magnetization& magnetization) {
     io.alternatives(magnetization,
@@ -153,6 +167,7 @@ void keys(Io& io, Magnetization& magnetization) {
         key("radial", "Magnetization that points away from a point or an axis."));
 }
 
+// Keys of `rollers[]`.
 template <class Io>
 void keys(Io& io, Roller& roller) {
     io(key("face", "Name of a face as in `clamps`, or a list of names.").one_or_list(), roller.faces);
@@ -160,6 +175,7 @@ void keys(Io& io, Roller& roller) {
            "Axis of space, not of a turned body, along which the face is held."), AxisRef{roller.axis});
 }
 
+// Keys of `prescribed_motion[].oscillation`, and the motion of a field source.
 template <class Io>
 void keys(Io& io, Oscillation& oscillation) {
     io(quantity("amplitude", "m", "Amplitudes along x, y and z."), oscillation.amplitude_m);
@@ -171,6 +187,7 @@ void keys(Io& io, Oscillation& oscillation) {
        oscillation.phase_rad);
 }
 
+// Keys of `prescribed_motion[].formula`, and the motion of a field source.
 template <class Io>
 void keys(Io& io, FormulaMotion& motion) {
     auto& [x, y, z] = motion.component_m;
@@ -179,6 +196,7 @@ void keys(Io& io, FormulaMotion& motion) {
     io(quantity("z", "m", "Displacement along z, a formula of the time t.").by_default(), z);
 }
 
+// Keys of `prescribed_motion[].ramp`, and the motion of a field source.
 template <class Io>
 void keys(Io& io, DisplacementRamp& ramp) {
     io(quantity("displacement", "m", "Displacements along x, y and z at the end."),
@@ -186,6 +204,7 @@ void keys(Io& io, DisplacementRamp& ramp) {
     io(quantity("duration", "s", "Time that the displacement takes.").above(0), ramp.duration_s);
 }
 
+// Keys of `prescribed_motion[]`.
 template <class Io>
 void keys(Io& io, PrescribedMotion& motion) {
     io(key("face", "Name of a face as in `clamps`, or a list of names.").one_or_list(), motion.faces);
@@ -199,6 +218,7 @@ void keys(Io& io, PrescribedMotion& motion) {
            "from its value at time 0."));
 }
 
+// Keys of `initial.rotation`.
 template <class Io>
 void keys(Io& io, PlaneRotation& rotation) {
     io(key("plane",
@@ -208,6 +228,7 @@ void keys(Io& io, PlaneRotation& rotation) {
     io(quantity("angle", "rad", "Angle by which the body is turned."), rotation.angle_rad);
 }
 
+// Keys of `initial.relaxed`, and magnetic_field.constant.
 template <class Io>
 void keys(Io& io, ConstantField& field) {
     io(quantity("magnitude", "T", "Flux density. A negative one points backwards."),
@@ -217,6 +238,7 @@ void keys(Io& io, ConstantField& field) {
        field.direction_rad);
 }
 
+// Keys of `initial`.
 template <class Io>
 void keys(Io& io, Placement& initial) {
     io(quantity("position", "m",
@@ -228,6 +250,7 @@ void keys(Io& io, Placement& initial) {
            "gravity, before the rotation."), initial.relaxed);
 }
 
+// Keys of `bodies.NAME` itself.
 template <class Io>
 void keys(Io& io, Body& body) {
     io.group(key("mesh",
@@ -283,6 +306,7 @@ void keys(Io& io, Body& body) {
 
 // --- loads --------------------------------------------------------------------------
 
+// Keys of `platform`, at the top level of the scene.
 template <class Io>
 void keys(Io& io, Platform& platform) {
     io(quantity("point", "m", "A point of the plane.").by_default(), platform.point_m);
@@ -299,6 +323,7 @@ void keys(Io& io, Platform& platform) {
        platform.friction);
 }
 
+// Keys of `contact`, at the top level of the scene.
 template <class Io>
 void keys(Io& io, ContactLaw& contact) {
     io(quantity("distance", "m",

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of coupler/options.h.
+// The keys of `coupling`, stored in coupler/options.h.
 #include "adapters/scene/keys.h"
 
-// The nesting below is that of the file.
+// The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `coupling.iteration`, options of the implicit scheme (Degroote, Bathe, Vierendeels 2009;
+// Haelterman et al. 2016).
 template <class Io>
 void keys(Io& io, Iteration& iteration) {
     io(key("acceleration", "Method that makes the next guess.").by_default(),
@@ -46,6 +48,7 @@ void keys(Io& io, Iteration& iteration) {
        iteration.filter_limit);
 }
 
+// Keys of `coupling.immersed_boundary`.
 template <class Io>
 void keys(Io& io, ImmersedBoundary& boundary) {
     io(key("forcing", "How a marker's slip becomes a force: penalty is eq. (13) with the fluid "
@@ -83,6 +86,7 @@ void keys(Io& io, ImmersedBoundary& boundary) {
        boundary.iterations);
 }
 
+// Keys of `coupling` itself.
 template <class Io>
 void keys(Io& io, Coupling& coupling) {
     io(key("scheme", "serial: structure and fluid take turns; parallel: both work at the same "

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of the magnetic field: its laws and its sources.
+// The keys of `magnetic_field`, its laws and its sources, and of `dipoles`. A comment
+// before each function names the place of its group below `magnetic_field`.
 #include "adapters/scene/keys.h"
 
-// The nesting below is that of the file.
+// The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `table`.
 template <class Io>
 void keys(Io& io, FieldTable& table) {
     io(quantity("time", "s", "Times of the rows, ascending."), table.time_s);
@@ -22,6 +24,7 @@ void keys(Io& io, FieldTable& table) {
            "the field holds the first value.").by_default(), table.repeat);
 }
 
+// Keys of `rotation`.
 template <class Io>
 void keys(Io& io, RotatingField& field) {
     io(quantity("magnitude", "T", "Flux density. A negative one points backwards."),
@@ -32,11 +35,13 @@ void keys(Io& io, RotatingField& field) {
        field.frequency_hz);
 }
 
+// Keys of `vector`: three components in place of a map.
 template <class Io>
 void keys(Io& io, VectorField& field) {
     io.whole(field.vector_t);
 }
 
+// Keys of `vector_table`.
 template <class Io>
 void keys(Io& io, VectorTable& table) {
     io(key("file",
@@ -52,6 +57,7 @@ void keys(Io& io, VectorTable& table) {
            "the field holds the first value.").by_default(), table.repeat);
 }
 
+// Keys of `oscillation`.
 template <class Io>
 void keys(Io& io, OscillatingField& field) {
     io(quantity("amplitude", "T", "Amplitudes of Bx, By and Bz."), field.amplitude_t);
@@ -61,6 +67,7 @@ void keys(Io& io, OscillatingField& field) {
        field.phase_rad);
 }
 
+// Keys of `precession`.
 template <class Io>
 void keys(Io& io, PrecessingField& field) {
     io(quantity("magnitude", "T", "Flux density. A negative one points backwards."),
@@ -83,6 +90,7 @@ void keys(Io& io, PrecessingField& field) {
            "2.").above(0).optional(), field.ramp_s);
 }
 
+// Keys of `formula`.
 template <class Io>
 void keys(Io& io, FormulaField& field) {
     auto& [x, y, z] = field.component_t;
@@ -91,7 +99,8 @@ void keys(Io& io, FormulaField& field) {
     io(quantity("z", "T", "Component Bz, a formula of the time t.").by_default(), z);
 }
 
-// One, or at most one.
+// Laws of the field over time, as alternatives: exactly one for a variant, at most one
+// for an optional variant.
 template <class Io, class Law>
 void laws(Io& io, Law& law) {
     io.alternatives(law,
@@ -110,11 +119,13 @@ void laws(Io& io, Law& law) {
         key("formula", "Formulas of the time t for the components of the field."));
 }
 
+// Keys of `plus[]`.
 template <class Io>
 void keys(Io& io, FieldTerm& term) {
     laws(io, term.law);
 }
 
+// Keys of `gradient`.
 template <class Io>
 void keys(Io& io, GradientInput& gradient) {
     io(quantity("matrix", "T/m",
@@ -124,12 +135,14 @@ void keys(Io& io, GradientInput& gradient) {
            "Point at which the gradient adds nothing to the field.").by_default(), gradient.origin_m);
 }
 
+// Keys of `sources.NAME.dipole`.
 template <class Io>
 void keys(Io& io, DipoleSource& dipole) {
     io(quantity("moment", "A m2", "Magnetic moment along x, y and z of the source."),
        dipole.moment_a_m2);
 }
 
+// Keys of `sources.NAME.cuboid`.
 template <class Io>
 void keys(Io& io, CuboidMagnet& magnet) {
     io(quantity("size", "m", "Edges along x, y and z of the source.").above(0), magnet.size_m);
@@ -137,6 +150,7 @@ void keys(Io& io, CuboidMagnet& magnet) {
            "Residual flux density along x, y and z of the source."), magnet.remanence_t);
 }
 
+// Keys of `sources.NAME.cylinder`.
 template <class Io>
 void keys(Io& io, CylinderMagnet& magnet) {
     io(quantity("diameter", "m", "Diameter of the cylinder.").above(0), magnet.diameter_m);
@@ -159,11 +173,13 @@ void coil_keys(Io& io, CircularCoil& coil) {
     io(key("turns", "Number of turns, all on one circle.").above(0).by_default(), coil.turns);
 }
 
+// Keys of `sources.NAME.coil`.
 template <class Io>
 void keys(Io& io, CircularCoil& coil) {
     coil_keys(io, coil);
 }
 
+// Keys of `sources.NAME.coil_pair`.
 template <class Io>
 void keys(Io& io, CoilPair& pair) {
     coil_keys(io, pair);
@@ -175,6 +191,7 @@ void keys(Io& io, CoilPair& pair) {
            "other way round, which makes a gradient.").by_default(), pair.opposed);
 }
 
+// Keys of `sources.NAME.coil_system.coils[]`.
 template <class Io>
 void keys(Io& io, SystemCoil& coil) {
     io(quantity("position", "m",
@@ -194,6 +211,7 @@ void keys(Io& io, SystemCoil& coil) {
            "Current as a formula of the time t, in place of currents."), coil.current);
 }
 
+// Keys of `sources.NAME.coil_system`.
 template <class Io>
 void keys(Io& io, CoilSystem& system) {
     io(key("coils", "List of coils, each with its row of the matrix of currents."), system.coils);
@@ -205,6 +223,7 @@ void keys(Io& io, CoilSystem& system) {
            "they hold their first values.").by_default(), system.repeat);
 }
 
+// Keys of `sources.NAME.grid`.
 template <class Io>
 void keys(Io& io, GridField& grid) {
     io(key("file",
@@ -213,12 +232,14 @@ void keys(Io& io, GridField& grid) {
            "or are SI where there are none. Its path counts from the scene's folder."), grid.file);
 }
 
+// Keys of `sources.NAME.rotation`.
 template <class Io>
 void keys(Io& io, AxisRotation& rotation) {
     io(key("axis", "Axis of the rotation, right-handed. Its length does not matter."), rotation.axis);
     io(quantity("angle", "rad", "Angle by which the source is turned."), rotation.angle_rad);
 }
 
+// Keys of `sources.NAME.strength.oscillation`.
 template <class Io>
 void keys(Io& io, StrengthOscillation& law) {
     io(quantity("frequency", "1/s", "Number of periods per second.").above(0), law.frequency_hz);
@@ -227,6 +248,7 @@ void keys(Io& io, StrengthOscillation& law) {
        law.phase_rad);
 }
 
+// Keys of `sources.NAME.strength.table`.
 template <class Io>
 void keys(Io& io, StrengthTable& law) {
     io(quantity("time", "s", "Times of the rows, ascending."), law.time_s);
@@ -236,11 +258,13 @@ void keys(Io& io, StrengthTable& law) {
            "the strength holds the first value.").by_default(), law.repeat);
 }
 
+// Keys of `sources.NAME.strength.ramp`.
 template <class Io>
 void keys(Io& io, StrengthRamp& law) {
     io(quantity("duration", "s", "Time that the rise takes.").above(0), law.duration_s);
 }
 
+// Keys of `sources.NAME.strength`.
 template <class Io>
 void keys(Io& io, StrengthLaw& law) {
     io.alternatives(law,
@@ -252,6 +276,7 @@ void keys(Io& io, StrengthLaw& law) {
         quantity("formula", "", "Factor as a formula of the time t."));
 }
 
+// Keys of `sources.NAME.motion.path`.
 template <class Io>
 void keys(Io& io, SourcePath& path) {
     io(quantity("time", "s", "Times of the rows, ascending."), path.time_s);
@@ -263,6 +288,7 @@ void keys(Io& io, SourcePath& path) {
            "the displacement holds the first value.").by_default(), path.repeat);
 }
 
+// Keys of `sources.NAME.motion`.
 template <class Io>
 void keys(Io& io, SourceMotion& motion) {
     io.alternatives(motion,
@@ -277,6 +303,7 @@ void keys(Io& io, SourceMotion& motion) {
            "first and after the last."));
 }
 
+// Keys of `sources.NAME.turning`.
 template <class Io>
 void keys(Io& io, SourceTurning& turning) {
     io(key("axis",
@@ -291,6 +318,7 @@ void keys(Io& io, SourceTurning& turning) {
        turning.about_m);
 }
 
+// Keys of `sources.NAME`.
 template <class Io>
 void keys(Io& io, FieldSource& source) {
     io.alternatives(source.shape,
@@ -319,6 +347,8 @@ void keys(Io& io, FieldSource& source) {
        source.turning);
 }
 
+// Keys of `magnetic_field` itself. Its laws are keys beside `plane`; the optional law carries
+// them in and out of `uniform` and `course`.
 template <class Io>
 void keys(Io& io, MagneticField& field) {
     io(key("plane",
@@ -341,6 +371,7 @@ void keys(Io& io, MagneticField& field) {
            .optional(), field.sources);
 }
 
+// Keys of `dipoles`, at the top level of the scene.
 template <class Io>
 void keys(Io& io, DipoleOptions& dipoles) {
     io(key("within_bodies",

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of fluid_lbm/options.h and of the fluid's box.
+// The keys of `fluid`, stored in fluid_lbm/options.h and scene.h. A comment before each
+// function names the place of its group below `fluid`.
 #include "adapters/scene/keys.h"
 
-// The nesting below is that of the file.
+// The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `boundaries.SIDE.KIND.rectangle`.
 template <class Io>
 void keys(Io& io, Rectangle& rectangle) {
     io(quantity("centre", "m",
@@ -15,6 +17,7 @@ void keys(Io& io, Rectangle& rectangle) {
     io(quantity("size", "m", "Lengths of the opening along the same axes.").above(0), rectangle.size_m);
 }
 
+// Keys of `boundaries.SIDE.KIND.disc`.
 template <class Io>
 void keys(Io& io, Disc& disc) {
     io(quantity("centre", "m",
@@ -29,6 +32,7 @@ void patch_keys(Io& io, Boundary& side) {
     io.alternatives(side.patch, key("rectangle", doc), key("disc", doc));
 }
 
+// Keys of `boundaries.SIDE.velocity_inlet.course.oscillation`.
 template <class Io>
 void keys(Io& io, InletWave& wave) {
     io(key("mean", "Mean of the factor.").by_default(), wave.mean);
@@ -39,6 +43,7 @@ void keys(Io& io, InletWave& wave) {
        wave.phase_rad);
 }
 
+// Keys of `boundaries.SIDE.velocity_inlet.course.table`.
 template <class Io>
 void keys(Io& io, InletTable& table) {
     io(key("file",
@@ -51,6 +56,7 @@ void keys(Io& io, InletTable& table) {
            "the factor holds the first value.").by_default(), table.repeat);
 }
 
+// Keys of `boundaries.SIDE.velocity_inlet.course.formula`.
 template <class Io>
 void keys(Io& io, InletFormula& formula) {
     structure::Formula text{formula.written, formula.si};
@@ -58,6 +64,7 @@ void keys(Io& io, InletFormula& formula) {
     formula = {text.written, text.si};
 }
 
+// Keys of `boundaries.SIDE.velocity_inlet.course`.
 template <class Io>
 void keys(Io& io, InletCourse& course) {
     io.alternatives(course,
@@ -68,6 +75,7 @@ void keys(Io& io, InletCourse& course) {
         quantity("formula", "", "Factor as a formula of the time t."));
 }
 
+// Keys of `boundaries.SIDE`: a word, or a map with the word as its key.
 template <class Io>
 void keys(Io& io, Boundary& side) {
     io.whole(side.kind);
@@ -96,12 +104,14 @@ void keys(Io& io, Boundary& side) {
     });
 }
 
+// Keys of `obstacles.NAME.sphere`.
 template <class Io>
 void keys(Io& io, Sphere& sphere) {
     io(quantity("centre", "m", "Centre of the ball."), sphere.centre_m);
     io(quantity("diameter", "m", "Diameter of the ball.").above(0), sphere.diameter_m);
 }
 
+// Keys of `obstacles.NAME.cylinder`.
 template <class Io>
 void keys(Io& io, Cylinder& cylinder) {
     io(quantity("centre", "m", "Middle of the cylinder's length."), cylinder.centre_m);
@@ -112,6 +122,7 @@ void keys(Io& io, Cylinder& cylinder) {
        cylinder.length_m);
 }
 
+// Keys of `obstacles.NAME.box`: two corners in place of a map.
 template <class Io>
 void keys(Io& io, Block& block) {
     std::array<Vec3, 2> corners{block.low_m, block.high_m};
@@ -119,6 +130,7 @@ void keys(Io& io, Block& block) {
     block = {corners[0], corners[1]};
 }
 
+// Keys of `obstacles.NAME.stl`.
 template <class Io>
 void keys(Io& io, StlSurface& surface) {
     io(key("file",
@@ -131,6 +143,7 @@ void keys(Io& io, StlSurface& surface) {
        surface.shift_m);
 }
 
+// Keys of `obstacles.NAME`.
 template <class Io>
 void keys(Io& io, Obstacle& obstacle) {
     io.alternatives(obstacle.shape, key("sphere", "Ball."),
@@ -139,6 +152,7 @@ void keys(Io& io, Obstacle& obstacle) {
                     key("stl", "Solid within a closed surface of triangles."));
 }
 
+// Keys of `grading`.
 template <class Io>
 void keys(Io& io, Grading& grading) {
     io(quantity("uniform", "m", "Lower and upper corner of the part with cubic cells."),
@@ -148,6 +162,7 @@ void keys(Io& io, Grading& grading) {
        grading.growth);
 }
 
+// Keys of `refinement`.
 template <class Io>
 void keys(Io& io, Refinement& refinement) {
     io(key("levels", "Number of times that the spacing is halved towards the bodies.")
@@ -162,11 +177,13 @@ void keys(Io& io, Refinement& refinement) {
        refinement.box_m);
 }
 
+// Keys of `taylor_green`.
 template <class Io>
 void keys(Io& io, TaylorGreen& vortex) {
     io(quantity("speed", "m/s", "Largest speed of the vortex.").above(0), vortex.speed_m_s);
 }
 
+// Keys of `rheology.carreau` (Carreau 1972; Yasuda, Armstrong, Cohen 1981).
 template <class Io>
 void keys(Io& io, Carreau& law) {
     io(quantity("infinite_viscosity", "m2/s",
@@ -181,6 +198,7 @@ void keys(Io& io, Carreau& law) {
        law.transition);
 }
 
+// Keys of `rheology.power_law`.
 template <class Io>
 void keys(Io& io, PowerLaw& law) {
     io(key("exponent",
@@ -193,6 +211,7 @@ void keys(Io& io, PowerLaw& law) {
     io(quantity("most", "m2/s", "Upper bound of the kinematic viscosity.").above(0), law.most_m2_s);
 }
 
+// Keys of `rheology`.
 template <class Io>
 void keys(Io& io, Rheology& rheology) {
     io.alternatives(rheology.law, key("carreau",
@@ -202,6 +221,7 @@ void keys(Io& io, Rheology& rheology) {
            "Viscosity that is a power of the rate of shear, within bounds."));
 }
 
+// Keys of `fluid` itself.
 template <class Io>
 void keys(Io& io, Fluid& fluid) {
     io(key("solver", "Fluid solver: lbm is built in, openfoam is pimpleFoam.").by_default(),
@@ -215,7 +235,7 @@ void keys(Io& io, Fluid& fluid) {
     io(quantity("viscosity", "m2/s",
            "Kinematic viscosity. dynamic_viscosity can stand in its place.").above(0)
            .optional(), fluid.viscosity_m2_s);
-    double dynamic_pa_s = 0;  // becomes the kinematic one as it is read
+    double dynamic_pa_s = 0;  // converted to the kinematic one when read
     io(quantity("dynamic_viscosity", "Pa s", "Kinematic viscosity times the density.")
            .above(0).optional(),
        dynamic_pa_s);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keys of the meshes of structure/options.h.
+// The keys of `bodies.NAME.mesh`, stored in structure/options.h. A comment before each
+// function names the place of its group below `mesh`.
 #include "adapters/scene/keys.h"
 
-// The nesting below is that of the file.
+// The layout below follows the nesting of the scene file.
 // clang-format off
 
 namespace magfsi::scene {
 
+// Keys of `box`.
 template <class Io>
 void keys(Io& io, Box& box) {
     io(quantity("size", "m", "Lengths of the block along x, y and z.").above(0), box.size_m);
@@ -14,6 +16,7 @@ void keys(Io& io, Box& box) {
        box.elements);
 }
 
+// Keys of `oblique`.
 template <class Io>
 void keys(Io& io, ObliquePlate& plate) {
     io(key("cells", "Numbers of cells along x and y.").at_least(1).at_most(10000), plate.cells);
@@ -32,6 +35,7 @@ void keys(Io& io, ObliquePlate& plate) {
            .by_default(), plate.zigzag);
 }
 
+// Keys of `gmsh`.
 template <class Io>
 void keys(Io& io, MeshFile& mesh) {
     io(key("file", "Name of a .msh file. Its path counts from the scene's folder."), mesh.file);
@@ -39,6 +43,7 @@ void keys(Io& io, MeshFile& mesh) {
        mesh.unit_m);
 }
 
+// Keys of `voxels.faces.NAME`.
 template <class Io>
 void keys(Io& io, FaceBox& face) {
     io(quantity("box", "m",
@@ -46,6 +51,7 @@ void keys(Io& io, FaceBox& face) {
            "to the face."), face.box_m);
 }
 
+// Keys of `voxels`.
 template <class Io>
 void keys(Io& io, VoxelMesh& mesh) {
     io(key("file",
@@ -61,6 +67,7 @@ void keys(Io& io, VoxelMesh& mesh) {
            "nodes.").optional(), mesh.faces);
 }
 
+// Keys of `arc`.
 template <class Io>
 void keys(Io& io, Arc& arc) {
     io(quantity("radius", "m", "Radius of the middle line.").above(0), arc.radius_m);
@@ -77,6 +84,7 @@ void keys(Io& io, Arc& arc) {
        arc.elements);
 }
 
+// Keys of `helix`.
 template <class Io>
 void keys(Io& io, Helix& helix) {
     io(quantity("radius", "m", "Radius of the middle line.").above(0), helix.radius_m);

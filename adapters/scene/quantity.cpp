@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers with units are converted through their text: the decimal exponents are added
+// before the only rounding.
 #include "adapters/scene/quantity.h"
 
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ std::string format_si(double value, std::string_view si_unit) {
     if (!takes_prefix || value == 0)
         return fmt::format("{:.6g}{}{}", value, si_unit.empty() ? "" : " ", si_unit);
     constexpr std::string_view prefix[] = {"n", "u", "m", "", "k", "M", "G"};
-    // The small shift keeps 0.001 m at 1 mm whichever way its logarithm rounds.
+    // The small shift makes 0.001 m print as 1 mm, however its logarithm rounds.
     const int thousands =
         static_cast<int>(std::floor(std::log10(std::abs(value)) / 3 + 1e-9));
     const int step = std::min(std::max(thousands, -3), 3);
@@ -30,8 +32,9 @@ std::string format_si(double value, std::string_view si_unit) {
 
 namespace {
 
+// A number's text in parts.
 struct Number {
-    std::string mantissa;  // without a leading plus
+    std::string mantissa;  // digits without a leading plus
     int exponent = 0;
     std::string_view rest;  // the unit
 };
@@ -42,8 +45,8 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-// What stands behind a number and is no unit: the rest of a number that is written in
-// another way.
+// Refuses text behind a number that belongs to another way of writing numbers: a decimal
+// comma, or digits in groups.
 void refuse_other_writing(std::string_view text, std::string_view rest) {
     const auto digit = [&](std::size_t at) {
         return at < rest.size() && rest[at] >= '0' && rest[at] <= '9';
@@ -60,11 +63,12 @@ void refuse_other_writing(std::string_view text, std::string_view rest) {
         throw Complaint(in_quotes(text), "the digits of a number together, as in 1000");
 }
 
-// False when the text does not start with a decimal number.
+// Splits a text into mantissa, exponent and unit. Returns false if it does not start with
+// a decimal number.
 bool split(std::string_view text, Number& number) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     const std::size_t sign = text.starts_with('-') ? 1 : 0;
-    // from_chars takes words such as inf, too.
+    // Words such as inf, which from_chars accepts, are excluded here.
     if (text.find_first_of("0123456789.", sign) != sign) return false;
     double value = 0;
     const char* begin = text.data();
@@ -80,9 +84,12 @@ bool split(std::string_view text, Number& number) {
     return std::from_chars(digits, end, number.exponent).ec == std::errc{};
 }
 
+// Converts the number with the unit's decimal exponent added to its own: one rounding in
+// all.
 template <class Float>
 Float rounded(const Number& number, int decimal_exponent, std::string_view text) {
-    // The exponent is an int of a few digits plus a unit's: wide arithmetic cannot wrap.
+    // The number's exponent is an int and the unit's has a few digits: their sum as a
+    // long cannot overflow.
     const long exponent = static_cast<long>(number.exponent) + decimal_exponent;
     const std::string folded = fmt::format("{}e{}", number.mantissa, exponent);
     Float value = 0;
@@ -93,6 +100,8 @@ Float rounded(const Number& number, int decimal_exponent, std::string_view text)
     return value;
 }
 
+// A unit with a factor (min, h, deg) is applied in long double, before the only rounding
+// to double.
 SiValue any_quantity(std::string_view text) {
     Number number;
     if (!split(text, number)) throw Complaint(in_quotes(text), "a number", remedy(text));
@@ -103,8 +112,8 @@ SiValue any_quantity(std::string_view text) {
     return {static_cast<double>(value * unit.factor), unit.dimension};
 }
 
-// Beyond what any robot of soft magnets or its surroundings has, so that a prefix is a
-// slip: m for M, or none.
+// Sizes beyond any soft robot or its surroundings. A larger value is taken for a slip in
+// the prefix: m for M, or none.
 struct Most {
     std::string_view si;
     double value;
@@ -118,7 +127,8 @@ constexpr Most beyond[] = {
     {"A", 1e6},   {"m/s", 1e4}, {"kg/m3", 1e5}, {"Pa", 1e13}, {"kg", 1e6},
 };
 
-// The text with its unit in thousandths, if that is of a size that there is, or "".
+// Suggestion with the prefix m in place of the given one or before the unit, if that
+// gives a plausible size; else "".
 std::string likely_size(std::string_view text, const Dimension& dimension, double most) {
     const auto unit_at = text.find_first_not_of("0123456789.+-eE \t");
     if (unit_at == std::string_view::npos) return {};
@@ -136,6 +146,7 @@ std::string likely_size(std::string_view text, const Dimension& dimension, doubl
     return {};
 }
 
+// Refuses implausible sizes of the dimensions in `beyond`; others have no limit.
 void check_size(const SiValue& found, std::string_view text) {
     static const std::vector<Dimension> dimensions = [] {
         std::vector<Dimension> list;
@@ -162,6 +173,8 @@ SiValue parse_any_quantity(std::string_view raw) {
     return found;
 }
 
+// A bare number where a unit is needed is refused with the SI unit as a suggestion, never
+// guessed.
 double parse_quantity(std::string_view raw, std::string_view si_unit) {
     const std::string plain = words::plain(raw);
     const std::string_view text = trim(plain);
@@ -178,7 +191,7 @@ double parse_quantity(std::string_view raw, std::string_view si_unit) {
                         dimension_expectation(si_unit),
                         fmt::format("\"{} {}\" if SI is meant", text, si_unit));
     const Unit unit = parse_unit(number.rest);
-    // Magnets are sold by their remanence, mu0 M.
+    // Magnets are specified by their remanence Br = mu0 M [T], from which M follows.
     if (si_unit == "A/m" && unit.dimension == parse_unit("T").dimension) {
         const auto magnetization = static_cast<double>(
             rounded<long double>(number, unit.decimal_exponent, text) /
@@ -191,7 +204,7 @@ double parse_quantity(std::string_view raw, std::string_view si_unit) {
             fmt::format("{}, {}", in_quotes(text), dimension_name(unit.dimension)),
             dimension_expectation(si_unit));
     const int exponent = unit.decimal_exponent - expected.decimal_exponent;
-    // Only min, h and deg carry a factor; all else is exact by its power of ten.
+    // Only min, h and deg have a factor; all other units are exact by their power of ten.
     const double value =
         unit.factor == expected.factor
             ? rounded<double>(number, exponent, text)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers with units.
+// Reading and writing of numbers with units.
 #pragma once
 
 #include <string>
@@ -9,16 +9,17 @@
 
 namespace magfsi::scene {
 
-// SI value with a handy prefix, "200 um", "17 mT", "1860 kg/m3".
+// Formats an SI value with a suitable prefix: "200 um", "17 mT", "1860 kg/m3".
 std::string format_si(double value, std::string_view si_unit);
 
-// "17 mT" with the SI unit "T" gives 0.017. The decimal exponent of the unit is folded
-// into the number's text before it is rounded, so that 0.2 mm, 200 um and 2e-4 m are the
-// same double. si_unit "" wants a plain number. Throws Complaint naming the expected
-// dimension and the one found.
+// Reads a number with a unit: "17 mT" gives 0.017 for the SI unit "T". The decimal
+// exponent of the unit is inserted into the number's text before rounding, so that 0.2
+// mm, 200 um and 2e-4 m give the same double. For si_unit "" the text must be a plain
+// number. A magnetisation may be given as remanence in T. Throws Complaint naming the
+// expected dimension and the one found, and for sizes beyond anything plausible.
 double parse_quantity(std::string_view text, std::string_view si_unit);
 
-// The SI value of a number with any unit, and its dimension. Throws Complaint.
+// Reads a number with any unit and returns its SI value and dimension. Throws Complaint.
 struct SiValue {
     double value = 0;
     Dimension dimension{};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From file to scene: text, tree, overrides, check of single keys, values, completion by
+// dependent defaults, check of the whole.
 #include "adapters/scene/reader.h"
 
 #include <fmt/format.h>
@@ -16,9 +18,11 @@ namespace magfsi::scene {
 
 namespace {
 
-// Of a scene file: far beyond any scene, and read in a moment.
+// Size limit of a scene file: larger than any scene, and still read quickly.
 constexpr std::uintmax_t largest_scene_bytes = 4'000'000;
 
+// An empty file is left to the parser; a folder or a device is refused first, since
+// reading it could block.
 std::string file_text(const std::filesystem::path& file) {
     std::error_code none;
     require_regular_file(file, {file.string()});
@@ -34,12 +38,13 @@ std::string file_text(const std::filesystem::path& file) {
     return text.str();
 }
 
-// A vector of length 0 is left for the checks to refuse.
+// Scales a vector to unit length. A zero vector is left as it is; check_scene refuses it.
 void normalise(Vec3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     for (double& component : v) component /= length > 0 ? length : 1;
 }
 
+// Fills in defaults of the coupling that depend on the scheme.
 void complete(Coupling& coupling) {
     const bool implicit = coupling.scheme == Scheme::implicit;
     if (implicit && !coupling.iteration) coupling.iteration.emplace();
@@ -48,14 +53,16 @@ void complete(Coupling& coupling) {
             implicit ? SampledVelocity::linear : SampledVelocity::frozen;
 }
 
-// Who asks for another strength means the penalty's.
+// Default forcing: no_slip where it is possible. A strength other than 1 has a meaning
+// only with the penalty method, so it selects that one.
 coupler::Forcing usual_forcing(const Scene& scene) {
     const bool penalty = scene.has_own_structure() || objection_to_no_slip(scene) ||
                          scene.coupling->immersed_boundary.strength != 1;
     return penalty ? coupler::Forcing::penalty : coupler::Forcing::no_slip;
 }
 
-// Defaults that depend on other keys; files of the scene count from its folder.
+// Fills in defaults that depend on other keys, and makes file names relative to the
+// scene's folder.
 void complete(Scene& scene, const std::filesystem::path& folder) {
     for (Body& body : scene.bodies) {
         if (auto* mesh = std::get_if<MeshFile>(&body.mesh))
@@ -92,6 +99,7 @@ void complete(Scene& scene, const std::filesystem::path& folder) {
     if (!forcing) forcing = usual_forcing(scene);
 }
 
+// The tree of the file with all overrides.
 Node read_tree(const std::filesystem::path& file,
                const std::vector<std::string>& overrides) {
     const Origin start{file.string(), 1, 1};
@@ -102,7 +110,7 @@ Node read_tree(const std::filesystem::path& file,
     return root;
 }
 
-// Checked key by key only.
+// Reads a scene whose keys are checked one by one, but not against each other.
 Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
     validate(root, scene_fields());
     Scene scene;
@@ -115,6 +123,8 @@ Scene unchecked_scene(const Node& root, const std::filesystem::path& folder) {
 
 }  // namespace
 
+// Keys of the text replace the scene's; `plus` is emptied first, and the sources are
+// replaced as a whole. A gradient is refused, since the solvers hold it constant.
 MagneticField read_field(const std::string& text, const std::string& source,
                          const Scene& scene) {
     constexpr const char* key = "magnetic_field";
@@ -134,6 +144,7 @@ MagneticField read_field(const std::string& text, const std::string& source,
     return *changed.magnetic_field;
 }
 
+// A folder stands for its scene.yaml.
 std::filesystem::path scene_file(const std::filesystem::path& path) {
     const bool folder = std::filesystem::is_directory(path);
     std::filesystem::path file = folder ? path / "scene.yaml" : path;
@@ -143,6 +154,9 @@ std::filesystem::path scene_file(const std::filesystem::path& path) {
     return file;
 }
 
+// Order: keys one by one, materials as given, files, then checks of the whole scene.
+// Places in the file are kept for faults that show later. The hash comes last, of the
+// complete scene.
 Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides) {
     const std::filesystem::path file = scene_file(path);

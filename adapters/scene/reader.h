@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From a YAML file to a Scene. Every fault is a SceneError with one message.
+// Reading of scenes. Every fault is reported as a SceneError with one message.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,26 @@
 
 namespace magfsi::scene {
 
-// what(): "file:line:column: what was found; what is allowed; suggestion", one line.
+// A fault of the scene. what() is one line "file:line:column: what was found; what is
+// allowed; suggestion".
 class SceneError : public std::invalid_argument {
   public:
     using std::invalid_argument::invalid_argument;
 };
 
-// path: a scene file, or a tutorial folder (its scene.yaml). overrides: as given to
-// --set, "path.to.key=value"; a fault in one is reported as "--set path.to.key: ...".
+// Reads, checks and completes a scene. `path` is a scene file or a folder with a
+// scene.yaml. `overrides` are those of --set, "path.to.key=value"; a fault in one is
+// reported as "--set path.to.key: ...". Throws SceneError.
 Scene read_scene(const std::filesystem::path& path,
                  const std::vector<std::string>& overrides = {});
 
-// What stands under magnetic_field of the scene, from a text {"magnetic_field": ...} that
-// a controller returns (in YAML); what the text leaves out is the scene's. source: for
-// the error. Throws SceneError.
+// Reads the magnetic field that a controller returns as YAML text {"magnetic_field":
+// ...}. Keys that the text leaves out keep the scene's values, except `plus`, which is
+// then empty. `source` names the text in errors. Throws SceneError.
 MagneticField read_field(const std::string& text, const std::string& source,
                          const Scene& scene);
 
-// The file that read_scene would open.
+// The file that read_scene would open. Throws SceneError if it does not exist.
 std::filesystem::path scene_file(const std::filesystem::path& path);
 
 }  // namespace magfsi::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scene: what a user asked for, checked and in SI. Plain data; absent effects are
-// empty optionals. Filled by reader.h, read by the adapters.
+// The scene: what the user asked for, checked and in SI units. Plain data; an absent
+// effect is an empty optional. reader.h fills it, the adapters read it.
 #pragma once
 
 #include <array>
@@ -40,53 +40,62 @@ using fluid::Obstacle;
 using fluid::Sphere, fluid::StlSurface;
 using magfsi::name_of;
 
-// The words of an enumeration, in its order.
+// Names of the values of an enumeration, in its order.
 template <class E>
 inline constexpr auto names = words_of(E{});
 
 inline constexpr std::array axis_names = std::to_array<std::string_view>({"x", "y", "z"});
-// A plane names its first and its second axis; angles run from the first to the second.
+// Planes by their first and second axis; angles are counted from the first towards the
+// second.
 inline constexpr std::array plane_names =
     std::to_array<std::string_view>({"xy", "xz", "yz", "yx", "zx", "zy"});
 
-// Time is then the parameter of a path of loads, and each probe row an equilibrium.
+// Method for paths of static equilibria. Time is then the parameter of a path of loads,
+// and each probe row an equilibrium.
 enum class EquilibriumMethod { newton, dynamics };
 constexpr auto words_of(EquilibriumMethod) {
     return std::to_array<std::string_view>({"newton", "dynamics"});
 }
+// Options of a path of equilibria.
 struct Equilibrium {
     EquilibriumMethod method = EquilibriumMethod::newton;
-    double tolerance = 1e-6;  // largest nodal force over the largest nodal load
+    double tolerance = 1e-6;  // largest residual nodal force over the largest load
 };
 
+// Duration and step of the run.
 struct Time {
     double end_s = 0;
-    std::optional<double> step_s;  // coupled step; absent: from the lattice speed
+    // Coupled step; without one it follows from the lattice speed or the bodies.
+    std::optional<double> step_s;
     std::optional<Equilibrium> equilibrium;
-    // How often a retry has halved all steps of this run; no key of it, no part
-    // of its hash.
+    // Number of times that retries have halved all steps. It is no key of the scene and
+    // not part of its hash.
     int halvings = 0;
 };
 
 // --- bodies -------------------------------------------------------------------------
 
-// Sides of the fluid's box, and faces of a block.
+// Sides of the fluid's box, and faces of a block-shaped body.
 enum class Face { x_min, x_max, y_min, y_max, z_min, z_max };
 constexpr auto words_of(Face) {
     return std::to_array<std::string_view>(
         {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"});
 }
 
+// A soft body. Its mesh, regions and magnetisation refer to its own frame; `initial`
+// places it. Rollers and prescribed motion are along the axes of space.
 struct Body {
     std::string name;
     MeshOptions mesh;
-    std::string mesh_place;  // in the scene, for faults that only the mesh shows
+    // Place of the mesh in the file, for faults that only the built mesh shows.
+    std::string mesh_place;
     ElementVariant element = ElementVariant::assumed_strain;
     Inertia inertia = Inertia::lumped;
     Material material;
     std::vector<RegionMaterial> material_regions;
     std::optional<Magnetization> magnetization;
-    std::vector<std::string> clamps;  // faces; of a block x_min to z_max
+    // Names of the clamped faces; of a block x_min to z_max.
+    std::vector<std::string> clamps;
     std::vector<Roller> rollers;
     std::vector<PrescribedMotion> prescribed_motion;
     Placement initial;
@@ -94,22 +103,26 @@ struct Body {
 
 // --- loads --------------------------------------------------------------------------
 
+// The external field: a uniform law over time with additions, a constant gradient, and
+// sources.
 struct MagneticField : FieldProgram {
-    bool uniform = false;  // whether there is a law; else `course` means nothing
+    bool uniform = false;  // false: no law, and `course` is not used
     std::optional<GradientInput> gradient;
-    std::vector<FieldSource> sources;  // by name
+    std::vector<FieldSource> sources;  // sorted by name
 };
 
-// A program of the user's that sees probes and sets the field as the run goes on.
+// A Python program of the user that sees probes and sets the field during the run.
 struct Control {
-    std::string script;               // Python, with a class Controller
-    double every_s = 0;               // between two calls
-    std::vector<std::string> probes;  // columns of probes.csv, with or without their unit
+    std::string script;               // Python file with a class Controller
+    double every_s = 0;               // interval between two calls
+    std::vector<std::string> probes;  // columns of probes.csv, unit optional
     double timeout_s = 60;            // longest wait for an answer
-    // Of each of the probes in the scene, "file:line:column", for errors; no key.
+    // Place of each entry of `probes` in the file, "file:line:column". It is used in
+    // errors and is no key.
     std::vector<std::string> probe_places;
 };
 
+// Uniform gravity.
 struct Gravity {
     double acceleration_m_s2 = 0;
     Vec3 direction{0, 0, -1};  // unit vector
@@ -124,27 +137,31 @@ constexpr auto words_of(FluidSolver) {
     return std::to_array<std::string_view>({"lbm", "openfoam"});
 }
 
-// Cubic cells in a part of the box, growing ones outside.
+// Graded mesh of OpenFOAM: cubic cells in a part of the box, growing ones outside.
 struct Grading {
     std::array<Vec3, 2> uniform_m{};  // lower and upper corner of the part
     double growth = 1.1;              // largest ratio of neighbouring cells
 };
 
-// A patch of finer cells around the bodies, which it follows, or in a part of the box.
-// With every level the spacing and the fluid's step halve; the coupled step is the
-// finest's.
+// Refined grid of the lattice: a patch of finer cells that follows the bodies or stays in
+// a part of the box. With every level the spacing and the fluid's step halve; the coupled
+// step is that of the finest level.
 struct Refinement {
     int levels = 1;
-    std::optional<double> margin_m;  // between the bodies and the patch's sides
+    // Distance between the bodies and the sides of the patch.
+    std::optional<double> margin_m;
+    // Fixed patch, lower and upper corner.
     std::optional<std::array<Vec3, 2>> box_m;
 };
 
-// One period along each side of a periodic cube of side L, k = 2 pi / L:
-// u = U (sin kx cos ky cos kz, -cos kx sin ky cos kz, 0), with its pressure.
+// Initial velocity with one period along each side of a periodic cube of side L, k = 2 pi
+// / L: u = U (sin kx cos ky cos kz, -cos kx sin ky cos kz, 0), with its pressure
+// (Taylor-Green vortex).
 struct TaylorGreen {
     double speed_m_s = 0;  // U
 };
 
+// The fluid in its box, with the options of its discretisation.
 struct Fluid : fluid::Options {
     Fluid() {
         for (Boundary& side : boundaries) side.kind = BoundaryKind::no_slip;
@@ -153,31 +170,34 @@ struct Fluid : fluid::Options {
     FluidSolver solver = FluidSolver::lbm;
     Vec3 box_m{};
     double spacing_m = 0;
-    double expected_speed_m_s = 0;   // largest to resolve; 0: not given, time.step is
-    double lattice_speed = 0.05;     // that speed in lattice units (Mach limit)
-    double courant = 0.2;            // the same for openfoam, which has no such limit
-    std::optional<Grading> grading;  // of openfoam
-    std::optional<Refinement> refinement;  // of lbm
+    // Largest speed that the step must resolve; 0 if time.step is given instead.
+    double expected_speed_m_s = 0;
+    double lattice_speed = 0.05;           // expected speed in cells a step (Mach limit)
+    double courant = 0.2;                  // expected speed in cells a step, for openfoam
+    std::optional<Grading> grading;        // openfoam only
+    std::optional<Refinement> refinement;  // lbm only
     std::optional<Vec3> initial_velocity_m_s;
-    std::optional<TaylorGreen> taylor_green;  // in its place
+    // Alternative to initial_velocity_m_s.
+    std::optional<TaylorGreen> taylor_green;
 
-    // Of the box along periodic axes, else 0.
+    // Length of the box along periodic axes, 0 along others.
     Vec3 period_m() const {
         Vec3 period{};
         for (std::size_t d = 0; d < 3; ++d)
             period[d] = boundaries[2 * d].kind == BoundaryKind::periodic ? box_m[d] : 0;
         return period;
     }
-    // Where bodies are.
+    // Spacing of the finest level, where the bodies are.
     double finest_spacing_m() const {
         return std::ldexp(spacing_m, refinement ? -refinement->levels : 0);
     }
-    // Coupled steps in one of the whole box.
+    // Number of coupled steps in one step of the coarsest level.
     int coupled_steps_in_one() const { return refinement ? 1 << refinement->levels : 1; }
 };
 
 // --- output -------------------------------------------------------------------------
 
+// Quantities of each body that probes.csv can have as columns.
 enum class BodyQuantity {
     com,
     speed,
@@ -194,6 +214,7 @@ constexpr auto words_of(BodyQuantity) {
                                             "fluid_force", "fluid_torque",
                                             "reaction_force", "energy", "magnetic_load"});
 }
+// Quantities of the whole fluid that probes.csv can have as columns.
 enum class FluidQuantity {
     kinetic_energy,
     enstrophy,
@@ -207,37 +228,45 @@ constexpr auto words_of(FluidQuantity) {
                                             "momentum", "max_speed", "obstacle_force"});
 }
 
+// A point of a body whose place and displacement are probed.
 struct PointProbe {
     std::string name;
     std::string body;
     Vec3 at_m{};  // in the body's frame, before placement
 };
 
-// Over the fluid in a plane across the box, outside obstacles.
+// Integration domain: the fluid in a plane across the box, without obstacles.
 struct FluidPlane {
-    int axis = 0;  // its normal: 0 x, 1 y, 2 z
+    int axis = 0;  // normal axis: 0 x, 1 y, 2 z
     double at_m = 0;
 };
-// Over the elements of a body whose centre lies in a box of the body's frame.
+// Integration domain: the elements of a body whose centres lie in a box of the body's
+// frame.
 struct BodyPart {
     std::string body;
     std::optional<std::array<Vec3, 2>> box_m;  // absent: the whole body
 };
+// A probe that integrates over a plane of the fluid or a part of a body.
 struct IntegralProbe {
     std::string name;
     std::variant<FluidPlane, BodyPart> over;
 };
 
+// Contents of probes.csv.
 struct Probes {
     double every_s = 0;
     std::vector<BodyQuantity> bodies;
-    std::vector<PointProbe> points;        // by name
-    std::vector<IntegralProbe> integrals;  // by name
+    std::vector<PointProbe> points;        // sorted by name
+    std::vector<IntegralProbe> integrals;  // sorted by name
     std::vector<FluidQuantity> fluid;
-    bool interface_balance = false;  // momentum and power given and received, each step
-    bool energy_audit = false;       // of all bodies, and the fluid's share
+    // True to record the momentum and power exchanged between fluid and bodies at each
+    // step.
+    bool interface_balance = false;
+    // True to record the energy balance of all bodies and the fluid's share in it.
+    bool energy_audit = false;
 };
 
+// Fields that fluid files can have.
 enum class FluidField { velocity, density, vorticity, pressure, obstacle };
 constexpr auto words_of(FluidField) {
     return std::to_array<std::string_view>(
@@ -251,6 +280,7 @@ constexpr std::string_view unit_of(FluidField field) {
     return units[static_cast<std::size_t>(field)];
 }
 
+// Fields that structure files can have.
 enum class BodyField {
     displacement,
     velocity,
@@ -268,6 +298,7 @@ constexpr auto words_of(BodyField) {
          "elastic_force", "stress", "volume_ratio", "energy_density"});
 }
 
+// Field files for ParaView and their intervals.
 struct StructureOutput {
     double every_s = 0;
     std::vector<BodyField> fields{BodyField::displacement, BodyField::velocity,
@@ -282,46 +313,51 @@ struct Output {
     std::optional<FluidOutput> fluid;
 };
 
-// retry: go back to the last state kept and on from there with half the steps.
+// Reaction to a divergence. `retry` continues from the last checkpoint with half the
+// steps.
 enum class OnDivergence { stop, retry };
 constexpr auto words_of(OnDivergence) {
     return std::to_array<std::string_view>({"stop", "retry"});
 }
 
-// The state of every participant, kept so that a run can go on from it.
+// Checkpoints: states of all participants from which a run can continue.
 struct Checkpoint {
     double every_s = 0;
     OnDivergence on_divergence = OnDivergence::stop;
-    int max_retries = 3;  // in a run
+    int max_retries = 3;  // limit per run
 
     bool retry() const { return on_divergence == OnDivergence::retry; }
 };
 
-// Which number of a probe's course a tolerance is for.
+// Norm of a probe's time series that a tolerance refers to.
 enum class ProbeNorm { final_, peak, mean, amplitude };
 constexpr auto words_of(ProbeNorm) {
     return std::to_array<std::string_view>({"final", "peak", "mean", "amplitude"});
 }
 
-// What a run is to be accurate to: magfsi run takes the cheapest setting for it.
+// Accuracy that a run must have: magfsi run takes the cheapest setting that reaches it.
 struct Accuracy {
-    double error = 0;                 // of the largest value of a probe's course
-    std::vector<std::string> probes;  // columns; empty: how bodies move, or all
+    // Tolerance relative to the largest magnitude of a probe's time series.
+    double error = 0;
+    // Columns of probes.csv; if empty those of the bodies' motion, else all.
+    std::vector<std::string> probes;
     ProbeNorm norm = ProbeNorm::final_;
-    double budget_s = 300;  // for finding it out
+    double budget_s = 300;  // time for the search
 };
 
-// Whether magfsi run writes report.html when the run has ended.
+// Switch of the page report.html that magfsi run writes at the end of the run.
 enum class PageAtEnd { on, off };
 constexpr auto words_of(PageAtEnd) {
     return std::to_array<std::string_view>({"on", "off"});
 }
 
+// A whole scene.
 struct Scene {
     std::string name = "scene";
-    std::filesystem::path folder;  // of its file; not of the scene itself
+    // Folder of the scene file; not a key, not part of the hash.
+    std::filesystem::path folder;
     Time time;
-    std::vector<Body> bodies;  // by name, whatever their order in the file
+    std::vector<Body> bodies;  // sorted by name
     std::optional<MagneticField> magnetic_field;
     std::optional<Control> control;
     std::optional<Gravity> gravity;
@@ -330,18 +366,18 @@ struct Scene {
     std::optional<DipoleOptions> dipoles;
     std::optional<ContactLaw> contact;
     std::optional<Fluid> fluid;
-    std::optional<Coupling> coupling;  // always there with both bodies and a fluid
+    std::optional<Coupling> coupling;  // always set with bodies and a fluid
     std::optional<Probes> probes;
     Output output;
     PageAtEnd report = PageAtEnd::on;
     std::optional<Checkpoint> checkpoint;
-    std::optional<Accuracy> accuracy;  // gone from the scene that is run
+    std::optional<Accuracy> accuracy;  // removed from the scene that is run
 
-    // Hash of the effective scene (after --set), the same for the same meaning: equal on
-    // both sides of a coupled run or the handshake refuses.
+    // Hash of the effective scene (after --set), equal for scenes of equal meaning. Both
+    // sides of a coupled run compare it in their handshake.
     std::uint64_t hash = 0;
 
-    // A program of the user's own in the place of bodies.
+    // True if a program of the user's own takes the place of the bodies.
     bool has_own_structure() const {
         return coupling && coupling->structure == StructureSide::own;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// JSON Schema and docs/scene.md from the table of keys.
+// Makes the JSON Schema and docs/scene.md from the table of keys.
 #include "adapters/scene/schema.h"
 
 #include <fmt/format.h>
@@ -14,12 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Patterns of a decimal number at the start of a text, and of a name (is_identifier in
+// validate.cpp).
 constexpr const char* number_pattern = R"(^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)";
 constexpr const char* identifier_pattern = "^[A-Za-z][A-Za-z0-9_]*$";
 
 Json schema_of(const Field& field);
 
-// The keys of a group; alternatives become oneOf.
+// Schema of a group of keys. Alternatives become oneOf; if none is an admissible choice,
+// "none of them" becomes one of the options.
 Json object_schema(const Field& field) {
     Json schema = {{"type", "object"}, {"additionalProperties", false}};
     Json required = Json::array(), alternatives = Json::array();
@@ -38,7 +41,7 @@ Json object_schema(const Field& field) {
     return schema;
 }
 
-// A map of this key alone.
+// Schema of a map that has this key only.
 Json only_key(const Field& field) {
     return {{"type", "object"},
             {"additionalProperties", false},
@@ -46,13 +49,14 @@ Json only_key(const Field& field) {
             {"properties", {{field.name, schema_of(field)}}}};
 }
 
+// Limits of plain numbers; infinite ones are left out.
 void add_range(Json& schema, const Range& range) {
     if (std::isfinite(range.low))
         schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
     if (std::isfinite(range.high)) schema["maximum"] = range.high;
 }
 
-// A quantity is text: its range is the reader's business.
+// Schema of a single value. A quantity is text, whose range only the reader can check.
 Json value_schema(const Field& field) {
     switch (field.kind) {
         case Kind::quantity: {
@@ -67,7 +71,7 @@ Json value_schema(const Field& field) {
             add_range(schema, field.range);
             return schema;
         }
-        case Kind::formula:  // 0 may stand for itself
+        case Kind::formula:  // the number 0 is a formula, too
             return {{"anyOf", Json::array({{{"type", "string"}}, {{"type", "number"}}})}};
         case Kind::integer: {
             Json schema = {{"type", "integer"}};
@@ -90,12 +94,14 @@ Json value_schema(const Field& field) {
     }
 }
 
+// Schema of a list of `least` to `most` items.
 Json array_of(const Json& items, std::size_t least, std::size_t most) {
     Json schema = {{"type", "array"}, {"items", items}, {"minItems", least}};
     if (most < std::numeric_limits<std::size_t>::max()) schema["maxItems"] = most;
     return schema;
 }
 
+// Schema of a leaf, from its value and layout.
 Json leaf_schema(const Field& field) {
     Json value = value_schema(field);
     const std::size_t least = field.count_min, most = field.count_max;
@@ -113,6 +119,7 @@ Json leaf_schema(const Field& field) {
     return value;
 }
 
+// Schema of a key by its kind; lists and named groups repeat the schema of a group.
 Json kind_schema(const Field& field) {
     switch (field.kind) {
         case Kind::group:
@@ -130,7 +137,7 @@ Json kind_schema(const Field& field) {
     }
 }
 
-// The default as it stands in YAML: numbers, booleans and lists of words keep their type.
+// Default value for the schema: numbers, booleans and lists of words keep their type.
 Json default_value(const Field& field, const Node& node) {
     if (node.type == Node::Type::sequence) {
         Json list = Json::array();
@@ -145,6 +152,8 @@ Json default_value(const Field& field, const Node& node) {
     return node.scalar;
 }
 
+// The default is parsed from its YAML text, so that it has the type that the file would
+// give it.
 Json schema_of(const Field& field) {
     Json schema = {{"description", field.doc}};
     schema.update(kind_schema(field));
@@ -156,6 +165,7 @@ Json schema_of(const Field& field) {
 
 }  // namespace
 
+// The scene as a whole is a group like any other.
 nlohmann::ordered_json scene_schema() {
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                    {"title", "magfsi scene"}};
@@ -188,6 +198,7 @@ these" marks those of which none may be there as well.
 
 void add_rows(std::string& page, const Field& field, const std::string& path);
 
+// Entry of the column "default" of the reference page.
 std::string presence(const Field& field) {
     if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
     if (field.presence == Presence::alternative) return "one of these";
@@ -195,6 +206,7 @@ std::string presence(const Field& field) {
     return field.presence == Presence::required ? "required" : "";
 }
 
+// Entry of the column "value" of the reference page.
 std::string value(const Field& field) {
     switch (field.kind) {
         case Kind::group:
@@ -208,19 +220,22 @@ std::string value(const Field& field) {
     }
 }
 
+// Path of a key's children: a name or an index stands between.
 std::string inner_path(const Field& field, const std::string& path) {
     if (field.kind == Kind::named) return path + ".NAME";
     if (field.kind == Kind::list) return path + "[]";
     return path;
 }
 
+// A row of the page: key, value, default, meaning; then the rows of its children.
 void add_row(std::string& page, const Field& field, const std::string& path) {
     page += fmt::format("| `{}` | {} | {} | {} |\n", path, value(field), presence(field),
                         field.doc);
     add_rows(page, field, inner_path(field, path));
 }
 
-// Keys that differ by name alone, such as the sides of a box, share a row.
+// True if two keys differ in nothing but their names, such as the sides of a box. They
+// share a row.
 bool alike(const Field& a, const Field& b) {
     if (a.children.empty() || a.doc != b.doc || a.fallback != b.fallback) return false;
     std::string rows_a, rows_b;
@@ -229,6 +244,7 @@ bool alike(const Field& a, const Field& b) {
     return rows_a == rows_b;
 }
 
+// Adds a row for each key of the group, and rows for its children below it.
 void add_rows(std::string& page, const Field& field, const std::string& path) {
     for (std::size_t i = 0; i < field.children.size(); ++i) {
         const Field& child = field.children[i];
@@ -245,6 +261,7 @@ constexpr std::string_view table_head =
 
 }  // namespace
 
+// One section for each top-level key.
 std::string scene_reference_markdown() {
     std::string page(introduction);
     for (const Field& section : scene_fields().children) {

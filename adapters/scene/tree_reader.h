@@ -12,18 +12,20 @@
 
 namespace magfsi::scene {
 
-// A place in a validated tree with its entry of the table. An absent key leaves its
-// member as it is.
+// A node of a validated tree with its entry in the table. An absent key leaves its member
+// unchanged.
 class TreeReader {
   public:
     TreeReader(const Node& node, const Field& field) : node_(&node), field_(&field) {}
 
+    // Reads a key into its member if the file has it.
     template <class T>
     void operator()(const Field& key, T&& value) {
         if (const Node* node = node_->find(key.name))
             TreeReader(*node, *field_->find(key.name)).read(value);
     }
 
+    // Reads a map whose keys belong to the same type as those around it.
     template <class Body>
     void group(const Field& key, bool, const Body& body) {
         const Node* node = node_->find(key.name);
@@ -32,6 +34,8 @@ class TreeReader {
         body(inner);
     }
 
+    // Sets the variant to the alternative that is present; validate() has made sure of
+    // their number.
     template <class... T, class... Keys>
     void alternatives(std::variant<T...>& value, const Keys&... keys) {
         (alternative<T>(value, keys), ...);
@@ -41,6 +45,7 @@ class TreeReader {
         (alternative<T>(value, keys), ...);
     }
 
+    // Reads a word that carries a map, "word: {...}"; see whole() for the word alone.
     template <Named E, class Body>
     void word_with_map(E& value, E word, std::string_view, bool, const Body& body) {
         const Node* map = node_->find(name_of(word));
@@ -50,13 +55,15 @@ class TreeReader {
         body(inner);
     }
 
+    // Reads the value that stands in the place of a map.
     template <class T>
     void whole(T&& value) {
-        // Of a word with a map, word_with_map.
+        // A word that carries a map is read by word_with_map.
         if (!Named<std::decay_t<T>> || node_->type == Node::Type::scalar) read(value);
     }
 
   private:
+    // An alternative starts from its default values.
     template <class T, class Variant>
     void alternative(Variant& value, const Field& key) {
         if (!node_->find(key.name)) return;
@@ -74,6 +81,7 @@ class TreeReader {
     void read(E& value) {
         value = static_cast<E>(choice_value(*node_, *field_));
     }
+    // An axis is stored as an index, a plane as the indices of its two axes.
     void read(AxisRef& value) {
         value.axis = static_cast<int>(choice_value(*node_, *field_));
     }
@@ -82,6 +90,7 @@ class TreeReader {
         value.axes = {plane[0] - 'x', plane[1] - 'x'};
     }
 
+    // Reads the scalars of a leaf one after the other into consecutive elements.
     template <class T>
     void read_each(T first) {
         for (const Node* scalar : scalars(*node_, *field_))
@@ -91,7 +100,7 @@ class TreeReader {
     void read(std::array<T, N>& value) {
         read_each(value.begin());
     }
-    // Rows of vectors.
+    // Rows of vectors, read one after the other into the contiguous memory of the rows.
     template <std::size_t N>
     void read(std::vector<std::array<double, N>>& value) {
         value.resize(scalars(*node_, *field_).size() / N);
@@ -101,12 +110,14 @@ class TreeReader {
     void read(std::array<std::array<double, N>, M>& value) {
         read_each(value.front().begin());
     }
+    // A key that is present makes the optional non-empty.
     template <class T>
     void read(std::optional<T>& value) {
         T inner{};
         read(inner);
         value = std::move(inner);
     }
+    // A list of scalars, a list of maps, or a map by name.
     template <class T>
     void read(std::vector<T>& value) {
         value.clear();
@@ -121,7 +132,7 @@ class TreeReader {
             if constexpr (HasName<T>) item.name = child.key;
             value.push_back(std::move(item));
         }
-        // Names have no order in YAML: theirs here is that of the alphabet.
+        // Names have no order in YAML; they are sorted alphabetically.
         if constexpr (HasName<T>) std::ranges::sort(value, {}, &T::name);
     }
     template <class T>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Table of unit symbols, prefixes and named dimensions, and the parser of units.
 #include "adapters/scene/units.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ namespace magfsi::scene {
 
 namespace {
 
+// Symbol of a unit. `prefixed` is true if it takes SI prefixes.
 struct Symbol {
     std::string_view text;
     Unit unit;
@@ -25,6 +27,8 @@ struct Symbol {
 
 constexpr long double degree = std::numbers::pi_v<long double> / 180;
 
+// All symbols, with exponents of kg, m, s, A, rad, a decimal exponent and a factor. The
+// gram has the exponent -3, since the unit of mass in SI is the kilogram.
 const std::vector<Symbol>& symbols() {
     static const std::vector<Symbol> list = {
         {"m", {{0, 1, 0, 0, 0}, 0, 1}},
@@ -51,12 +55,14 @@ const std::vector<Symbol>& symbols() {
     return list;
 }
 
+// SI prefixes with their decimal exponents.
 constexpr std::pair<std::string_view, int> prefixes[] = {
     {"p", -12}, {"n", -9}, {"u", -6}, {"m", -3}, {"c", -2}, {"d", -1},
     {"h", 2},   {"k", 3},  {"M", 6},  {"G", 9},  {"T", 12},
 };
 
-// Words that people write for symbols, too far from them for an edit distance.
+// Words that people write in place of symbols, too different from them for an edit
+// distance.
 constexpr std::pair<std::string_view, std::string_view> spelled_out[] = {
     {"sec", "s"},       {"second", "s"},   {"seconds", "s"}, {"meter", "m"},
     {"metre", "m"},     {"micron", "um"},  {"tesla", "T"},   {"degree", "deg"},
@@ -64,6 +70,7 @@ constexpr std::pair<std::string_view, std::string_view> spelled_out[] = {
     {"gauss", "G"},     {"minute", "min"}, {"hour", "h"},
 };
 
+// Finds a whole symbol, else an SI prefix with a symbol that takes prefixes.
 std::optional<Unit> find_symbol(std::string_view text) {
     for (const Symbol& symbol : symbols()) {
         if (symbol.text == text) return symbol.unit;
@@ -80,6 +87,7 @@ std::optional<Unit> find_symbol(std::string_view text) {
     return std::nullopt;
 }
 
+// Suggestion of a symbol for a misspelt one, with all prefixes considered.
 std::string near_symbol(std::string_view text) {
     for (const auto& [word, symbol] : spelled_out) {
         if (word == text) return fmt::format("did you mean \"{}\"?", symbol);
@@ -97,6 +105,8 @@ std::string near_symbol(std::string_view text) {
 
 }  // namespace
 
+// A character beyond ASCII is named in the advice; otherwise a similar symbol is
+// suggested.
 std::string remedy(std::string_view text) {
     const std::string strange = words::strange_character(text);
     return strange.empty() ? near_symbol(text)
@@ -105,7 +115,7 @@ std::string remedy(std::string_view text) {
 
 namespace {
 
-// "mm2", "s^-1", "m^2": a symbol and its power.
+// Reads a symbol with its power, such as "mm2", "s^-1" or "m^2".
 Unit parse_factor(std::string_view text) {
     const std::size_t end = text.find_first_of("^-0123456789");
     const std::string_view symbol = text.substr(0, end);
@@ -135,6 +145,7 @@ Unit parse_factor(std::string_view text) {
     return unit;
 }
 
+// Multiplies a unit by another (sign 1) or divides it (sign -1).
 void multiply(Unit& unit, const Unit& other, int sign) {
     for (std::size_t i = 0; i < unit.dimension.size(); ++i)
         unit.dimension[i] += sign * other.dimension[i];
@@ -144,10 +155,13 @@ void multiply(Unit& unit, const Unit& other, int sign) {
 
 }  // namespace
 
+// Formulas use it to tell the unit in 5 mT/s from the time in 5 mT/t.
 bool is_unit_symbol(std::string_view text) {
     return find_symbol(words::plain(text)).has_value();
 }
 
+// A leading "1" stands for a plain number, as in "1/s". After the first "/" only further
+// divisions are allowed, for the reading of "N/m s" would be ambiguous.
 Unit parse_unit(std::string_view text) {
     std::string plain = words::plain(text);
     words::replace_all(plain, "**", "^");
@@ -187,14 +201,14 @@ Unit parse_unit(std::string_view text) {
 
 namespace {
 
+// Name of a dimension with its SI unit and an example.
 struct NamedDimension {
     std::string_view si;
     std::string_view name;
     std::string_view example;
 };
 
-// The dimensions that scenes use. One line here gives error messages and the reference
-// page their words.
+// Dimensions used in scenes. Errors and the reference page take their words from here.
 constexpr NamedDimension named[] = {
     {"", "a plain number", "0.5"},
     {"m", "a length", "0.2 mm"},
@@ -222,6 +236,7 @@ constexpr NamedDimension named[] = {
     {"A/m", "a magnetization", "62 kA/m (or a remanence such as 78 mT)"},
 };
 
+// Entry of a dimension by its exponents; units such as Hz and 1/s share one.
 const NamedDimension* find(const Dimension& dimension) {
     static const std::vector<Dimension> dimensions = [] {
         std::vector<Dimension> list;
@@ -237,6 +252,7 @@ const NamedDimension* find(const Dimension& dimension) {
 
 }  // namespace
 
+// Products read like "a quantity in kg^1 m^2".
 std::string dimension_name(const Dimension& dimension) {
     if (const NamedDimension* entry = find(dimension)) return std::string(entry->name);
     constexpr std::string_view base[] = {"kg", "m", "s", "A", "rad"};
@@ -247,6 +263,7 @@ std::string dimension_name(const Dimension& dimension) {
     return "a quantity in" + product;
 }
 
+// "%" is a plain number to parse_unit and gets words of its own.
 std::string dimension_expectation(std::string_view si_unit) {
     if (si_unit == "%") return "a share such as 3 %";
     const Dimension dimension = parse_unit(si_unit).dimension;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Keys and values of a tree against the table.
+// Checks keys and values of a tree against the table of keys.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,17 +16,21 @@ namespace magfsi::scene {
 
 namespace {
 
+// Refuses a value with the description of what its key allows.
 [[noreturn]] void refuse_value(const Node& node, const Field& field) {
     refuse(node.origin, fmt::format("{} as {}", describe(node), field.name),
            expectation(field));
 }
 
+// The range is in SI units, and so is the value.
 void check_range(double value, const Node& node, const Field& field) {
     if (field.range.holds(value)) return;
     refuse(node.origin, fmt::format("{} as {}", describe(node), field.name),
            "values " + describe(field.range, field.unit));
 }
 
+// Names become parts of column names, file names and LAMMPS identifiers, so only ASCII
+// letters, digits and "_" are allowed.
 bool is_identifier(std::string_view name) {
     const auto letter = [](char c) {
         return std::isalpha(static_cast<unsigned char>(c));
@@ -44,6 +48,7 @@ void check_identifier(const std::string& name, const Origin& where) {
            "letters, digits and _, a letter first");
 }
 
+// Items of a list whose length is within the limits of the field.
 std::vector<const Node*> items(const Node& node, const Field& field) {
     if (node.type != Node::Type::sequence || node.children.size() < field.count_min ||
         node.children.size() > field.count_max)
@@ -53,6 +58,7 @@ std::vector<const Node*> items(const Node& node, const Field& field) {
     return list;
 }
 
+// Scalars of all rows, row by row.
 std::vector<const Node*> rows(const Node& node, const Field& field) {
     std::vector<const Node*> list;
     for (const Node* row : items(node, field)) {
@@ -66,6 +72,7 @@ std::vector<const Node*> rows(const Node& node, const Field& field) {
 
 }  // namespace
 
+// one_or_list accepts a scalar in place of a list.
 std::vector<const Node*> scalars(const Node& node, const Field& field) {
     std::vector<const Node*> list;
     if (field.layout == Layout::rows) {
@@ -82,6 +89,7 @@ std::vector<const Node*> scalars(const Node& node, const Field& field) {
     return list;
 }
 
+// parse_quantity knows no place in the file, which is added here.
 double number_value(const Node& scalar, const Field& field) {
     double value = 0;
     try {
@@ -93,6 +101,8 @@ double number_value(const Node& scalar, const Field& field) {
     return value;
 }
 
+// Typographic minus signs and blanks are converted first; then the whole text must be the
+// number.
 int integer_value(const Node& scalar, const Field& field) {
     const std::string text = words::plain(scalar.scalar);
     int value = 0;
@@ -104,12 +114,14 @@ int integer_value(const Node& scalar, const Field& field) {
     return value;
 }
 
+// Only `true` and `false`: YAML 1.1's yes, no, on and off are refused.
 bool boolean_value(const Node& scalar, const Field& field) {
     if (scalar.scalar == "true") return true;
     if (scalar.scalar == "false") return false;
     refuse_value(scalar, field);
 }
 
+// Control characters are refused, since texts are written to logs and terminals.
 std::string text_value(const Node& scalar, const Field& field) {
     if (field.kind == Kind::identifier) check_identifier(scalar.scalar, scalar.origin);
     const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
@@ -118,6 +130,7 @@ std::string text_value(const Node& scalar, const Field& field) {
     return scalar.scalar;
 }
 
+// Both texts are kept: the one as written for messages, the one in SI for the solvers.
 structure::Formula formula_value(const Node& scalar, const Field& field) {
     const std::string text = text_value(scalar, field);
     try {
@@ -129,7 +142,7 @@ structure::Formula formula_value(const Node& scalar, const Field& field) {
 
 namespace {
 
-// Words that a key took once, and what to write in their place.
+// Former words of a key, with the advice that replaces them.
 struct RemovedWord {
     std::string_view key, word, instead;
 };
@@ -139,6 +152,7 @@ constexpr RemovedWord removed_words[] = {
      "write recursive_regularized"},
 };
 
+// Advice for a removed word, else the most similar one.
 std::string advice_on_word(const std::string& word, const Field& field) {
     for (const RemovedWord& entry : removed_words) {
         if (entry.key == field.name && entry.word == word)
@@ -149,6 +163,7 @@ std::string advice_on_word(const std::string& word, const Field& field) {
 
 }  // namespace
 
+// Index of the word in the list of choices.
 std::size_t choice_value(const Node& scalar, const Field& field) {
     const auto found = std::ranges::find(field.choices, scalar.scalar);
     if (found == field.choices.end())
@@ -159,10 +174,12 @@ std::size_t choice_value(const Node& scalar, const Field& field) {
 
 namespace {
 
+// Name of a group for errors.
 std::string place(const std::string& name) {
     return name.empty() ? "the scene" : fmt::format("\"{}\"", name);
 }
 
+// Checks that exactly one alternative is present, or at most one if they are optional.
 void check_alternatives(const Node& node, const Field& field, const std::string& where) {
     std::vector<std::string> all;
     const Node* first = nullptr;
@@ -189,6 +206,7 @@ void check_alternatives(const Node& node, const Field& field, const std::string&
                "exactly one of " + joined(all));
 }
 
+// Reports the first missing key with its description.
 void check_required(const Node& node, const Field& field, const std::string& where) {
     for (const Field& child : field.children) {
         if (child.presence != Presence::required || node.find(child.name)) continue;
@@ -197,7 +215,7 @@ void check_required(const Node& node, const Field& field, const std::string& whe
     }
 }
 
-// Keys that had another name once.
+// Former names of keys.
 struct Renamed {
     std::string_view group, old_name, new_name;
 };
@@ -209,7 +227,8 @@ constexpr Renamed renamed[] = {
     {"checkpoint", "retries", "max_retries"},
 };
 
-// What to do about a key that the group has not, or "".
+// Advice about an unknown key: its new name, the group that it belongs to, or the most
+// similar key; "" if none applies.
 std::string advice(const std::string& key, const Field& group) {
     for (const Renamed& entry : renamed) {
         if (entry.group == group.name && entry.old_name == key)
@@ -224,7 +243,8 @@ std::string advice(const std::string& key, const Field& group) {
     return fmt::format("it is a key of {}", joined(owners));
 }
 
-// where: the group as errors call it.
+// Checks a group. `where` is its name in errors. Unknown keys are reported before missing
+// ones.
 void check_group(const Node& node, const Field& field, const std::string& where) {
     if (node.type != Node::Type::map)
         refuse(node.origin, fmt::format("{} as {}", describe(node), where),
@@ -244,6 +264,7 @@ void check_group(const Node& node, const Field& field, const std::string& where)
     check_alternatives(node, field, where);
 }
 
+// Each entry has a name of its own and is checked as a group.
 void check_named(const Node& node, const Field& field) {
     if (node.type != Node::Type::map || node.children.empty())
         refuse(node.origin, fmt::format("{} as {}", describe(node), place(field.name)),
@@ -254,6 +275,7 @@ void check_named(const Node& node, const Field& field) {
     }
 }
 
+// An empty list is refused: the key could be left out.
 void check_list(const Node& node, const Field& field) {
     if (node.type != Node::Type::sequence || node.children.empty())
         refuse(node.origin, fmt::format("{} as {}", describe(node), place(field.name)),
@@ -262,7 +284,7 @@ void check_list(const Node& node, const Field& field) {
         check_group(child, field, "an item of " + place(field.name));
 }
 
-// "no_slip", or "no_slip: {...}" where the choice may carry a map.
+// Checks a word that carries a map, such as "no_slip: {...}".
 void check_choice_with_map(const Node& node, const Field& field) {
     if (node.children.size() != 1 || !field.find(node.children.front().key)) {
         std::vector<std::string> maps;
@@ -274,6 +296,7 @@ void check_choice_with_map(const Node& node, const Field& field) {
     validate(node.children.front(), *field.find(node.children.front().key));
 }
 
+// Reads each value for its errors only. A list of words may have each word once.
 void check_leaf(const Node& node, const Field& field) {
     std::vector<std::size_t> chosen;
     for (const Node* scalar : scalars(node, field)) {
@@ -307,6 +330,7 @@ void check_leaf(const Node& node, const Field& field) {
 
 }  // namespace
 
+// Leaves are read for their errors; TreeReader reads them again for their values.
 void validate(const Node& node, const Field& field) {
     switch (field.kind) {
         case Kind::group:

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The order of faces that OpenFOAM requires is made by visiting them in that order: inner
+// faces by owner and neighbour, then the sides one after the other. Points, faces, fluxes
+// and places all come from the same visits.
 #include "adapters/openfoam/engine/box_mesh.h"
 
 #include <algorithm>
@@ -21,7 +24,7 @@ namespace {
 
 using Index = std::array<int, 3>;
 
-// Of this rank's slab.
+// Number of cells of this rank's slab along each axis.
 Index slab_cells(const BoxMesh& box) {
     Index cells{};
     for (std::size_t d = 0; d < 3; ++d)
@@ -32,7 +35,7 @@ Index slab_cells(const BoxMesh& box) {
     return cells;
 }
 
-// Cells and points of this rank's slab.
+// Numbering of cells and points of this rank's slab, x fastest.
 class Slab {
   public:
     explicit Slab(const BoxMesh& box) : box_(box), cells_(slab_cells(box)) {
@@ -57,7 +60,8 @@ class Slab {
         return points;
     }
 
-    // The face below cell i along an axis, its normal upwards or downwards.
+    // The face between cell i and its lower neighbour along the axis. Its normal, by the
+    // right-hand rule over its corners, points up or down the axis.
     Foam::face face(Index i, std::size_t axis, bool upwards) const {
         const std::size_t a = (axis + 1) % 3;
         const std::size_t b = (axis + 2) % 3;
@@ -81,8 +85,8 @@ class Slab {
     Index cells_{}, first_{};
 };
 
-// A face: the cell above it along its axis, or where that would be, and whether its
-// normal points that way.
+// Callback for a face: the index of the cell above it along its axis (which may lie
+// outside the slab), the axis, and whether its normal points up the axis.
 using VisitFace = std::function<void(const Index&, int axis, bool upwards)>;
 
 template <class Visit>
@@ -92,7 +96,8 @@ void for_each_cell(const Index& lo, const Index& hi, Visit&& visit) {
             for (int i = lo[0]; i < hi[0]; ++i) visit(Index{i, j, k});
 }
 
-// By owner, then by neighbour: the upper triangle, row by row.
+// Visits the inner faces ordered by owner, then by neighbour, as OpenFOAM requires (upper
+// triangular order).
 void visit_inner(const Index& cells, const VisitFace& visit) {
     for_each_cell({}, cells, [&](const Index& i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -102,6 +107,7 @@ void visit_inner(const Index& cells, const VisitFace& visit) {
     });
 }
 
+// Visits the faces of one side of the slab. Normals point out of the slab.
 void visit_side(const Index& cells, int side, const VisitFace& visit) {
     const auto axis = static_cast<std::size_t>(side / 2);
     const bool upper = side % 2 == 1;
@@ -114,12 +120,14 @@ void visit_side(const Index& cells, int side, const VisitFace& visit) {
     });
 }
 
-// What a side of this rank's slab meets.
+// Neighbour beyond a side of this rank's slab.
 struct Meeting {
-    int neighbor = -1;  // rank; -1: the box's side itself
-    bool wraps = false;
+    int neighbor = -1;   // rank; -1: none, the side is one of the box
+    bool wraps = false;  // the neighbour lies across a periodic side
 };
 
+// The box is cut along one axis, so that only the two sides across it can meet other
+// ranks.
 Meeting meeting(const BoxMesh& box, int side) {
     const int ranks = static_cast<int>(box.first_cell.size()) - 1;
     if (side / 2 != box.cut_axis || ranks == 1) return {};
@@ -129,9 +137,9 @@ Meeting meeting(const BoxMesh& box, int side) {
     return periodic ? Meeting{(next + ranks) % ranks, true} : Meeting{};
 }
 
-// The sides of this rank's slab in the mesh's list of faces: those of the box, then those
-// towards other ranks. Two ranks on a periodic axis meet twice; OpenFOAM wants the plain
-// meeting first.
+// Order of the slab's sides in the mesh's list of faces: those of the box first, then
+// those towards other ranks. Two ranks on a periodic axis meet at both sides; OpenFOAM
+// requires the non-periodic one first.
 std::vector<int> side_order(const BoxMesh& box) {
     std::vector<int> order(6);
     std::iota(order.begin(), order.end(), 0);
@@ -145,22 +153,25 @@ std::vector<int> side_order(const BoxMesh& box) {
     return order;
 }
 
-// In the order of their numbers.
+// Visits all faces of this rank in the order of their numbers.
 void visit_faces(const BoxMesh& box, const VisitFace& visit) {
     const Index cells = slab_cells(box);
     visit_inner(cells, visit);
     for (const int side : side_order(box)) visit_side(cells, side, visit);
 }
 
+// Points and faces of this rank's slab in OpenFOAM's order.
 struct BoxFaces {
     Foam::pointField points;
-    Foam::DynamicList<Foam::face> faces;      // inner ones, then side by side
-    Foam::DynamicList<Foam::label> owner;     // of every face
-    Foam::DynamicList<Foam::label> neighbor;  // of the inner ones
-    Foam::label inner = 0;                    // faces between two cells of this rank
-    Foam::label of_side[6] = {};              // faces
+    Foam::DynamicList<Foam::face> faces;      // inner faces, then side by side
+    Foam::DynamicList<Foam::label> owner;     // cell of each face
+    Foam::DynamicList<Foam::label> neighbor;  // second cell of each inner face
+    Foam::label inner = 0;                    // number of faces between two cells
+    Foam::label of_side[6] = {};              // number of faces of each side
 };
 
+// The owner of an inner face is the cell below it, which has the smaller number; of a
+// boundary face its only cell.
 BoxFaces make_faces(const BoxMesh& box) {
     const Slab slab(box);
     BoxFaces out;
@@ -181,6 +192,7 @@ BoxFaces make_faces(const BoxMesh& box) {
     return out;
 }
 
+// OpenFOAM's type of a patch; periodic sides get their own class (cyclicPolyPatch).
 const char* type_name(SideType type) {
     switch (type) {
         case SideType::wall:
@@ -194,8 +206,8 @@ const char* type_name(SideType type) {
     return "patch";
 }
 
-// The patches of the box's sides, which every rank has in the same order, then those
-// towards other ranks.
+// Patches of this rank's mesh: those of the six sides, which every rank has in the same
+// order, some of them empty, then those towards other ranks.
 class Patches {
   public:
     Patches(const BoxMesh& box, BoxFaces& faces, const Foam::fvMesh& mesh)
@@ -208,6 +220,8 @@ class Patches {
     }
 
   private:
+    // A side that meets another rank leaves an empty patch, since every rank must have
+    // the same patches of the box.
     void add_side(int side) {
         const bool here = meeting(box_, side).neighbor < 0;
         const Foam::label size = here ? faces_.of_side[side] : 0;
@@ -227,6 +241,8 @@ class Patches {
         next_face_ += size;
     }
 
+    // A neighbour across a periodic side needs a patch that refers to the cyclic patch it
+    // belongs to.
     void add_neighbor(int side) {
         const Meeting m = meeting(box_, side);
         if (m.neighbor < 0) return;
@@ -254,10 +270,11 @@ class Patches {
 
 }  // namespace
 
+// Patches are added after the mesh is made, since they refer to it.
 Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box) {
     BoxFaces faces = make_faces(box);
-    // Read if present: so that fvSchemes and fvSolution are; there are no files of a
-    // mesh.
+    // READ_IF_PRESENT makes fvMesh read fvSchemes and fvSolution; mesh files do not
+    // exist.
     Foam::autoPtr<Foam::fvMesh> mesh(new Foam::fvMesh(
         Foam::IOobject(Foam::fvMesh::defaultRegion, time.constant(), time,
                        Foam::IOobject::READ_IF_PRESENT, Foam::IOobject::NO_WRITE),
@@ -271,7 +288,8 @@ Foam::autoPtr<Foam::fvMesh> make_mesh(const Foam::Time& time, const BoxMesh& box
 
 namespace {
 
-// Calls visit(face, place, value) for every face of this rank; Field is phi or const phi.
+// Calls visit(place, value) for the flux through every face of this rank, inner faces
+// first. Field is the boundary field of phi, const or not.
 template <class Field, class Inside, class Visit>
 void for_each_face(Field& phi, Inside& inside, const std::vector<FacePlace>& places,
                    Visit&& visit) {
@@ -287,6 +305,7 @@ void for_each_face(Field& phi, Inside& inside, const std::vector<FacePlace>& pla
 
 }  // namespace
 
+// flux[axis] has one layer of faces more than cells along that axis.
 std::vector<FacePlace> face_places(const BoxMesh& box) {
     std::vector<FacePlace> places;
     visit_faces(box, [&](const Index& i, int axis, bool upwards) {
@@ -299,6 +318,8 @@ std::vector<FacePlace> face_places(const BoxMesh& box) {
     return places;
 }
 
+// Shared faces between ranks are stored on both of them, with the same sign along the
+// axis.
 void take_flux(const Foam::surfaceScalarField& phi, const std::vector<FacePlace>& places,
                FlowState& out) {
     std::array<std::size_t, 3> size{};

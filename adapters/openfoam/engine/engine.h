@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The wall between the coupler's C++20 and OpenFOAM's C++17: what one side needs to know
-// of the other, in plain types. The engine is a shared library of its own, so that a
-// program starts and says what is missing on a machine without OpenFOAM.
+// Interface between the coupler (C++20) and OpenFOAM (C++17), in plain types. The engine
+// is a shared library of its own, loaded at run time, so that a program without OpenFOAM
+// starts and says what is missing.
 #pragma once
 
 #include <array>
@@ -10,67 +10,82 @@
 
 namespace magfsi::openfoam {
 
+// Kind of a side of the box; `open` stands for inlets and outlets, `symmetry` for free
+// slip.
 enum class SideType { periodic, wall, open, symmetry };
 
 // A box of hexahedra between planes, cut into slabs across one axis, one slab a rank.
 struct BoxMesh {
-    std::array<std::vector<double>, 3> planes_m;  // of the whole box, ascending
+    std::array<std::vector<double>, 3> planes_m;  // whole box, ascending
     std::array<SideType, 6> sides{};              // x_min, x_max, y_min ...
-    int cut_axis = 2;
-    std::vector<int> first_cell;  // of each rank along that axis, and the end of the last
-    int rank = 0;
+    int cut_axis = 2;                             // axis across which the box is cut
+    // First layer of cells of each rank along cut_axis, and the end of the last rank:
+    // ranks + 1 numbers.
+    std::vector<int> first_cell;
+    int rank = 0;  // this rank
 };
 
+// Start-up data of the engine.
 struct EngineSetup {
     std::string case_folder;  // absolute, with system/, constant/ and 0/
+    // The mesh of this rank; boundary files of the case name its sides x_min to z_max.
     BoxMesh mesh;
 };
 
-// What the next step depends on, of this rank's slab.
+// State of the flow in this rank's slab, all that the next step depends on.
 struct FlowState {
-    // [m/s], three a cell: now, and a step ago, of which the backward scheme knows.
+    // Velocity [m/s] at this step and the one before (used by the backward time scheme),
+    // three numbers a cell.
     std::vector<double> velocity, old_velocity;
-    std::vector<double> pressure;  // over density [m2/s2]
-    // [m3/s] along each axis, x fastest; one layer of faces more than of cells there.
+    std::vector<double> pressure;  // pressure over density [m2/s2]
+    // Fluxes [m3/s] through the faces across each axis, x fastest; along that axis there
+    // is one layer of faces more than of cells.
     std::array<std::vector<double>, 3> flux;
 };
 
-// pimpleFoam's equations on this rank's cells. Values are three a cell with x fastest,
-// then y, then z. What OpenFOAM refuses is thrown as std::runtime_error with its message.
+// pimpleFoam's equations on this rank's cells. Vector fields have three numbers a cell;
+// cells are numbered with x fastest, then y, then z. Errors of OpenFOAM are thrown as
+// std::runtime_error with its message.
 class Engine {
   public:
     virtual ~Engine() = default;
 
-    // [m/s]; until the next step, which moves it in memory.
+    // Velocity in the cells [m/s]. The pointer is valid until the next step, which moves
+    // the field in memory.
     virtual const double* velocity() const = 0;
 
-    // Starts anew from these; boundaries and fluxes follow. Collective.
+    // Sets the velocity in the cells [m/s]; boundary values and fluxes follow from it.
+    // Collective.
     virtual void set_velocity(const double* velocity) = 0;
 
-    // Force over mass in the coming step [m/s2], zero at first; stays where it is. The
-    // first call makes the source of momentum: a flow without forces has none.
+    // Force over mass in the coming step [m/s2], three numbers a cell, initially zero;
+    // the pointer stays valid. The first call adds the momentum source: a flow without
+    // forces has none.
     virtual double* acceleration() = 0;
 
-    // Given velocity of a side [m/s], three a face of this rank with the first axis of
-    // the plane fastest; null where this rank has none of it.
+    // Prescribed velocity of a side [m/s], three numbers a face of this rank with the
+    // first axis of the plane fastest; null if this rank has no face of that side or the
+    // side prescribes none.
     virtual double* side_velocity(int side) = 0;
 
-    // One time step. Collective.
+    // Advances the flow by one time step. Collective.
     virtual void advance() = 0;
 
-    // Between two steps.
+    // Copies the state of the flow; must be called between two steps.
     virtual void keep(FlowState& state) const = 0;
-    // As after this many steps. Collective.
+    // Restores a state as it was after `step` steps. Collective.
     virtual void go_back(const FlowState& state, long step) = 0;
 
-    // curl u [1/s], three a cell. Collective.
+    // Writes curl u [1/s], three numbers a cell. Collective.
     virtual void vorticity(double* out) = 0;
 
-    virtual std::string version() const = 0;  // of the libraries
+    // Version of OpenFOAM's libraries.
+    virtual std::string version() const = 0;
 };
 
 }  // namespace magfsi::openfoam
 
-// The library's only symbol. Collective over MPI_COMM_WORLD as the library sees it.
+// Makes an engine; the library's only exported symbol. The caller owns the result.
+// Collective over MPI_COMM_WORLD as the library sees it (world_of_openfoam.h).
 extern "C" magfsi::openfoam::Engine* magfsi_openfoam_engine(
     const magfsi::openfoam::EngineSetup& setup);

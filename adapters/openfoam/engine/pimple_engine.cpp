@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // pimpleFoam on a fixed mesh. The momentum and pressure equations are the solver's own
-// files, taken in unchanged; what surrounds them here is its loop over time, turned
-// inside out so that each step is a call.
+// files, included unchanged; the code here replaces its loop over time by one call per
+// step.
 #include <algorithm>
 #include <cctype>
 #include <memory>
@@ -24,36 +24,40 @@ namespace magfsi::openfoam {
 
 namespace {
 
-// The force on the fluid as one of OpenFOAM's sources of momentum (fvOption), handed to
-// it from outside in every step, in balance with the pressure.
+// The coupling force on the fluid as an OpenFOAM momentum source (fvOption), set from
+// outside before every step and balanced with the pressure.
 //
-// pimpleFoam keeps velocities in cells and fluxes on faces. A source a that changes from
-// cell to cell drives the flux through a face by the mean of its two cells, and the
-// pressure holds that; in the cell, the pressure's gradient is the mean of its two faces.
-// So of a layer of force along its normal, which pressure holds in full, a -
-// mean(mean(a)) = -h^2 a''/4 is left over and moves the cells, though nothing flows
-// through their faces. With the force of a sheet, three cells thick, that is a quarter of
-// it: markers see the fluid follow a sheet that it leaks through. Here cells get the mean
-// of what their faces get, and what is held on faces is held in cells: Francois et al.,
-// J. Comput. Phys. 213 (2006) 141, for the same trouble with surface tension.
+// pimpleFoam stores velocities in cells and fluxes on faces. An acceleration a that
+// varies from cell to cell drives the flux through a face by the mean of its two cells,
+// and the pressure balances that; in a cell, the pressure's gradient is the mean over its
+// two faces. For a layer of force along its normal, which the pressure should balance in
+// full, the residual a - mean(mean(a)) = -h^2 a''/4 accelerates the cells, though nothing
+// flows through their faces. For the force of a sheet, three cells thick, that is a
+// quarter of it: markers see the fluid follow a sheet that it leaks through. Here cells
+// get the mean of what their faces get, so that a force balanced on faces is balanced in
+// cells: Francois et al., J. Comput. Phys. 213 (2006) 141, for the same problem with
+// surface tension.
 class CoupledForce : public Foam::fv::option {
   public:
     explicit CoupledForce(const Foam::fvMesh& mesh);
 
+    // Adds the acceleration to the momentum equation.
     void addSup(Foam::fvMatrix<Foam::vector>& equation, const Foam::label field) override;
 
-    // The whole equation of momentum, before it is solved.
+    // Stores the response of the velocity, 1 / A, of the assembled momentum equation
+    // before it is solved.
     void constrain(Foam::fvMatrix<Foam::vector>& equation,
                    const Foam::label field) override;
 
-    // After the velocity was corrected by the pressure.
+    // Replaces the cell value of the force's effect by the mean of its faces, after each
+    // pressure correction of the velocity.
     void correct(Foam::volVectorField& velocity) override;
 
     Foam::vectorField& acceleration() { return acceleration_.primitiveFieldRef(); }
 
   private:
     Foam::volVectorField acceleration_;
-    Foam::tmp<Foam::volScalarField> response_;  // velocity by acceleration [s]
+    Foam::tmp<Foam::volScalarField> response_;  // velocity over acceleration [s]
 };
 
 CoupledForce::CoupledForce(const Foam::fvMesh& mesh)
@@ -74,13 +78,14 @@ void CoupledForce::constrain(Foam::fvMatrix<Foam::vector>& equation, const Foam:
 
 void CoupledForce::correct(Foam::volVectorField& velocity) {
     Foam::volVectorField push(response_() * acceleration_);
-    push.correctBoundaryConditions();  // of neighbours on other ranks
+    push.correctBoundaryConditions();  // values of neighbours on other ranks
     velocity += Foam::fvc::reconstruct(Foam::fvc::flux(push)) - push;
     velocity.correctBoundaryConditions();
 }
 
 static_assert(sizeof(Foam::vector) == 3 * sizeof(double), "vectors are three doubles");
 
+// The field's memory as plain doubles, three a cell.
 double* numbers(Foam::vectorField& field) {
     return reinterpret_cast<double*>(field.data());
 }
@@ -90,11 +95,13 @@ std::vector<double> copy_of(const Foam::vectorField& field) {
     return {first, first + 3 * field.size()};
 }
 
+// Description of an initial field in the case's folder 0/, which must exist.
 Foam::IOobject field_file(const char* name, const Foam::fvMesh& mesh) {
     return {name, mesh.time().timeName(), mesh, Foam::IOobject::MUST_READ,
             Foam::IOobject::NO_WRITE};
 }
 
+// OpenFOAM's messages have several lines; ours have one.
 std::string one_line(std::string text) {
     while (!text.empty() && std::isspace(text.back()) != 0) text.pop_back();
     for (char& c : text)
@@ -102,7 +109,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-// Foam's FatalError and FatalIOError as exceptions of the standard library.
+// Runs `work` and turns Foam's FatalError and FatalIOError into std::runtime_error.
 template <class Work>
 auto guarded(Work&& work) -> decltype(work()) {
     try {
@@ -115,6 +122,8 @@ auto guarded(Work&& work) -> decltype(work()) {
     }
 }
 
+// The engine on one rank. Members are initialised in the order that OpenFOAM requires:
+// time, mesh, fields, models.
 class PimpleEngine final : public Engine {
   public:
     explicit PimpleEngine(const EngineSetup& setup)
@@ -136,9 +145,11 @@ class PimpleEngine final : public Engine {
         turbulence_->validate();
     }
 
+    // The internal field holds three doubles a cell (static_assert above).
     const double* velocity() const override {
         return reinterpret_cast<const double*>(u_.primitiveField().cdata());
     }
+    // OpenFOAM's list of sources takes ownership of the force.
     double* acceleration() override {
         if (force_ == nullptr) {
             force_ = new CoupledForce(mesh_());
@@ -154,6 +165,8 @@ class PimpleEngine final : public Engine {
         return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
     }
 
+    // Fluxes are interpolated from the cells; the next pressure correction makes them
+    // free of divergence.
     void set_velocity(const double* velocity) override {
         guarded([&] {
             auto& values = u_.primitiveFieldRef();
@@ -167,6 +180,7 @@ class PimpleEngine final : public Engine {
         guarded([&] { step(); });
     }
 
+    // oldTime() is the velocity one step ago, which the backward scheme needs.
     void keep(FlowState& state) const override {
         guarded([&] {
             state.velocity = copy_of(u_.primitiveField());
@@ -177,9 +191,10 @@ class PimpleEngine final : public Engine {
         });
     }
 
-    // The fluxes first, for the velocity at outlets follows them. The velocity of two
-    // steps ago and the old fluxes have no say: the one goes when the step begins, the
-    // others have the coefficient 0.
+    // Fluxes are restored first, since the velocity at outlets depends on them. The
+    // velocity of two steps ago is discarded when the step begins, and the old fluxes
+    // have the coefficient 0 in the scheme; calls of oldTime() only make sure that these
+    // fields exist.
     void go_back(const FlowState& state, long step) override {
         guarded([&] {
             const auto index = static_cast<Foam::label>(step);
@@ -200,6 +215,7 @@ class PimpleEngine final : public Engine {
         });
     }
 
+    // The curl comes from gradients of OpenFOAM's scheme gradSchemes (Gauss linear).
     void vorticity(double* out) override {
         guarded([&] {
             const Foam::tmp<Foam::volVectorField> curl = Foam::fvc::curl(u_);
@@ -227,13 +243,14 @@ class PimpleEngine final : public Engine {
     Foam::autoPtr<Foam::incompressible::turbulenceModel> turbulence_;
     Foam::IOMRFZoneList zones_;
     Foam::fv::options& sources_;
-    CoupledForce* force_ = nullptr;  // of sources_, once there is a force
+    // The coupling force, owned by sources_; null until the first force.
+    CoupledForce* force_ = nullptr;
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;
     Foam::scalar continuity_error_ = 0;
 };
 
-// The names are those that the solver's files use.
+// One step of pimpleFoam. The local names are those that the included solver files use.
 void PimpleEngine::step() {
     using namespace Foam;
     fvMesh& mesh = mesh_();
@@ -249,7 +266,7 @@ void PimpleEngine::step() {
     const label pRefCell = reference_cell_;
     const scalar pRefValue = reference_pressure_;
     scalar& cumulativeContErr = continuity_error_;
-    autoPtr<surfaceVectorField> Uf;  // of moving meshes only
+    autoPtr<surfaceVectorField> Uf;  // used with moving meshes only
 
     ++runTime;
     while (pimple.loop()) {
@@ -268,6 +285,8 @@ void PimpleEngine::step() {
 
 }  // namespace magfsi::openfoam
 
+// Errors of OpenFOAM become exceptions in place of an exit, and its log is switched off.
+// Pstream starts only for more than one rank, and only once.
 magfsi::openfoam::Engine* magfsi_openfoam_engine(
     const magfsi::openfoam::EngineSetup& setup) {
     using namespace magfsi::openfoam;
