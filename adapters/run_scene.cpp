@@ -56,7 +56,7 @@ int worthwhile_parts(const scene::Fluid& fluid) {
     constexpr double min_cells = 20000;
     double cells = 1;
     for (const double length : fluid.box_m) cells *= length / fluid.spacing_m;
-    return static_cast<int>(std::clamp(cells / min_cells, 1.0, 1e6));
+    return std::clamp(cells / min_cells, 1.0, 1e6);
 }
 
 // "a processor" where /proc/cpuinfo names none, as on some ARM machines.

@@ -19,13 +19,13 @@ namespace {
 // Numbers the markers of all ranks consecutively by rank. Collective over `comm`.
 coupler::BodyMarkers numbered(std::vector<coupler::Marker> markers, MPI_Comm comm) {
     coupler::BodyMarkers mine;
-    const auto count = static_cast<int>(markers.size());
+    const int count = markers.size();
     int end = 0, all = 0;
     MPI_Scan(&count, &end, 1, MPI_INT, MPI_SUM, comm);
     MPI_Allreduce(&count, &all, 1, MPI_INT, MPI_SUM, comm);
     mine.placed_index.resize(markers.size());
     std::iota(mine.placed_index.begin(), mine.placed_index.end(), end - count);
-    mine.placed = static_cast<std::size_t>(all);
+    mine.placed = all;
     mine.markers = std::move(markers);
     mine.bodies = 1;
     return mine;

@@ -20,7 +20,7 @@ FluidConfig checked(const FluidConfig& config) {
 
 // The values of all ranks, in the order of the ranks, on every rank. Collective.
 std::vector<int> gathered(const OwnedComm& comm, const std::vector<int>& mine) {
-    const int count = static_cast<int>(mine.size());
+    const int count = mine.size();
     std::vector<int> counts(static_cast<std::size_t>(comm.size)), first(counts);
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
     std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);

@@ -28,8 +28,7 @@ std::vector<Material> used_materials(const Body& body) {
     const std::vector<Material> all = all_materials(body);
     if (body.element_material.empty()) return {body.material};
     std::vector<bool> used(all.size(), false);
-    for (int number : body.element_material)
-        used[static_cast<std::size_t>(number)] = true;
+    for (int number : body.element_material) used[number] = true;
     std::vector<Material> out;
     for (std::size_t m = 0; m < all.size(); ++m) {
         if (used[m]) out.push_back(all[m]);
@@ -66,7 +65,7 @@ std::vector<HeldFace> held_faces(const Body& body) {
         auto found = std::ranges::find(out, face, &HeldFace::name);
         if (found == out.end()) found = out.insert(out.end(), {face, {}});
         for (const int node : face_nodes(body, face, how)) {
-            bool& is_taken = taken[static_cast<std::size_t>(node)][axis];
+            bool& is_taken = taken[node][axis];
             if (!is_taken) found->nodes[axis].push_back(node);
             is_taken = true;
         }
@@ -86,13 +85,13 @@ std::vector<HeldAxes> held_axes(const Body& body, const std::set<std::string>& m
     for (const std::string& face : body.clamps) {
         if (moved.contains(face)) continue;
         for (const int node : face_nodes(body, face, "clamped"))
-            held[static_cast<std::size_t>(node)] = {true, true, true};
+            held[node] = {true, true, true};
     }
     for (const Roller& roller : body.rollers) {
-        const auto axis = static_cast<std::size_t>(roller.axis);
+        const std::size_t axis = roller.axis;
         for (const std::string& face : roller.faces) {
             for (const int node : face_nodes(body, face, "on rollers"))
-                held[static_cast<std::size_t>(node)][axis] = true;
+                held[node][axis] = true;
         }
     }
     return held;

@@ -82,8 +82,7 @@ std::array<double, 3> difference(const std::array<Formula, 3>& place_m, double t
     const double middle_s = std::max(time_s, 2 * apart_s);
     for (int i = -2; i <= 2; ++i) {
         const auto there = value_at(place_m, middle_s + i * apart_s);
-        for (std::size_t d = 0; d < 3; ++d)
-            sum[d] += weight[static_cast<std::size_t>(i + 2)] * there[d] / scale;
+        for (std::size_t d = 0; d < 3; ++d) sum[d] += weight[i + 2] * there[d] / scale;
     }
     return sum;
 }

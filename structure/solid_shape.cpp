@@ -37,8 +37,7 @@ SignedDistance of(const Ball& ball, const Vec3& point) {
 template <std::size_t n>
 SignedDistance of_faces(const std::array<double, n>& out,
                         const std::array<Vec3, n>& outwards) {
-    const auto nearest =
-        static_cast<std::size_t>(std::ranges::max_element(out) - out.begin());
+    const std::size_t nearest = std::ranges::max_element(out) - out.begin();
     if (!(out[nearest] > 0)) return {out[nearest], outwards[nearest]};
     Vec3 way{};
     for (std::size_t i = 0; i < n; ++i) {
@@ -56,7 +55,7 @@ Vec3 along(std::size_t axis, double side) {
 }
 
 SignedDistance of(const Rod& rod, const Vec3& point) {
-    const auto axis = static_cast<std::size_t>(rod.axis);
+    const std::size_t axis = rod.axis;
     Vec3 across{};
     for (std::size_t d = 0; d < 3; ++d) across[d] = point[d] - rod.centre_m[d];
     const double height = across[axis];
@@ -130,7 +129,7 @@ int axis_from(const std::string& word) {
     const auto axis = word.size() == 1 ? axes.find(word) : std::string::npos;
     if (axis == std::string::npos)
         refuse("\"{}\" found as the axis of a rod, x, y or z is allowed", word);
-    return static_cast<int>(axis);
+    return axis;
 }
 
 Bounds bounds_around(const Vec3& centre, const Vec3& half) {
@@ -147,7 +146,7 @@ Bounds bounds_of(const Ball& ball) {
 }
 Bounds bounds_of(const Rod& rod) {
     Vec3 half{rod.radius_m, rod.radius_m, rod.radius_m};
-    half[static_cast<std::size_t>(rod.axis)] = rod.half_length_m.value_or(INFINITY);
+    half[rod.axis] = rod.half_length_m.value_or(INFINITY);
     return bounds_around(rod.centre_m, half);
 }
 Bounds bounds_of(const Brick& brick) {

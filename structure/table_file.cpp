@@ -132,7 +132,7 @@ class TableReader {
         const auto found = std::ranges::find_if(known_, [&](const ColumnKind& kind) {
             return simple(kind.name) == simple(name);
         });
-        return static_cast<std::size_t>(found - known_.begin());
+        return found - known_.begin();
     }
 
     // The header of files whose header is a comment (numpy, COMSOL): the last comment

@@ -39,7 +39,7 @@ inline Between rows_at(const std::vector<double>& times, bool repeat, double tim
     }
     const auto after = std::ranges::upper_bound(times, t) - times.begin();
     if (after == 0) return {};
-    const auto i = static_cast<std::size_t>(after - 1);
+    const std::size_t i = after - 1;
     if (i + 1 == times.size()) return {i, i, 0};
     return {i, i + 1, (t - times[i]) / (times[i + 1] - times[i])};
 }

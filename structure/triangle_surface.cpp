@@ -101,8 +101,7 @@ int TriangleSurface::add_boxes(int first, int count) {
         box.count = count;
     } else {
         const Vec3 edges = minus(box.high_m, box.low_m);
-        const auto d =
-            static_cast<std::size_t>(std::ranges::max_element(edges) - edges.begin());
+        const std::size_t d = std::ranges::max_element(edges) - edges.begin();
         const auto middle = [d](const Triangle& t) {
             return t[0][d] + t[1][d] + t[2][d];
         };
@@ -114,7 +113,7 @@ int TriangleSurface::add_boxes(int first, int count) {
         box.right = add_boxes(first + half, count - half);
     }
     boxes_[number] = box;
-    return static_cast<int>(number);
+    return number;
 }
 
 template <class Visit>
@@ -127,7 +126,7 @@ void TriangleSurface::visit_leaf(const Box& box, const Visit& visit) const {
 bool TriangleSurface::holds(const Vec3& x) const {
     int winding = 0;
     const auto look = [&](const auto& self, int number) -> void {
-        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        const Box& box = boxes_[number];
         if (x[0] > box.high_m[0] || x[1] < box.low_m[1] || x[1] > box.high_m[1] ||
             x[2] < box.low_m[2] || x[2] > box.high_m[2])
             return;
@@ -147,7 +146,7 @@ bool TriangleSurface::holds(const Vec3& x) const {
 // best.
 TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
     const auto squared_to = [&](int number) {
-        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        const Box& box = boxes_[number];
         Vec3 way{};
         for (std::size_t d = 0; d < 3; ++d)
             way[d] = x[d] - std::clamp(x[d], box.low_m[d], box.high_m[d]);
@@ -157,7 +156,7 @@ TriangleSurface::Nearest TriangleSurface::nearest(const Vec3& x) const {
     const Triangle* of = nullptr;
     Nearest found;
     const auto look = [&](const auto& self, int number) -> void {
-        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        const Box& box = boxes_[number];
         visit_leaf(box, [&](std::size_t i) {
             if (!hidden_.empty() && hidden_[i]) return;
             const Triangle& t = triangles_[i];

@@ -40,7 +40,7 @@ std::array<int, 3> cubes_around(const fluid::Bounds& bounds_m,
                 voxels.file, bounds_m.high[0] - bounds_m.low[0],
                 bounds_m.high[1] - bounds_m.low[1], bounds_m.high[2] - bounds_m.low[2],
                 most_cubes, voxels.spacing_m));
-        cubes[d] = static_cast<int>(whole);
+        cubes[d] = whole;
     }
     return cubes;
 }
@@ -55,7 +55,7 @@ struct Cubes {
     std::vector<double> held{};
 
     std::size_t number(const Place& p) const {
-        return static_cast<std::size_t>(p[0] + count[0] * (p[1] + count[1] * p[2]));
+        return p[0] + count[0] * (p[1] + count[1] * p[2]);
     }
     // Calls act(number) for each of the up to 26 neighbours of a cube; with `faces` only
     // for the up to 6 that share a face with it.
@@ -84,7 +84,7 @@ struct Cubes {
 // Fills the cubes whose centres lie inside the surface.
 void mark(const fluid::Solid& solid, Cubes& cubes) {
     const auto [width, depth, height] = cubes.count;
-    const auto row = static_cast<std::size_t>(width);
+    const std::size_t row = width;
     cubes.filled.resize(row * static_cast<std::size_t>(depth) *
                         static_cast<std::size_t>(height));
     for (int k = 0; k < height; ++k) {
@@ -165,13 +165,12 @@ void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
     double left = 0;
     std::vector<int> part;
     for (const structure::Hexahedron& element : mesh.elements) {
-        const structure::Vec3& corner = mesh.nodes[static_cast<std::size_t>(element[0])];
+        const structure::Vec3& corner = mesh.nodes[element[0]];
         Place p{};
-        for (std::size_t d = 0; d < 3; ++d)
-            p[d] = static_cast<int>(std::lround(corner[d] / spacing_m));
+        for (std::size_t d = 0; d < 3; ++d) p[d] = std::lround(corner[d] / spacing_m);
         const double exact = parts_of_cube * weight[cubes.number(p)];
         const double wanted = exact == parts_of_cube ? exact : exact + left;
-        part.push_back(std::max(1, static_cast<int>(std::lround(wanted))));
+        part.push_back(std::max<int>(1, std::lround(wanted)));
         left = exact == parts_of_cube ? left : wanted - part.back();
     }
     std::vector<int> kinds = part;
@@ -182,8 +181,7 @@ void name_regions(structure::Mesh& mesh, const std::vector<double>& weight,
     for (const int kind : kinds)
         mesh.region_names.push_back(fmt::format("{}/{}", kind, parts_of_cube));
     for (const int p : part)
-        mesh.region.push_back(
-            static_cast<int>(std::ranges::lower_bound(kinds, p) - kinds.begin()));
+        mesh.region.push_back(std::ranges::lower_bound(kinds, p) - kinds.begin());
 }
 
 }  // namespace
@@ -211,12 +209,12 @@ structure::Mesh filled_mesh(const structure::VoxelMesh& voxels) {
 }
 
 double weight_of_region(const structure::Mesh& mesh, int region) {
-    return std::stod(mesh.region_names[static_cast<std::size_t>(region)]) / parts_of_cube;
+    return std::stod(mesh.region_names[region]) / parts_of_cube;
 }
 
 void weigh(structure::Body& body) {
     if (body.mesh.region.empty()) return;
-    const auto regions = static_cast<int>(body.mesh.region_names.size());
+    const int regions = body.mesh.region_names.size();
     std::vector<int> number;
     for (int region = 0; region < regions; ++region) {
         const double weight = weight_of_region(body.mesh, region);
@@ -231,7 +229,7 @@ void weigh(structure::Body& body) {
     }
     for (std::size_t e = 0; e < body.mesh.region.size(); ++e) {
         const int region = body.mesh.region[e];
-        body.element_material.push_back(number[static_cast<std::size_t>(region)]);
+        body.element_material.push_back(number[region]);
         if (body.magnetization_a_m.empty()) continue;
         for (double& component : body.magnetization_a_m[e])
             component *= weight_of_region(body.mesh, region);

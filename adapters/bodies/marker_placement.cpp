@@ -147,8 +147,7 @@ structure::Continues spans_fluid(const scene::Fluid& fluid, const scene::Body& b
     structure::Continues spans{};
     const structure::Mesh mesh = to_mesh(body);
     for (int d = 0; d < 3; ++d)
-        spans[static_cast<std::size_t>(d)] =
-            scene::spans_fluid(fluid, body, d, extent(mesh, d), between_walls);
+        spans[d] = scene::spans_fluid(fluid, body, d, extent(mesh, d), between_walls);
     return spans;
 }
 

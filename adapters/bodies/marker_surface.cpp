@@ -91,7 +91,7 @@ std::array<Eigen::Vector3d, 8> shape_gradient(const structure::Mesh& mesh,
             for (int other = 0; other < 3; ++other)
                 if (other != d) slope[a][d] *= 1 + at[other] * sign(a, other);
         }
-        const Vec3& x = mesh.nodes[static_cast<std::size_t>(point.node[a])];
+        const Vec3& x = mesh.nodes[point.node[a]];
         jacobian += Eigen::Vector3d(x[0], x[1], x[2]) * slope[a].transpose();
     }
     const Eigen::Matrix3d inverse = jacobian.inverse().transpose();
@@ -121,10 +121,10 @@ std::vector<structure::MaterialPoint> across_borders(
     }
     std::vector<structure::MaterialPoint> points;
     if (beyond <= on_border * longest) return {marker.point};
-    for (const int e : elements_of[static_cast<std::size_t>(weight.begin()->first)]) {
+    for (const int e : elements_of[weight.begin()->first]) {
         structure::MaterialPoint point;
         point.element = e;
-        point.node = mesh.elements[static_cast<std::size_t>(e)];
+        point.node = mesh.elements[e];
         std::size_t found = 0;
         for (std::size_t a = 0; a < 8; ++a) {
             const auto known = weight.find(point.node[a]);
@@ -140,7 +140,7 @@ std::vector<structure::MaterialPoint> across_borders(
 Vec3 area_of(const PlacedMarker& marker, const structure::Mesh& mesh) {
     Eigen::Vector3d first = Eigen::Vector3d::Zero(), second = first;
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& x = mesh.nodes[static_cast<std::size_t>(marker.point.node[a])];
+        const Vec3& x = mesh.nodes[marker.point.node[a]];
         first += marker.first_edge[a] * Eigen::Vector3d(x[0], x[1], x[2]);
         second += marker.second_edge[a] * Eigen::Vector3d(x[0], x[1], x[2]);
     }
@@ -184,8 +184,7 @@ void share_among_elements(std::vector<PlacedMarker>& markers,
                           const structure::Mesh& mesh) {
     std::vector<std::vector<int>> elements_of(mesh.nodes.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-        for (const int node : mesh.elements[e])
-            elements_of[static_cast<std::size_t>(node)].push_back(static_cast<int>(e));
+        for (const int node : mesh.elements[e]) elements_of[node].push_back(e);
     std::vector<PlacedMarker> all;
     for (const PlacedMarker& marker : markers) {
         const auto pieces = across_borders(marker, mesh, elements_of);
@@ -194,7 +193,7 @@ void share_among_elements(std::vector<PlacedMarker>& markers,
             continue;
         }
         const Vec3 area_m2 = area_of(marker, mesh);
-        const auto share = 1 / static_cast<double>(pieces.size());
+        const auto share = 1.0 / pieces.size();
         for (const structure::MaterialPoint& point : pieces) {
             PlacedMarker& piece = all.emplace_back(marker);
             piece.point = point;
@@ -215,7 +214,7 @@ void share_surface(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     // some.
     for (const auto& p : structure::surface_points(mesh, surface, 0.5 * spacing_m)) {
         const auto nearest = bins.nearest(structure::position(mesh, p.point));
-        const double area_m2 = faces * p.area_m2 / static_cast<double>(nearest.size());
+        const double area_m2 = faces * p.area_m2 / nearest.size();
         for (const std::size_t marker : nearest)
             for (std::size_t d = 0; d < 3; ++d) areas[marker][d] += area_m2 * p.normal[d];
     }

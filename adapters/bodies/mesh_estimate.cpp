@@ -54,7 +54,7 @@ Loads loads_of(const scene::Scene& scene, const structure::Body& solid) {
     if (out.words.empty() && held) {
         const Vec3 extent_m = structure::bounds(solid.mesh.nodes).extent_m();
         const auto across = std::ranges::min_element(extent_m) - extent_m.begin();
-        out.loads.gravity_m_s2[static_cast<std::size_t>(across)] = 9.81;
+        out.loads.gravity_m_s2[across] = 9.81;
         out.words = "a weight across the thickness";
     }
     return out;
@@ -66,7 +66,7 @@ Vec3 at(const structure::Mesh& mesh, const std::vector<Vec3>& displacement_m,
     const structure::MaterialPoint place = structure::PointLocator(mesh).nearest(point_m);
     Vec3 out{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = displacement_m[static_cast<std::size_t>(place.node[a])];
+        const Vec3& node = displacement_m[place.node[a]];
         for (std::size_t d = 0; d < 3; ++d) out[d] += place.weight[a] * node[d];
     }
     return out;
@@ -109,7 +109,7 @@ Right on_refined(const scene::Body& body, const structure::Body& solid,
     structure::Mesh mesh = structure::refined(solid.mesh);
     if (8 * mesh.elements.size() <= most_elements) mesh = structure::refined(mesh);
     const auto fine_m = response_of(to_body(body, mesh), loads);
-    const auto nodes = static_cast<std::ptrdiff_t>(solid.mesh.nodes.size());
+    const std::ptrdiff_t nodes = solid.mesh.nodes.size();
     return {finer,
             {fine_m.begin(), fine_m.begin() + nodes},
             [mesh, fine_m](const Vec3& point_m) { return at(mesh, fine_m, point_m); }};
@@ -187,7 +187,7 @@ MeshEstimate estimate_mesh_error(const scene::Scene& scene, const scene::Body& b
     MeshEstimate out{"", loads.words, right->words, 0, {}};
     const auto farthest =
         std::ranges::max_element(right->nodes_m, {}, length) - right->nodes_m.begin();
-    const auto node = static_cast<std::size_t>(farthest);
+    const std::size_t node = farthest;
     const Vec3 largest_m = right->at_m(solid.mesh.nodes[node]);
     out.largest = structure::displacement_error(here_m[node], largest_m);
     if (!scene.probes) return out;

@@ -58,8 +58,7 @@ struct Rows {
 // The fewest rows between two ends that are at most widest_m apart; the outer ones lie
 // half a distance from the ends.
 Rows even_rows(double low_m, double high_m, double widest_m) {
-    const int n =
-        std::max(1, static_cast<int>(std::ceil((high_m - low_m) / widest_m - 1e-9)));
+    const int n = std::max<int>(1, std::ceil((high_m - low_m) / widest_m - 1e-9));
     Rows rows{{}, (high_m - low_m) / n};
     for (int i = 0; i < n; ++i) rows.at_m.push_back(low_m + (i + 0.5) * rows.apart_m);
     return rows;
@@ -107,8 +106,7 @@ bool wet(std::span<const structure::SurfaceQuad> surface, const structure::Mesh&
          std::size_t axis, double end_m, double slack_m) {
     return std::ranges::any_of(surface, [&](const structure::SurfaceQuad& quad) {
         return std::ranges::all_of(quad.node, [&](int node) {
-            return std::abs(mesh.nodes[static_cast<std::size_t>(node)][axis] - end_m) <
-                   slack_m;
+            return std::abs(mesh.nodes[node][axis] - end_m) < slack_m;
         });
     });
 }
@@ -183,7 +181,7 @@ std::vector<PlacedMarker> in_bent_block(const scene::Body& body,
     auto markers =
         rows_in_block(straight, DryFaces(body, straight, continues), reach, continues);
     for (PlacedMarker& marker : markers)
-        marker.point.node = mesh.elements[static_cast<std::size_t>(marker.point.element)];
+        marker.point.node = mesh.elements[marker.point.element];
     return markers;
 }
 
@@ -196,8 +194,7 @@ void share_volume(std::span<PlacedMarker> markers, const structure::Mesh& mesh,
     for (PlacedMarker& marker : markers) marker.volume_m3 = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
         for (const std::size_t marker : nearest[i])
-            markers[marker].volume_m3 +=
-                points[i].volume_m3 / static_cast<double>(nearest[i].size());
+            markers[marker].volume_m3 += points[i].volume_m3 / nearest[i].size();
 }
 
 // Picks in turn the points that are at least `apart_m` from all picked before; each gets

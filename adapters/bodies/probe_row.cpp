@@ -33,10 +33,9 @@ std::vector<double> node_shares(const std::vector<bool>& elements,
     std::vector<double> mine(mesh.nodes.size()), all(mine);
     for (std::size_t e = 0; e < elements.size(); ++e) {
         const auto x = structure::gather(mesh.nodes, mesh.elements[e]);
-        const double volume =
-            structure::integrate_hexahedron(x, static_cast<int>(e)).volume;
+        const double volume = structure::integrate_hexahedron(x, e).volume;
         for (const int node : mesh.elements[e]) {
-            const auto n = static_cast<std::size_t>(node);
+            const std::size_t n = node;
             all[n] += volume;
             if (elements[e]) mine[n] += volume;
         }
@@ -64,8 +63,7 @@ std::vector<bool> elements_of(const scene::BodyPart& part, const structure::Mesh
         in[e] = true;
         for (std::size_t d = 0; d < 3; ++d) {
             double centre = 0;
-            for (const int node : mesh.elements[e])
-                centre += mesh.nodes[static_cast<std::size_t>(node)][d] / 8;
+            for (const int node : mesh.elements[e]) centre += mesh.nodes[node][d] / 8;
             in[e] = in[e] && centre >= low[d] && centre <= high[d];
         }
     }
@@ -93,7 +91,7 @@ std::size_t column_of(const std::vector<std::string>& columns,
                         control.probe_places[i], scene::in_quotes(name),
                         fmt::join(columns, ", "), near.empty() ? "" : "; " + near));
     }
-    return static_cast<std::size_t>(at - columns.begin());
+    return at - columns.begin();
 }
 
 // The columns of the field read field_, so that set_field acts on later rows.
@@ -213,8 +211,7 @@ void ProbeRow::add_reactions(std::size_t b, const structure::Body& solid) {
             const std::vector<Vec3>& support_n = sample.loads[b].support_n;
             for (std::size_t d = 0; d < 3; ++d) {
                 double sum = 0;
-                for (const int node : nodes[d])
-                    sum += support_n[static_cast<std::size_t>(node)][d];
+                for (const int node : nodes[d]) sum += support_n[node][d];
                 row.push_back(sum);
             }
         };

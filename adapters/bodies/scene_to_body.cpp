@@ -148,8 +148,7 @@ structure::Mesh with_faces(structure::Mesh mesh, const structure::VoxelMesh& vox
         const structure::Bounds box{face.box_m[0], face.box_m[1]};
         std::vector<int>& nodes = mesh.faces[face.name];
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-            if (box.holds(mesh.nodes[n], 1e-3 * voxels.spacing_m))
-                nodes.push_back(static_cast<int>(n));
+            if (box.holds(mesh.nodes[n], 1e-3 * voxels.spacing_m)) nodes.push_back(n);
         }
         if (nodes.empty())
             throw std::invalid_argument(fmt::format(
@@ -189,7 +188,7 @@ structure::Mesh to_mesh(const scene::Body& body) {
 
 double extent(const structure::Mesh& mesh, int axis) {
     const structure::Bounds box = structure::bounds(mesh.nodes);
-    const auto d = static_cast<std::size_t>(axis);
+    const std::size_t d = axis;
     return box.high_m[d] - box.low_m[d];
 }
 
@@ -243,8 +242,7 @@ std::vector<structure::Vec3> magnetize(const structure::Magnetization& wanted,
 // Index of a region in the mesh; a scene::Complaint names the regions that there are.
 int region_number(const Mesh& mesh, const std::string& name) {
     const auto found = std::ranges::find(mesh.region_names, name);
-    if (found != mesh.region_names.end())
-        return static_cast<int>(found - mesh.region_names.begin());
+    if (found != mesh.region_names.end()) return found - mesh.region_names.begin();
     throw scene::Complaint(
         fmt::format("the region {}", scene::in_quotes(name)),
         mesh.region_names.empty()
@@ -261,12 +259,11 @@ void add_materials(structure::Body& out, const scene::Body& body) {
     for (const structure::RegionMaterial& entry : body.material_regions) {
         out.other_materials.push_back(entry.material);
         for (const std::string& name : entry.regions) {
-            of_region[static_cast<std::size_t>(region_number(out.mesh, name))] =
-                static_cast<int>(out.other_materials.size());
+            of_region[region_number(out.mesh, name)] = out.other_materials.size();
         }
     }
     for (const int region : out.mesh.region)
-        out.element_material.push_back(of_region[static_cast<std::size_t>(region)]);
+        out.element_material.push_back(of_region[region]);
 }
 
 }  // namespace

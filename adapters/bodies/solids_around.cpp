@@ -22,7 +22,7 @@ using structure::Vec3;
 Vec3 place_of(const structure::MaterialPoint& point, std::span<const Vec3> nodes_m) {
     Vec3 x{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = nodes_m[static_cast<std::size_t>(point.node[a])];
+        const Vec3& node = nodes_m[point.node[a]];
         for (std::size_t d = 0; d < 3; ++d) x[d] += point.weight[a] * node[d];
     }
     return x;
@@ -131,7 +131,7 @@ void SolidsAround::add_obstacles(const scene::Fluid& fluid,
                                  std::span<const Vec3> start_m) {
     std::array<int, 3> cells{};
     for (std::size_t d = 0; d < 3; ++d)
-        cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / spacing_m_));
+        cells[d] = std::lround(fluid.box_m[d] / spacing_m_);
     std::array<int, 3> period{};
     for (std::size_t d = 0; d < 3; ++d)
         period[d] = fluid.period_m()[d] > 0 ? cells[d] : 0;
@@ -193,8 +193,7 @@ SolidProximities SolidsAround::find(std::span<const Vec3> nodes_m, double reach_
         const Point& point = points_[p];
         const Vec3 x = place_of(point.at, nodes_m);
         for (const Side& side : sides_) {
-            const double gap =
-                side.inwards * (x[static_cast<std::size_t>(side.axis)] - side.place_m);
+            const double gap = side.inwards * (x[side.axis] - side.place_m);
             if (gap < reach_m && side.free[p])
                 note({point.body, point.at.element, side.what, x, true}, gap, found);
         }

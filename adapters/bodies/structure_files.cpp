@@ -50,7 +50,7 @@ std::vector<Element> elements_at_rest(const structure::Body& body, int first_nod
 }
 
 int nodes_of(const structure::Body& body) {
-    return static_cast<int>(body.mesh.nodes.size());
+    return body.mesh.nodes.size();
 }
 
 // A function that evaluates a field in the elements of all bodies in turn. add(b, e, F,
@@ -195,7 +195,7 @@ StructureFiles::StructureFiles(const scene::Scene& scene, const Bodies& bodies,
 
 void StructureFiles::add(BodyField field, const scene::Scene& scene,
                          const Bodies& bodies) {
-    const Kind& kind = kinds[static_cast<std::size_t>(field)];
+    const Kind& kind = kinds[field];
     fields_.push_back({fmt::format("{}[{}]", scene::name_of(field), kind.unit),
                        kind.components, kind.of_nodes, nullptr});
     if (kind.of_nodes)

@@ -41,8 +41,7 @@ WallOfPlanes::WallOfPlanes(coupler::Kernel kernel, double relaxation_time,
       viscosity_((relaxation_time - 0.5) / 3),
       frequency_(2 * viscosity_ / (stokes_layer * stokes_layer)) {
     for (int n = 0; n < cells; ++n)
-        waves_[static_cast<std::size_t>(n)] =
-            wave(2 * std::numbers::pi * n / cells, relaxation_time, magic_number);
+        waves_[n] = wave(2 * std::numbers::pi * n / cells, relaxation_time, magic_number);
 }
 
 // Amplitude of the velocity q = U + F dt / (2 rho) over that of the force, for the wave
@@ -73,17 +72,17 @@ Complex WallOfPlanes::wave(double k, double relaxation_time, double magic_number
 // velocity V, over rho i omega V: the complex thickness of the fluid that moves with
 // them, Stokes layers included.
 Complex WallOfPlanes::moved(const std::vector<double>& places) const {
-    const auto planes = static_cast<Eigen::Index>(places.size());
+    const Eigen::Index planes = places.size();
     Eigen::MatrixXcd spread(planes, cells);
     for (Eigen::Index p = 0; p < planes; ++p) {
         coupler::Stencil1D s;
-        coupler::set_stencil(s, kernel_, places[static_cast<std::size_t>(p)]);
+        coupler::set_stencil(s, kernel_, places[p]);
         for (int n = 0; n < cells; ++n) {
             spread(p, n) = 0;
             for (int j = 0; j < s.count; ++j)
-                spread(p, n) += s.weight[static_cast<std::size_t>(j)] *
-                                std::exp(-2 * std::numbers::pi * n / cells * im *
-                                         static_cast<double>(s.first + j));
+                spread(p, n) +=
+                    s.weight[j] * std::exp(-2 * std::numbers::pi * n / cells * im *
+                                           static_cast<double>(s.first + j));
         }
     }
     const Eigen::Map<const Eigen::VectorXcd> response(waves_.data(), cells);
@@ -128,7 +127,7 @@ EvenPlanes WallOfPlanes::for_body(double thickness_wanted) const {
     if (thickness_wanted < of(best) + thinner_is_better) return best;
     // Upper bound of the part of a body outside of its outer planes, both sides together.
     const double outside = 2.2;
-    const int fewest = static_cast<int>((thickness_wanted - outside) / widest_apart);
+    const int fewest = (thickness_wanted - outside) / widest_apart;
     for (int count = std::max(2, fewest);; ++count) {
         auto [low, high] = range(count);
         const double least = of({count, low});

@@ -99,8 +99,7 @@ coupler::ParticipantReport Participant::make_report() const {
         coupling_ ? coupling_->advances() : session_.clock().steps_here();
     const double advance_s = tasks_.seconds(coupler::advance_fluid);
     if (advances > 0) {
-        fluid.mlups = 1e-6 * static_cast<double>(fluid.cells) *
-                      static_cast<double>(advances) / advance_s;
+        fluid.mlups = 1e-6 * fluid.cells * static_cast<double>(advances) / advance_s;
     }
     report.add(fluid);
     return report;

@@ -61,7 +61,7 @@ void share_fluid_inside(const scene::Scene& scene, coupler::BodyMarkers& mine) {
     for (const scene::Body& body : scene.bodies)
         off_kg_m3.push_back(bodies::off_nodes_kg_m3(scene, bodies::to_body(body)));
     for (coupler::Marker& m : mine.markers) {
-        const double off = off_kg_m3[static_cast<std::size_t>(m.body)];
+        const double off = off_kg_m3[m.body];
         if (mine.measures_force) mine.off_nodes_kg.push_back(off * m.displaced_m3);
         const double share = off / scene.fluid->density_kg_m3;
         m.displaced_m3 *= 1 - share;
@@ -80,13 +80,12 @@ void find_parts(const scene::Scene& scene, const Placed& placed,
         const auto* part = std::get_if<scene::BodyPart>(&integral.over);
         if (!part) continue;
         const auto body = std::ranges::find(scene.bodies, part->body, &scene::Body::name);
-        const auto b = static_cast<int>(body - scene.bodies.begin());
+        const int b = body - scene.bodies.begin();
         const auto in = bodies::elements_of(*part, bodies::to_mesh(*body));
         auto& markers = mine.parts.emplace_back();
         for (std::size_t m = 0; m < mine.placed_index.size(); ++m) {
-            const auto& p = placed[static_cast<std::size_t>(mine.placed_index[m])];
-            if (p.body == b && in[static_cast<std::size_t>(p.point.element)])
-                markers.push_back(m);
+            const auto& p = placed[mine.placed_index[m]];
+            if (p.body == b && in[p.point.element]) markers.push_back(m);
         }
     }
 }
@@ -105,7 +104,7 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
     mine.bodies = scene.bodies.size();
     for (const bodies::PlacedMarker& p : placed) {
         if (p.beyond_m3 != 0) mine.carries_layers = true;
-        const int first_atom = first_node[static_cast<std::size_t>(p.body)];
+        const int first_atom = first_node[p.body];
         if (!engine.owns(p.point.node[0] + first_atom)) continue;
         const coupler::Marker marker = to_marker(p, first_atom, engine);
         const auto stencil = coupler::marker_stencil(
@@ -116,7 +115,7 @@ coupler::BodyMarkers own_markers(const scene::Scene& scene, const Engine& engine
                 {static_cast<int>(mine.markers.size()), p.first_edge, p.second_edge});
         }
         mine.markers.push_back(marker);
-        mine.placed_index.push_back(static_cast<int>(&p - placed.data()));
+        mine.placed_index.push_back(&p - placed.data());
     }
     mine.gravity_m_s2 = bodies::to_gravity(scene).value_or(coupler::Vec3{});
     mine.slip_rates =

@@ -35,7 +35,7 @@ std::vector<LAMMPS_NS::Fix*> keeping_fixes(const LAMMPS_NS::Modify& modify) {
 // Number of values that a fix keeps with each atom: LAMMPS's record of them less the
 // entry for its length.
 std::size_t kept_values(LAMMPS_NS::Fix& fix) {
-    return static_cast<std::size_t>(fix.maxsize_restart() - 1);
+    return fix.maxsize_restart() - 1;
 }
 
 void copy_out(const double* from, int atoms, std::vector<double>& to) {

@@ -49,9 +49,9 @@ std::string joined(const std::vector<std::string>& lines) {
 // Sends the root's list to all ranks. Collective.
 template <class T>
 void broadcast(T& list, MPI_Datatype type, MPI_Comm comm) {
-    auto size = static_cast<int>(list.size());
+    int size = list.size();
     MPI_Bcast(&size, 1, MPI_INT, 0, comm);
-    list.resize(static_cast<std::size_t>(size));
+    list.resize(size);
     MPI_Bcast(list.data(), size, type, 0, comm);
 }
 
@@ -310,7 +310,7 @@ void Participant::run() {
 output::StructureSummary Participant::summary() const {
     output::StructureSummary structure;
     for (const auto& body : run_.input.bodies)
-        structure.elements += static_cast<std::int64_t>(body.mesh.elements.size());
+        structure.elements += body.mesh.elements.size();
     structure.substeps_per_step = run_.substeps.count;
     structure.substeps = session_.clock().step() * run_.substeps.count;
     const std::int64_t substeps =
@@ -327,9 +327,9 @@ output::StructureSummary Participant::summary() const {
             static_cast<double>(std::max<std::int64_t>(1, steps_here));
         const std::int64_t advances =
             run_.coupling ? run_.coupling->advances() : steps_here;
-        structure.ns_per_element_step = 1e9 * seconds /
-                                        (static_cast<double>(advances) * mean_substeps *
-                                         static_cast<double>(structure.elements));
+        structure.ns_per_element_step =
+            1e9 * seconds /
+            (1.0 * advances * mean_substeps * static_cast<double>(structure.elements));
     }
     return structure;
 }

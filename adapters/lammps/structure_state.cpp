@@ -98,7 +98,7 @@ std::optional<structure::FieldProgram> steered(const StructureRun& run,
 void save_structure(const StructureRun& run, StateWriter* file) {
     const MPI_Comm comm = run.session.world().local();
     Engine& engine = *run.engine;
-    const auto atoms = static_cast<std::size_t>(run.atoms);
+    const std::size_t atoms = run.atoms;
     const std::size_t width = engine.node_values();
     const std::vector<double> nodes = engine.gather_nodes(run.atoms);
     if (file) file->table("nodes", nodes, {atoms, width});
@@ -152,7 +152,7 @@ void restore_coupling(const StructureRun& run, const StateReader& file) {
         }
     }
     const auto ratio = file.header().steps_in_one(run.session.clock().step_s());
-    if (ratio > 1) coupling.shorten_last_step(1.0 / static_cast<double>(ratio));
+    if (ratio > 1) coupling.shorten_last_step(1.0 / ratio);
     if (run.balance() && file.has("balance"))
         run.balance()->set(share(file, "balance", run.session.world().local()));
 }

@@ -58,8 +58,7 @@ double largest_drag_rate(const scene::Scene& scene, double coupled_step_s) {
         for (const auto& m : bodies::place_markers(scene, b)) {
             const double kappa = share * scale.drag_coefficient_kg_s(m.volume_m3);
             for (std::size_t a = 0; a < 8; ++a) {
-                drag[static_cast<std::size_t>(m.point.node[a])] +=
-                    m.point.weight[a] * kappa;
+                drag[m.point.node[a]] += m.point.weight[a] * kappa;
             }
         }
         const auto held = structure::held_axes(solids[b]);
@@ -99,7 +98,7 @@ Substeps chosen_substeps(const scene::Scene& scene) {
         s.drag_limit_s = 2 / largest_drag_rate(scene, s.coupled_step_s);
         limit = std::min(limit, drag_margin * s.drag_limit_s);
     }
-    s.count = std::max(1, static_cast<int>(std::ceil(s.coupled_step_s / limit - 1e-9)));
+    s.count = std::max<int>(1, std::ceil(s.coupled_step_s / limit - 1e-9));
     if (scene.coupling && scene.coupling->substeps) {
         const int asked = *scene.coupling->substeps;
         const double step = s.coupled_step_s / asked;

@@ -133,7 +133,7 @@ double known_markers(const scene::Scene& scene, const fluid::Decomposition& part
             return coupler::may_touch(grid, kernel, {box.lo, box.hi}, at);
         });
     }
-    return static_cast<double>(known);
+    return known;
 }
 
 // What the fluid participant will need of memory beside its program and libraries.
@@ -158,8 +158,7 @@ double populations_bytes(const fluid::FluidConfig& config, fluid::Storage storag
     double bytes = 0;
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
-        bytes += static_cast<double>(
-            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage));
+        bytes += fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage);
     }
     return bytes;
 }
@@ -171,7 +170,7 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     const auto levels = level_configs(scene);
     const auto& config = levels.front().front();
     const auto& n = config.cells;
-    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const double cells = 1.0 * n[0] * n[1] * n[2];
     const auto storage = fluid::storage_of(config.precision);
     const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
     FluidMemory memory;
@@ -184,9 +183,9 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
-        memory.populations += static_cast<double>(
-            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage));
-        ghosted_cells += static_cast<double>(rows.nx) * (rows.ny + 2) * (rows.nz + 2);
+        memory.populations +=
+            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage);
+        ghosted_cells += 1.0 * rows.nx * (rows.ny + 2) * (rows.nz + 2);
     }
     if (!config.obstacles.empty())
         memory.held.emplace_back("map of the obstacles", cells * sizeof(short));
@@ -279,7 +278,7 @@ std::string explain(const scene::Scene& scene, int ranks) {
     fluid::check_obstacles(config);
     const LatticeValues v = lattice_values(fluid, config);
     const auto& n = config.cells;
-    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const double cells = 1.0 * n[0] * n[1] * n[2];
     std::string text = table(fluid, v);
     text += sound(fluid, v);
     text += fmt::format("  collision {}\n", fluid::collision_reason(config));

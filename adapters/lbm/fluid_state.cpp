@@ -30,7 +30,7 @@ void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
     MPI_Comm_rank(comm, &rank);
     const auto& boxes = fluid.owned_by_rank();
     for (std::size_t r = 0; r < boxes.size(); ++r) {
-        const auto owner = static_cast<int>(r);
+        const int owner = r;
         if (z < boxes[r].lo[2] || z >= boxes[r].hi[2]) continue;
         if (rank != 0 && rank != owner) continue;
         const std::size_t count = values_of(fluid, boxes[r].hi[1] - boxes[r].lo[1]);
@@ -40,7 +40,7 @@ void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
                       : std::span<double>(sent);
         if (rank == owner) fluid.populations(z, part);
         if (owner == 0) continue;
-        const int n = static_cast<int>(count);
+        const int n = count;
         if (rank == owner) MPI_Send(part.data(), n, MPI_DOUBLE, 0, z, comm);
         if (rank == 0)
             MPI_Recv(part.data(), n, MPI_DOUBLE, owner, z, comm, MPI_STATUS_IGNORE);
@@ -76,7 +76,7 @@ void restore(fluid::Fluid& fluid, const std::string& table, std::int64_t steps_i
             fmt::join(file.shape(table), " x "), fmt::join(shape_of(fluid), " x ")));
     }
     const fluid::CellBox box = fluid.owned();
-    const double step_s = fluid.config().time_step_s * static_cast<double>(steps_in_one);
+    const double step_s = fluid.config().time_step_s * steps_in_one;
     const auto change = fluid::step_change(fluid.config(), step_s);
     std::vector<double> rows(values_of(fluid, box.hi[1] - box.lo[1]));
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {

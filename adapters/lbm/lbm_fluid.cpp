@@ -28,7 +28,7 @@ void mark_obstacles(const fluid::Fluid& fluid, std::span<float> out) {
         const int first = std::max(row.x_begin, box.lo[0]) - box.lo[0];
         const int end = std::min(row.x_end, box.hi[0]) - box.lo[0];
         const int start = ((row.z - box.lo[2]) * ny + row.y - box.lo[1]) * nx;
-        for (int x = first; x < end; ++x) out[static_cast<std::size_t>(start + x)] = 1;
+        for (int x = first; x < end; ++x) out[start + x] = 1;
     }
 }
 

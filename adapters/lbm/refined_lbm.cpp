@@ -50,13 +50,13 @@ std::vector<double> numbers_of(const std::vector<fluid::NestPlaces>& nests) {
 std::vector<fluid::NestPlaces> places_of(const std::vector<double>& numbers,
                                          const fluid::RefinedConfig& config) {
     const auto periodic = fluid::periodic_axes(config.coarse);
-    const auto levels = static_cast<std::size_t>(config.rule.levels);
+    const std::size_t levels = config.rule.levels;
     std::vector<fluid::NestPlaces> nests;
     for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
         fluid::CellBox box;
         for (std::size_t d = 0; d < 3; ++d) {
-            box.lo[d] = static_cast<int>(numbers[i + d]);
-            box.hi[d] = static_cast<int>(numbers[i + 3 + d]);
+            box.lo[d] = numbers[i + d];
+            box.hi[d] = numbers[i + 3 + d];
         }
         if (nests.empty() || nests.back().size() == levels) nests.emplace_back();
         const fluid::LevelPlace below =
@@ -139,14 +139,12 @@ void RefinedLbm::field(scene::FluidField field, std::size_t patch, std::span<flo
     const fluid::Fluid& fluid = fluid_.level(l, nest);
     int rank = 0;
     MPI_Comm_rank(comm_, &rank);
-    const fluid::CellBox inside =
-        fluid_.inside_by_rank(l, nest)[static_cast<std::size_t>(rank)];
+    const fluid::CellBox inside = fluid_.inside_by_rank(l, nest)[rank];
     const fluid::CellBox own = fluid.owned();
     const auto& first = fluid_.place(l, nest).stored.lo;
-    const auto components = static_cast<std::size_t>(scene::components_of(field));
+    const std::size_t components = scene::components_of(field);
     std::array<std::size_t, 3> n{};
-    for (std::size_t d = 0; d < 3; ++d)
-        n[d] = static_cast<std::size_t>(own.hi[d] - own.lo[d]);
+    for (std::size_t d = 0; d < 3; ++d) n[d] = own.hi[d] - own.lo[d];
     std::vector<float> all(components * n[0] * n[1] * n[2]);
     sample(fluid, field, all);
     float* to = out.data();
@@ -154,7 +152,7 @@ void RefinedLbm::field(scene::FluidField field, std::size_t patch, std::span<flo
         for (int y = inside.lo[1]; y < inside.hi[1]; ++y) {
             const auto row = static_cast<std::size_t>(z - first[2] - own.lo[2]) * n[1] +
                              static_cast<std::size_t>(y - first[1] - own.lo[1]);
-            const auto x = static_cast<std::size_t>(inside.lo[0] - first[0]);
+            const std::size_t x = inside.lo[0] - first[0];
             to = std::copy_n(
                 all.data() + components * (row * n[0] + x),
                 components * static_cast<std::size_t>(inside.hi[0] - inside.lo[0]), to);
@@ -176,7 +174,7 @@ output::FluidSummary RefinedLbm::summary() const {
     for (const auto [l, nest] : patches())
         cells +=
             std::ldexp(static_cast<double>(cells_in(fluid_.level(l, nest))), l - finest);
-    summary.cells = static_cast<std::int64_t>(cells);
+    summary.cells = cells;
     summary.relaxation_time = fluid::relaxation_time(config);
     summary.spacing_m = config.spacing_m;
     summary.collision = name_of(fluid::choose_collision(config));

@@ -38,7 +38,7 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s) {
     fluid::FluidConfig config;
     static_cast<fluid::Options&>(config) = fluid;
     for (std::size_t d = 0; d < 3; ++d) {
-        config.cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / fluid.spacing_m));
+        config.cells[d] = std::lround(fluid.box_m[d] / fluid.spacing_m);
     }
     config.spacing_m = fluid.spacing_m;
     config.time_step_s = coupled_step_s * fluid.coupled_steps_in_one();
@@ -118,7 +118,7 @@ LevelConfigs level_configs(const scene::Scene& scene) {
 double cells_of(const std::vector<fluid::FluidConfig>& level) {
     double cells = 0;
     for (const fluid::FluidConfig& grid : level)
-        cells += static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
+        cells += 1.0 * grid.cells[0] * grid.cells[1] * grid.cells[2];
     return cells;
 }
 

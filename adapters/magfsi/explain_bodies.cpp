@@ -169,7 +169,7 @@ void refuse_what_cannot_run(const scene::Scene& scene, const structure::Body& so
 // Throws std::invalid_argument as the run would.
 void check_on_mesh(const scene::Scene& scene, const scene::Body& body,
                    const structure::Body& solid) {
-    const auto elements = static_cast<double>(solid.mesh.elements.size());
+    const double elements = solid.mesh.elements.size();
     scene::require(elements <= scene::max_elements, {fmt::format("body '{}'", body.name)},
                    fmt::format("a mesh of {} elements", elements),
                    fmt::format("at most {:.0f}", scene::max_elements));

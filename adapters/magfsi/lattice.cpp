@@ -86,8 +86,7 @@ std::string table_text(const structure::LatticeFile& lattice) {
     for (std::size_t e = 0; e < lattice.elements.size(); ++e) {
         structure::Vec3 centre{};
         for (const int node : lattice.elements[e]) {
-            for (std::size_t d = 0; d < 3; ++d)
-                centre[d] += lattice.nodes_m[static_cast<std::size_t>(node)][d] / 8;
+            for (std::size_t d = 0; d < 3; ++d) centre[d] += lattice.nodes_m[node][d] / 8;
         }
         text += fmt::format("{},{}\n", fmt::join(centre, ","),
                             fmt::join(lattice.magnetization_a_m[e], ","));

@@ -18,7 +18,7 @@ namespace {
 
 // Time of a checkpoint [s]. Steps of a halved run are counted in its own, shorter steps.
 double time_of(const coupler::StateHeader& header) {
-    return static_cast<double>(header.step) * header.step_s;
+    return 1.0 * header.step * header.step_s;
 }
 
 bool retry(const scene::Scene& scene) {
@@ -73,7 +73,7 @@ void Retries::drop_newest() const {
 // checkpoint already holds the growing instability, so it is deleted.
 bool Retries::again(const std::string& cause) {
     if (!retry(scene_)) return false;
-    const auto done = static_cast<int>(record_.size());
+    const int done = record_.size();
     const int most = scene_.checkpoint->max_retries;
     const std::string fault =
         done == most ? fmt::format("{} of at most {} retries done", done, most)

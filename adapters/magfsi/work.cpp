@@ -105,13 +105,12 @@ StructureWork structure_work(const scene::Scene& scene, int ranks) {
     double magnets = 0, within = 0;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const structure::Body solid = bodies::to_body(scene.bodies[b]);
-        work.elements += static_cast<double>(solid.mesh.elements.size());
-        work.nodes += static_cast<double>(solid.mesh.nodes.size());
-        const auto magnetized = static_cast<double>(solid.magnetization_a_m.size());
+        work.elements += solid.mesh.elements.size();
+        work.nodes += solid.mesh.nodes.size();
+        const double magnetized = solid.magnetization_a_m.size();
         magnets += magnetized;
         within += magnetized * magnetized;
-        if (scene.coupling)
-            work.markers += static_cast<double>(bodies::place_markers(scene, b).size());
+        if (scene.coupling) work.markers += bodies::place_markers(scene, b).size();
     }
     if (scene.dipoles)
         work.dipoles = magnets * magnets - (scene.dipoles->within_bodies ? 0 : within);

@@ -232,10 +232,10 @@ void clear_stock_case(const std::filesystem::path& folder) {
 void write_case(const std::filesystem::path& folder, const scene::Fluid& fluid,
                 const CaseTimes& times) {
     clear_stock_case(folder);
-    write_foam_file(folder, "system", "controlDict", "dictionary",
-                    fmt::format(fmt::runtime(control), times.step_s,
-                                static_cast<double>(times.steps) * times.step_s,
-                                times.steps_between_files));
+    write_foam_file(
+        folder, "system", "controlDict", "dictionary",
+        fmt::format(fmt::runtime(control), times.step_s, 1.0 * times.steps * times.step_s,
+                    times.steps_between_files));
     write_foam_file(folder, "system", "fvSchemes", "dictionary", schemes);
     write_foam_file(folder, "system", "fvSolution", "dictionary", solution);
     write_foam_file(

@@ -51,7 +51,7 @@ std::string explain(const scene::Scene& scene, int /*ranks*/) {
     const double step_s = *scene::coupled_step_s(scene);
     const BoxMesh mesh = to_mesh(fluid, 0, 1);
     const auto n = mesh_cells(mesh);
-    const double cells = static_cast<double>(n[0]) * n[1] * n[2];
+    const double cells = 1.0 * n[0] * n[1] * n[2];
     std::string text = "\nfluid (OpenFOAM, pimpleFoam)                     SI\n";
     text += row("spacing", fmt::format("{:.4g} mm", fluid.spacing_m * 1e3));
     if (fluid.grading)

@@ -122,8 +122,8 @@ struct Part {
 Part part_of(const BoxMesh& mesh, std::size_t axis) {
     Part part;
     part.whole = part.mine = mesh_cells(mesh);
-    part.cut = static_cast<std::size_t>(mesh.cut_axis);
-    const auto rank = static_cast<std::size_t>(mesh.rank);
+    part.cut = mesh.cut_axis;
+    const std::size_t rank = mesh.rank;
     part.first[part.cut] = mesh.first_cell[rank];
     part.mine[part.cut] = mesh.first_cell[rank + 1] - mesh.first_cell[rank];
     if (axis == 3) return part;

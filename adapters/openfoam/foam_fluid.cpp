@@ -63,8 +63,8 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
       mesh_(to_mesh(fluid, rank_in(comm), size_of(comm))),
       cells_(mesh_cells(mesh_)),
       grid_(to_grid(fluid, mesh_)) {
-    const auto cut = static_cast<std::size_t>(mesh_.cut_axis);
-    const auto rank = static_cast<std::size_t>(mesh_.rank);
+    const std::size_t cut = mesh_.cut_axis;
+    const std::size_t rank = mesh_.rank;
     first_[cut] = mesh_.first_cell[rank];
     cells_[cut] = mesh_.first_cell[rank + 1] - first_[cut];
     for (std::size_t d = 0; d < 3; ++d) {
@@ -79,9 +79,7 @@ FoamFluid::FoamFluid(MPI_Comm comm, const scene::Fluid& fluid, const CaseTimes& 
     engine_ = load_engine({way_for_openfoam(case_folder), mesh_});
     if (fluid.body_force_n_m3) begin_force();
     for (int side = 0; side < 6; ++side) {
-        if (fluid.boundaries[static_cast<std::size_t>(side)].kind !=
-            fluid::BoundaryKind::velocity_inlet)
-            continue;
+        if (fluid.boundaries[side].kind != fluid::BoundaryKind::velocity_inlet) continue;
         if (double* faces = engine_->side_velocity(side))
             inlets_.push_back({side, faces, slab_shape(fluid_, mesh_, side)});
     }
@@ -101,8 +99,7 @@ void FoamFluid::begin_force() {
 std::size_t FoamFluid::cell_at(int x, int y, int z) const {
     const std::array<int, 3> at{x, y, z};
     std::array<int, 3> i{};
-    for (std::size_t d = 0; d < 3; ++d)
-        i[d] = cell_of_[d][static_cast<std::size_t>(at[d])] - first_[d];
+    for (std::size_t d = 0; d < 3; ++d) i[d] = cell_of_[d][at[d]] - first_[d];
     return static_cast<std::size_t>(i[0]) +
            static_cast<std::size_t>(cells_[0]) *
                (static_cast<std::size_t>(i[1]) +
@@ -158,7 +155,7 @@ void FoamFluid::clear_force() {
 // a fixed value.
 void FoamFluid::set_inlets(double time_s) {
     for (const Inlet& inlet : inlets_) {
-        const auto& side = fluid_.boundaries[static_cast<std::size_t>(inlet.side)];
+        const auto& side = fluid_.boundaries[inlet.side];
         const double ramp = inlet_ramp(side, time_s);
         for (std::size_t i = 0; i < 3 * inlet.shape.size(); ++i)
             inlet.velocity[i] =
@@ -170,7 +167,7 @@ void FoamFluid::set_inlets(double time_s) {
 // hold for one step.
 void FoamFluid::advance() {
     ++steps_;
-    set_inlets(static_cast<double>(steps_) * step_s_);
+    set_inlets(1.0 * steps_ * step_s_);
     engine_->advance();
     clear_force();
 }
@@ -242,9 +239,8 @@ void FoamFluid::field(scene::FluidField field, std::size_t, std::span<float> out
         for (double& value : made) value *= fluid_.density_kg_m3;
         values = made.data();
     }
-    const auto components = static_cast<std::size_t>(scene::components_of(field));
-    const coupler::CellBox& box =
-        grid_.owned_by_rank[static_cast<std::size_t>(mesh_.rank)].front();
+    const std::size_t components = scene::components_of(field);
+    const coupler::CellBox& box = grid_.owned_by_rank[mesh_.rank].front();
     float* to = out.data();
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
         for (int y = box.lo[1]; y < box.hi[1]; ++y) {
@@ -307,7 +303,7 @@ void FoamFluid::save(coupler::StateWriter* file) {
 // time first.
 void FoamFluid::restore(const coupler::StateReader& file) {
     steps_ = file.header().step;
-    set_inlets(static_cast<double>(steps_) * step_s_);
+    set_inlets(1.0 * steps_ * step_s_);
     engine_->go_back(load_flow(mesh_, file), steps_);
 }
 

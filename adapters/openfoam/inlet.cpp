@@ -130,11 +130,11 @@ Shape shape_of(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
     const Axes axes = plane_axes(side);
     const auto is_here = [&](std::size_t axis, std::size_t cell) {
         if (axis != static_cast<std::size_t>(mesh.cut_axis)) return true;
-        const auto i = static_cast<int>(cell);
-        const auto rank = static_cast<std::size_t>(mesh.rank);
+        const int i = cell;
+        const std::size_t rank = mesh.rank;
         return i >= mesh.first_cell[rank] && i < mesh.first_cell[rank + 1];
     };
-    const fluid::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
+    const fluid::Boundary& inlet = fluid.boundaries[side];
     const auto& a = mesh.planes_m[axes[0]];
     const auto& b = mesh.planes_m[axes[1]];
     Shape shape;
@@ -175,7 +175,7 @@ double inlet_ramp(const fluid::Boundary& side, double time_s) {
 // exprFixedValue evaluates the text for each face and step; the mean of 1 comes from the
 // factor in front.
 std::string inlet_condition(const scene::Fluid& fluid, const BoxMesh& mesh, int side) {
-    const fluid::Boundary& inlet = fluid.boundaries[static_cast<std::size_t>(side)];
+    const fluid::Boundary& inlet = fluid.boundaries[side];
     const auto coordinate = [axes = plane_axes(side)](std::size_t i) {
         return Formula(fmt::format("pos().{}()", "xyz"[axes[i]]));
     };

@@ -27,7 +27,7 @@ std::vector<double> growing(double gap, double max_growth) {
     if (gap < 0.5) return widths;  // gap is a whole number
     int cells = 1;
     while (reach(max_growth, cells) < gap) ++cells;
-    cells = std::min(cells, static_cast<int>(std::lround(gap)));
+    cells = std::min<int>(cells, std::lround(gap));
     double low = 1, high = max_growth;
     for (int i = 0; i < 60; ++i) {  // bisection to the last bit
         const double middle = (low + high) / 2;
@@ -46,7 +46,7 @@ std::vector<double> growing(double gap, double max_growth) {
 // are set to the exact ends of the box.
 std::vector<double> axis_planes(double length_m, double spacing_m,
                                 const UniformPart* uniform) {
-    const auto cells = static_cast<int>(std::lround(length_m / spacing_m));
+    const int cells = std::lround(length_m / spacing_m);
     int from = 0, to = cells;
     constexpr double rounding = 1e-6;  // in cells
     if (uniform) {
@@ -125,11 +125,9 @@ BoxMesh to_mesh(const scene::Fluid& fluid, int rank, int ranks) {
     // The last of axes with equally many cells is cut: its slabs are contiguous in
     // memory.
     for (int d = 0; d < 3; ++d) {
-        if (cells[static_cast<std::size_t>(d)] >=
-            cells[static_cast<std::size_t>(mesh.cut_axis)])
-            mesh.cut_axis = d;
+        if (cells[d] >= cells[mesh.cut_axis]) mesh.cut_axis = d;
     }
-    const int long_side = cells[static_cast<std::size_t>(mesh.cut_axis)];
+    const int long_side = cells[mesh.cut_axis];
     if (ranks > long_side) {
         throw std::invalid_argument(
             fmt::format("--ranks fluid={}: the mesh has {} layers of cells along its "
@@ -147,10 +145,10 @@ coupler::Grid to_grid(const scene::Fluid& fluid, const BoxMesh& mesh) {
     coupler::Grid grid;
     grid.spacing_m = fluid.spacing_m;
     for (std::size_t d = 0; d < 3; ++d) {
-        grid.cells[d] = static_cast<int>(std::lround(fluid.box_m[d] / fluid.spacing_m));
+        grid.cells[d] = std::lround(fluid.box_m[d] / fluid.spacing_m);
         grid.periodic[d] = mesh.sides[2 * d] == SideType::periodic;
     }
-    const auto axis = static_cast<std::size_t>(mesh.cut_axis);
+    const std::size_t axis = mesh.cut_axis;
     const auto cell = cell_of_uniform(mesh.planes_m[axis], fluid.spacing_m);
     for (std::size_t r = 0; r + 1 < mesh.first_cell.size(); ++r) {
         coupler::CellBox box{{}, grid.cells};

@@ -314,7 +314,7 @@ bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m
                  bool between_walls) {
     const auto& turn = body.initial.rotation;
     if (turn && (turn->plane[0] == axis || turn->plane[1] == axis)) return false;
-    const auto d = static_cast<std::size_t>(axis);
+    const std::size_t d = axis;
     const bool periodic = fluid.boundaries[2 * d].kind == BoundaryKind::periodic;
     // No fluid passes through a gap of less than half a cell beside a wall.
     const double gap_m =

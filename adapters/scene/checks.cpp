@@ -117,7 +117,7 @@ void check_plane(const Scene& scene, const std::string& name, const FluidPlane& 
     if (!scene.fluid || scene.fluid->solver != FluidSolver::lbm)
         refuse(marks.key({"probes", "integrals", name, "plane"}),
                "a plane without a fluid of the solver lbm", "it with fluid.solver: lbm");
-    const auto axis = static_cast<std::size_t>(plane.axis);
+    const std::size_t axis = plane.axis;
     const std::string side = metres(scene.fluid->box_m[axis]);
     require(plane.at_m >= 0 && plane.at_m <= scene.fluid->box_m[axis],
             marks.value({"probes", "integrals", name, "plane", "at"}),

@@ -164,7 +164,7 @@ Found analyse(std::string_view text) {
                 std::abs(ratio / std::pow(other_unit, now) - 1) > tolerance)
                 return {.scales = false, .dimension = {}};
         }
-        (*found.dimension)[unit] = static_cast<int>(power.value_or(0));
+        (*found.dimension)[unit] = power.value_or(0);
     }
     if (zero) found.dimension.reset();
     return found;

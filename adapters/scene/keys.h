@@ -92,9 +92,7 @@ class JsonWriter {
     }
     // Formulas are written as the user gave them.
     void write(structure::Formula& value) { json_ = value.written; }
-    void write(AxisRef& value) {
-        json_ = axis_names[static_cast<std::size_t>(value.axis)];
-    }
+    void write(AxisRef& value) { json_ = axis_names[value.axis]; }
     void write(PlaneRef& value) {
         for (const std::string_view plane : plane_names) {
             if (plane[0] - 'x' == value.axes[0] && plane[1] - 'x' == value.axes[1])

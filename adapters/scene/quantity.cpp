@@ -23,8 +23,7 @@ std::string format_si(double value, std::string_view si_unit) {
         return fmt::format("{:.6g}{}{}", value, si_unit.empty() ? "" : " ", si_unit);
     constexpr std::string_view prefix[] = {"n", "u", "m", "", "k", "M", "G"};
     // The small shift makes 0.001 m print as 1 mm, however its logarithm rounds.
-    const int thousands =
-        static_cast<int>(std::floor(std::log10(std::abs(value)) / 3 + 1e-9));
+    const int thousands = std::floor(std::log10(std::abs(value)) / 3 + 1e-9);
     const int step = std::min(std::max(thousands, -3), 3);
     return fmt::format("{:.6g} {}{}", value / std::pow(10.0, 3 * step), prefix[step + 3],
                        si_unit);
@@ -193,9 +192,9 @@ double parse_quantity(std::string_view raw, std::string_view si_unit) {
     const Unit unit = parse_unit(number.rest);
     // Magnets are specified by their remanence Br = mu0 M [T], from which M follows.
     if (si_unit == "A/m" && unit.dimension == parse_unit("T").dimension) {
-        const auto magnetization = static_cast<double>(
+        const double magnetization =
             rounded<long double>(number, unit.decimal_exponent, text) /
-            (4e-7L * std::numbers::pi_v<long double>));
+            (4e-7L * std::numbers::pi_v<long double>);
         check_size({magnetization, expected.dimension}, text);
         return magnetization;
     }

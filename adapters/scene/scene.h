@@ -277,7 +277,7 @@ constexpr int components_of(FluidField field) {
 }
 constexpr std::string_view unit_of(FluidField field) {
     constexpr std::string_view units[] = {"m/s", "kg/m3", "1/s", "Pa", "1"};
-    return units[static_cast<std::size_t>(field)];
+    return units[field];
 }
 
 // Fields that structure files can have.

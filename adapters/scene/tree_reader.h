@@ -82,9 +82,7 @@ class TreeReader {
         value = static_cast<E>(choice_value(*node_, *field_));
     }
     // An axis is stored as an index, a plane as the indices of its two axes.
-    void read(AxisRef& value) {
-        value.axis = static_cast<int>(choice_value(*node_, *field_));
-    }
+    void read(AxisRef& value) { value.axis = choice_value(*node_, *field_); }
     void read(PlaneRef& value) {
         const std::string_view plane = plane_names[choice_value(*node_, *field_)];
         value.axes = {plane[0] - 'x', plane[1] - 'x'};

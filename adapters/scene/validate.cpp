@@ -169,7 +169,7 @@ std::size_t choice_value(const Node& scalar, const Field& field) {
     if (found == field.choices.end())
         refuse(scalar.origin, fmt::format("{} as {}", describe(scalar), field.name),
                expectation(field), advice_on_word(scalar.scalar, field));
-    return static_cast<std::size_t>(found - field.choices.begin());
+    return found - field.choices.begin();
 }
 
 namespace {

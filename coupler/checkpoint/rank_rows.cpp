@@ -17,13 +17,13 @@ int rank_in(MPI_Comm comm) {
 std::size_t size_of(MPI_Comm comm) {
     int size = 1;
     MPI_Comm_size(comm, &size);
-    return static_cast<std::size_t>(size);
+    return size;
 }
 
 // What each rank has, one after the other, on the root.
 template <class T>
 std::vector<T> gather_all(MPI_Comm comm, std::span<const T> mine, MPI_Datatype type) {
-    const int count = static_cast<int>(mine.size());
+    const int count = mine.size();
     std::vector<int> counts(size_of(comm)), starts(counts);
     MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
     std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
@@ -57,7 +57,7 @@ std::vector<double> gather_shares(MPI_Comm comm, std::span<const double> mine) {
 
 std::vector<double> share_of(MPI_Comm comm, std::span<const double> rows,
                              std::size_t ranks_then) {
-    const auto rank = static_cast<std::size_t>(rank_in(comm));
+    const std::size_t rank = rank_in(comm);
     const std::size_t width = rows.size() / ranks_then;
     std::vector<double> share(width, 0.0);
     for (std::size_t r = 0; r < ranks_then; ++r) {

@@ -99,7 +99,7 @@ void check_end(const fs::path& file, const StateHeader& header, const RunPlan& p
     throw std::invalid_argument(fmt::format(
         "--restart: {} is of {:.6g} s, the run ends at {:.6g} s; give a later time.end, "
         "or an earlier checkpoint's file",
-        file.string(), static_cast<double>(header.step) * header.step_s, plan.end_s));
+        file.string(), 1.0 * header.step * header.step_s, plan.end_s));
 }
 
 // Throws StateFault on what latest may skip.

@@ -153,7 +153,7 @@ Hdf5Handle create_file(const std::string& path) {
 
 Hdf5Handle create_table(hid_t file, const std::string& name, const Sizes& shape,
                         const Sizes& chunk, hid_t type) {
-    const auto rank = static_cast<int>(shape.size());
+    const int rank = shape.size();
     const Hdf5Handle space(checked(H5Screate_simple(rank, shape.data(), nullptr), name),
                            &H5Sclose);
     const Hdf5Handle how(checked(H5Pcreate(H5P_DATASET_CREATE), name), &H5Pclose);

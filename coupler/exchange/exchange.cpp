@@ -69,13 +69,13 @@ void receive_from(const World& world, const std::vector<int>& ranks, int tag,
     wait_for_messages(world.partner(), ranks, tag, timeout_s, what);
     std::vector<MPI_Request> requests(sending);
     for (const int rank : ranks) {
-        auto& message = in[static_cast<std::size_t>(rank)];
+        auto& message = in[rank];
         if (message.empty()) {
             MPI_Status status;
             int numbers = 0;
             MPI_Probe(rank, tag, world.partner(), &status);
             MPI_Get_count(&status, MPI_DOUBLE, &numbers);
-            message.resize(static_cast<std::size_t>(numbers));
+            message.resize(numbers);
         }
         MPI_Irecv(message.data(), static_cast<int>(message.size()), MPI_DOUBLE, rank, tag,
                   world.partner(), &requests.emplace_back());
@@ -99,10 +99,10 @@ std::vector<double> to_numbers(const std::vector<std::vector<CellBox>>& by_rank)
 
 void from_numbers(const double* number, std::vector<std::vector<CellBox>>& by_rank) {
     for (auto& boxes : by_rank) {
-        boxes.resize(static_cast<std::size_t>(*number++));
+        boxes.resize(*number++);
         for (CellBox& box : boxes) {
-            for (int& low : box.lo) low = static_cast<int>(*number++);
-            for (int& high : box.hi) high = static_cast<int>(*number++);
+            for (int& low : box.lo) low = *number++;
+            for (int& high : box.hi) high = *number++;
         }
     }
 }
@@ -118,7 +118,7 @@ constexpr std::size_t answer_at(std::size_t i) {
 void write_volumes(std::vector<double>& message, const std::vector<int>& markers,
                    std::span<const double> volume_m3) {
     for (std::size_t i = 0; i < markers.size(); ++i)
-        message[volume_at(i)] = volume_m3[static_cast<std::size_t>(markers[i])];
+        message[volume_at(i)] = volume_m3[markers[i]];
 }
 
 void read_volumes(const std::vector<double>& message, std::span<double> volume_m3) {
@@ -140,7 +140,7 @@ void add_answer(const std::vector<double>& message, const std::vector<int>& mark
                 NoSlipAnswer& answer) {
     for (std::size_t i = 0; i < markers.size(); ++i) {
         const double* at = message.data() + answer_at(i);
-        const auto m = static_cast<std::size_t>(markers[i]);
+        const std::size_t m = markers[i];
         answer.row_sum[m] += at[0];
         for (std::size_t d = 0; d < 3; ++d) answer.passed[m][d] += at[1 + d];
     }
@@ -159,7 +159,7 @@ void check_header(std::span<const double> message, const Occasion& when,
                   std::size_t markers, const std::string& sender) {
     const Occasion got(static_cast<std::int64_t>(message[0]),
                        static_cast<int>(message[1]));
-    const auto got_markers = static_cast<std::size_t>(message[2]);
+    const std::size_t got_markers = message[2];
     const bool now = got.step == when.step && got.iteration == when.iteration;
     if (now && got_markers == markers) return;
     throw PartnerLost(
@@ -188,7 +188,7 @@ StructureExchange::~StructureExchange() {
 void StructureExchange::let_follow(std::int64_t step, std::span<const Vec3> points_m) {
     std::vector<Box> mine(bodies_, no_box());
     for (std::size_t m = 0; m < points_m.size(); ++m) {
-        const auto body = static_cast<std::size_t>(body_of_.empty() ? 0 : body_of_[m]);
+        const std::size_t body = body_of_.empty() ? 0 : body_of_[m];
         widen(mine[body], points_m[m], points_m[m]);
     }
     std::vector<MPI_Request> sending;
@@ -211,9 +211,9 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
     partners_.clear();
     for (std::size_t f = 0; f < table_.size(); ++f) {
         const std::size_t markers = table_[f].size();
-        mine[f] = static_cast<int>(markers);
+        mine[f] = markers;
         if (markers == 0) continue;
-        partners_.push_back(static_cast<int>(f));
+        partners_.push_back(f);
         out_[f].resize(message_header + marker_values_of(forcing_) * markers);
         in_[f].resize(message_header + velocity_values_of(forcing_) * markers);
     }
@@ -228,11 +228,11 @@ void StructureExchange::send(const Occasion& when, std::span<const Vec3> before_
     check_margin(grid_, renewed_at_, now_m, when.step);
     sending_.clear();
     for (const int partner : partners_) {
-        const auto f = static_cast<std::size_t>(partner);
+        const std::size_t f = partner;
         write_header(out_[f], when, table_[f].size());
         double* at = out_[f].data() + message_header;
         for (const int marker : table_[f]) {
-            const auto m = static_cast<std::size_t>(marker);
+            const std::size_t m = marker;
             put(at, before_m[m]);
             put(at + 3, impulse[m]);
             put(at + 6, now_m[m]);
@@ -252,11 +252,11 @@ void StructureExchange::receive(const Occasion& when, std::span<Vec3> velocity,
         *more = {std::vector<double>(velocity.size()),
                  std::vector<Vec3>(velocity.size())};
     for (const int partner : partners_) {
-        const auto f = static_cast<std::size_t>(partner);
+        const std::size_t f = partner;
         check_header(in_[f], when, table_[f].size(), fmt::format("fluid rank {}", f));
         const double* at = in_[f].data() + message_header;
         for (const int marker : table_[f]) {
-            const auto m = static_cast<std::size_t>(marker);
+            const std::size_t m = marker;
             for (std::size_t d = 0; d < 3; ++d) velocity[m][d] += at[d];
             at += velocity_values_of(forcing_);
         }
@@ -292,12 +292,11 @@ void FluidExchange::renew(std::int64_t step) {
     partners_.clear();
     for (std::size_t s = 0; s < count_.size(); ++s) {
         if (count_[s] == 0) continue;
-        partners_.push_back(static_cast<int>(s));
-        const auto markers = static_cast<std::size_t>(count_[s]);
+        partners_.push_back(s);
+        const std::size_t markers = count_[s];
         in_[s].resize(message_header + marker_values_of(forcing_) * markers);
     }
-    const auto total =
-        static_cast<std::size_t>(std::accumulate(count_.begin(), count_.end(), 0));
+    const std::size_t total = std::accumulate(count_.begin(), count_.end(), 0);
     batch_.before_m.resize(total);
     batch_.impulse.resize(total);
     batch_.now_m.resize(total);
@@ -337,8 +336,8 @@ const MarkerBatch& FluidExchange::receive(const Occasion& when, bool stays) {
                  fmt::format("structure markers of step {}", when.step));
     std::size_t m = 0;
     for (const int partner : partners_) {
-        const auto s = static_cast<std::size_t>(partner);
-        const auto count = static_cast<std::size_t>(count_[s]);
+        const std::size_t s = partner;
+        const std::size_t count = count_[s];
         check_header(in_[s], when, count, fmt::format("structure rank {}", s));
         const double* at = in_[s].data() + message_header;
         for (std::size_t i = 0; i < count; ++i, ++m, at += marker_values_of(forcing_)) {
@@ -356,8 +355,8 @@ void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity,
                          const NoSlipAnswer* more) {
     std::size_t m = 0;
     for (const int partner : partners_) {
-        const auto s = static_cast<std::size_t>(partner);
-        const auto count = static_cast<std::size_t>(count_[s]);
+        const std::size_t s = partner;
+        const std::size_t count = count_[s];
         // Not in renew: the last velocities may still be under way then.
         out_[s].resize(message_header + velocity_values_of(forcing_) * count);
         write_header(out_[s], when, count);

@@ -110,7 +110,7 @@ class StructureExchange {
                  NoSlipAnswer* more = nullptr);
 
     // Fluid ranks this rank exchanges messages with at present.
-    int partners() const { return static_cast<int>(partners_.size()); }
+    int partners() const { return partners_.size(); }
 
   private:
     void renew(std::int64_t step, std::span<const Vec3> points_m);

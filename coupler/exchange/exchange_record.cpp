@@ -76,7 +76,7 @@ RecordReader::RecordReader(const std::filesystem::path& path)
         throw std::invalid_argument(fmt::format("{}: not a record of an exchange ({})",
                                                 path_.string(), e.what()));
     }
-    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path_));
+    const std::int64_t size = std::filesystem::file_size(path_);
     entries_ = (size - offset_) / static_cast<std::int64_t>(entry_bytes());
 }
 
@@ -98,7 +98,7 @@ RecordEntry RecordReader::read(std::int64_t entry) {
         throw std::runtime_error(fmt::format("cannot read {}", path_.string()));
     }
     RecordEntry result;
-    result.step = static_cast<std::int64_t>(all.front());
+    result.step = all.front();
     const double* at = all.data() + 1 + header_.numbers;
     result.numbers.assign(all.begin() + 1,
                           all.begin() + 1 + static_cast<std::ptrdiff_t>(header_.numbers));

@@ -22,7 +22,7 @@ bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& 
     const int reach = support(kernel) / 2 + 1 + grid.renewal.margin_cells;
     for (std::size_t d = 0; d < 3; ++d) {
         const int n = grid.cells[d];
-        int cell = static_cast<int>(std::floor(point_m[d] / grid.spacing_m));
+        int cell = std::floor(point_m[d] / grid.spacing_m);
         if (grid.periodic[d]) cell -= n * static_cast<int>(std::floor(double(cell) / n));
         const int lo = cell - reach;
         const int hi = cell + reach + 1;
@@ -47,7 +47,7 @@ std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
             if (std::ranges::any_of(boxes, [&](const CellBox& box) {
                     return may_touch(grid, kernel, box, points_m[m]);
                 }))
-                table[rank].push_back(static_cast<int>(m));
+                table[rank].push_back(m);
         }
     }
     return table;

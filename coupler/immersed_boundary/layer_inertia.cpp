@@ -30,7 +30,7 @@ LayerInertia::LayerInertia(std::span<const Marker> markers,
       mean_of_mean_(markers.size()),
       given_(markers.size()) {
     for (const MarkerArea& area : areas) {
-        const Marker& marker = markers[static_cast<std::size_t>(area.marker)];
+        const Marker& marker = markers[area.marker];
         if (marker.beyond_m3 != 0)
             layer_.push_back({marker, area, fluid_density_kg_m3 * marker.beyond_m3});
     }
@@ -38,7 +38,7 @@ LayerInertia::LayerInertia(std::span<const Marker> markers,
 
 void LayerInertia::start(std::span<const Vec3> fluid_velocity, const double* position) {
     for (const Beyond& beyond : layer_) {
-        const auto m = static_cast<std::size_t>(beyond.area.marker);
+        const std::size_t m = beyond.area.marker;
         last_along_[m] =
             along(fluid_velocity[m], area_vector(beyond.marker, beyond.area, position));
     }
@@ -48,7 +48,7 @@ void LayerInertia::add(std::span<const Vec3> impulse, std::span<const Vec3> mean
                        const double* position) {
     std::ranges::copy(impulse, given_.begin());
     for (const Beyond& beyond : layer_) {
-        const auto m = static_cast<std::size_t>(beyond.area.marker);
+        const std::size_t m = beyond.area.marker;
         const Vec3 now =
             along(mean_velocity[m], area_vector(beyond.marker, beyond.area, position));
         for (std::size_t d = 0; d < 3; ++d) {

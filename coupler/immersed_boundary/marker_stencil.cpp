@@ -26,8 +26,8 @@ Stencil1D cut_at_walls(const Stencil1D& s, int cells) {
     cut.count = std::min(s.first + s.count, cells) - cut.first;
     double sum = 0;
     for (int k = 0; k < cut.count; ++k) {
-        const auto from = static_cast<std::size_t>(cut.first - s.first + k);
-        cut.weight[static_cast<std::size_t>(k)] = s.weight[from];
+        const std::size_t from = cut.first - s.first + k;
+        cut.weight[k] = s.weight[from];
         sum += s.weight[from];
     }
     for (double& w : cut.weight) w /= sum;
@@ -115,9 +115,7 @@ double SolidCells::fluid_share(const MarkerStencil& stencil) const {
         for (int j = 0; j < sy.count; ++j) {
             const int y = wrapped(sy.first + j, cells_[1]);
             for (int i = 0; i < sx.count; ++i) {
-                const double weight = sx.weight[static_cast<std::size_t>(i)] *
-                                      sy.weight[static_cast<std::size_t>(j)] *
-                                      sz.weight[static_cast<std::size_t>(k)];
+                const double weight = sx.weight[i] * sy.weight[j] * sz.weight[k];
                 if (weight == 0) continue;
                 if (at(wrapped(sx.first + i, cells_[0]), y, z))
                     met = true;

@@ -36,7 +36,7 @@ struct Stencil1D {
 
 // Without a call or a branch: every marker needs three of them a step.
 inline int floor_of(double x) {
-    const int toward_zero = static_cast<int>(x);
+    const int toward_zero = x;
     return toward_zero - (x < toward_zero);
 }
 

@@ -35,7 +35,7 @@ Vec3 area_vector(const Marker& marker, const MarkerArea& area, const double* nod
 void SlipRecord::add(std::span<const Marker> markers,
                      std::span<const Vec3> fluid_velocity, std::span<const Vec3> velocity,
                      const double* position) {
-    markers_ = static_cast<std::int64_t>(markers.size());
+    markers_ = markers.size();
     double& slip2 = slip2_.emplace_back(0);
     for (std::size_t m = 0; m < markers.size(); ++m) {
         const Vec3 slip = difference(fluid_velocity[m], velocity[m]);
@@ -44,7 +44,7 @@ void SlipRecord::add(std::span<const Marker> markers,
     }
     surface_m2_ = 0;
     for (const MarkerArea& area : areas_) {
-        const auto m = static_cast<std::size_t>(area.marker);
+        const std::size_t m = area.marker;
         const Vec3 a = area_vector(markers[m], area, position);
         const Vec3 slip = difference(fluid_velocity[m], velocity[m]);
         leakage_m3_s_ += 0.5 * std::abs(dot(slip, a));
@@ -60,8 +60,8 @@ SlipReport SlipRecord::collect(MPI_Comm comm) const {
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE,
                   MPI_SUM, comm);
     if (report.samples == 0 || report.markers == 0) return report;
-    const auto samples = static_cast<double>(report.samples);
-    const auto markers = static_cast<double>(report.markers);
+    const double samples = report.samples;
+    const double markers = report.markers;
     double total = 0, largest = 0;
     for (std::size_t s = 0; s < slip2_.size(); ++s) {
         total += sums[s];

@@ -58,8 +58,7 @@ void TouchedRows::for_each_run(std::size_t marker, Visit&& visit) const {
         for (int j = 0; j < sy.count; ++j) {
             const int y = from_box(box, sy.first + j, 1);
             if (y < box.lo[1] || y >= box.hi[1]) continue;
-            const double wyz = sy.weight[static_cast<std::size_t>(j)] *
-                               sz.weight[static_cast<std::size_t>(k)] / share;
+            const double wyz = sy.weight[j] * sz.weight[k] / share;
             for (std::size_t p = 0; p < pieces; ++p) {
                 if (share == 1) {
                     visit(mine.slot(y, z), runs[p], wyz);
@@ -100,14 +99,14 @@ std::size_t TouchedRows::runs_along_x(const CellBox& box, const Stencil1D& sx,
 
 void TouchedRows::widen(const Part& part, int y, int z, int x_begin, int x_end) {
     const int slot = part.slot(y, z);
-    int& row = row_of_[static_cast<std::size_t>(slot)];
+    int& row = row_of_[slot];
     if (row < 0) {
-        row = static_cast<int>(rows_.size());
+        row = rows_.size();
         rows_.push_back({y, z, x_begin, x_end});
         slot_of_.push_back(slot);
         return;
     }
-    GridRow& r = rows_[static_cast<std::size_t>(row)];
+    GridRow& r = rows_[row];
     if (x_begin < r.x_begin) r.x_begin = x_begin;
     if (x_end > r.x_end) r.x_end = x_end;
 }
@@ -164,7 +163,7 @@ bool TouchedRows::is_plain(std::size_t marker) const {
 }
 
 void TouchedRows::place(std::span<const Vec3> points_m) {
-    for (const int slot : slot_of_) row_of_[static_cast<std::size_t>(slot)] = -1;
+    for (const int slot : slot_of_) row_of_[slot] = -1;
     rows_.clear();
     slot_of_.clear();
     points_m_.assign(points_m.begin(), points_m.end());
@@ -189,8 +188,8 @@ bool TouchedRows::placed_at(std::span<const Vec3> points_m) const {
 }
 
 std::size_t TouchedRows::first_value(int at, int x) const {
-    const auto row = static_cast<std::size_t>(row_of_[static_cast<std::size_t>(at)]);
-    return static_cast<std::size_t>(3 * (origin_[row] + x));
+    const std::size_t row = row_of_[at];
+    return 3 * (origin_[row] + x);
 }
 
 // Loops of constant length become a few vector instructions.
@@ -293,14 +292,14 @@ void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> v
                              double factor, std::span<double> to) const {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const GridRow& mine = rows_[r];
-        const int at = other.row_of_[static_cast<std::size_t>(slot_of_[r])];
+        const int at = other.row_of_[slot_of_[r]];
         if (at < 0) continue;
-        const auto o = static_cast<std::size_t>(at);
+        const std::size_t o = at;
         const GridRow& theirs = other.rows_[o];
         const int end = std::min(mine.x_end, theirs.x_end);
         for (int x = std::max(mine.x_begin, theirs.x_begin); x < end; ++x) {
-            const auto cell = static_cast<std::size_t>(origin_[r] + x);
-            const auto from = static_cast<std::size_t>(other.origin_[o] + x);
+            const std::size_t cell = origin_[r] + x;
+            const std::size_t from = other.origin_[o] + x;
             for (std::size_t d = 0; d < 3; ++d)
                 to[3 * cell + d] += factor * values[3 * from + d];
         }

@@ -65,9 +65,7 @@ class TouchedRows {
     void place_each();
     // The part of which a marker touches cells; with one alone, that.
     int part_of(const MarkerStencil& stencil) const;
-    const Part& part(std::size_t marker) const {
-        return parts_[static_cast<std::size_t>(part_of_[marker])];
-    }
+    const Part& part(std::size_t marker) const { return parts_[part_of_[marker]]; }
     // Whether the marker touches kernel_ cells along each axis, all of them of this rank,
     // one beside the other.
     bool is_plain(std::size_t marker) const;

@@ -24,7 +24,7 @@ File::File(std::filesystem::path path, Open how) : path_(std::move(path)) {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | start | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw FileError(path_, errno);
     const off_t end = how == Open::append ? ::lseek(descriptor_, 0, SEEK_END) : 0;
-    if (end > 0) size_bytes_ = static_cast<std::size_t>(end);
+    if (end > 0) size_bytes_ = end;
 }
 
 File::~File() {
@@ -37,7 +37,7 @@ void File::write(std::span<const std::byte> bytes) {
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) throw FileError(path_, errno);
         size_bytes_ += static_cast<std::size_t>(written);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
+        bytes = bytes.subspan(written);
     }
 }
 

@@ -74,7 +74,7 @@ std::string Progress::line(std::int64_t steps_done, double now_s) const {
                                                static_cast<double>(goal_.steps)
                                          : 1.0;
     const double elapsed_s = now_s - start_s_;
-    const auto done_here = static_cast<double>(steps_done - goal_.first_step);
+    const double done_here = steps_done - goal_.first_step;
     const double rate = elapsed_s > 0 ? done_here / elapsed_s : 0;
     const double left_s = static_cast<double>(goal_.steps - steps_done) / rate;
     return fmt::format("{:3d} %   {:.4g} of {:.4g} s   {:.4g} steps/s   {} left",
@@ -120,7 +120,7 @@ void Progress::finish(std::int64_t steps_done) {
 
 std::string duration_text(double seconds) {
     if (!std::isfinite(seconds)) return "?";
-    const auto whole = static_cast<std::int64_t>(std::ceil(std::max(0.0, seconds)));
+    const std::int64_t whole = std::ceil(std::max(0.0, seconds));
     const auto hours = whole / 3600, minutes = whole / 60 % 60, rest = whole % 60;
     if (hours > 0) return fmt::format("{}:{:02d}:{:02d}", hours, minutes, rest);
     return fmt::format("{}:{:02d}", minutes, rest);

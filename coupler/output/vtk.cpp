@@ -241,7 +241,7 @@ std::vector<std::int64_t> connectivity(std::span<const std::array<int, 8>> hexah
     out.reserve(8 * hexahedra.size());
     for (const auto& hexahedron : hexahedra)
         for (const int a : lexicographic_of_vtk) {
-            const int point = hexahedron[static_cast<std::size_t>(a)];
+            const int point = hexahedron[a];
             if (point < 0 || static_cast<std::size_t>(point) >= points)
                 throw std::invalid_argument(
                     fmt::format("hexahedron {} names point {}; there are {} points",

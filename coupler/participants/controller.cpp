@@ -79,9 +79,9 @@ std::string Controller::ask(std::int64_t step, double time_s,
         answer = request(Request::step, content,
                          fmt::format("answer of the controller at t = {:.6g} s", time_s));
     }
-    auto size = static_cast<int>(answer.size());
+    int size = answer.size();
     MPI_Bcast(&size, 1, MPI_INT, 0, world_.local());
-    answer.resize(static_cast<std::size_t>(size));
+    answer.resize(size);
     MPI_Bcast(answer.data(), size, MPI_CHAR, 0, world_.local());
     return answer;
 }

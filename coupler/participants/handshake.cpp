@@ -60,7 +60,7 @@ void shake_hands(const World& world, const Agreement& mine, double timeout_s) {
 
 std::string swap_text(const World& world, const std::string& mine, double timeout_s,
                       const char* what) {
-    const auto my_size = static_cast<std::int64_t>(mine.size());
+    const std::int64_t my_size = mine.size();
     std::int64_t size = 0;
     swap_with_partner(world, &my_size, sizeof my_size, &size, sizeof size, timeout_s,
                       what);

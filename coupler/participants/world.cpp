@@ -75,10 +75,10 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
     joined();
     int world_rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &world_rank);
-    const Member& mine = all[static_cast<std::size_t>(world_rank)];
+    const Member& mine = all[world_rank];
     check_own_side(self, mine, all);
-    processes_here_ = static_cast<int>(std::ranges::count(
-        all, mine.process.machine, [](const Member& m) { return m.process.machine; }));
+    processes_here_ = std::ranges::count(
+        all, mine.process.machine, [](const Member& m) { return m.process.machine; });
     MPI_Comm_split(MPI_COMM_WORLD, static_cast<int>(self), world_rank, &local_);
     MPI_Comm_rank(local_, &rank_);
     MPI_Comm_size(local_, &size_);
@@ -86,8 +86,7 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
     // A controller is the structure's: the fluid knows nothing of it.
     const int controller = first_rank(all, Role::control);
     if (self == Role::structure) join_controller(controller, controller_expected);
-    if (controller_ != MPI_COMM_NULL)
-        controller_process_ = all[static_cast<std::size_t>(controller)].process;
+    if (controller_ != MPI_COMM_NULL) controller_process_ = all[controller].process;
     Awaited awaited{.partner = to_string(other())};
     std::vector<ProcessId> partner;
     for (const Member& member : all) {
@@ -114,7 +113,7 @@ bool World::partner_notifies(const std::vector<ProcessId>& partner) {
 void World::send(const void* data, int count, MPI_Datatype type, int rank, int tag,
                  MPI_Request* request) const {
     MPI_Isend(data, count, type, rank, tag, partner_, request);
-    if (!notified_.empty()) notifier_.notify(notified_[static_cast<std::size_t>(rank)]);
+    if (!notified_.empty()) notifier_.notify(notified_[rank]);
 }
 
 void World::receive_from_root(void* data, int count, MPI_Datatype type, int tag,

@@ -19,7 +19,7 @@ constexpr int convergence_tag = 75;
 
 // The norm of as many velocities of this size in the markers of all ranks.
 double norm_of_all(MPI_Comm comm, double size, std::size_t markers) {
-    double count = static_cast<double>(markers);
+    double count = markers;
     MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_DOUBLE, MPI_SUM, comm);
     return size * std::sqrt(count);
 }

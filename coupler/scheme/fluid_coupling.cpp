@@ -14,11 +14,9 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
       exchange_(session.world(), session.timeout_s(),
                 options_.immersed_boundary.forcing.value(),
                 fluid.grid().follows ? &fluid : nullptr),
-      boundary_(
-          fluid,
-          fluid.grid().owned_by_rank[static_cast<std::size_t>(session.world().rank())],
-          options_.immersed_boundary.kernel, session.clock().step_s(),
-          options_.immersed_boundary.forcing.value()) {
+      boundary_(fluid, fluid.grid().owned_by_rank[session.world().rank()],
+                options_.immersed_boundary.kernel, session.clock().step_s(),
+                options_.immersed_boundary.forcing.value()) {
     if (options_.immersed_boundary.forcing == Forcing::no_slip) answer_.emplace();
     if (session.plan().interface_balance) balance_ = std::make_unique<BalanceRecord>();
     swap_text(session.world(), to_text(fluid.grid()), no_timeout_s,
@@ -47,7 +45,7 @@ void FluidCoupling::receive_markers() {
 
 void FluidCoupling::take_place() {
     if (!fluid_.grid().follows) return;
-    const auto rank = static_cast<std::size_t>(session_.world().rank());
+    const std::size_t rank = session_.world().rank();
     const bool moved = boundary_.own(fluid_.grid().owned_by_rank[rank]);
     if (!moved || felt_.empty()) return;
     boundary_.sample(batch_->before_m);

@@ -36,7 +36,7 @@ std::vector<Vec3> StructureCoupling::force_on_bodies() {
     solver_.renew_ghost_velocities();
     std::vector<Vec3> sum(markers_.bodies);
     for (std::size_t m = 0; m < force_.markers().size(); ++m)
-        add_to(sum[static_cast<std::size_t>(force_.markers()[m].body)], force_on(m));
+        add_to(sum[force_.markers()[m].body], force_on(m));
     return over_ranks(std::move(sum), session_.world().local());
 }
 
@@ -46,9 +46,8 @@ std::vector<Vec3> StructureCoupling::torque_on_bodies() {
     for (std::size_t m = 0; m < force_.markers().size(); ++m) {
         const Marker& marker = force_.markers()[m];
         const Vec3 f = force_on(m), x = at_marker(marker, solver_.positions());
-        add_to(sum[static_cast<std::size_t>(marker.body)],
-               {x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2],
-                x[0] * f[1] - x[1] * f[0]});
+        add_to(sum[marker.body], {x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2],
+                                  x[0] * f[1] - x[1] * f[0]});
     }
     return over_ranks(std::move(sum), session_.world().local());
 }

@@ -29,7 +29,7 @@ Matrix joint_triangle(MPI_Comm comm, const Matrix& mine) {
     const Matrix r = triangle(mine);
     if (size == 1) return r;
     Matrix all(rank == 0 ? size * r.rows() : 0, r.cols());
-    const int count = static_cast<int>(r.size());
+    const int count = r.size();
     MPI_Gather(r.data(), count, MPI_DOUBLE, all.data(), count, MPI_DOUBLE, 0, comm);
     return rank == 0 ? triangle(all) : r;
 }
@@ -64,7 +64,7 @@ void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
         std::vector<Eigen::Index> with_residual(columns);
         with_residual.push_back(n);
         const Matrix t = triangle(take(r, with_residual));
-        const auto m = static_cast<Eigen::Index>(columns.size());
+        const Eigen::Index m = columns.size();
         const Matrix square = t.topLeftCorner(m, m);
         const Eigen::Index drop = first_to_drop(square, filter, limit);
         if (drop >= 0) {
@@ -74,7 +74,7 @@ void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
         const Eigen::VectorXd c =
             square.triangularView<Eigen::Upper>().solve(-t.col(m).head(m));
         for (Eigen::Index i = 0; i < m; ++i) {
-            const auto column = static_cast<std::size_t>(columns[std::size_t(i)]);
+            const std::size_t column = columns[std::size_t(i)];
             coefficient[column] = c(i);
             kept[column] = 1;
         }

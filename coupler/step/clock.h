@@ -23,7 +23,7 @@ class Clock {
     std::int64_t steps() const { return steps_; }
     std::int64_t step() const { return step_; }
     double time_s() const { return time_s(step_); }
-    double time_s(std::int64_t step) const { return static_cast<double>(step) * step_s_; }
+    double time_s(std::int64_t step) const { return 1.0 * step * step_s_; }
     bool done() const { return step_ >= steps_; }
     void tick() { ++step_; }
 
@@ -34,8 +34,7 @@ class Clock {
 
     // Every how many steps something happens that is wanted every interval_s.
     std::int64_t every(double interval_s) const {
-        const auto steps =
-            static_cast<std::int64_t>(std::llround(interval_s / (at_a_time_ * step_s_)));
+        const std::int64_t steps = std::llround(interval_s / (at_a_time_ * step_s_));
         return at_a_time_ * (steps < 1 ? 1 : steps);
     }
 

@@ -64,7 +64,7 @@ void add_balance(const Session& session, output::Summary& summary,
     const Scheme scheme = session.plan().coupling->scheme;
     summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
     summary.immersed_boundary_share = immersed_boundary_share(structure.load, fluid.load);
-    const auto cores = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+    const int cores = sysconf(_SC_NPROCESSORS_ONLN);
     const auto better = advice(scheme, structure.load, fluid.load, summary.wall_s, cores);
     if (!better) return;
     summary.advice = *better;

@@ -119,7 +119,7 @@ void FreeSlip::swap_across(const PopulationRows<Real>& rows, const RowLayout& la
         for_each_cell(end_of(cells_, lean.axis, end), [&](const Cell& cell) {
             sent_[end].push_back(value(rows, layout, q[end], cell));
         });
-        const int size = static_cast<int>(sent_[end].size());
+        const int size = sent_[end].size();
         received_[end].resize(sent_[end].size());
         // The tag is the end by which the message leaves.
         MPI_Irecv(received_[end].data(), size, MPI_DOUBLE, peer[end], 1 - end, comm_,

@@ -149,7 +149,7 @@ void TriangulatedSolid::mark_row(double y, double z, int x_begin,
         winding -= out;
         if (!was_inside) entered = x;
         if (!was_inside || winding != 0) continue;
-        const double size = static_cast<double>(inside.size());
+        const double size = inside.size();
         const auto cell = [&](double at) {
             return static_cast<std::size_t>(
                 std::clamp(std::ceil(at - x_begin - 0.5), 0.0, size));

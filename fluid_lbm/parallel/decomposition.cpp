@@ -11,7 +11,7 @@ namespace {
 
 // First row of a part, and the size of the largest part, if `count` rows are divided.
 int first_row(int count, int parts, int part) {
-    return static_cast<int>(static_cast<long long>(count) * part / parts);
+    return static_cast<long long>(count) * part / parts;
 }
 
 int largest_part(int count, int parts) {
@@ -31,7 +31,7 @@ double load(const std::array<int, 3>& cells, const std::array<bool, 3>& periodic
     const int ny = largest_part(cells[1], ranks_y), nz = largest_part(cells[2], ranks_z);
     const int ghosts =
         cut_sides(ranks_y, periodic[1]) * nz + cut_sides(ranks_z, periodic[2]) * ny;
-    return static_cast<double>(ny) * nz + 0.5 * ghosts;
+    return 1.0 * ny * nz + 0.5 * ghosts;
 }
 
 std::string refusal(const std::array<int, 3>& cells, int ranks) {

@@ -49,7 +49,7 @@ struct ByteRange {
 std::vector<ByteRange> ranges(const std::vector<Slot>& slots, const RowLayout& layout,
                               const Populations& populations) {
     const bool x_walls = layout.beyond_x == Beyond::wall;
-    const auto size = static_cast<int>(populations.element_bytes());
+    const int size = populations.element_bytes();
     std::vector<ByteRange> found;
     Slot last{-1, -1};
     for (const Slot& slot : slots) {
@@ -60,7 +60,7 @@ std::vector<ByteRange> ranges(const std::vector<Slot>& slots, const RowLayout& l
                               (whole ? layout.nx : layout.nx - 1) * size};
         if (whole && slot.q == last.q && slot.row == last.row + 1) {
             const MPI_Aint end = range.offset + range.bytes;
-            found.back().bytes = static_cast<int>(end - found.back().offset);
+            found.back().bytes = end - found.back().offset;
         } else {
             found.push_back(range);
         }

@@ -73,9 +73,7 @@ struct RefinedFluid::Levels {
         return number == 0 ? coarsest : above(number - 1, nest).level;
     }
     // The patch above level `number`, that is of level number + 1, in a nest.
-    FinerLevel& above(int number, int nest) {
-        return *nests[static_cast<std::size_t>(nest)][static_cast<std::size_t>(number)];
-    }
+    FinerLevel& above(int number, int nest) { return *nests[nest][number]; }
 };
 
 }  // namespace magfsi::fluid

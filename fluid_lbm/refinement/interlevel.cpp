@@ -15,7 +15,7 @@ Weights cubic_at(double at, int lo, int hi) {
         double product = 1;
         for (int j = 0; j < cubic_points; ++j)
             if (j != i) product *= (t - j) / (i - j);
-        w.of[static_cast<std::size_t>(i)] = product;
+        w.of[i] = product;
     }
     return w;
 }

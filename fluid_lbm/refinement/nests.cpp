@@ -175,7 +175,7 @@ class Placement {
     // A nest around bodies, built from the finest level outwards; each box is in cells of
     // the level below it.
     NestPlaces nest_around(const std::vector<std::size_t>& bodies) const {
-        const auto levels = static_cast<std::size_t>(rule_.levels);
+        const std::size_t levels = rule_.levels;
         std::vector<CellBox> boxes(levels);
         boxes[levels - 1] = grown(least_box(bodies), rule_.slack_cells);
         for (std::size_t l = levels - 1; l > 0; --l)

@@ -161,7 +161,7 @@ Prolongation::Prolongation(const Level& coarse, const LevelPlace& place,
                            const std::vector<std::vector<CellBox>>& of_ranks)
     : transfer_(coarse.comm(), one_each(coarse.owned_by_rank()), coarse.place.period,
                 coarse_beneath(of_ranks, coarse, place)) {
-    for (const CellBox& box : of_ranks[static_cast<std::size_t>(rank_of(coarse.comm()))])
+    for (const CellBox& box : of_ranks[rank_of(coarse.comm())])
         pieces_.emplace_back(box, coarse, place);
 }
 
@@ -243,8 +243,7 @@ void Prolongation::Piece::extend_into_solids() {
             for (const std::size_t beside : cell.beside) sum += flow[beside + i * step];
             const bool velocity = i > 0 && i < first_stress;
             const double sign = velocity && cell.at_wall ? -1 : 1;
-            flow[cell.first + i * step] =
-                sign * sum / static_cast<double>(cell.beside.size());
+            flow[cell.first + i * step] = sign * sum / cell.beside.size();
         }
     }
 }
@@ -259,7 +258,7 @@ std::array<double*, numbers> Prolongation::Piece::of_row(const CellRow& row) {
 
 // Stores a row of coarse cells along x, whichever way the lines run.
 void Prolongation::Piece::take(const CellRow& row, const double* numbers_of_row) {
-    const auto count = static_cast<std::size_t>(row.size());
+    const std::size_t count = row.size();
     const auto at = of_row(row);
     const std::size_t step = line == 0 ? 1 : numbers * length(coarse, line);
     for (std::size_t i = 0; i < numbers; ++i, numbers_of_row += count) {
@@ -322,8 +321,8 @@ void Prolongation::interpolate(const Piece& piece, double stress_scale,
     // Short columns along y are written together, so that all lines of a plane are kept.
     row_.resize(numbers * length * (piece.line == 0 ? 1 : lines));
     for (int z = box.lo[2]; z < box.hi[2]; ++z) {
-        const Weights& wz = piece.up[static_cast<std::size_t>(z - box.lo[2])];
-        const auto k = static_cast<std::size_t>(wz.first - c.lo[2]);
+        const Weights& wz = piece.up[z - box.lo[2]];
+        const std::size_t k = wz.first - c.lo[2];
         combine(wz.of, piece.flow.data() + k * plane_.size(), plane_.size(),
                 plane_.size(), plane_.data());
         for (std::size_t other = 0; other < lines; ++other) {

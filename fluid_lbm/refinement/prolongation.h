@@ -51,7 +51,7 @@ class Prolongation {
 
         Piece(const CellBox& fine_cells, const Level& level, const LevelPlace& place);
         std::size_t length(const CellBox& box, int axis) const {
-            return static_cast<std::size_t>(box.hi[axis] - box.lo[axis]);
+            return box.hi[axis] - box.lo[axis];
         }
         // Addresses of the ten numbers of a row along x, in a piece with lines along x.
         std::array<double*, numbers_between_levels> of_row(const CellRow& row);

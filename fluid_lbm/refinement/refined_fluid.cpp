@@ -30,7 +30,7 @@ std::vector<CellRow> local_rows(const Level& level, std::span<const CellRow> row
 RefinedFluid::~RefinedFluid() = default;
 
 int RefinedFluid::nests() const {
-    return static_cast<int>(levels_->nests.size());
+    return levels_->nests.size();
 }
 const Fluid& RefinedFluid::level(int number, int nest) const {
     return levels_->at(number, nest).fluid;
@@ -108,7 +108,7 @@ void RefinedFluid::set_force(std::span<const CellRow> rows,
     std::vector<std::vector<double>> force_of(rows_of.size());
     const double* at = force.data();
     for (const CellRow& row : rows) {
-        const auto nest = static_cast<std::size_t>(nest_with(row));
+        const std::size_t nest = nest_with(row);
         rows_of[nest].push_back(row);
         const double* end = at + 3 * row.size();
         force_of[nest].insert(force_of[nest].end(), at, end);

@@ -106,8 +106,8 @@ void RefinedFluid::add_nest(const NestPlaces& places, const std::vector<Nest>& o
         if (config_.rule.follows && config_.obstacle_forces)
             refuse_cut_obstacles(finer.level.fluid.config(), finer.level.solids,
                                  places[i]);
-        finer.mass.beside = static_cast<std::int64_t>(
-            summed(comm_, static_cast<double>(cells_beside(below, places[i]))));
+        finer.mass.beside =
+            summed(comm_, static_cast<double>(cells_beside(below, places[i])));
         if (first) continue;
         finer.level.fluid.set_steps_done(steps_done_ >> (places.size() - i - 1));
         std::vector<const Level*> patches;
@@ -132,8 +132,7 @@ void RefinedFluid::regrid(const std::vector<NestPlaces>& places) {
     for (std::size_t n = 0; n < old.size(); ++n) {
         const auto same = std::ranges::find(places, before[n]);
         if (same != places.end())
-            stays[static_cast<std::size_t>(same - places.begin())] =
-                std::exchange(old[n], {});
+            stays[same - places.begin()] = std::exchange(old[n], {});
         for (std::size_t i = 0; i < old[n].size(); ++i)
             owed += std::ldexp(old[n][i]->mass.owed, -3 * static_cast<int>(i));
     }

@@ -103,7 +103,7 @@ MAGFSI_ROW_LOOP void mean_along(const double* fine, std::size_t count, double* m
 void combine(const Weights& w, int coarse, std::size_t cells,
              const std::array<const double*, cubic_points>& from, bool with_stress,
              double* to) {
-    const auto first = static_cast<std::size_t>(2 * coarse - w.first);
+    const std::size_t first = 2 * coarse - w.first;
     combine_four(w.of, from, first_stress * cells, to);
     if (!with_stress) return;
     const std::size_t stress = first_stress * cells;
@@ -112,7 +112,7 @@ void combine(const Weights& w, int coarse, std::size_t cells,
 }
 
 std::size_t length(const CellBox& box, int axis) {
-    return static_cast<std::size_t>(box.hi[axis] - box.lo[axis]);
+    return box.hi[axis] - box.lo[axis];
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ namespace {
 
 // Writes the cells of a row whose density is not NaN (see CutCell).
 void write_where_known(const View& view, const CellRow& row, const double* flow) {
-    const auto count = static_cast<std::size_t>(row.size());
+    const std::size_t count = row.size();
     std::vector<double> known;
     for (std::size_t begin = 0; begin < count;) {
         std::size_t end = begin;
@@ -194,7 +194,7 @@ void Restriction::Piece::find_cut(const Level& level) {
         if (!is_cut) return;
         CutCell cell{c, {}};
         for (std::size_t i = 0; i < 8; ++i) {
-            const int k = static_cast<int>(i);
+            const int k = i;
             cell.counts[i] =
                 !solid(2 * c[0] + k % 2, 2 * c[1] + k / 2 % 2, 2 * c[2] + k / 4);
         }
@@ -213,11 +213,10 @@ void Restriction::average_cut(Piece& piece, std::size_t number, const Level& fin
         int cells = 0;
         for (std::size_t i = 0; i < 8; ++i) {
             if (!cut.counts[i]) continue;
-            const int k = static_cast<int>(i);
+            const int k = i;
             const double* row = fine_row(piece, number, fine, 2 * cut.cell[1] + k / 2 % 2,
                                          2 * cut.cell[2] + k / 4, row_.data());
-            const auto x =
-                static_cast<std::size_t>(2 * cut.cell[0] + k % 2 - piece.fine.lo[0]);
+            const std::size_t x = 2 * cut.cell[0] + k % 2 - piece.fine.lo[0];
             for (std::size_t n = 0; n < cell_numbers; ++n)
                 sum[n] += row[n * row_width + x];
             ++cells;
@@ -241,8 +240,7 @@ const double* Restriction::fine_row(const Piece& piece, std::size_t number,
         const CellBox& box = halo_[b];
         if (of_piece_[b] != number) continue;
         if (y < box.lo[1] || y >= box.hi[1] || z < box.lo[2] || z >= box.hi[2]) continue;
-        const auto row = static_cast<std::size_t>(
-            (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1]);
+        const std::size_t row = (z - box.lo[2]) * (box.hi[1] - box.lo[1]) + y - box.lo[1];
         return halo_flow_[b].data() + row * cell_numbers * count;
     }
     std::array<double*, flow_numbers> flow{};
@@ -350,8 +348,8 @@ void Restriction::run(Level& coarse, const Level& fine) {
         },
         [&](std::size_t b, const CellRow& row, const double* flow) {
             const CellBox& box = halo_[b];
-            const auto at = static_cast<std::size_t>(
-                (row.z - box.lo[2]) * (box.hi[1] - box.lo[1]) + row.y - box.lo[1]);
+            const std::size_t at =
+                (row.z - box.lo[2]) * (box.hi[1] - box.lo[1]) + row.y - box.lo[1];
             const std::size_t count = cell_numbers * static_cast<std::size_t>(row.size());
             std::copy_n(flow, count, halo_flow_[b].data() + at * count);
         });
@@ -369,7 +367,7 @@ void Restriction::run(Level& coarse, const Level& fine) {
             const auto r = static_cast<std::size_t>(row.z - piece.coarse.lo[2]) *
                                length(piece.coarse, 1) +
                            static_cast<std::size_t>(row.y - piece.coarse.lo[1]);
-            const auto count = static_cast<std::size_t>(row.size());
+            const std::size_t count = row.size();
             const double* from =
                 piece.flow.data() + r * cell_numbers * width +
                 static_cast<std::size_t>(row.x_begin - piece.coarse.lo[0]);

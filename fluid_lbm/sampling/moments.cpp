@@ -120,7 +120,7 @@ void write_flow_along_y(const View& view, const CellBox& plane, const double* fl
         [&]<class Real>(const RowKernels<Real>& kernels) {
             const int count = plane.hi[1] - plane.lo[1],
                       width = plane.hi[0] - plane.lo[0];
-            const auto n = static_cast<std::size_t>(count);
+            const std::size_t n = count;
             thread_local std::vector<Real> columns;
             columns.resize(d3q19::directions * n * static_cast<std::size_t>(width));
             for (int x = 0; x < width; ++x) {

@@ -93,7 +93,7 @@ MAGFSI_INLINE bool collide_row(Real* const* at, const Real* const* force,
     const Rates<V> r = rates<V>(parameters);
     CellCheck<V> check;
     const std::ptrdiff_t end = length / lanes<V> * lanes<V>;
-    const int left = static_cast<int>(length - end);
+    const int left = length - end;
     RowEnd<Forced, Real, lanes<V>> row_end;
     // The end of the row is treated as a row of one vector by the same instructions;
     // separate code for it took as long as three vectors.

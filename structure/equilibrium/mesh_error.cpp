@@ -25,8 +25,7 @@ class Middles {
         Vec3 middle{};
         for (const int node : parents) {
             for (std::size_t d = 0; d < 3; ++d)
-                middle[d] += nodes_[static_cast<std::size_t>(node)][d] /
-                             static_cast<double>(parents.size());
+                middle[d] += nodes_[node][d] / static_cast<double>(parents.size());
         }
         nodes_.push_back(middle);
         return place->second;

@@ -37,7 +37,7 @@ void refuse_to_fall(const Body& body, const HeldAxes& held, const Vec3& gravity_
     Eigen::Vector3d falls = Eigen::Map<const Eigen::Vector3d>(gravity_m_s2.data());
     const double rounding = 1e-12 * falls.norm();
     for (int d = 0; d < 3; ++d) {
-        if (held[static_cast<std::size_t>(d)]) falls[d] = 0;
+        if (held[d]) falls[d] = 0;
     }
     if (platform_normal.dot(falls) < 0) falls -= along(platform_normal, falls);
     for (int d = 0; d < 3; ++d) {
@@ -61,7 +61,7 @@ void refuse_to_be_carried(const Body& body, const HeldAxes& held) {
 }  // namespace
 
 Eigen::VectorXd flat_positions(const std::vector<Vec3>& nodes_m) {
-    const auto size = static_cast<Eigen::Index>(3 * nodes_m.size());
+    const Eigen::Index size = 3 * nodes_m.size();
     return Eigen::Map<const Eigen::VectorXd>(nodes_m.front().data(), size);
 }
 
@@ -80,8 +80,8 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
     for (std::size_t e = 0; e < part.size(); ++e) {
         for (const int node : body.mesh.elements[e]) {
             for (std::size_t d = 0; d < 3; ++d) {
-                if (!held[static_cast<std::size_t>(node)][d]) continue;
-                along[static_cast<std::size_t>(part[e])][d] = anywhere[d] = true;
+                if (!held[node][d]) continue;
+                along[part[e]][d] = anywhere[d] = true;
             }
         }
     }
@@ -89,7 +89,7 @@ void require_held(const Body& body, const Vec3& gravity_m_s2,
         return a != HeldAxes{true, true, true};
     });
     if (along.size() > 1 && loose != along.end()) {
-        const auto number = static_cast<int>(loose - along.begin());
+        const int number = loose - along.begin();
         refuse(
             "body {} is in {} parts that share no node, and the part of element {} is "
             "not held along every axis: join the parts in the mesh, clamp each, or make "
@@ -177,7 +177,7 @@ NodalLoads StaticProblem::load(const StaticLoads& loads) const {
     for (std::size_t n = 0; n < charge_.size(); ++n) {
         const double mass = node_mass_kg_[n];
         for (std::size_t d = 0; d < 3; ++d) {
-            out.dead_n[static_cast<Eigen::Index>(3 * n + d)] =
+            out.dead_n[3 * n + d] =
                 charge_[n] * loads.field_t[d] + mass * loads.gravity_m_s2[d];
         }
     }
@@ -234,7 +234,7 @@ double StaticProblem::add_platform(const Eigen::VectorXd& x,
                                    Eigen::VectorXd& force_n) const {
     double energy_j = 0;
     for (std::size_t n = 0; n < surface_m2_.size(); ++n) {
-        const auto node = static_cast<Eigen::Index>(n);
+        const Eigen::Index node = n;
         const double depth = depth_m(x, node);
         if (surface_m2_[n] == 0 || depth <= 0) continue;
         const double spring = surroundings_.platform->stiffness_pa_m * surface_m2_[n];
@@ -270,7 +270,7 @@ StaticProblem::Response StaticProblem::response(const Eigen::VectorXd& x,
     }
     for (std::size_t n = 0; n < held_.size(); ++n) {
         for (std::size_t d = 0; d < 3; ++d) {
-            if (held_[n][d]) out.residual_n[static_cast<Eigen::Index>(3 * n + d)] = 0;
+            if (held_[n][d]) out.residual_n[3 * n + d] = 0;
         }
     }
     out.elastic_j = result.energy_j;
@@ -285,7 +285,7 @@ Eigen::VectorXd StaticProblem::support_n(const Eigen::VectorXd& x,
     add_internal(x, out);
     for (std::size_t n = 0; n < held_.size(); ++n) {
         for (std::size_t d = 0; d < 3; ++d) {
-            double& force = out[static_cast<Eigen::Index>(3 * n + d)];
+            double& force = out[3 * n + d];
             force = held_[n][d] ? -force : 0;
         }
     }

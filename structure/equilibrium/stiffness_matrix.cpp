@@ -68,7 +68,7 @@ StiffnessMatrix::StiffnessMatrix(const Mesh& mesh, std::span<const HeldAxes> hel
 // Columns come in threes, one for each coordinate of a node. The diagonal block holds its
 // lower triangle only, which is why it has 3 entries less.
 void StiffnessMatrix::allocate(const std::vector<std::vector<int>>& neighbours) {
-    const auto size = static_cast<Eigen::Index>(volume_m3_.size());
+    const Eigen::Index size = volume_m3_.size();
     Eigen::Index entries = 0;
     for (const auto& nodes : neighbours) {
         entries += 9 * static_cast<Eigen::Index>(nodes.size()) - 3;
@@ -85,7 +85,7 @@ void StiffnessMatrix::allocate(const std::vector<std::vector<int>>& neighbours) 
                     *row++ = 3 * node + e;
                 }
             }
-            column[1] = static_cast<int>(row - matrix_.innerIndexPtr());
+            column[1] = row - matrix_.innerIndexPtr();
         }
     }
 }
@@ -97,8 +97,8 @@ void StiffnessMatrix::index_elements(const Mesh& mesh,
         for (int a = 0; a < 8; ++a) {
             for (int b = 0; b < 8; ++b) {
                 const auto& later = neighbours[nodes[b]];
-                rank[8 * a + b] = static_cast<int>(
-                    std::ranges::lower_bound(later, nodes[a]) - later.begin());
+                rank[8 * a + b] =
+                    std::ranges::lower_bound(later, nodes[a]) - later.begin();
             }
         }
     }
@@ -183,7 +183,7 @@ int StiffnessMatrix::negative_eigenvalues() {
         shift = std::max(2 * shift, 1e-16 * matrix_.coeffs().cwiseAbs().maxCoeff());
         factor.setShift(shift);
     }
-    return static_cast<int>((factor.vectorD().array() < 0).count());
+    return (factor.vectorD().array() < 0).count();
 }
 
 }  // namespace magfsi::structure

@@ -287,7 +287,7 @@ FieldProgram parse_field_arguments(const std::vector<std::string>& words) {
     while (!rest.empty()) {
         rest = rest.subspan(1);  // after the plane, or after "plus"
         const auto end = std::ranges::find(rest, "plus") - rest.begin();
-        const auto count = static_cast<std::size_t>(end);
+        const std::size_t count = end;
         read_law(terms.emplace_back().law, rest.first(count));
         rest = rest.subspan(count);
     }

@@ -133,8 +133,7 @@ void FixMagttice::read_body(const std::string& file,
     range_.count = static_cast<int>(read.nodes_m.size());
     by_first_.resize(read.nodes_m.size());
     for (std::size_t e = 0; e < read.elements.size(); ++e) {
-        by_first_[static_cast<std::size_t>(read.elements[e][0])].push_back(
-            static_cast<int>(e));
+        by_first_[read.elements[e][0]].push_back(e);
     }
     const MagtticeBody body{who_, range_, lattice_, nodes_m_, read.magnetization_a_m};
     for (const AskedForce& one : asked)
@@ -189,7 +188,7 @@ OwnedElements FixMagttice::owned_elements() const {
     for (int i = 0; i < atom->nlocal; ++i) {
         const int node = range_.node(atom->tag[i]);
         if (node < 0) continue;
-        for (int e : by_first_[static_cast<std::size_t>(node)]) {
+        for (int e : by_first_[node]) {
             std::array<int, 8> atoms{};
             for (int a = 0; a < 8; ++a) {
                 const int atom_id = range_.first_id + lattice_.elements[e][a];
@@ -256,13 +255,13 @@ void FixMagttice::add_elastic_forces(double* f) const {
 
 // The group's name is the body's. Positions that are NaN print as such.
 std::string FixMagttice::place(int element) const {
-    const Hexahedron& nodes = lattice_.elements[static_cast<std::size_t>(element)];
+    const Hexahedron& nodes = lattice_.elements[element];
     Vec3 rest{};
     Vec3 now{};
     for (int node : nodes) {
         const int i = atom->map(range_.first_id + node);
         for (std::size_t d = 0; d < 3; ++d) {
-            rest[d] += 0.125 * nodes_m_[static_cast<std::size_t>(node)][d];
+            rest[d] += 0.125 * nodes_m_[node][d];
             now[d] += 0.125 * (i < 0 ? NAN : atom->x[i][d]);
         }
     }
@@ -308,8 +307,7 @@ double FixMagttice::compute_vector(int i) {
     const std::array<double, 5> mine{energy_j_[0], energy_j_[1], work_j_, smallest_j_,
                                      lost_j_};
     double all = 0;
-    MPI_Allreduce(&mine[static_cast<std::size_t>(i)], &all, 1, MPI_DOUBLE,
-                  i == 3 ? MPI_MIN : MPI_SUM, world);
+    MPI_Allreduce(&mine[i], &all, 1, MPI_DOUBLE, i == 3 ? MPI_MIN : MPI_SUM, world);
     return all;
 }
 
@@ -365,7 +363,7 @@ std::vector<SurfaceNode> surface_nodes(const LAMMPS_NS::Modify& modify) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const std::vector<Vec3>& x = bodies[b]->nodes_m();
         const auto areas = surface_areas(x, bodies[b]->lattice().elements);
-        const auto first = static_cast<std::size_t>(bodies[b]->range().first_id);
+        const std::size_t first = bodies[b]->range().first_id;
         by_id.resize(std::max(by_id.size(), first + x.size()));
         for (std::size_t a = 0; a < x.size(); ++a) {
             by_id[first + a] = {static_cast<int>(b), areas[a], x[a]};

@@ -38,7 +38,7 @@ std::vector<std::string> lammps_names(const std::vector<Body>& bodies,
     }
     std::vector<std::string> taken = own_groups;
     for (std::size_t m = 0; m < motions; ++m) taken.push_back(moved_group(m));
-    const auto first = static_cast<std::ptrdiff_t>(taken.size());
+    const std::ptrdiff_t first = taken.size();
     for (const Body& body : bodies) {
         const std::string wanted = sanitized(body.name);
         std::string name = wanted;

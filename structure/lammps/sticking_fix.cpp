@@ -26,7 +26,7 @@ void StickingFix::keep_sticks(int each) {
 }
 
 void StickingFix::grow_arrays(int count) {
-    sticks_.resize(static_cast<std::size_t>(each_ * count));
+    sticks_.resize(each_ * count);
 }
 
 void StickingFix::copy_arrays(int from, int to, int) {
@@ -74,7 +74,7 @@ int StickingFix::maxsize_restart() {
 }
 
 double StickingFix::memory_usage() {
-    return static_cast<double>(sticks_.size() * sizeof(StickPoint));
+    return sticks_.size() * sizeof(StickPoint);
 }
 
 }  // namespace magfsi::structure

@@ -33,7 +33,7 @@ class StickingFix : public LAMMPS_NS::Fix {
     void keep_sticks(int each);
     // A stick point of an atom by its local index.
     StickPoint& stick(int atom_index, int number) {
-        return sticks_[static_cast<std::size_t>(each_ * atom_index + number)];
+        return sticks_[each_ * atom_index + number];
     }
 
   private:

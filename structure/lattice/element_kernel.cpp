@@ -79,7 +79,7 @@ double brick_entry(const ElementModes& modes, std::size_t k) {
     constexpr std::array<std::size_t, 3> diagonal{0, 4, 11};
     if (k == 0) return modes.volume;
     if (k < 4) return modes.gradient[diagonal[k - 1]];
-    return modes.metric[static_cast<std::size_t>(brick_metric_entries[k - 4])];
+    return modes.metric[brick_metric_entries[k - 4]];
 }
 
 // Entry k for a general element: volume, gradient, metric, offsets.
@@ -100,8 +100,7 @@ void check_viscosity(const Material& material) {
 
 }  // namespace
 
-ElementKernel::ElementKernel(InstructionSet set)
-    : function_(element_functions[static_cast<std::size_t>(set)]) {}
+ElementKernel::ElementKernel(InstructionSet set) : function_(element_functions[set]) {}
 
 void ElementKernel::assign(const Lattice& lattice) {
     assign(lattice, all_elements(lattice), lattice.elements);
@@ -126,7 +125,7 @@ ElementKernel::Part ElementKernel::pack(const Lattice& lattice,
     const auto lanes = [&](int entries, const auto& value) {
         return pack_lanes(part.elements, static_cast<std::size_t>(entries),
                           [&](int element, std::size_t k) {
-                              const auto e = static_cast<std::size_t>(element);
+                              const std::size_t e = element;
                               return value(lattice.modes[e], k);
                           });
     };
@@ -140,7 +139,7 @@ ElementKernel::Part ElementKernel::pack(const Lattice& lattice,
     part.hourglass =
         lanes(hourglass_entries(kind_), [=](const ElementModes& modes, std::size_t k) {
             if (brick) {
-                return modes.metric[static_cast<std::size_t>(brick_metric_entries[k])];
+                return modes.metric[brick_metric_entries[k]];
             }
             return k < 9 ? modes.metric[k] : modes.offset[k - 9];
         });
@@ -168,7 +167,7 @@ KernelResult ElementKernel::run(const Part& part, const double* x, double* f,
                                 bool energy) const {
     ElementBatches batches;
     batches.kind = kind_;
-    batches.element_count = static_cast<int>(part.elements.size());
+    batches.element_count = part.elements.size();
     batches.node = part.nodes.front().lane;
     batches.spring = part.spring.front().lane;
     batches.gradient = part.gradient.empty() ? nullptr : part.gradient.front().lane;
@@ -178,13 +177,12 @@ KernelResult ElementKernel::run(const Part& part, const double* x, double* f,
     batches.lame_lambda_pa = part.material.lame_lambda_pa;
     KernelResult result = function_(batches, x, f, energy);
     if (result.element >= 0) {
-        result.element = part.elements[static_cast<std::size_t>(result.element)];
+        result.element = part.elements[result.element];
     }
     return result;
 }
 
-ViscousKernel::ViscousKernel(InstructionSet set)
-    : function_(viscous_functions[static_cast<std::size_t>(set)]) {}
+ViscousKernel::ViscousKernel(InstructionSet set) : function_(viscous_functions[set]) {}
 
 void ViscousKernel::assign(const Lattice& lattice) {
     assign(lattice, all_elements(lattice), lattice.elements);
@@ -200,13 +198,12 @@ void ViscousKernel::assign(const Lattice& lattice, std::span<const int> elements
         Part& part = parts_.emplace_back();
         part.viscosity_pa_s = wanted.material.viscosity_pa_s;
         part.plate_lambda_pa_s = viscous_plate_lambda_pa_s(wanted.material);
-        part.element_count = static_cast<int>(wanted.elements.size());
+        part.element_count = wanted.elements.size();
         part.nodes = pack_nodes(wanted.nodes);
         part.data = pack_lanes(
             wanted.elements, static_cast<std::size_t>(viscous_entries(bricks_)),
             [&](int element, std::size_t k) {
-                const ElementModes& modes =
-                    lattice.modes[static_cast<std::size_t>(element)];
+                const ElementModes& modes = lattice.modes[element];
                 return bricks_ ? brick_entry(modes, k) : general_entry(modes, k);
             });
     }

@@ -26,7 +26,7 @@ std::array<int, 4> side(const Hexahedron& element, int d, int upper) {
     std::array<int, 4> out{};
     int count = 0;
     for (int a = 0; a < 8; ++a) {
-        if (((a >> d) & 1) == upper) out[static_cast<std::size_t>(count++)] = element[a];
+        if (((a >> d) & 1) == upper) out[count++] = element[a];
     }
     std::ranges::sort(out);
     return out;
@@ -44,9 +44,8 @@ Inwards inwards(const Mesh& mesh) {
     for (const Hexahedron& element : mesh.elements) {
         auto& signs = out.emplace_back();
         for (int d = 0; d < 3; ++d) {
-            signs[static_cast<std::size_t>(d)] =
-                static_cast<int>(elements_at[side(element, d, 0)] == 1) -
-                static_cast<int>(elements_at[side(element, d, 1)] == 1);
+            signs[d] = static_cast<int>(elements_at[side(element, d, 0)] == 1) -
+                       static_cast<int>(elements_at[side(element, d, 1)] == 1);
         }
     }
     return out;
@@ -58,7 +57,7 @@ Masses spread_kg(const Body& body) {
     for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
         Positions8 x = gather(body.mesh.nodes, body.mesh.elements[e]);
         x.rowwise() -= x.row(0).eval();  // avoids a loss of digits far from the origin
-        const auto volume = integrate_hexahedron(x, static_cast<int>(e)).node_volume;
+        const auto volume = integrate_hexahedron(x, e).node_volume;
         auto& masses = out.emplace_back();
         for (std::size_t a = 0; a < 8; ++a)
             masses[a] = material_of(body, e).density_kg_m3 * volume[a];
@@ -73,7 +72,7 @@ Masses moved(const Masses& spread, const Inwards& signs, const Vec3& share) {
     for (std::size_t e = 0; e < out.size(); ++e) {
         double before = 0, after = 0;
         for (int a = 0; a < 8; ++a) {
-            auto& mass = out[e][static_cast<std::size_t>(a)];
+            auto& mass = out[e][a];
             before += mass;
             for (int d = 0; d < 3; ++d)
                 mass *= 1 + 2 * share[d] * signs[e][d] * node_sign(a, d);
@@ -104,8 +103,7 @@ Moments of_nodes(const Mesh& mesh, const Masses& masses) {
     Moments out;
     for (std::size_t e = 0; e < masses.size(); ++e) {
         for (std::size_t a = 0; a < 8; ++a)
-            out.add(masses[e][a],
-                    mesh.nodes[static_cast<std::size_t>(mesh.elements[e][a])]);
+            out.add(masses[e][a], mesh.nodes[mesh.elements[e][a]]);
     }
     return out;
 }
@@ -120,8 +118,7 @@ Moments of_continuum(const Body& body) {
             const auto values = shape_values(xi);
             Vec3 x{};
             for (int a = 0; a < 8; ++a) {
-                for (int d = 0; d < 3; ++d)
-                    x[d] += values[static_cast<std::size_t>(a)] * nodes(a, d);
+                for (int d = 0; d < 3; ++d) x[d] += values[a] * nodes(a, d);
             }
             const double volume = (nodes.transpose() * shape_gradients(xi)).determinant();
             out.add(material_of(body, e).density_kg_m3 * volume, x);

@@ -174,7 +174,7 @@ Lattice build_lattice(const std::vector<Vec3>& nodes_m,
     std::vector volume_m3(materials.size(), out.node_volume_m3);
     out.bricks = true;
     for (std::size_t e = 0; e < elements.size(); ++e) {
-        const int number = static_cast<int>(e);
+        const int number = e;
         check_nodes(elements[e], number, nodes_m.size());
         const Positions8 x = gather(nodes_m, elements[e]);
         const ElementReference reference = element_reference(x, variant, number);

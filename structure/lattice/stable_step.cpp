@@ -113,7 +113,7 @@ Positions8 local_positions(std::span<const Vec3> nodes_m, const Hexahedron& elem
 // that can move.
 bool is_held(const Hexahedron& element, const std::vector<HeldAxes>& held) {
     return std::ranges::all_of(element, [&](int node) {
-        return held[static_cast<std::size_t>(node)] == HeldAxes{true, true, true};
+        return held[node] == HeldAxes{true, true, true};
     });
 }
 
@@ -197,8 +197,7 @@ double CurrentStep::volume_term_1_s2(const Element& element, const Positions8& x
     if (!(j > 0)) return INFINITY;
     double slope = 0;
     for (int a = 0; a < 8; ++a) {
-        slope += now.gradient_m2.row(a).squaredNorm() *
-                 element.inverse_mass[static_cast<std::size_t>(a)];
+        slope += now.gradient_m2.row(a).squaredNorm() * element.inverse_mass[a];
     }
     const double modulus =
         (element.lame_pa * (1 - std::log(j)) + element.shear_pa) / (j * j);

@@ -29,12 +29,11 @@ std::vector<DipoleElement> dipole_elements(const std::vector<Vec3>& nodes_m,
         const Vector3d magnetization(magnetization_a_m[e].data());
         if (magnetization.isZero(0)) continue;
         const Positions8 nodes = gather(nodes_m, elements[e]);
-        const auto integrals = integrate_hexahedron(nodes, static_cast<int>(e));
+        const auto integrals = integrate_hexahedron(nodes, e);
         DipoleElement& one = out.emplace_back();
-        one.element = static_cast<int>(e);
+        one.element = e;
         for (int a = 0; a < 8; ++a)
-            one.charge_a_m[static_cast<std::size_t>(a)] =
-                integrals.gradient.row(a).dot(magnetization);
+            one.charge_a_m[a] = integrals.gradient.row(a).dot(magnetization);
         one.radius_m = 0.5 * std::ranges::min(element_edges(nodes).length_m);
         one.volume_m3 = integrals.volume;
     }
@@ -56,8 +55,7 @@ Dipole dipole_of(const DipoleElement& element, const std::array<int, 8>& nodes,
     return out;
 }
 
-Dipoles::Dipoles(InstructionSet set)
-    : function_(sum_functions[static_cast<std::size_t>(set)]) {}
+Dipoles::Dipoles(InstructionSet set) : function_(sum_functions[set]) {}
 
 void Dipoles::resize(std::size_t count) {
     for (std::size_t d = 0; d < 3; ++d) {
@@ -69,8 +67,8 @@ void Dipoles::resize(std::size_t count) {
 
 void Dipoles::set(std::size_t i, const Dipole& dipole) {
     for (std::size_t d = 0; d < 3; ++d) {
-        x_[d][i] = dipole.centre_m[static_cast<Eigen::Index>(d)];
-        m_[d][i] = dipole.moment_a_m2[static_cast<Eigen::Index>(d)];
+        x_[d][i] = dipole.centre_m[d];
+        m_[d][i] = dipole.moment_a_m2[d];
     }
 }
 

@@ -41,7 +41,7 @@ double spacing(const std::vector<double>& axis) {
 }
 
 std::size_t place_of(double x, const std::vector<double>& axis) {
-    return static_cast<std::size_t>(std::llround((x - axis.front()) / spacing(axis)));
+    return std::llround((x - axis.front()) / spacing(axis));
 }
 
 // Interpolation along one axis: Lagrange's polynomials through the four points from
@@ -55,13 +55,13 @@ struct Stencil {
 Stencil stencil(double x, const std::vector<double>& axis) {
     const double h = spacing(axis);
     const double place = (x - axis.front()) / h;
-    const auto last = static_cast<double>(axis.size() - 1);
+    const double last = axis.size() - 1;
     Stencil out;
     out.count = std::min<std::size_t>(4, axis.size());
     const double most = last - static_cast<double>(out.count - 1);
     const double first =
         std::clamp(std::floor(place) - static_cast<double>(out.count / 2 - 1), 0.0, most);
-    out.first = static_cast<std::size_t>(first);
+    out.first = first;
     const double s = place - first;
     for (std::size_t i = 0; i < out.count; ++i) {
         double weight = 1, slope = 0;

@@ -160,7 +160,7 @@ double add_source_forces(std::span<const Matrix8> moments,
         const Positions8 moment = node_moments(moments[e], nodes[e], x);
         Positions8 field, force;
         for (int n = 0; n < 8; ++n) {
-            const FieldSample& at = samples[static_cast<std::size_t>(nodes[e][n])];
+            const FieldSample& at = samples[nodes[e][n]];
             field.row(n) = at.field_t.transpose();
             force.row(n) = moment.row(n) * at.gradient_t_m;
         }
@@ -179,7 +179,7 @@ Eigen::Matrix<double, 24, 24> source_tangent(const Matrix8& moments,
                                              const SourceField& field, const double* x) {
     const Positions8 moment = node_moments(moments, nodes, x);
     const auto gradient = [&](int n) -> const Eigen::Matrix3d& {
-        return samples[static_cast<std::size_t>(nodes[n])].gradient_t_m;
+        return samples[nodes[n]].gradient_t_m;
     };
     Eigen::Matrix<double, 24, 24> out;
     for (int a = 0; a < 8; ++a) {

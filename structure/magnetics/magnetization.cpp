@@ -233,8 +233,8 @@ std::vector<Vec3> curve_magnetization(const Mesh& mesh,
             "magnetisation along the centre line of a mesh without one found; give "
             "points of the curve, or a centre line in the Gmsh file");
     const Curve curve(points_m);
-    const auto first = static_cast<std::size_t>(wanted.plane[0]);
-    const auto second = static_cast<std::size_t>(wanted.plane[1]);
+    const std::size_t first = wanted.plane[0];
+    const std::size_t second = wanted.plane[1];
     std::vector<Vec3> out;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const auto [s_m, tangent] = curve.nearest(to_eigen(element_centre(mesh, e)));

@@ -23,7 +23,7 @@ struct Gradient {
     // The coordinate along an axis, whose derivative along it is 1.
     static Gradient along(int axis, double v) {
         Gradient out(v);
-        out.d[static_cast<std::size_t>(axis)] = 1;
+        out.d[axis] = 1;
         return out;
     }
 };
@@ -293,7 +293,7 @@ Field<T> cylinder_across(const Point<T>& x, double radius_m, double half_m, doub
         std::max(std::abs(rho - radius_m), std::abs(number(x[2])) - half_m);
     const double ratio = radius_m / (radius_m + std::max(gap, 0.0));
     const double wanted = std::log(1e-12) / std::log(std::max(ratio, 1e-3));
-    const int lines = static_cast<int>(std::min(1024.0, std::max(16.0, wanted)));
+    const int lines = std::min(1024.0, std::max(16.0, wanted));
     Field<T> out{T(0), T(0), T(0)};
     const T w1 = x[2] + T(half_m), w0 = x[2] - T(half_m);
     for (int i = 0; i < lines; ++i) {

@@ -148,9 +148,9 @@ void SourceField::Element::add(const Vec3& point_m, FieldSample& out) const {
     Vector3d b;
     Matrix3d g;
     for (int i = 0; i < 3; ++i) {
-        const Gradient& component = local[static_cast<std::size_t>(i)];
+        const Gradient& component = local[i];
         b[i] = component.value;
-        for (int j = 0; j < 3; ++j) g(i, j) = component.d[static_cast<std::size_t>(j)];
+        for (int j = 0; j < 3; ++j) g(i, j) = component.d[j];
     }
     out.field_t += now_strength * (now_frame * b);
     out.gradient_t_m += now_strength * (now_frame * g * now_frame.transpose());
@@ -296,8 +296,8 @@ Matrix3d SourceField::gradient_along(const Vec3& point_m, const Vector3d& way) c
     const Vector3d step = step_m / length * way;
     Vec3 ahead = point_m, behind = point_m;
     for (std::size_t d = 0; d < 3; ++d) {
-        ahead[d] += step[static_cast<Eigen::Index>(d)];
-        behind[d] -= step[static_cast<Eigen::Index>(d)];
+        ahead[d] += step[d];
+        behind[d] -= step[d];
     }
     return (length / (2 * step_m)) *
            (sample(ahead).gradient_t_m - sample(behind).gradient_t_m);

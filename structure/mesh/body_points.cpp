@@ -20,7 +20,7 @@ int parts(const Positions8& x, int d, double spacing_m) {
         longest = std::max(longest, (x.row(a + (1 << d)) - x.row(a)).norm());
     }
     // The margin keeps rounding of the quotient from adding a part.
-    return std::max(1, static_cast<int>(std::ceil(longest / spacing_m - 1e-9)));
+    return std::max<int>(1, std::ceil(longest / spacing_m - 1e-9));
 }
 
 // Local coordinate of the middle of part i of `count`.

@@ -140,7 +140,7 @@ NodeNumbers read_nodes(Mesh& mesh, double metres_per_unit) {
     std::ranges::sort(order, {}, [&](std::size_t n) { return tags[n]; });
     NodeNumbers numbers;
     for (const std::size_t n : order) {
-        numbers[tags[n]] = static_cast<int>(mesh.nodes.size());
+        numbers[tags[n]] = mesh.nodes.size();
         mesh.nodes.push_back({metres_per_unit * x[3 * n], metres_per_unit * x[3 * n + 1],
                               metres_per_unit * x[3 * n + 2]});
     }
@@ -159,7 +159,7 @@ int region_of(Mesh& mesh, int volume) {
     const std::string name = groups.empty() ? "unnamed" : group_name(3, groups[0]);
     const auto known = std::ranges::find(mesh.region_names, name);
     if (known != mesh.region_names.end()) {
-        return static_cast<int>(known - mesh.region_names.begin());
+        return known - mesh.region_names.begin();
     }
     mesh.region_names.push_back(name);
     return static_cast<int>(mesh.region_names.size()) - 1;

@@ -50,7 +50,7 @@ struct Mesh {
 inline Vec3 position(const Mesh& mesh, const MaterialPoint& point) {
     Vec3 x{};
     for (std::size_t a = 0; a < 8; ++a) {
-        const Vec3& node = mesh.nodes[static_cast<std::size_t>(point.node[a])];
+        const Vec3& node = mesh.nodes[point.node[a]];
         for (std::size_t d = 0; d < 3; ++d) x[d] += point.weight[a] * node[d];
     }
     return x;

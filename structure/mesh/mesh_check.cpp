@@ -60,7 +60,7 @@ int drop_unused_nodes(Mesh& mesh) {
     std::vector<Vec3> kept;
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (new_number[n] < 0) continue;
-        new_number[n] = static_cast<int>(kept.size());
+        new_number[n] = kept.size();
         kept.push_back(mesh.nodes[n]);
     }
     const auto dropped = mesh.nodes.size() - kept.size();
@@ -73,7 +73,7 @@ int drop_unused_nodes(Mesh& mesh) {
     }
     keep_only(mesh.faces, new_number);
     keep_only(mesh.points, new_number);
-    return static_cast<int>(dropped);
+    return dropped;
 }
 
 double shortest_edge_m(const Mesh& mesh) {
@@ -164,7 +164,7 @@ std::vector<int> parts_joined_by_faces(const Mesh& mesh) {
     std::vector<int> number(parent.size(), -1), part;
     int parts = 0;
     for (std::size_t e = 0; e < parent.size(); ++e) {
-        int& its = number[static_cast<std::size_t>(root_of(parent, static_cast<int>(e)))];
+        int& its = number[root_of(parent, static_cast<int>(e))];
         if (its < 0) its = parts++;
         part.push_back(its);
     }

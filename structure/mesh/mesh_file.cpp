@@ -22,7 +22,7 @@ int read_node(std::istream& fields, const NumberedLines& lines, std::size_t node
 
 void read_elements(NumberedLines& lines, Mesh& mesh) {
     mesh.elements.resize(lines.count("elements", 0));
-    const int regions = static_cast<int>(mesh.region_names.size());
+    const int regions = mesh.region_names.size();
     for (Hexahedron& element : mesh.elements) {
         const char* expected = "eight node numbers and the region of an element";
         std::istringstream fields = lines.next(expected);
@@ -115,7 +115,7 @@ std::vector<MaterialPoint> line_through(const Mesh& mesh, std::span<const int> n
             if (point.element >= 0) continue;
             point.node = mesh.elements[e];
             point.weight[a] = 1;
-            point.element = static_cast<int>(e);
+            point.element = e;
         }
     }
     std::vector<int> ordered(nodes.begin(), nodes.end());
@@ -163,7 +163,7 @@ std::size_t NumberedLines::count(const std::string& keyword, std::size_t least) 
         static_cast<std::size_t>(value) < least) {
         fail(expected);
     }
-    return static_cast<std::size_t>(value);
+    return value;
 }
 
 std::vector<Vec3> NumberedLines::nodes(std::size_t least) {

@@ -47,10 +47,8 @@ std::optional<Vec3> piercing(const Corners4& edges, const Corners4& other) {
     constexpr int ends[5][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}};
     for (const auto& [p, q] : ends) {
         for (const int third : {1, 3}) {
-            const Triangle half{other[0], other[static_cast<std::size_t>(third)],
-                                other[2]};
-            const auto at = piercing(edges[static_cast<std::size_t>(p)],
-                                     edges[static_cast<std::size_t>(q)], half);
+            const Triangle half{other[0], other[third], other[2]};
+            const auto at = piercing(edges[p], edges[q], half);
             if (at) return at;
         }
     }
@@ -74,8 +72,7 @@ double corner_gap_m(const Corners4& from, const Corners4& to) {
 
 Corners4 corners_of(const std::array<int, 4>& node, std::span<const Vec3> nodes_m) {
     Corners4 out;
-    for (std::size_t i = 0; i < 4; ++i)
-        out[i] = nodes_m[static_cast<std::size_t>(node[i])];
+    for (std::size_t i = 0; i < 4; ++i) out[i] = nodes_m[node[i]];
     return out;
 }
 

@@ -63,7 +63,7 @@ Chords find_chords(const Mesh& mesh, const Neighbours& behind) {
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
         for (int d = 0; d < 3; ++d) {
             if (out.of_element[e][d] >= 0) continue;
-            const int number = static_cast<int>(out.all.size());
+            const int number = out.all.size();
             Chord& chord = out.all.emplace_back();
             chord.ends[0] = follow(behind, {e, 2 * d + 1}, [](const FaceOfElement&) {});
             const bool ring = chord.ends[0].element < 0;
@@ -102,7 +102,7 @@ std::vector<int> columns_across(const Chords& chords) {
         if (elements.size() !=
             chords.all[columns.empty() ? c : columns[0]].elements.size())
             return {};
-        columns.push_back(static_cast<int>(c));
+        columns.push_back(c);
     }
     return columns;
 }
@@ -238,7 +238,7 @@ bool MeshEnds::hold(const SurfaceQuad& quad) const {
     const double slack_m = 1e-9 * box_.diagonal_m();  // rounding of nodes
     const auto all_at = [&](std::size_t d, double plane_m) {
         return std::ranges::all_of(quad.node, [&](int node) {
-            const Vec3& x = mesh_.nodes[static_cast<std::size_t>(node)];
+            const Vec3& x = mesh_.nodes[node];
             return std::abs(x[d] - plane_m) <= slack_m;
         });
     };
@@ -271,7 +271,7 @@ std::optional<Sheet> find_sheet(const Mesh& mesh, const Continues& continues) {
     if (side.empty()) return std::nullopt;
     const int top = first_is_top(mesh, ends, side) ? 0 : 1;
     Sheet sheet;
-    sheet.layers = static_cast<int>(chords.all[across[0]].elements.size());
+    sheet.layers = chords.all[across[0]].elements.size();
     for (std::size_t c = 0; c < ends.size(); c += 2) {
         const std::size_t upper = side[c] == top ? c : c + 1;
         sheet.columns.push_back(

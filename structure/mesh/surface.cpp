@@ -67,7 +67,7 @@ Vector3d area_per_uv(const Corners& x, double u, double v) {
 
 // Number of parts of a length; rounding of the quotient does not add one.
 int parts(double length_m, double spacing_m) {
-    return std::max(1, static_cast<int>(std::ceil(length_m / spacing_m - 1e-9)));
+    return std::max<int>(1, std::ceil(length_m / spacing_m - 1e-9));
 }
 
 Vector3d on_quad(const Corners4& x, double u, double v) {
@@ -241,7 +241,7 @@ std::vector<double> surface_areas(const std::vector<Vec3>& nodes_m,
         const Vec3 area = quad_area_vector(corners(nodes_m, quad.node));
         for (int node : quad.node) {
             for (std::size_t d = 0; d < 3; ++d) {
-                share[static_cast<std::size_t>(node)][d] += 0.25 * area[d];
+                share[node][d] += 0.25 * area[d];
             }
         }
     }

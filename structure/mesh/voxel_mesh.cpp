@@ -28,9 +28,9 @@ void keep_elements(Mesh& mesh, const Keep& keep) {
 void keep_largest_part(Mesh& mesh, double spacing_m) {
     const std::vector<int> part = parts_joined_by_faces(mesh);
     std::vector<std::size_t> sizes(1 + *std::ranges::max_element(part));
-    for (const int p : part) ++sizes[static_cast<std::size_t>(p)];
+    for (const int p : part) ++sizes[p];
     const auto largest = std::ranges::max_element(sizes) - sizes.begin();
-    const auto crumbs = static_cast<double>(part.size() - sizes[largest]);
+    const double crumbs = part.size() - sizes[largest];
     if (crumbs > most_crumbs * static_cast<double>(part.size())) {
         std::ranges::sort(sizes, std::greater());
         const std::size_t more = sizes.size() > 4 ? sizes.size() - 4 : 0;
@@ -70,9 +70,9 @@ Mesh voxel_mesh(const std::array<int, 3>& cells, double spacing_m,
         const Vec3& x = mesh.nodes[a];
         for (std::size_t d = 0; d < 3; ++d) {
             if (x[d] < all.low_m[d] + 0.5 * spacing_m)
-                mesh.faces[names[d][0]].push_back(static_cast<int>(a));
+                mesh.faces[names[d][0]].push_back(a);
             if (x[d] > all.high_m[d] - 0.5 * spacing_m)
-                mesh.faces[names[d][1]].push_back(static_cast<int>(a));
+                mesh.faces[names[d][1]].push_back(a);
         }
     }
     return mesh;

@@ -126,7 +126,7 @@ std::vector<std::uint8_t> hidden_in(const coupler::CellBox& box,
 
 void FluidFields::write_patch(std::int64_t number, std::size_t patch,
                               const FieldCells& cells) {
-    const auto rank = static_cast<std::size_t>(session_.world().rank());
+    const std::size_t rank = session_.world().rank();
     const coupler::CellBox& box = cells.owned_by_rank[rank];
     const output::CellExtent extent{box.lo, box.hi};
     std::vector<output::Field> fields;

@@ -103,7 +103,7 @@ void Probes::add_supports(std::vector<bodies::BodyLoads>& loads) const {
             if (motion.body != b) continue;
             const auto a = structure::acceleration_m_s2(motion.course, time_s);
             for (const int node : structure::moved_nodes(run_.input.bodies[b], motion)) {
-                const auto n = static_cast<std::size_t>(node);
+                const std::size_t n = node;
                 for (std::size_t d = 0; d < 3; ++d)
                     support_n[n][d] += mass_kg[first + n] * a[d];
             }

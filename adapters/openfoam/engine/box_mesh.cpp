@@ -29,9 +29,8 @@ Index slab_cells(const BoxMesh& box) {
     Index cells{};
     for (std::size_t d = 0; d < 3; ++d)
         cells[d] = static_cast<int>(box.planes_m[d].size()) - 1;
-    const auto rank = static_cast<std::size_t>(box.rank);
-    cells[static_cast<std::size_t>(box.cut_axis)] =
-        box.first_cell[rank + 1] - box.first_cell[rank];
+    const std::size_t rank = box.rank;
+    cells[box.cut_axis] = box.first_cell[rank + 1] - box.first_cell[rank];
     return cells;
 }
 
@@ -39,8 +38,8 @@ Index slab_cells(const BoxMesh& box) {
 class Slab {
   public:
     explicit Slab(const BoxMesh& box) : box_(box), cells_(slab_cells(box)) {
-        const auto cut = static_cast<std::size_t>(box.cut_axis);
-        first_[cut] = box.first_cell[static_cast<std::size_t>(box.rank)];
+        const std::size_t cut = box.cut_axis;
+        first_[cut] = box.first_cell[box.rank];
     }
 
     const Index& cells() const { return cells_; }
@@ -78,7 +77,7 @@ class Slab {
 
   private:
     double place(std::size_t axis, int i) const {
-        return box_.planes_m[axis][static_cast<std::size_t>(first_[axis] + i)];
+        return box_.planes_m[axis][first_[axis] + i];
     }
 
     const BoxMesh& box_;
@@ -109,7 +108,7 @@ void visit_inner(const Index& cells, const VisitFace& visit) {
 
 // Visits the faces of one side of the slab. Normals point out of the slab.
 void visit_side(const Index& cells, int side, const VisitFace& visit) {
-    const auto axis = static_cast<std::size_t>(side / 2);
+    const std::size_t axis = side / 2;
     const bool upper = side % 2 == 1;
     Index lo{}, hi = cells;
     (upper ? lo[axis] : hi[axis]) = upper ? hi[axis] - 1 : 1;
@@ -133,7 +132,7 @@ Meeting meeting(const BoxMesh& box, int side) {
     if (side / 2 != box.cut_axis || ranks == 1) return {};
     const int next = box.rank + (side % 2 == 0 ? -1 : 1);
     if (next >= 0 && next < ranks) return {next, false};
-    const bool periodic = box.sides[static_cast<std::size_t>(side)] == SideType::periodic;
+    const bool periodic = box.sides[side] == SideType::periodic;
     return periodic ? Meeting{(next + ranks) % ranks, true} : Meeting{};
 }
 
@@ -177,7 +176,7 @@ BoxFaces make_faces(const BoxMesh& box) {
     BoxFaces out;
     out.points = slab.points();
     visit_faces(box, [&](const Index& i, int axis, bool upwards) {
-        const auto d = static_cast<std::size_t>(axis);
+        const std::size_t d = axis;
         const bool inner = i[d] > 0 && i[d] < slab.cells()[d];
         Index below = i;
         --below[d];
@@ -225,11 +224,11 @@ class Patches {
     void add_side(int side) {
         const bool here = meeting(box_, side).neighbor < 0;
         const Foam::label size = here ? faces_.of_side[side] : 0;
-        const auto type = box_.sides[static_cast<std::size_t>(side)];
-        const Foam::word name(side_names[static_cast<std::size_t>(side)]);
+        const auto type = box_.sides[side];
+        const Foam::word name(side_names[side]);
         const auto& boundary = mesh_.boundaryMesh();
         if (type == SideType::periodic) {
-            const Foam::word other(side_names[static_cast<std::size_t>(side ^ 1)]);
+            const Foam::word other(side_names[side ^ 1]);
             made_.push_back(new Foam::cyclicPolyPatch(
                 name, size, next_face_, index(), boundary, other,
                 Foam::coupledPolyPatch::UNKNOWN, Foam::Zero, Foam::Zero, Foam::Zero));
@@ -251,7 +250,7 @@ class Patches {
         if (m.wraps) {
             made_.push_back(new Foam::processorCyclicPolyPatch(
                 size, next_face_, index(), boundary, box_.rank, m.neighbor,
-                side_names[static_cast<std::size_t>(side)]));
+                side_names[side]));
         } else {
             made_.push_back(new Foam::processorPolyPatch(
                 size, next_face_, index(), boundary, box_.rank, m.neighbor));
@@ -293,13 +292,12 @@ namespace {
 template <class Field, class Inside, class Visit>
 void for_each_face(Field& phi, Inside& inside, const std::vector<FacePlace>& places,
                    Visit&& visit) {
-    for (Foam::label f = 0; f < inside.size(); ++f)
-        visit(places[static_cast<std::size_t>(f)], inside[f]);
+    for (Foam::label f = 0; f < inside.size(); ++f) visit(places[f], inside[f]);
     for (Foam::label p = 0; p < phi.size(); ++p) {
         auto& values = phi[p];
         const Foam::label first = values.patch().start();
         for (Foam::label f = 0; f < values.size(); ++f)
-            visit(places[static_cast<std::size_t>(first + f)], values[f]);
+            visit(places[first + f], values[f]);
     }
 }
 
@@ -310,7 +308,7 @@ std::vector<FacePlace> face_places(const BoxMesh& box) {
     std::vector<FacePlace> places;
     visit_faces(box, [&](const Index& i, int axis, bool upwards) {
         Index layers = slab_cells(box);
-        ++layers[static_cast<std::size_t>(axis)];
+        ++layers[axis];
         places.push_back(
             {axis, upwards ? 1 : -1,
              static_cast<std::size_t>(i[0] + layers[0] * (i[1] + layers[1] * i[2]))});
@@ -324,14 +322,13 @@ void take_flux(const Foam::surfaceScalarField& phi, const std::vector<FacePlace>
                FlowState& out) {
     std::array<std::size_t, 3> size{};
     for (const FacePlace& place : places) {
-        auto& most = size[static_cast<std::size_t>(place.axis)];
+        auto& most = size[place.axis];
         most = std::max(most, place.index + 1);
     }
     for (std::size_t d = 0; d < 3; ++d) out.flux[d].resize(size[d]);
     for_each_face(phi.boundaryField(), phi.primitiveField(), places,
                   [&](const FacePlace& place, double value) {
-                      out.flux[static_cast<std::size_t>(place.axis)][place.index] =
-                          place.sign * value;
+                      out.flux[place.axis][place.index] = place.sign * value;
                   });
 }
 
@@ -339,9 +336,7 @@ void put_flux(const FlowState& state, const std::vector<FacePlace>& places,
               Foam::surfaceScalarField& phi) {
     for_each_face(phi.boundaryFieldRef(), phi.primitiveFieldRef(), places,
                   [&](const FacePlace& place, double& value) {
-                      value =
-                          place.sign *
-                          state.flux[static_cast<std::size_t>(place.axis)][place.index];
+                      value = place.sign * state.flux[place.axis][place.index];
                   });
 }
 

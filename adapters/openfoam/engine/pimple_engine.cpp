@@ -159,7 +159,7 @@ class PimpleEngine final : public Engine {
     }
 
     double* side_velocity(int side) override {
-        const auto name = side_names[static_cast<std::size_t>(side)];
+        const auto name = side_names[side];
         const Foam::label patch = mesh_->boundaryMesh().findPatchID(name);
         auto& values = u_.boundaryFieldRef()[patch];
         return values.fixesValue() && values.size() > 0 ? numbers(values) : nullptr;
@@ -198,7 +198,7 @@ class PimpleEngine final : public Engine {
     void go_back(const FlowState& state, long step) override {
         guarded([&] {
             const auto index = static_cast<Foam::label>(step);
-            time_.setTime(static_cast<double>(step) * time_.deltaTValue(), index);
+            time_.setTime(1.0 * step * time_.deltaTValue(), index);
             phi_.timeIndex() = u_.timeIndex() = index;
             put_flux(state, places_, phi_);
             Foam::vectorField& u = u_.primitiveFieldRef();

@@ -42,7 +42,7 @@ class FixMagtticeDipoles : public LAMMPS_NS::Fix {
         const bool periodic =
             narg == words + 4 && std::strcmp(arg[words], "periodic") == 0;
         for (int d = 0; periodic && d < 3; ++d)
-            period_m_[static_cast<std::size_t>(d)] = number(arg[words + 1 + d], lmp);
+            period_m_[d] = number(arg[words + 1 + d], lmp);
         if ((narg != words && !periodic) || !(std::ranges::min(period_m_) >= 0))
             fail(*error,
                  "fix {} magttice/dipoles takes nothing but the words \"within\" and "
@@ -111,8 +111,7 @@ void FixMagtticeDipoles::renumber() {
     first_.assign(1, 0);
     std::vector<int> own;
     for (Member* member : members_) {
-        for (const std::size_t i : member->owned)
-            own.push_back(static_cast<int>(first_.back() + i));
+        for (const std::size_t i : member->owned) own.push_back(first_.back() + i);
         first_.push_back(first_.back() + member->all.size());
         member->changed = false;
     }
@@ -121,8 +120,8 @@ void FixMagtticeDipoles::renumber() {
         for (std::size_t i = 0; i < members_[b]->all.size(); ++i)
             dipoles_.set_radius(first_[b] + i, members_[b]->all[i].radius_m);
     }
-    auto count = static_cast<int>(own.size());
-    counts_.resize(static_cast<std::size_t>(comm->nprocs));
+    int count = own.size();
+    counts_.resize(comm->nprocs);
     starts_.resize(counts_.size());
     MPI_Allgather(&count, 1, MPI_INT, counts_.data(), 1, MPI_INT, world);
     std::exclusive_scan(counts_.begin(), counts_.end(), starts_.begin(), 0);
@@ -185,7 +184,7 @@ class DipoleForce : public BodyForce {
             dipole_elements(body.nodes_m, body.lattice.elements, body.magnetization_a_m);
         of_element_.assign(body.lattice.elements.size(), none);
         for (std::size_t i = 0; i < member_.all.size(); ++i)
-            of_element_[static_cast<std::size_t>(member_.all[i].element)] = i;
+            of_element_[member_.all[i].element] = i;
     }
 
     // The fix comes before the bodies in the script, so that its fields are evaluated
@@ -201,8 +200,7 @@ class DipoleForce : public BodyForce {
         member_.owned.clear();
         member_.nodes.clear();
         for (std::size_t i = 0; i < owned.element.size(); ++i) {
-            const std::size_t dipole =
-                of_element_[static_cast<std::size_t>(owned.element[i])];
+            const std::size_t dipole = of_element_[owned.element[i]];
             if (dipole == none) continue;
             member_.owned.push_back(dipole);
             member_.nodes.push_back(owned.atom[i]);
@@ -226,7 +224,7 @@ class DipoleForce : public BodyForce {
     double energy_j() const override { return energy_j_; }
 
   private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    static constexpr std::size_t none = -1;
     std::string who_, fix_id_;
     Member member_;
     std::vector<std::size_t> of_element_;  // index in member_.all, or `none`

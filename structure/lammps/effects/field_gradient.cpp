@@ -37,7 +37,7 @@ class GradientForce : public BodyForce {
         nodes_ = owned.atom;
         elements_.clear();
         for (int e : owned.element) {
-            elements_.push_back(of_body_[static_cast<std::size_t>(e)]);
+            elements_.push_back(of_body_[e]);
         }
     }
     void add() override {

@@ -51,8 +51,7 @@ class FixMagtticeSources : public LAMMPS_NS::Fix {
         if (placed_ != update->ntimestep) {
             placed_ = update->ntimestep;
             try {
-                field_->set_time(
-                    held_s_.value_or(static_cast<double>(placed_) * update->dt));
+                field_->set_time(held_s_.value_or(1.0 * placed_ * update->dt));
             } catch (const std::exception& cause) {
                 fail(*error, "sources of the magnetic field: {}", cause.what());
             }
@@ -89,8 +88,7 @@ class SourceForce : public BodyForce {
     void rebuild(const OwnedElements& owned) override {
         nodes_ = owned.atom;
         moments_.clear();
-        for (int e : owned.element)
-            moments_.push_back(of_body_[static_cast<std::size_t>(e)]);
+        for (int e : owned.element) moments_.push_back(of_body_[e]);
         seen_.clear();
         for (const auto& element : nodes_)
             seen_.insert(seen_.end(), element.begin(), element.end());

@@ -42,9 +42,9 @@ class FixMagtticeFieldSource : public LAMMPS_NS::Fix {
     // The time is derived from the step number, not summed over steps, and so is the same
     // after a restart.
     double compute_vector(int i) override {
-        const double time_s = static_cast<double>(update->ntimestep) * update->dt;
+        const double time_s = 1.0 * update->ntimestep * update->dt;
         try {
-            return field_at(program_, time_s)[static_cast<std::size_t>(i)];
+            return field_at(program_, time_s)[i];
         } catch (const std::exception& cause) {
             fail(*error, "magnetic field: {}", cause.what());
         }
@@ -98,8 +98,8 @@ class UniformField : public BodyForce {
         charged_.clear();
         for (int i = 0; i < atom->nlocal; ++i) {
             const int node = range_.node(atom->tag[i]);
-            if (node < 0 || charge_a_m_[static_cast<std::size_t>(node)] == 0) continue;
-            charged_.push_back({i, charge_a_m_[static_cast<std::size_t>(node)]});
+            if (node < 0 || charge_a_m_[node] == 0) continue;
+            charged_.push_back({i, charge_a_m_[node]});
         }
     }
     void add() override {

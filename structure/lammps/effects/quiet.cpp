@@ -110,7 +110,7 @@ int FixMagtticeQuiet::pack_reverse_comm(int n, int first, double* buffer) {
 void FixMagtticeQuiet::unpack_reverse_comm(int n, int* list, double* buffer) {
     for (int k = 0; k < n; ++k) {
         for (int d = 0; d < 3; ++d) {
-            elastic_[static_cast<std::size_t>(3 * list[k] + d)] += *buffer++;
+            elastic_[3 * list[k] + d] += *buffer++;
         }
     }
 }

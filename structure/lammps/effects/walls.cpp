@@ -123,7 +123,7 @@ void FixMagtticeSolid::parse(int narg, char** arg) {
              "\"friction\" with one value and \"periodic\" with three",
              id);
     for (int d = 0; periodic && d < 3; ++d)
-        period_m_[static_cast<std::size_t>(d)] = number(arg[words + 1 + d], lmp);
+        period_m_[d] = number(arg[words + 1 + d], lmp);
     plane_.stiffness_pa_m = number(arg[stiffness], lmp);
     if (rough) plane_.friction = number(arg[stiffness + 2], lmp);
     if (!(plane_.stiffness_pa_m > 0) || !(plane_.friction >= 0))
@@ -149,7 +149,7 @@ int FixMagtticeSolid::add_points() {
         }
         std::vector<int> of_node(mesh.nodes.size());
         for (const SurfaceQuad& quad : boundary_quads(mesh)) {
-            const int number = ++of_node[static_cast<std::size_t>(quad.node[0])];
+            const int number = ++of_node[quad.node[0]];
             most = std::max(most, number + 1);
             all_.push_back({quad.node,
                             0.5 * quad_area(corners(mesh.nodes, quad.node)),

@@ -74,8 +74,8 @@ double contact_distance_m(const std::vector<Body>& bodies) {
         const auto& x = body.mesh.nodes;
         for (const SurfaceQuad& quad : boundary_quads(body.mesh)) {
             for (std::size_t c = 0; c < 2; ++c) {
-                const auto a = static_cast<std::size_t>(quad.node[c]);
-                const auto b = static_cast<std::size_t>(quad.node[c + 2]);
+                const std::size_t a = quad.node[c];
+                const std::size_t b = quad.node[c + 2];
                 longest = std::max(longest, distance_m(x[a], x[b]));
             }
         }

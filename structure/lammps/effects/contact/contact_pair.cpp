@@ -44,7 +44,7 @@ void PairMagtticeContact::settings(int narg, char** arg) {
         for (int k = 0; known && k < values; ++k, ++i) {
             const double value = number(arg[i], lmp);
             if (keyword == "periodic")
-                period_m_[static_cast<std::size_t>(k)] = value;
+                period_m_[k] = value;
             else
                 (keyword == "friction" ? law_.friction : law_.excluded) = value;
         }
@@ -91,7 +91,7 @@ void PairMagtticeContact::init_style() {
     }
     surface_.clear();
     for (std::size_t id = 0; id < node_.size(); ++id)
-        if (node_[id].area_m2 > 0) surface_.push_back(static_cast<int>(id));
+        if (node_[id].area_m2 > 0) surface_.push_back(id);
     goes_on_.clear();
     for (const FixMagttice* body : bodies_of(*modify))
         goes_on_.push_back(goes_on_through_sides(body->nodes_m(), period_m_));
@@ -106,8 +106,8 @@ double PairMagtticeContact::init_one(int, int) {
 bool PairMagtticeContact::may_touch(const SurfaceNode& a, const SurfaceNode& b,
                                     const Vec3& image_m) const {
     if (a.body != b.body) return true;
-    const auto at_rest = rest_distance_m(a.at_rest_m, b.at_rest_m, image_m,
-                                         goes_on_[static_cast<std::size_t>(a.body)]);
+    const auto at_rest =
+        rest_distance_m(a.at_rest_m, b.at_rest_m, image_m, goes_on_[a.body]);
     return !at_rest || *at_rest >= law_.excluded * law_.distance_m;
 }
 
@@ -160,7 +160,7 @@ void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
         mine.insert(mine.end(), atom->x[i], atom->x[i] + 3);
     }
     if (comm->nprocs == 1) return;
-    auto count = static_cast<int>(mine.size());
+    int count = mine.size();
     std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), first(counts.size());
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
     std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
@@ -168,8 +168,7 @@ void PairMagtticeContact::gather(std::span<const std::size_t> numbers) {
     MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(),
                    first.data(), MPI_DOUBLE, world);
     for (std::size_t at = 0; at < all.size(); at += width)
-        std::copy_n(all.data() + at + 1, 3,
-                    x_[static_cast<std::size_t>(all[at])].begin());
+        std::copy_n(all.data() + at + 1, 3, x_[all[at]].begin());
 }
 
 // Candidates are sorted by number, so that forces are summed in the same order on any
@@ -187,8 +186,8 @@ void PairMagtticeContact::collect_candidates() {
             Vec3 there = x_[b];
             for (std::size_t d = 0; d < 3; ++d) there[d] += image_m[d];
             if (!(distance_m(x_[a], there) < reach)) return;
-            const SurfaceNode& node_a = node_[static_cast<std::size_t>(surface_[a])];
-            const SurfaceNode& node_b = node_[static_cast<std::size_t>(surface_[b])];
+            const SurfaceNode& node_a = node_[surface_[a]];
+            const SurfaceNode& node_b = node_[surface_[b]];
             if (!may_touch(node_a, node_b, image_m)) return;
             candidates_.push_back(
                 {a, b, image_m, node_a.area_m2 * node_b.area_m2, own(a), own(b)});
@@ -246,8 +245,7 @@ void PairMagtticeContact::compute(int eflag, int vflag) {
         if (vflag_global == 0) return;
         constexpr int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
         for (std::size_t q = 0; q < 6; ++q)
-            virial[q] += factor * apart[static_cast<std::size_t>(first[q])] *
-                         apart[static_cast<std::size_t>(second[q])];
+            virial[q] += factor * apart[first[q]] * apart[second[q]];
     });
     if (law_.friction > 0) add_friction(eflag_global != 0);
 }
@@ -308,7 +306,7 @@ bool PairMagtticeContact::put_back(std::span<const double> rows) {
         const auto found = std::ranges::min_element(same, {}, [&](const Candidate& pair) {
             return distance_m(apart_m(pair), apart);
         });
-        StuckPair& stuck = stuck_[static_cast<std::size_t>(found - candidates_.begin())];
+        StuckPair& stuck = stuck_[found - candidates_.begin()];
         stuck.apart_m = apart;
         stuck.slip_m = rows[at + 5];
         stuck.held = true;
@@ -319,7 +317,7 @@ bool PairMagtticeContact::put_back(std::span<const double> rows) {
 // Restart files hold the stuck pairs only, as the script repeats the settings.
 void PairMagtticeContact::write_restart(FILE* file) {
     const std::vector<double> rows = kept_pairs();
-    const auto count = static_cast<int>(rows.size());
+    const int count = rows.size();
     fwrite(&count, sizeof count, 1, file);
     fwrite(rows.data(), sizeof(double), rows.size(), file);
 }
@@ -330,7 +328,7 @@ void PairMagtticeContact::read_restart(FILE* file) {
     if (comm->me == 0)
         LAMMPS_NS::utils::sfread(FLERR, &count, sizeof count, 1, file, nullptr, error);
     MPI_Bcast(&count, 1, MPI_INT, 0, world);
-    remembered_.resize(static_cast<std::size_t>(count));
+    remembered_.resize(count);
     if (comm->me == 0)
         LAMMPS_NS::utils::sfread(FLERR, remembered_.data(), sizeof(double),
                                  remembered_.size(), file, nullptr, error);

@@ -162,7 +162,7 @@ void FixMagtticePlatform::init() {
 void FixMagtticePlatform::rebuild() {
     surface_.clear();
     for (int i = 0; i < atom->nlocal; ++i) {
-        const auto tag = static_cast<std::size_t>(atom->tag[i]);
+        const std::size_t tag = atom->tag[i];
         if ((atom->mask[i] & groupbit) == 0 || tag >= node_.size()) continue;
         if (node_[tag].area_m2 > 0) surface_.push_back({i, node_[tag].area_m2});
     }
