@@ -77,8 +77,8 @@ enum class InitialGuess { constant, linear };
 constexpr auto words_of(InitialGuess) {
     return std::to_array<std::string_view>({"constant", "linear"});
 }
-// What happens when max_iterations do not suffice: the run diverges, or goes on and
-// counts the step.
+// Reaction when max_iterations do not suffice: the run diverges, or goes on and counts
+// the step.
 enum class OnNoConvergence { stop, continue_ };
 constexpr auto words_of(OnNoConvergence) {
     return std::to_array<std::string_view>({"stop", "continue"});
@@ -89,7 +89,7 @@ struct Iteration {
     AccelerationMethod acceleration = AccelerationMethod::iqn_ils;
     // Largest residual, relative to the fluid's velocity at the markers (both as norms).
     double velocity_tolerance = 1e-4;
-    int max_iterations = 20;  // of a coupled step
+    int max_iterations = 20;  // limit per coupled step
     OnNoConvergence on_no_convergence = OnNoConvergence::stop;
     InitialGuess initial_guess = InitialGuess::linear;
     // Factor of under-relaxation; for aitken that of the first iteration, for iqn_ils

@@ -14,8 +14,7 @@ struct FluidRun {
     const scene::Scene& scene;
     coupler::Session& session;
     FluidSolver& fluid;
-    // Null unless probes.interface_balance is set.
-    coupler::BalanceRecord* balance = nullptr;
+    coupler::BalanceRecord* balance = nullptr;  // set only with probes.interface_balance
 };
 
 // An output listed in outputs.inc is an object of this type, called NAME_output.

@@ -50,8 +50,8 @@ class Checkpoints : public Output {
     // except on its root.
     using Save = std::function<void(StateWriter* file)>;
 
-    // To be made only if the plan has a checkpoint. From here on a signal ends the run at
-    // the end of a coupled step, after a checkpoint (postpone_stop).
+    // Requires a plan with a checkpoint. From here on a signal ends the run at the end of
+    // a coupled step, after a checkpoint (postpone_stop).
     Checkpoints(Session& session, Save save);
 
     // Writes a checkpoint if one is due. Its task must come after the other outputs of

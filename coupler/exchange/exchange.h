@@ -137,7 +137,7 @@ class StructureExchange {
     void let_follow(std::int64_t step, std::span<const Vec3> points_m);
 
     const World& world_;
-    Grid grid_;  // its boxes change if it follows the bodies
+    Grid grid_;  // boxes change if the grid follows the bodies
     Kernel kernel_;
     double timeout_s_;
     Forcing forcing_;
@@ -154,9 +154,9 @@ class StructureExchange {
 
 // Markers that may touch this rank's cells, in the order of the structure ranks.
 struct MarkerBatch {
-    std::vector<Vec3> before_m;     // where the impulses act [m]
+    std::vector<Vec3> before_m;     // positions where the impulses act [m]
     std::vector<Vec3> impulse;      // given to the fluid [N s]
-    std::vector<Vec3> now_m;        // where to sample next [m]
+    std::vector<Vec3> now_m;        // positions to sample next [m]
     std::vector<double> volume_m3;  // filled in forcing no_slip only
 };
 

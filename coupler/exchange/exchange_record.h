@@ -33,7 +33,7 @@ struct RecordHeader {
     double step_s = 0;            // coupled step [s]
     std::int64_t first_step = 0;  // coupled steps done before the record starts
     std::size_t markers = 0;      // number in all, in the order of placement
-    std::size_t numbers = 0;      // that the fluid sends per probe row
+    std::size_t numbers = 0;      // values from the fluid per probe row
     Forcing forcing = Forcing::penalty;
     Grid grid;
 };
