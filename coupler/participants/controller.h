@@ -19,7 +19,7 @@ namespace magfsi::coupler {
 struct ControlPlan {
     // Path of the user's script.
     std::string script;
-    std::vector<std::string> probes;  // by the names that the script uses
+    std::vector<std::string> probes;  // names that the script uses
     // Interval between two questions [s], and the longest wait for an answer [s].
     double every_s = 0;
     double timeout_s = 0;

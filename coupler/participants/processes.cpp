@@ -83,8 +83,8 @@ void wake(const ProcessId& process) {
 
 namespace {
 
-// With more than some tens of processes on a machine mpirun starts them from threads of
-// its own, and the kernel takes the end of such a thread for the parent's death.
+// Beyond some tens of processes on a machine mpirun starts them from threads of its own,
+// and the kernel takes the end of such a thread for the parent's death.
 bool started_by_main_thread_of(pid_t parent) {
     std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", parent));
     for (pid_t child = 0; children >> child;)

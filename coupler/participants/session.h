@@ -79,7 +79,7 @@ class Session {
 
     RunState& state_;
     const ParticipantArguments& arguments_;
-    std::filesystem::path earlier_results_;  // their place after they were set aside
+    std::filesystem::path earlier_results_;  // new place of results that were set aside
     World world_;
     std::unique_ptr<Clock> clock_;
     std::optional<RestartPoint> restart_;

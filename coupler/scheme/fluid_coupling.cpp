@@ -49,6 +49,7 @@ void FluidCoupling::take_place() {
     if (!fluid_.grid().follows) return;
     const auto rank = static_cast<std::size_t>(session_.world().rank());
     const bool moved = boundary_.own(fluid_.grid().owned_by_rank[rank]);
+    // After a move the cells of felt_ are others: their velocities are sampled again.
     if (!moved || felt_.empty()) return;
     boundary_.sample(batch_->before_m);
     felt_ = boundary_.sampled_cells();
@@ -62,8 +63,8 @@ void FluidCoupling::spread_impulses() {
                          session_.plan().fluid_body_force_n_m3, *answer_);
 }
 
-// The structure, to which the shares of all fluid ranks add up, answers the slip that is
-// left with the impulses that remove it.
+// Returns the slip that is left to the structure, where the shares of all fluid ranks add
+// up, and spreads the impulses with which it answers.
 void FluidCoupling::iterate_forcing() {
     for (int i = 1; i < options_.immersed_boundary.iterations; ++i) {
         const Occasion when(when_.step, i);
