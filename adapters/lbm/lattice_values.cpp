@@ -13,8 +13,8 @@ namespace {
 // Compressibility errors of the lattice are of the order of the Mach number squared.
 constexpr double max_mach = 0.17;  // 3 %
 // Below min_tau the viscous length is far smaller than a cell, and only regularised or
-// filtered collisions stay stable. Above max_tau the error at walls, which grows as (tau
-// - 1/2)^2, is too large.
+// filtered collisions stay stable. Above max_tau the error at walls, which grows as
+// (tau - 1/2)^2, is too large.
 constexpr double min_tau = 0.501, max_tau = 1.0;
 // At a smaller rate perturbations of the odd modes live for more than ten steps and grow
 // in fast flows.
@@ -102,8 +102,8 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
             v.odd_rate, (v.tau - 0.5) / 2));
     }
     if (v.tau < min_tau) {
-        // If the step follows from the lattice speed, tau - 1/2 is proportional to 1 /
-        // spacing.
+        // If the step follows from the lattice speed, tau - 1/2 is proportional to
+        // 1 / spacing.
         warn(fmt::format(
             "a relaxation time of {:.5g} leaves little viscosity to the grid: "
             "take a spacing of {:.3g} mm or less",

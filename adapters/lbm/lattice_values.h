@@ -32,8 +32,8 @@ std::string table(const scene::Fluid& fluid, const LatticeValues& v);
 // Empty if all is well.
 std::string warnings(const scene::Scene& scene, const LatticeValues& v);
 
-// A line for each velocity inlet: the time that sound takes to cross the box and (omega L
-// / c)^2 of the inlet's variation in time and of its ramp. The lattice behaves as an
+// A line for each velocity inlet: the time that sound takes to cross the box and (omega
+// L / c)^2 of the inlet's variation in time and of its ramp. The lattice behaves as an
 // incompressible fluid only where this number is small (docs/howto/obstacle.md).
 std::string sound(const scene::Fluid& fluid, const LatticeValues& v);
 

@@ -14,8 +14,8 @@ namespace magfsi::lbm {
 
 namespace {
 
-// The vortex of Taylor and Green with the pressure of the incompressible flow, rho U^2 /
-// 16 (cos 2kx + cos 2ky) (cos 2kz + 2).
+// The vortex of Taylor and Green with the pressure of the incompressible flow, rho
+// U^2 / 16 (cos 2kx + cos 2ky) (cos 2kz + 2).
 void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid) {
     const double speed_m_s = fluid.taylor_green->speed_m_s;
     const double k = 2 * std::numbers::pi / fluid.box_m[0];

@@ -97,12 +97,12 @@ constexpr EnclosedFollow enclosed_follow_of(double density_ratio, Kernel kernel)
 // diverged below a density ratio of 0.4, at a fifth of that rate below 0.05, while at a
 // tenth a sheet of 0.01 times the fluid's density runs.
 //
-// Energy. An A that lags by a time T works as if it drove the body: rho_f dV A (dU/dt -
-// A) = rho_f dV T (dA/dt)^2 and more. A sheet of a tenth of the fluid's density got 8 %
-// of the field's work in this way, 5 % with three steps. In the serial scheme markers
-// therefore follow as fast as the body's density allows, those of light bodies without
-// lag (enclosed_follow_of). All this holds for U from before the step; in a step that is
-// repeated until U is that of its own end A may follow at once.
+// Energy. An A that lags by a time T works as if it drove the body: rho_f dV A
+// (dU/dt - A) = rho_f dV T (dA/dt)^2 and more. A sheet of a tenth of the fluid's density
+// got 8 % of the field's work in this way, 5 % with three steps. In the serial scheme
+// markers therefore follow as fast as the body's density allows, those of light bodies
+// without lag (enclosed_follow_of). All this holds for U from before the step; in a step
+// that is repeated until U is that of its own end A may follow at once.
 class EnclosedFluid {
   public:
     // markers: those of this rank; displaced_m3 and enclosed_follow are used.

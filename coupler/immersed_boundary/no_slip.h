@@ -14,15 +14,15 @@
 //   F = s 2 rho dV / (r dt) (V - U + p),   p <- p + gain (mean V - q) - leak (r f - g),
 // with f = F dt / (2 rho dV) the change by the marker's own force and g = q - U the
 // change by all forces together. An even force has g = r f; it is held without slip, as a
-// pressure is. A force that the fluid does not feel, g = 0, is let go. Where markers fill
-// a volume the fluid there follows nothing else: with s = 1 its difference to the body
-// would change sign in every step and not decay; with s = 3/4 this difference and p
-// together decay to 0.4 of themselves in a step.
+// pressure is. A force that the fluid does not feel, g = 0, decays by the leak. Where
+// markers fill a volume the fluid there follows nothing else: with s = 1 its difference
+// to the body would change sign in every step and not decay; with s = 3/4 this difference
+// and p together decay to 0.4 of themselves in a step.
 //
-// In the core of thick sheets more is let go. Three velocities per marker and a volume
-// that is kept in each cell are more conditions there than the fluid has velocities:
-// where they contradict each other, as where a sheet bends, pressure and p grow against
-// each other.
+// The leak is larger in the core of thick sheets. Three velocities per marker and a
+// volume that is kept in each cell are more conditions there than the fluid has
+// velocities: where they contradict each other, as where a sheet bends, pressure and p
+// grow against each other.
 //
 // Markers must stand about a cell apart, and in one layer where the body is thin: closer
 // ones make the marker system nearly singular, and the memory drifts in its null modes.
@@ -78,13 +78,14 @@ struct SlipRates {
 // Under steady forces the slip that remains is leak / gain (r f - g). There f is
 // proportional to the step, whereas the velocity that the force F of a single marker can
 // hold does not depend on it: F / (rho h (nu + c u h)), from viscosity and from the flow
-// past it. Their ratio makes the same forces be let go at any step:
+// past it. Leak over gain is made proportional to their ratio, so that the same forces
+// leak away at any step:
 //   leak / gain = 0.008 / (nu dt / h^2 + 2 u dt / h).
 // With a constant leak of 0.02 the flow past held balls fell by 1.5 % with every halving
 // of the step, as if the balls were 0.1 h larger. The factor 2 makes the leak 0.02 for
-// sheets at the usual speed of 0.05 h per step. The speed alone makes leak / gain no
-// smaller than viscosity does at rest, and at leak / gain = 1 the memory holds nothing
-// more.
+// sheets at the usual speed of 0.05 h per step. A larger speed does not lower leak / gain
+// below 0.008 / max(0.1, nu dt / h^2). The leak is at most the gain, at which the memory
+// holds nothing more.
 //
 // In the core of sheets the leak is four times as large: a strip seven layers thick,
 // which diverged with the 2-point kernel, then has a fourth of p and runs. In the middle

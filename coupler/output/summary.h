@@ -61,7 +61,7 @@ struct BoundarySummary {
 struct IterationSummary {
     std::string acceleration;
     std::string measure;   // quantity that must converge
-    double tolerance = 0;  // largest relative residual
+    double tolerance = 0;  // largest relative residual allowed
     std::int64_t steps = 0, iterations = 0;
     int most = 0;                  // most iterations in one step
     std::int64_t unconverged = 0;  // steps that continued unconverged

@@ -32,8 +32,8 @@ std::span<const std::byte> bytes(const Values& values) {
         values);
 }
 
-// Throws std::invalid_argument if the field has no name, no components, or not components
-// * tuples values; `what` names the tuples ("cells") in the message.
+// Throws std::invalid_argument if the field has no name, no components, or not
+// components * tuples values; `what` names the tuples ("cells") in the message.
 void check_size(const Field& field, std::size_t tuples, std::string_view what) {
     if (field.name.empty()) throw std::invalid_argument("a VTK field must have a name");
     if (field.components < 1)

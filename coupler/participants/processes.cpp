@@ -110,7 +110,7 @@ namespace {
 constexpr unsigned first_word_s = 30, end_s = 90;
 volatile std::sig_atomic_t words = 0;
 
-// Prints a text from within a signal handler, where only write() is safe.
+// Prints a text by write(), which is safe in a signal handler.
 template <std::size_t n>
 void say(const char (&text)[n]) {
     const ssize_t ignored = ::write(STDERR_FILENO, text, n - 1);

@@ -31,10 +31,10 @@ void wake(const ProcessId& process);
 // before anything else.
 void die_with_mpirun();
 
-// Between watch_joining() and joined() MPI_Init and the first exchange take place. If the
-// job's other programs do not come, this process prints a line after 30 s and ends with
-// exit_partner after 2 min: a program that knows nothing of MPI would otherwise keep all
-// others in MPI_Init for ever.
+// These calls guard the start of the job: MPI_Init and the first exchange take place
+// between them. If the job's other programs do not come, this process prints a line after
+// 30 s and ends with exit_partner after 2 min: a program that knows nothing of MPI would
+// otherwise keep all others in MPI_Init for ever.
 void watch_joining();
 void joined();
 

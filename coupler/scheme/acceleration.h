@@ -25,7 +25,8 @@ double inner_product(MPI_Comm comm, std::span<const double> a, std::span<const d
 // Euclidean norm of a vector that is spread over ranks. Collective.
 double norm(MPI_Comm comm, std::span<const double> a);
 
-// A method that finds the fixed point of a step. All calls are collective.
+// A method that finds the fixed point of a step. All calls must be made on all ranks
+// alike.
 class Acceleration {
   public:
     virtual ~Acceleration() = default;
