@@ -193,7 +193,7 @@ class Participant {
 
     const scene::Scene& scene_;
     coupler::Session& session_;
-    double start_s_ = output::steady_seconds();  // the first equilibrium is found at once
+    double start_s_ = output::steady_seconds();  // before the first equilibrium
     // One path per body, in the scene's order.
     std::vector<std::unique_ptr<LoadPath>> paths_;
     coupler::TaskList tasks_;

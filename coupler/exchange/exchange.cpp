@@ -211,7 +211,7 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
     table_ = partner_table(grid_, kernel_, points_m);
     renewed_at_.assign(points_m.begin(), points_m.end());
     std::vector<int> mine(table_.size());
-    std::vector<int> theirs(table_.size());  // the fluid sends zeros
+    std::vector<int> theirs(table_.size());  // filled with the fluid's zeros
     partners_.clear();
     for (std::size_t f = 0; f < table_.size(); ++f) {
         const std::size_t markers = table_[f].size();
@@ -286,7 +286,7 @@ FluidExchange::~FluidExchange() {
     try {
         wait_all(sending_, timeout_s_, "receiver of the last velocities");
     } catch (const std::exception&) {
-        // The structure waits for these velocities no more; it has said why.
+        // The structure has ended without these velocities and has reported why.
     }
 }
 

@@ -42,7 +42,7 @@ struct RecordHeader {
 struct RecordEntry {
     std::int64_t step = -1;  // coupled step; first_step - 1 at the start
     std::vector<double> numbers;
-    std::vector<Vec3> position_m, impulse, velocity;  // one a marker
+    std::vector<Vec3> position_m, impulse, velocity;  // one per marker
     std::vector<double> volume_m3;                    // filled in forcing no_slip only
     NoSlipAnswer answer;
 };

@@ -30,7 +30,7 @@ using GridRow = magfsi::CellRow;
 struct Renewal {
     int every = 5;
     int ahead = 0;
-    int margin_cells = 2;  // 0.4 cells a step, all that the lattice allows
+    int margin_cells = 2;  // 0.4 cells per step, the limit of lattice speeds
 };
 
 // The cells of a fluid, the same on all ranks of both sides. Cell (0, 0, 0) has a corner

@@ -125,7 +125,7 @@ std::string relative_to(const std::filesystem::path& file,
 
 std::string to_text(double value) {
     if (std::isnan(value)) return "nan";
-    std::array<char, 32> text{};  // the longest shortest double has 24 characters
+    std::array<char, 32> text{};  // the longest such decimal has 24 characters
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return {text.data(), end};
 }

@@ -50,7 +50,8 @@ class World {
     int processes_here() const { return processes_here_; }
     bool root() const { return rank_ == 0; }
     bool coupled() const { return partner_ != MPI_COMM_NULL; }
-    // The side that writes probes.csv, summary.json and the progress.
+    // True on the process that writes probes.csv, summary.json and the progress: the root
+    // of the structure, or of the only side.
     bool leads() const { return root() && (self_ == Role::structure || !coupled()); }
 
     // Starts to send to a rank of the partner and wakes it up. data must live until the

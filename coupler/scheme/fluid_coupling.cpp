@@ -29,7 +29,7 @@ void FluidCoupling::begin() {
     batch_ = &exchange_.receive(when_, session_.restart() != nullptr);
     take_place();
     if (options_.scheme == Scheme::parallel && session_.restart()) {
-        // The impulses of the step before the checkpoint are still to act.
+        // The impulses of the step before the checkpoint have not acted yet.
         spread_impulses();
         sample_forced_velocities();
     } else {
@@ -84,7 +84,7 @@ void FluidCoupling::advance() {
 void FluidCoupling::sample_velocities() {
     sampled_ = boundary_.sample(batch_->now_m);
     if (!answer_) return;
-    answer_->make_room(sampled_.size());  // before the first step nothing has passed
+    answer_->make_room(sampled_.size());  // q is zero before the first step
     boundary_.add_row_sums(batch_->volume_m3, *answer_);
 }
 

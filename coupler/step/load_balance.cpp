@@ -97,7 +97,7 @@ double coupling_overhead(Scheme scheme, const SideLoad& structure,
     if (steps_s <= 0) return 0;
     const double structure_s = structure.solver_s + structure.immersed_boundary_s;
     const double fluid_s = fluid.solver_s + fluid.immersed_boundary_s;
-    // Outputs of the two sides overlap in either scheme.
+    // Outputs of the two sides overlap in every scheme.
     const double needed_s =
         in_turns(scheme)
             ? structure_s + fluid_s + std::max(structure.output_s, fluid.output_s)
