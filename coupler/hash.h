@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// FNV-1a (Fowler, Noll and Vo): a hash that is the same in every build and language, for
-// what travels between processes and runs. controller.py has it, too.
+// FNV-1a (Fowler, Noll and Vo), a hash that gives the same number in every build and
+// language: it identifies scenes and states in messages and files. controller.py
+// implements it, too.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 namespace magfsi::coupler {
 
+// 64-bit FNV-1a hash of the bytes.
 constexpr std::uint64_t hash_of(std::string_view bytes) {
     std::uint64_t hash = 14695981039346656037ULL;
     for (const char c : bytes) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi-equilibrium: the bodies of a scene without motion, equilibria along the path of
-// loads, in one process.
-//   magfsi-equilibrium SCENE --out DIR
+// magfsi-equilibrium finds the static equilibria of a scene's bodies along their path of
+// loads, in one process, by Newton's method.
+//    magfsi-equilibrium SCENE --out DIR
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,13 +32,17 @@
 namespace magfsi::equilibrium {
 namespace {
 
+// Pushes a body off an unstable equilibrium: what is reported is a state in which a real
+// body would come to rest.
 structure::EquilibriumOptions to_options(const scene::Equilibrium& wanted) {
     structure::EquilibriumOptions options;
     options.tolerance = wanted.tolerance;
-    options.leave_unstable = true;  // what is reported is what a body would rest in
+    options.leave_unstable = true;
     return options;
 }
 
+// True if a field, gravity, a field gradient, sources or a driven node act on the body:
+// without any of them it stays as it was placed.
 bool loaded(const structure::StaticLoads& loads) {
     return loads.field_t != structure::Vec3{} ||
            loads.gravity_m_s2 != structure::Vec3{} || loads.gradient != 0 ||
@@ -47,39 +51,52 @@ bool loaded(const structure::StaticLoads& loads) {
            });
 }
 
-// One body on a path of loads: its equilibrium at each point.
+// The equilibria of one body along a path of loads. The time of the scene is the
+// parameter of the path: loads are taken at t, inertia plays no part.
 class LoadPath {
   public:
-    // Finds the equilibrium at the start of the path. Throws std::invalid_argument on
-    // what cannot be in equilibrium (a body with weight that nothing holds).
+    // Finds the equilibrium at the start of the path. Throws std::invalid_argument if
+    // none can exist (a body with weight that nothing holds), std::runtime_error if
+    // Newton's method finds none. All references must outlive this object.
     LoadPath(const scene::Scene& scene, const scene::Body& described,
              const structure::Body& body, structure::Surroundings surroundings);
 
     const structure::Body& body() const { return body_; }
-    // Where the body is before any load: flat, relaxed, turned, as the scene says.
+    // Positions of the nodes [m] before any load: flat, relaxed or turned, as the scene
+    // places the body.
     const std::vector<structure::Vec3>& placed_m() const { return placed_m_; }
+    // The equilibrium at the last point of the path that was reached.
     const structure::Equilibrium& now() const { return now_; }
+    // Lumped mass of each node [kg], for probes only: no inertia acts.
     const std::vector<double>& masses_kg() const { return mass_kg_; }
+    // Elastic energy, work of the field and reactions of the supports at the present
+    // point.
     bodies::BodyLoads loads() const;
 
-    void advance(double to_s);  // along the path, from where it is
-    // Whether there were loads, but none that rounding leaves a shape to.
+    // Follows the equilibrium from the present point to the loads at to_s [s].
+    void advance(double to_s);
+    // True if the body was loaded, but at no point by enough: rounding leaves an error of
+    // more than 1 % in its displacements (structure::Equilibrium::resolved).
     bool unresolved() const { return loaded_ && !resolved_; }
 
   private:
     structure::StaticLoads loads_at(double time_s) const {
         return bodies::loads_at(scene_, described_, time_s);
     }
+    // Notes whether the body is loaded at this point and whether its shape is resolved
+    // there.
     void note_point(const structure::StaticLoads& loads);
     const scene::Scene& scene_;
     const scene::Body& described_;
     structure::Body body_;
     std::vector<structure::Vec3> placed_m_;
     std::vector<double> mass_kg_;
+    // Work of the magnetic field along the path; absent without a field.
     std::optional<bodies::FieldWork> work_;
     structure::NewtonSolver solver_;
     structure::Equilibrium now_;
     double time_s_ = 0;
+    // Points so far: at least one with loads; at least one with a resolved equilibrium.
     bool loaded_ = false, resolved_ = false;
 };
 
@@ -96,13 +113,15 @@ LoadPath::LoadPath(const scene::Scene& scene, const scene::Body& described,
     const structure::StaticLoads start = loads_at(0);
     now_.nodes_m = placed_m_;
     now_.support_n.resize(placed_m_.size());
-    // A held body takes its first load step by step; a free one is let go.
+    // A clamped body takes its first load in increments; a free one is released under the
+    // whole load and settles wherever it comes to rest.
     const bool at_rest = bodies::is_let_go(body_, described.initial);
     if (field) work_.emplace(body_, placed_m_, at_rest, *field);
     if (loaded(start) || scene.platform) {
         now_ = at_rest ? solver_.release(placed_m_, start)
                        : solver_.follow(placed_m_, {}, {&start, 1}).front();
-        if (at_rest) now_.releases = 0;  // meant, not met on the way
+        // The scene asks for this release, so it is not reported.
+        if (at_rest) now_.releases = 0;
     }
     note_point(start);
     if (work_) work_->move_to(now_.nodes_m, 0);
@@ -130,7 +149,7 @@ bodies::BodyLoads LoadPath::loads() const {
     return loads;
 }
 
-// Nodes at rest.
+// Appends the nodes of a body at rest: positions [m], masses [kg] and zero velocities.
 void append(bodies::NodalState& state, const std::vector<structure::Vec3>& position_m,
             const std::vector<double>& mass_kg) {
     state.position_m.insert(state.position_m.end(), position_m.begin(), position_m.end());
@@ -138,7 +157,8 @@ void append(bodies::NodalState& state, const std::vector<structure::Vec3>& posit
     state.velocity_m_s.resize(state.position_m.size());
 }
 
-// Without an equilibrium the run counts as diverged.
+// Calls work and turns its std::runtime_error, "no equilibrium found", into a Diverged,
+// so that the run ends with the exit code of a divergence.
 template <class Work>
 void or_diverged(const Work& work) {
     try {
@@ -148,29 +168,37 @@ void or_diverged(const Work& work) {
     }
 }
 
+// The participant of a static scene: a coupled step is one point on the path of loads, at
+// which the equilibria of all bodies are found and written.
 class Participant {
   public:
-    // After session.begin.
+    // Finds the equilibria at the start of the path. To be called after session.begin.
     Participant(const scene::Scene& scene, coupler::Session& session,
                 output::ProgressMode progress);
+    // Runs the whole path and writes all outputs. Throws Diverged if an equilibrium is
+    // not found or if the loads of a body are too small to resolve its shape.
     void run();
 
   private:
     void assemble(output::ProgressMode progress);
+    // Moves all bodies to the next point of the path.
     void advance();
+    // Logs a snap to another branch, an unresolved shape or an unstable equilibrium.
     void report_branch(const LoadPath& path, double time_s);
     void write_probes();
     void write_fields();
+    // Nodes of all bodies, one body after the other, at their present equilibria.
     bodies::NodalState state() const;
     void finish(double wall_s);
 
     const scene::Scene& scene_;
     coupler::Session& session_;
-    double start_s_ = output::steady_seconds();  // the first equilibrium is found at once
-    std::vector<std::unique_ptr<LoadPath>> paths_;  // one a body
+    double start_s_ = output::steady_seconds();  // before the first equilibrium
+    // One path per body, in the scene's order.
+    std::vector<std::unique_ptr<LoadPath>> paths_;
     coupler::TaskList tasks_;
-    int iterations_ = 0;
-    // Present only when the scene names them:
+    int iterations_ = 0;  // Newton iterations of all bodies and points
+    // The outputs; null unless the scene names them.
     std::unique_ptr<bodies::ProbeRow> probe_row_;
     std::unique_ptr<output::ProbeFile> probes_;
     std::unique_ptr<bodies::StructureFiles> files_;
@@ -219,6 +247,7 @@ void Participant::assemble(output::ProgressMode progress) {
     tasks_.add("progress", [this] { progress_->update(session_.clock().step()); });
 }
 
+// The loads of the coming point belong to the end of the step, t(n+1).
 void Participant::advance() {
     const double to_s =
         static_cast<double>(session_.clock().step() + 1) * session_.clock().step_s();

@@ -12,8 +12,8 @@ namespace {
 
 using scene::FluidQuantity;
 
-// What a row is made from; each part is computed when the first column asks for it. All
-// ranks ask in the same order.
+// The quantities that the columns of one row share. Each is computed when the first
+// column asks for it. Computing is collective, so all ranks must ask in the same order.
 class Sample {
   public:
     explicit Sample(FluidSolver& fluid) : fluid_(fluid) {}
@@ -22,11 +22,14 @@ class Sample {
         if (!totals_) totals_ = fluid_.totals();
         return *totals_;
     }
+    // A quantity that is none of the totals.
     double of_solver(FluidQuantity quantity) { return fluid_.quantity(quantity); }
+    // Force of the fluid on an obstacle [N], by its index in the scene.
     const scene::Vec3& force_on(std::size_t obstacle) {
         if (!forces_) forces_ = fluid_.obstacle_forces();
         return forces_->at(obstacle);
     }
+    // Flow through a plane of the scene, which is also the key of the map.
     const PlaneFlow& through(const scene::FluidPlane& plane) {
         const auto [at, first] = planes_.try_emplace(&plane);
         if (first) at->second = fluid_.plane_flow(plane.axis, plane.at_m);
@@ -40,15 +43,17 @@ class Sample {
     std::map<const scene::FluidPlane*, PlaneFlow> planes_;
 };
 
+// A column of probes.csv: its name with the unit, and the function that takes its value
+// from a sample.
 struct Column {
     std::string name;
     std::function<double(Sample&)> value;
 };
 using Columns = std::vector<Column>;
 
-// One column for the whole fluid. A new quantity is an entry here (a vector: a line in
-// columns_of), a word of scene::FluidQuantity and, where it is none of the totals, a case
-// in quantity() of the solvers that have it.
+// A scalar of the whole fluid. A new scalar is an entry in the table below (a new vector
+// is a line in columns_of), a word of scene::FluidQuantity and, if it is none of the
+// totals, a case in quantity() of the solvers that compute it.
 struct Quantity {
     FluidQuantity quantity;
     const char* column;
@@ -64,6 +69,7 @@ constexpr Quantity quantities[] = {
      [](Sample& s) { return s.totals().max_speed_m_s; }},
 };
 
+// Index of the component with the largest magnitude.
 std::size_t largest_axis(const scene::Vec3& v) {
     std::size_t axis = 0;
     for (std::size_t d = 1; d < 3; ++d) {
@@ -72,8 +78,8 @@ std::size_t largest_axis(const scene::Vec3& v) {
     return axis;
 }
 
-// The flow's: along which an inlet (the first one), a body force or an initial velocity
-// is largest; x without any.
+// The direction of drag: the axis along which the first inlet's velocity, the body force
+// or the initial velocity is largest, in this order of preference; x if there is none.
 std::size_t drag_axis(const scene::Fluid& fluid) {
     for (const auto& side : fluid.boundaries) {
         if (side.kind == fluid::BoundaryKind::velocity_inlet)
@@ -84,8 +90,9 @@ std::size_t drag_axis(const scene::Fluid& fluid) {
     return 0;
 }
 
-// Of the two others the one whose sides are not periodic, and of two alike the one that
-// comes first in the order z, y, x.
+// The direction of lift: of the two axes normal to the drag, the one whose sides are not
+// periodic. If both or neither are periodic it is the one that comes first in the order
+// z, y, x.
 std::size_t lift_axis(const scene::Fluid& fluid, std::size_t drag) {
     const std::size_t first = drag == 2 ? 1 : 2;
     const std::size_t second = 3 - drag - first;
@@ -95,7 +102,8 @@ std::size_t lift_axis(const scene::Fluid& fluid, std::size_t drag) {
     return periodic(first) && !periodic(second) ? second : first;
 }
 
-// value: the vector of a sample.
+// Adds the three components of a vector as columns NAME_x[UNIT], NAME_y, NAME_z;
+// value(sample) returns the vector.
 template <class Value>
 void add_vector(Columns& columns, const std::string& name, const char* unit,
                 Value value) {
@@ -105,6 +113,8 @@ void add_vector(Columns& columns, const std::string& name, const char* unit,
     }
 }
 
+// Drag, lift and the force vector of each obstacle [N]: drag and lift are its components
+// along the flow and across it.
 void add_forces(Columns& columns, const scene::Fluid& fluid) {
     const std::size_t drag = drag_axis(fluid);
     const std::size_t lift = lift_axis(fluid, drag);
@@ -117,6 +127,8 @@ void add_forces(Columns& columns, const scene::Fluid& fluid) {
     }
 }
 
+// Volume flow, momentum flux and mean pressure through a plane. The columns keep a
+// reference to the plane.
 void add_plane(Columns& columns, const std::string& name,
                const scene::FluidPlane& plane) {
     columns.push_back(
@@ -127,7 +139,8 @@ void add_plane(Columns& columns, const std::string& name,
                        [&](Sample& s) { return s.through(plane).pressure_pa; }});
 }
 
-// The scene must outlive them.
+// The columns that the scene asks for, in their order in the file. They refer to the
+// scene, which must outlive them.
 Columns columns_of(const scene::Scene& scene) {
     Columns columns;
     if (!scene.probes) return columns;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fluid's columns of probes.csv. A column's name and its value come from one entry of
-// fluid_probes.cpp.
+// The columns of probes.csv that a fluid fills. The name of a column and its value come
+// from one entry of fluid_probes.cpp.
 #pragma once
 
 #include <string>
@@ -10,14 +10,18 @@
 
 namespace magfsi::fluids {
 
-// None for a scene without a fluid or its probes.
+// Names of the fluid's columns with their units, such as "mass[kg]"; empty if the scene
+// has no fluid or no probes of it.
 std::vector<std::string> fluid_columns(const scene::Scene& scene);
 
-// Of probes.interface_balance: mismatch of what both sides gave and received, and the
-// impulse that the fluid received since the last row.
+// Names of the columns that probes.interface_balance adds: the relative mismatch of
+// momentum and power between what the bodies gave and the fluid received (Mismatch in
+// coupler/immersed_boundary/balance.h), and the impulse [N s] that the fluid received
+// since the last row. Empty if the scene does not ask for them.
 std::vector<std::string> interface_columns(const scene::Scene& scene);
 
-// Of the present step, one for each column. Collective.
+// Values of fluid_columns() at the present step, one per column, on every rank.
+// Collective over the fluid's ranks.
 std::vector<double> fluid_values(const scene::Scene& scene, FluidSolver& fluid);
 
 }  // namespace magfsi::fluids

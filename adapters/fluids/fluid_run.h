@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a fluid participant's outputs are made from.
+// The objects that the outputs of a fluid participant read and write.
 #pragma once
 
 #include "adapters/fluids/fluid_solver.h"
@@ -9,14 +9,15 @@
 
 namespace magfsi::fluids {
 
+// Passed to every output of a fluid participant; all members outlive the outputs.
 struct FluidRun {
     const scene::Scene& scene;
     coupler::Session& session;
     FluidSolver& fluid;
-    coupler::BalanceRecord* balance = nullptr;  // null where the scene has none
+    coupler::BalanceRecord* balance = nullptr;  // set only with probes.interface_balance
 };
 
-// An output of outputs.inc is an object of this type, called NAME_output.
+// An output listed in outputs.inc is an object of this type, called NAME_output.
 using FluidOutput = coupler::OutputKind<FluidRun>;
 
 }  // namespace magfsi::fluids

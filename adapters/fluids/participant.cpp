@@ -18,7 +18,7 @@ namespace magfsi::fluids {
 
 namespace {
 
-// Those of this build, up to one without a name.
+// The outputs of this build, terminated by an entry without a name.
 const FluidOutput* fluid_outputs() {
 #define MAGFSI_OUTPUT(name) name##_output,
     static const FluidOutput registered[] = {
@@ -45,6 +45,8 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
     assemble();
 }
 
+// The audited sums belong to single ranks: a restart on another number of ranks gives all
+// of them to rank 0.
 void Participant::restore(const coupler::StateReader& file) {
     fluid_.restore(file);
     if (run_.balance && file.has("balance"))
@@ -88,6 +90,7 @@ void Participant::run() {
     finish(output::steady_seconds() - start);
 }
 
+// mlups counts all cell updates, those of repeated steps of the implicit scheme included.
 coupler::ParticipantReport Participant::make_report() const {
     auto report =
         coupler::basic_report(session_.world(), tasks_, fluid_.waited_for_neighbours_s());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A fluid as a participant, whatever solves it: its coupled step, assembled from the
-// scene.
+// A fluid participant, whatever solver it drives: assembles the coupled step from what
+// the scene names and runs it.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,16 @@
 
 namespace magfsi::fluids {
 
+// Runs a fluid solver from the session's step to the end, alone or coupled to a
+// structure. All calls are collective over the fluid's ranks.
 class Participant {
   public:
-    // fluid: at the session's step and state; both outlive this.
+    // fluid must stand at the session's step; scene, session and fluid must outlive this.
+    // Restores the checkpoint if the session continues one. Throws coupler::StateFault.
     Participant(const scene::Scene& scene, coupler::Session& session, FluidSolver& fluid,
                 output::ProgressMode progress);
+    // Runs all steps, then writes the summary or, in a coupled run, sends the report to
+    // the structure. Throws coupler::Diverged, PartnerLost or Stopped.
     void run();
 
   private:

@@ -29,12 +29,14 @@ namespace magfsi::lbm {
 
 namespace {
 
+// Positions [m] and fluid volumes [m3] of the markers of all bodies, by marker.
 struct Markers {
     std::vector<fluid::Vec3> at_m;
     std::vector<double> volume_m3;
 };
 
-// Where they start, but for a body that comes bent.
+// The markers at the start of the run. A body that starts bent (initial.relaxed) is taken
+// in its flat shape, which needs no equilibrium to be computed.
 Markers markers_of(const scene::Scene& scene) {
     Markers all;
     for (std::size_t b = 0; scene.coupling && b < scene.bodies.size(); ++b) {
@@ -45,7 +47,8 @@ Markers markers_of(const scene::Scene& scene) {
         placed.mesh.nodes = structure::placed_nodes(placed, placement, {0, 2});
         for (const bodies::PlacedMarker& marker : bodies::place_markers(scene, b)) {
             const structure::Vec3 at = structure::position(placed.mesh, marker.point);
-            // One that lies on the border of elements is in each of them.
+            // A marker on the border of several elements is listed once for each of them;
+            // its parts are joined.
             const double same_m = 1e-9 * scene.fluid->spacing_m;
             if (!all.at_m.empty() &&
                 structure::distance_m(all.at_m.back(), at) < same_m) {
@@ -59,15 +62,16 @@ Markers markers_of(const scene::Scene& scene) {
     return all;
 }
 
-// Bytes a cell of what is made of the populations: float in files, double within.
+// Bytes per cell of the fields made from the populations: float in files, double in
+// memory.
 constexpr double file_vector = 12, file_scalar = 4, velocity_field = 24;
 
 double field_bytes(scene::FluidField field) {
     return scene::components_of(field) == 1 ? file_scalar : file_vector;
 }
 
-// Beside the field itself: the other half of what a sweep gives, or the velocities that a
-// curl is taken of.
+// Bytes per cell needed beside the field itself while it is made: the other result of the
+// sweep, or the velocities of which the curl is taken.
 double while_made(scene::FluidField field) {
     switch (field) {
         case scene::FluidField::velocity:
@@ -83,6 +87,8 @@ double while_made(scene::FluidField field) {
     return 0;
 }
 
+// Peak bytes per cell while the fields of one instant are made one after the other and
+// held until they are written.
 double output_bytes_per_cell(const scene::FluidOutput& output) {
     double held = 0, peak = 0;
     for (const scene::FluidField field : output.fields) {
@@ -92,36 +98,42 @@ double output_bytes_per_cell(const scene::FluidOutput& output) {
     return peak;
 }
 
-// The only sum that takes velocities beside each other.
+// True if the enstrophy is probed: the only sum that needs the velocity field, because it
+// contains derivatives.
 bool has_enstrophy(const scene::Scene& scene) {
     return scene.probes && std::ranges::any_of(scene.probes->fluid, [](auto quantity) {
                return quantity == scene::FluidQuantity::enstrophy;
            });
 }
 
-// The whole fluid is copied where more than the sweep changes it.
+// True if the implicit scheme keeps a copy of the whole fluid, as it does where more than
+// collision and streaming changes populations in a step.
 bool keeps_all(const scene::Scene& scene, const fluid::FluidConfig& config) {
     const bool implicit =
         scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit;
     return implicit && !fluid::sweep_is_all(config);
 }
 
-// In both sets of touched rows a stencil, a place and a share; three vectors as they come
-// and three as they are used, one that goes back, a force and a velocity.
+// Bytes per marker of a fluid rank: a stencil, a position, a share and a flag in both
+// sets of touched rows; three vectors as received, three as used, the answer, a force and
+// a velocity.
 constexpr double marker_bytes =
     2 * (sizeof(coupler::MarkerStencil) + sizeof(coupler::Vec3) + sizeof(double) + 1) +
     9 * sizeof(coupler::Vec3);
-// Rows along x. Sheets of markers, some to a cell, touch a thirtieth as many where they
-// lie along them and a fifth where they have bent across.
+// Rows along x that are touched, per marker. Sheets with some markers per cell touch a
+// thirtieth of a row per marker where they lie along x, and a fifth where they have bent
+// across it.
 constexpr double rows_per_marker = 0.1;
 
-// Three numbers a cell, with room for half as many rows again, as there is in the mean.
+// Bytes of the force rows: three numbers per cell, with the mean slack of half as many
+// rows again that a growing array holds.
 double forced_rows_bytes(double markers, int nx, bool single_precision) {
     return 1.5 * rows_per_marker * markers * 3 * nx *
            (single_precision ? sizeof(float) : sizeof(double));
 }
 
-// Those near a cut are known to the ranks on both of its sides.
+// Number of markers that all fluid ranks hold together. Markers near a cut are known to
+// the ranks on both of its sides and count for each.
 double known_markers(const scene::Scene& scene, const fluid::Decomposition& parts,
                      std::span<const fluid::Vec3> markers_m) {
     const coupler::Grid grid{
@@ -136,11 +148,12 @@ double known_markers(const scene::Scene& scene, const fluid::Decomposition& part
     return known;
 }
 
-// What the fluid participant will need of memory beside its program and libraries.
+// Estimated memory [bytes] of the fluid participant, beside its program and libraries.
 struct FluidMemory {
-    double populations = 0;  // bytes, all ranks
-    // Of effects that the scene names: held for the whole run, and for moments one after
-    // the other, of which the largest counts.
+    double populations = 0;  // all ranks together
+    // Memory of the effects that the scene names. That in `held` is kept for the whole
+    // run; that in `passing` is needed for moments, one after the other, so that only the
+    // largest counts.
     std::vector<std::pair<std::string, double>> held, passing;
 
     double peak() const {
@@ -151,6 +164,8 @@ struct FluidMemory {
     }
 };
 
+// Bytes of the populations of one grid, summed over its ranks, as the solver allocates
+// them.
 double populations_bytes(const fluid::FluidConfig& config, fluid::Storage storage,
                          int ranks) {
     const auto parts =
@@ -163,8 +178,9 @@ double populations_bytes(const fluid::FluidConfig& config, fluid::Storage storag
     return bytes;
 }
 
-// From the sizes that the solver will allocate; markers_m: where they are at the start.
-// What bodies touch depends on their motion: it is that of a sheet that is a little bent.
+// Memory from the sizes that the solver will allocate; markers_m: positions of the
+// markers at the start. The rows that bodies touch depend on their motion: the estimate
+// is for a slightly bent sheet.
 FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
                          std::span<const fluid::Vec3> markers_m) {
     const auto levels = level_configs(scene);
@@ -180,7 +196,8 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
             bytes += populations_bytes(patch, storage, ranks);
         memory.held.emplace_back(fmt::format("level {}", l), bytes);
     }
-    double ghosted_cells = 0;  // of a velocity field, which always has a layer around it
+    // Cells of a velocity field, which has a ghost layer in y and z.
+    double ghosted_cells = 0;
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
         memory.populations +=
@@ -206,6 +223,8 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     return memory;
 }
 
+// The condition number of the marker system, a measure of how far markers crowd; printed
+// for forcing no_slip only.
 std::string conditioning(const scene::Scene& scene, const fluid::FluidConfig& config,
                          const Markers& markers) {
     if (!config.holds_no_slip || markers.at_m.empty()) return "";
@@ -230,6 +249,8 @@ std::string memory(const scene::Scene& scene, int ranks, const Markers& markers)
     return text + fmt::format("; at most {:.1f} MB beside the program\n", m.peak() / 1e6);
 }
 
+// The finer levels: their patches, spacings, steps and relaxation times, and the number
+// of cell updates saved against a uniform grid of the finest spacing.
 std::string refinement(const scene::Scene& scene) {
     const auto levels = level_configs(scene);
     std::string text;
@@ -255,7 +276,8 @@ std::string refinement(const scene::Scene& scene) {
                       updated, uniform, uniform / updated);
 }
 
-// After their ramps, without their courses.
+// The flow [mm3/s] through each side with an inlet, after its ramp and without its
+// variation in time.
 std::string inlets(const fluid::FluidConfig& config) {
     std::string text;
     for (int side = 0; side < 6; ++side) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `magfsi explain` says of this fluid.
+// The part of `magfsi explain` that concerns the lattice-Boltzmann fluid.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace magfsi::lbm {
 
-// SI and lattice values side by side, the collision and why, warnings with the values to
-// use instead, memory on so many ranks. Throws std::invalid_argument on what the solver
-// refuses.
+// A text for the terminal: SI and lattice values side by side, the chosen collision and
+// the reason, warnings with the values to use instead, and the memory needed on `ranks`
+// ranks. Throws std::invalid_argument on what the solver refuses.
 std::string explain(const scene::Scene& scene, int ranks);
 
 }  // namespace magfsi::lbm

@@ -9,21 +9,23 @@ namespace magfsi::lbm {
 
 namespace {
 
-// [z][y][x][direction]
+// Shape of the table: [z][y][x][direction].
 std::vector<std::size_t> shape_of(const fluid::Fluid& fluid) {
     const auto& n = fluid.config().cells;
     return {static_cast<std::size_t>(n[2]), static_cast<std::size_t>(n[1]),
             static_cast<std::size_t>(n[0]), fluid::populations_per_cell};
 }
 
-// Values of so many rows of a plane: x is never cut between ranks.
+// Number of values in `rows` rows of one plane; rows are whole, since x is never cut
+// between ranks.
 std::size_t values_of(const fluid::Fluid& fluid, int rows) {
     return static_cast<std::size_t>(rows) *
            static_cast<std::size_t>(fluid.config().cells[0]) *
            fluid::populations_per_cell;
 }
 
-// The parts of all ranks in one plane, on the root.
+// Gathers plane z of the box from the ranks that own parts of it; `plane` is filled on
+// rank 0. Collective. The plane's number serves as the message tag.
 void collect_plane(MPI_Comm comm, const fluid::Fluid& fluid, int z,
                    std::span<double> plane) {
     int rank = 0;

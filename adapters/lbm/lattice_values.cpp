@@ -10,17 +10,21 @@ namespace magfsi::lbm {
 
 namespace {
 
-// The lattice's compressibility error is of the order of the Mach number squared.
+// Compressibility errors of the lattice are of the order of the Mach number squared.
 constexpr double max_mach = 0.17;  // 3 %
-// Below, the viscous length is far below a cell: only regularised or filtered collisions
-// stay stable. Above 1, the error at walls grows with (tau - 1/2)^2.
+// Below min_tau the viscous length is far smaller than a cell, and only regularised or
+// filtered collisions stay stable. Above max_tau the error at walls, which grows as
+// (tau - 1/2)^2, is too large.
 constexpr double min_tau = 0.501, max_tau = 1.0;
-// Perturbations of odd modes then live for ten steps and grow in fast flows.
+// At a smaller rate perturbations of the odd modes live for more than ten steps and grow
+// in fast flows.
 constexpr double min_odd_rate = 0.1;
-// Velocity differences across a cell that viscosity can still even out.
+// Largest Reynolds number of a cell at which viscosity still smooths velocity differences
+// from cell to cell.
 constexpr double max_grid_reynolds = 50;
 
-constexpr double overshoots = 0.05;  // (omega L/c)^2, above which the start is told of
+// Value of (omega L / c)^2 above which the text suggests a ramp.
+constexpr double overshoots = 0.05;
 
 }  // namespace
 
@@ -98,13 +102,14 @@ std::string warnings(const scene::Scene& scene, const LatticeValues& v) {
             v.odd_rate, (v.tau - 0.5) / 2));
     }
     if (v.tau < min_tau) {
-        // With the step from the lattice speed, tau - 1/2 grows as 1 / spacing.
+        // If the step follows from the lattice speed, tau - 1/2 is proportional to
+        // 1 / spacing.
         warn(fmt::format(
             "a relaxation time of {:.5g} leaves little viscosity to the grid: "
             "take a spacing of {:.3g} mm or less",
             v.tau, v.spacing_m * (v.tau - 0.5) / (min_tau - 0.5) * 1e3));
     }
-    // The finest cells are where shear layers begin: at bodies.
+    // Shear layers begin at bodies, where the finest cells are.
     const double finest_m = scene.fluid->finest_spacing_m();
     const double finest_reynolds = v.grid_reynolds * finest_m / v.spacing_m;
     if (finest_reynolds > max_grid_reynolds * (1 + 1e-9) &&
@@ -135,7 +140,7 @@ std::string sound(const scene::Fluid& fluid, const LatticeValues& v) {
         if (wave != nullptr)
             text += fmt::format("; (omega L/c)^2 of the course is {:.2g}",
                                 square(2 * pi * wave->frequency_hz));
-        // A fluid that moves from the start, as the inlet does, needs no ramp.
+        // A fluid that already moves at the start with the inlet needs no ramp.
         const bool at_once =
             inlet.ramp_s == 0 &&
             (inlet.course ? inlet.factor(0) != 0 : !fluid.initial_velocity_m_s);

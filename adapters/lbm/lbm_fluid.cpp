@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* table = "populations";
 
-// 1 in the owned cells that are inside obstacles, 0 elsewhere. Collective.
+// Sets 1 in this rank's cells that lie inside obstacles, 0 in the others. Collective.
 void mark_obstacles(const fluid::Fluid& fluid, std::span<float> out) {
     std::ranges::fill(out, 0.0F);
     const fluid::CellBox box = fluid.owned();
@@ -107,6 +107,8 @@ void LbmFluid::save(coupler::StateWriter* file) {
     lbm::save(comm_, fluid_, table, file);
 }
 
+// A checkpoint of a longer coupled step counts as several of this run's (a retry with
+// halved steps).
 void LbmFluid::restore(const coupler::StateReader& file) {
     const std::int64_t steps = steps_in_one(fluid_, file);
     fluid_.set_steps_done(file.header().step * steps);

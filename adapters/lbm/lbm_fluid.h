@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fluid_lbm/ as a fluid that a participant can drive.
+// The lattice-Boltzmann solver on one uniform grid, as a FluidSolver.
 #pragma once
 
 #include <mpi.h>
@@ -11,11 +11,15 @@
 
 namespace magfsi::lbm {
 
-// A field of this rank's cells, x fastest. Collective.
+// Fills `out` with a field at this rank's cells, x fastest; 3 consecutive values per cell
+// for vectors. Collective.
 void sample(const fluid::Fluid& fluid, scene::FluidField field, std::span<float> out);
 
+// Passes the participant's calls on to a fluid::Fluid, which must outlive this object.
+// The units of the interface are SI.
 class LbmFluid final : public fluids::FluidSolver {
   public:
+    // comm: the communicator of the fluid's ranks.
     LbmFluid(MPI_Comm comm, fluid::Fluid& fluid);
 
     const coupler::Grid& grid() const override { return grid_; }

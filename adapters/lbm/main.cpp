@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// magfsi-fluid-lbm: the lattice-Boltzmann fluid of a scene, alone or beside
+// magfsi-fluid-lbm runs the lattice-Boltzmann fluid of a scene, alone or coupled to
 // magfsi-structure.
-//   mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
+//    mpirun -n 1 magfsi-structure SCENE --out DIR : -n 2 magfsi-fluid-lbm SCENE --out DIR
 #include <omp.h>
 
 #include <algorithm>
@@ -17,8 +17,9 @@
 
 namespace {
 
-// Each process of the job takes its share of the cores: a thread more would take a core
-// from a partner, or spin beside it. OMP_NUM_THREADS, where it is set, decides instead.
+// Limits the threads of this process to its share of the machine's cores, since a further
+// thread would take a core from a partner or spin beside it, and to the number for which
+// there are enough cells. OMP_NUM_THREADS, if set, decides instead.
 void choose_threads(const magfsi::scene::Fluid& fluid,
                     const magfsi::coupler::World& world) {
     if (std::getenv("OMP_NUM_THREADS")) return;

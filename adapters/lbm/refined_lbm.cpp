@@ -15,17 +15,21 @@ namespace magfsi::lbm {
 
 namespace {
 
-// Of a checkpoint: populations of each patch; the box of the level below that each
-// covers, six numbers, nest by nest; what keeps the mass.
+// Tables of a checkpoint beside the populations of each patch. "patches": for each finer
+// patch the box of cells of the next coarser level that it covers, six numbers (lo, hi),
+// nest by nest and level by level within it. "mass_owed": two numbers per patch that keep
+// the mass constant (RefinedFluid::kept_mass).
 constexpr const char* places_table = "patches";
 constexpr const char* mass_table = "mass_owed";
 
+// "" for level 0, else "_WORDl", with "_nestN" from the second nest on.
 std::string suffix(const std::string& word, int level, int nest) {
     if (level == 0) return "";
     return nest == 0 ? fmt::format("_{}{}", word, level)
                      : fmt::format("_{}{}_nest{}", word, level, nest + 1);
 }
 
+// Name of the table with a patch's populations.
 std::string table_of(int level, int nest) {
     return "populations" + suffix("", level, nest);
 }
@@ -35,6 +39,7 @@ std::int64_t cells_in(const fluid::Fluid& fluid) {
     return static_cast<std::int64_t>(n[0]) * n[1] * n[2];
 }
 
+// The boxes of all nests as a flat list, the "patches" table of a checkpoint.
 std::vector<double> numbers_of(const std::vector<fluid::NestPlaces>& nests) {
     std::vector<double> numbers;
     for (const fluid::NestPlaces& nest : nests) {
@@ -47,6 +52,7 @@ std::vector<double> numbers_of(const std::vector<fluid::NestPlaces>& nests) {
     return numbers;
 }
 
+// The nests that such a list describes; each box lies in the cells of the level before.
 std::vector<fluid::NestPlaces> places_of(const std::vector<double>& numbers,
                                          const fluid::RefinedConfig& config) {
     const auto periodic = fluid::periodic_axes(config.coarse);
@@ -133,6 +139,8 @@ std::vector<fluids::FieldCells> RefinedLbm::field_cells() const {
     return all;
 }
 
+// The patch's own ghost cells are left out. Level 0 is first given the values of the
+// finer levels where these cover it.
 void RefinedLbm::field(scene::FluidField field, std::size_t patch, std::span<float> out) {
     const auto [l, nest] = patches()[patch];
     if (l == 0) fluid_.cover_all();
@@ -165,7 +173,7 @@ void RefinedLbm::check_divergence() {
     if (fault) throw coupler::Diverged(fluid::to_string(*fault));
 }
 
-// cells: as many as are updated in a coupled step, in the mean.
+// "cells" of the summary is the mean number of cells that a coupled step updates.
 output::FluidSummary RefinedLbm::summary() const {
     const fluid::FluidConfig& config = fluid_.level(0).config();
     output::FluidSummary summary;
@@ -193,6 +201,8 @@ void RefinedLbm::save(coupler::StateWriter* file) {
         lbm::save(comm_, fluid_.level(l, nest), table_of(l, nest), file);
 }
 
+// Places of the patches come first, then their populations. Throws StateFault if the
+// checkpoint is of a grid with another number of levels.
 void RefinedLbm::restore(const coupler::StateReader& file) {
     const int finest = fluid_.levels() - 1;
     if (!file.has(places_table) || !file.has(table_of(finest, 0)) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fluid_lbm/'s refined grid as a fluid that a participant can drive.
+// The lattice-Boltzmann solver on a refined grid, as a FluidSolver.
 #pragma once
 
 #include <mpi.h>
@@ -9,9 +9,12 @@
 
 namespace magfsi::lbm {
 
+// Passes the participant's calls on to a fluid::RefinedFluid, which must outlive this
+// object. Bodies meet the finest level only: grid() is that level's cells in the whole
+// box, of which a rank owns those in the patches.
 class RefinedLbm final : public fluids::FluidSolver {
   public:
-    // renewal: when it may follow the bodies.
+    // renewal: the steps at which the patches may follow the bodies.
     RefinedLbm(MPI_Comm comm, fluid::RefinedFluid& fluid,
                const coupler::Renewal& renewal);
 
@@ -27,6 +30,8 @@ class RefinedLbm final : public fluids::FluidSolver {
     void advance() override { fluid_.step(); }
     void keep() override { fluid_.keep(); }
     void go_back() override { fluid_.go_back(); }
+    // Moves the patches with the bodies, if need be. Throws coupler::Diverged if no
+    // patches can be placed around the boxes.
     void follow(const std::vector<std::array<scene::Vec3, 2>>& bodies_m) override;
 
     std::string headline() const override;
@@ -49,10 +54,13 @@ class RefinedLbm final : public fluids::FluidSolver {
     void restore(const coupler::StateReader& file) override;
 
   private:
+    // A block of cells of one size: level 0, the coarsest, has one; every finer level has
+    // one in each nest.
     struct Patch {
         int level = 0, nest = 0;
     };
-    std::vector<Patch> patches() const;  // level by level
+    // All patches, level by level: their order is that of field_cells() and of files.
+    std::vector<Patch> patches() const;
 
     MPI_Comm comm_;
     fluid::RefinedFluid& fluid_;

@@ -14,8 +14,8 @@ namespace magfsi::lbm {
 
 namespace {
 
-// The pressure is that of the incompressible flow: rho U^2 / 16 (cos 2kx + cos 2ky)
-// (cos 2kz + 2).
+// The vortex of Taylor and Green with the pressure of the incompressible flow, rho
+// U^2 / 16 (cos 2kx + cos 2ky) (cos 2kz + 2).
 void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid) {
     const double speed_m_s = fluid.taylor_green->speed_m_s;
     const double k = 2 * std::numbers::pi / fluid.box_m[0];
@@ -33,6 +33,7 @@ void start_as_taylor_green(fluid::FluidConfig& config, const scene::Fluid& fluid
 
 }  // namespace
 
+// A coarsest level takes coupled_steps_in_one() coupled steps at once.
 fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s) {
     const scene::Fluid& fluid = *scene.fluid;
     fluid::FluidConfig config;
@@ -53,6 +54,8 @@ fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s) {
     return config;
 }
 
+// The margin around the bodies is in cells of the finest level but one, hence twice the
+// finest spacing.
 fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled_step_s) {
     const scene::Fluid& fluid = *scene.fluid;
     fluid::RefinedConfig config;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scene's fluid in the terms of fluid_lbm/.
+// Translates a scene's fluid into the configurations of fluid_lbm/.
 #pragma once
 
 #include "adapters/scene/scene.h"
@@ -8,21 +8,25 @@
 
 namespace magfsi::lbm {
 
-// Of a refined grid, the coarsest level's.
+// Configuration of the uniform grid, or of the coarsest level of a refined one.
+// coupled_step_s: the coupled step [s], which is the step of the finest level.
 fluid::FluidConfig to_config(const scene::Scene& scene, double coupled_step_s);
 
-// Of a scene with fluid.refinement.
+// Configuration of all levels, for a scene with fluid.refinement.
 fluid::RefinedConfig to_refined_config(const scene::Scene& scene, double coupled_step_s);
-// What the finest level is to be around: the given box, or each body where it starts
-// (before it relaxes).
+// Boxes [m] that the finest level is placed around: the box that the scene gives, or one
+// around each body at its start. A body that starts relaxed is taken in its flat shape.
 std::vector<fluid::BodyBox> refined_parts_m(const scene::Scene& scene);
 
-// The grids of each level at the start: one, or with fluid.refinement the finer levels'
-// patches behind it.
+// Configurations of the grids at the start, by level, the coarsest first; a finer level
+// has one for each of its patches. Without fluid.refinement there is one level with one
+// grid.
 using LevelConfigs = std::vector<std::vector<fluid::FluidConfig>>;
 LevelConfigs level_configs(const scene::Scene& scene);
+// Number of cells of all grids of a level.
 double cells_of(const std::vector<fluid::FluidConfig>& level);
-// Cells that a coupled step updates, in the mean.
+// Mean number of cells that a coupled step updates: a level takes half as many steps as
+// the next finer one.
 double updated_cells(const LevelConfigs& levels);
 
 }  // namespace magfsi::lbm

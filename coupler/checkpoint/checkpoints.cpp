@@ -29,7 +29,8 @@ bool StopAgreement::decide(std::int64_t step, bool last) {
     int asked = stop_requested() != 0 ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &asked, 1, MPI_INT, MPI_MAX, world_.local());
     stopping_ = asked != 0;
-    // The fluid asks once a step, and not for what comes after its last.
+    // The fluid receives one message per step except after its last one, for which none
+    // is sent.
     if (world_.root() && world_.coupled() && !last) {
         wait_all({&sending_, 1}, timeout_s_, "receiver of the message to continue");
         note_ = {step, asked};
@@ -38,6 +39,7 @@ bool StopAgreement::decide(std::int64_t step, bool last) {
     return false;
 }
 
+// The first step has no message: the decision of step n - 1 arrives in step n.
 bool StopAgreement::receive_decision() {
     std::int64_t stop = 0;
     if (world_.root() && begun_) {
@@ -77,7 +79,8 @@ void Checkpoints::write() {
     }
     save_(file.get());
     if (file) file->commit();
-    // The partner may still be writing its half: it does not count yet.
+    // The partner may still be writing its file, so that the checkpoint of this step
+    // counts as incomplete and older ones stay.
     finish();
 }
 

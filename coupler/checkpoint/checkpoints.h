@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checkpoints while a run goes on, and the end of a run that was told to stop.
+// Checkpoints during a run, and the orderly end of a run that received a signal to stop.
 #pragma once
 
 #include <mpi.h>
@@ -15,16 +15,19 @@
 
 namespace magfsi::coupler {
 
-// All ranks of both sides end at the same coupled step. The structure decides (or the
-// only side there is): a signal that has reached any of its ranks by the end of step n
-// ends the run after step n + 1, and the fluid receives that decision as one number per
-// step, which it has no need to wait for.
+// Makes all ranks of both sides end at the same coupled step. The structure decides, or
+// the only side of an uncoupled run: a signal that has reached any of its ranks by the
+// end of step n ends the run after step n + 1. The fluid receives the decision as one
+// number per step; the message has a whole step to arrive, so the fluid does not wait for
+// it.
 class StopAgreement {
   public:
+    // timeout_s: longest wait for the partner's message [s].
     StopAgreement(const World& world, double timeout_s);
 
-    // At the end of each step, by all ranks: whether this is the last one. last: whether
-    // the clock says so anyway.
+    // Returns true if this was the last step because of a signal. To be called at the end
+    // of each step by all ranks; collective over each side. last: true if the clock ends
+    // the run with this step anyway. Throws what wait_all throws.
     bool reached(std::int64_t step, bool last);
 
   private:
@@ -33,29 +36,34 @@ class StopAgreement {
 
     const World& world_;
     double timeout_s_;
-    bool begun_ = false;                  // one step has been completed
-    bool stopping_ = false;               // after the coming step
-    std::array<std::int64_t, 2> note_{};  // step, whether to stop after the one behind it
+    bool begun_ = false;                  // true once one step has been completed
+    bool stopping_ = false;               // true if the run ends after the coming step
+    std::array<std::int64_t, 2> note_{};  // step; 1 to stop after the next step
     MPI_Request sending_ = MPI_REQUEST_NULL;
 };
 
-// A participant's output "checkpoint": writes its state every so many coupled steps,
-// and once more when the run was told to end, which it then does in order.
+// A participant's output "checkpoint": writes the participant's state every so many
+// coupled steps, and once more when a signal has asked the run to end.
 class Checkpoints : public Output {
   public:
-    // Collective over the participant; file is null but on its root.
+    // Writes the participant's state. Collective over the participant; file is null
+    // except on its root.
     using Save = std::function<void(StateWriter* file)>;
 
-    // For scenes with a checkpoint. From here on a signal no longer ends the run at once.
+    // Requires a plan with a checkpoint. From here on a signal ends the run at the end of
+    // a coupled step, after a checkpoint (postpone_stop).
     Checkpoints(Session& session, Save save);
 
-    // After everything else of a step that leaves files.
+    // Writes a checkpoint if one is due. Its task must come after the other outputs of
+    // the step, so that their files are complete when the checkpoint is. Collective.
     void end_step() override;
 
-    // When both sides have ended: takes away the checkpoints beyond those kept.
+    // Deletes all checkpoints but the newest complete ones; called when both sides have
+    // ended.
     void finish() override;
 
   private:
+    // Writes this participant's file and then deletes old checkpoints. Collective.
     void write();
 
     Session& session_;
@@ -64,7 +72,8 @@ class Checkpoints : public Output {
     StopAgreement stop_;
 };
 
-// This participant's file of the checkpoint that the session goes on from.
+// Opens this participant's file of the checkpoint that the session continues;
+// session.restart() must not be null. Throws StateFault.
 StateReader open_restart(const Session& session);
 
 }  // namespace magfsi::coupler

@@ -20,7 +20,7 @@ std::size_t size_of(MPI_Comm comm) {
     return size;
 }
 
-// What each rank has, one after the other, on the root.
+// Concatenates the ranks' numbers on rank 0, in the order of the ranks.
 template <class T>
 std::vector<T> gather_all(MPI_Comm comm, std::span<const T> mine, MPI_Datatype type) {
     const int count = mine.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the ranks hold of a checkpoint's tables, to the root and back, independent of how
-// many ranks there are.
+// Tables of a checkpoint whose rows are spread over the ranks: gathering them on the root
+// and giving them back, independent of the number of ranks.
 #pragma once
 
 #include <mpi.h>
@@ -11,18 +11,20 @@
 
 namespace magfsi::coupler {
 
-// Rows of `width` numbers, each rank some of them; index: their place among `count` rows
-// in all, each held by one rank. All of them on the root, nothing elsewhere. Collective.
+// Gathers a table of `count` rows of `width` numbers each. rows: this rank's rows, row
+// after row; index: the place of each of them in the table. Every place must be held by
+// exactly one rank. Returns the table on rank 0, an empty vector elsewhere. Collective.
 std::vector<double> gather_rows(MPI_Comm comm, std::span<const int> index,
                                 std::span<const double> rows, std::size_t width,
                                 std::size_t count);
 
-// Numbers of which each rank holds a share, as many on every rank: one row a rank on the
-// root, nothing elsewhere. Collective.
+// Gathers numbers of which every rank holds equally many: the result has one row per rank
+// on rank 0 and is empty elsewhere. Collective.
 std::vector<double> gather_shares(MPI_Comm comm, std::span<const double> mine);
 
-// This rank's share of such rows: its own with as many ranks as there were, so that sums
-// over the ranks keep their last bit; with another number the root takes all.
+// This rank's share of a table that gather_shares made on `ranks_then` ranks. With as
+// many ranks as then it is the rank's own row, so that sums over the ranks keep their
+// last bit; with another number rank 0 takes the sum of all rows and the others zeros.
 std::vector<double> share_of(MPI_Comm comm, std::span<const double> rows,
                              std::size_t ranks_then);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view prefix = "checkpoint_";
 
-// use(file, step) for each file of a checkpoint, also one that is half-written.
+// Calls use(file, step) for each file of a checkpoint, unfinished ones included.
 template <class Use>
 void each_file(const fs::path& folder, Use&& use) {
     if (!fs::is_directory(folder)) return;
@@ -28,6 +28,7 @@ void each_file(const fs::path& folder, Use&& use) {
     }
 }
 
+// True for a finished file; an unfinished one ends in .tmp.
 bool has_its_name(const fs::path& file) {
     return file.extension() == ".h5";
 }
@@ -84,6 +85,7 @@ void clear_checkpoints_after(const fs::path& folder, std::int64_t newest) {
 
 namespace {
 
+// Throws if the file is of another scene; the hash leaves the end time out.
 void check_scene_of(const fs::path& file, const StateHeader& header,
                     const RunPlan& plan) {
     if (header.state_hash == plan.state_hash) return;
@@ -93,6 +95,7 @@ void check_scene_of(const fs::path& file, const StateHeader& header,
         file.string(), header.state_hash, plan.state_hash));
 }
 
+// Throws if the checkpoint is later than the end of the run.
 void check_end(const fs::path& file, const StateHeader& header, const RunPlan& plan) {
     if (header.step <= Clock(header.step_s, plan.end_s, plan.steps_at_a_time).steps())
         return;
@@ -102,7 +105,9 @@ void check_end(const fs::path& file, const StateHeader& header, const RunPlan& p
         file.string(), 1.0 * header.step * header.step_s, plan.end_s));
 }
 
-// Throws StateFault on what latest may skip.
+// Reads all files of a checkpoint and verifies their checksums. Throws StateFault for
+// damage, which "latest" may pass over, and std::invalid_argument for a wrong scene or
+// time, which it may not.
 StateHeader read_through(const fs::path& folder, std::int64_t step, const RunPlan& plan) {
     StateHeader header;
     for (const Role role : plan.roles) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The checkpoints in a run folder, and the one that a run continues (--restart latest, or
-// --restart FILE).
+// The checkpoints in a run folder, and the choice of the one that a run continues
+// (--restart latest, or --restart FILE).
 #pragma once
 
 #include <cstdint>
@@ -15,48 +15,53 @@
 
 namespace magfsi::coupler {
 
-// A checkpoint is a file of each participant of the scene, checkpoint_STEP_structure.h5
-// and checkpoint_STEP_fluid.h5. A file gets this name only when it is complete, so a
-// checkpoint is complete when all its files are there. The newest complete ones are kept:
+// A checkpoint consists of one file per participant of the scene,
+// checkpoint_STEP_structure.h5 and checkpoint_STEP_fluid.h5. A file gets this name only
+// when it is complete, so that a checkpoint is complete when all its files exist. Number
+// of complete checkpoints that are kept, the newest ones:
 constexpr std::size_t checkpoints_kept = 2;
 
+// Path of a participant's file of the checkpoint of a step.
 std::filesystem::path checkpoint_file(const std::filesystem::path& folder,
                                       std::int64_t step, Role role);
 
-// The step in the name of a checkpoint's file; none if it is not such a name.
+// The step in a checkpoint file's name; empty if the name is not of that form. Names of
+// unfinished files count, too.
 std::optional<std::int64_t> step_in_name(const std::filesystem::path& file);
 
-// The steps of which there is a checkpoint, the newest first: those with at least one
-// file, and those that are complete.
+// Steps with a checkpoint in the folder, the newest first: those with at least one
+// finished file, and those that have a file of each role.
 std::vector<std::int64_t> steps_found(const std::filesystem::path& folder);
 std::vector<std::int64_t> steps_complete(const std::filesystem::path& folder,
                                          const std::vector<Role>& roles);
 
-// Deletes the checkpoints that are older than the ones to keep.
+// Deletes the files of checkpoints older than the oldest one to keep. Incomplete
+// checkpoints that are newer stay.
 void prune_checkpoints(const std::filesystem::path& folder,
                        const std::vector<Role>& roles);
 
-// Deletes the checkpoints after a step, and files that were not finished when a run was
+// Deletes the checkpoints of later steps, and files that were unfinished when a run was
 // killed.
 void clear_checkpoints_after(const std::filesystem::path& folder, std::int64_t step);
 
-// The checkpoint that a run continues.
+// The checkpoint that a run continues, and why newer ones were passed over.
 struct RestartPoint {
-    std::filesystem::path folder;  // of the checkpoint's files
+    std::filesystem::path folder;  // the folder of the checkpoint's files
     StateHeader header;
-    // Why newer checkpoints could not be used; one line each, of "latest" only.
+    // One line for each newer checkpoint that "latest" could not use, with the reason.
     std::vector<std::string> skipped;
 };
 
-// wanted: "latest", the newest usable checkpoint of the run folder, or the path of one of
-// a checkpoint's files. All files of the checkpoint are read once, so that damage is
-// found now. Throws std::invalid_argument with one line where there is no checkpoint,
-// where it belongs to another scene (which may differ in time.end), and where the one
-// that was named is damaged or incomplete; "latest" then takes the one before.
+// Finds the checkpoint that `wanted` means: "latest", the newest usable one of the run
+// folder, or the path of any file of a checkpoint. Reads all its files once, so that
+// damage is found before the run starts; "latest" passes over a damaged or incomplete
+// checkpoint. Throws std::invalid_argument with a message of one line if there is no
+// checkpoint, if it belongs to another scene (only time.end may differ) or lies beyond
+// the end of the run, and if a named one is damaged or incomplete.
 RestartPoint find_restart(const std::string& wanted,
                           const std::filesystem::path& run_folder, const RunPlan& plan);
 
-// The folder of the checkpoint that `wanted` means.
+// The folder of the checkpoint that `wanted` means; it need not exist.
 std::filesystem::path restart_folder(const std::string& wanted,
                                      const std::filesystem::path& run_folder);
 

@@ -22,13 +22,13 @@ namespace {
 
 constexpr std::int64_t state_format = 2;
 
-// "cannot read dataset fluid: Can't open object"; the caller names the file.
+// An error of HDF5: "cannot read dataset fluid: Can't open object", without the file.
 class Hdf5Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// An HDF5 object that is closed with its owner.
+// Owns an HDF5 object and closes it.
 class Hdf5Handle {
   public:
     using Close = herr_t (*)(hid_t);
@@ -45,7 +45,7 @@ class Hdf5Handle {
     }
 
     hid_t get() const { return id_; }
-    // Closes now; negative if that failed.
+    // Closes the object and returns HDF5's status, which is negative on failure.
     herr_t reset() { return id_ < 0 ? 0 : close_(std::exchange(id_, -1)); }
 
   private:
@@ -53,25 +53,25 @@ class Hdf5Handle {
     Close close_ = nullptr;
 };
 
-// The innermost entry comes first upwards: the cause, not its consequences.
+// The first entry of an upward walk through the error stack is the cause.
 herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
     if (depth == 0 && entry->desc != nullptr)
         *static_cast<std::string*>(text) = entry->desc;
     return 0;
 }
 
-// Keeps HDF5 from printing its stack of errors and from locking files; call before
-// anything else of it.
+// Keeps HDF5 from printing its error stack and from locking files. To be called before
+// anything else of HDF5.
 void prepare_hdf5() {
-    // Some network file systems have no locks and would refuse every file; ours are
-    // never written once they have their name.
+    // Some network file systems have no locks and would refuse every file. Files of a
+    // checkpoint need none: they are not written to once they have their name.
     setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
-    // At the process's end HDF5 would flush what a full disk has refused once, and crash.
+    // At the process's end HDF5 would flush again what a full disk refused, and crash.
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-// Returns what HDF5 returned, or throws with HDF5's innermost reason.
+// Returns what HDF5 returned, or throws Hdf5Error with HDF5's innermost reason.
 hid_t checked(hid_t returned, const std::string& what) {
     if (returned >= 0) return returned;
     std::string reason = "unknown reason";
@@ -81,7 +81,7 @@ hid_t checked(hid_t returned, const std::string& what) {
 
 using Sizes = std::vector<hsize_t>;
 
-// A block of a table, and memory of its size.
+// The dataspaces of a block: that in memory and that in the table.
 struct Block {
     Hdf5Handle memory, place;
 };
@@ -102,19 +102,19 @@ Block block_of(hid_t table, const Sizes& start, const Sizes& count) {
 
 struct StateWriter::Files {
     Hdf5Handle file;
-    Hdf5Handle table;  // the one that planes go to
+    Hdf5Handle table;  // the table that plane() writes to
     Sizes shape;
-    std::uint64_t sum = 0;  // of its planes so far
+    std::uint64_t sum = 0;  // checksum of the planes written so far
 };
 
 namespace {
 
 constexpr const char* sum_name = "sum";
 
-// Of the planes that lie in values, the first of which is plane `first` of the table; the
-// sum of all planes of a table guards it. Every step is one to one, so that damage in one
-// number is always found; and unlike that of HDF5's own Fletcher32, the sum of zeros is
-// not zero: the end of a file that a power cut left unwritten is zeros throughout.
+// Checksum of consecutive planes; `first` is the number of the first one in the table.
+// That of a table is the sum over its planes, in any order. Each value passes through a
+// bijective mix, so that a change of one number always shows. Unlike with HDF5's
+// Fletcher32 zeros have a sum: an end that a power cut left unwritten reads as zeros.
 std::uint64_t sum_of_planes(std::span<const double> values, std::size_t first,
                             std::size_t planes) {
     const std::size_t size = values.size() / planes;
@@ -141,10 +141,10 @@ void write_attribute(hid_t owner, const char* name, hid_t type, const void* valu
 
 Hdf5Handle create_file(const std::string& path) {
     const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), path), &H5Pclose);
-    // The newest format has checksums of its own structure.
+    // The newest format protects its own metadata with checksums.
     H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
     const Hdf5Handle creation(checked(H5Pcreate(H5P_FILE_CREATE), path), &H5Pclose);
-    // No time of day, here and below: equal states give equal files.
+    // Times are left out here and below, so that equal states give equal files.
     checked(H5Pset_obj_track_times(creation.get(), false), path);
     return {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
                     path),
@@ -167,7 +167,7 @@ Hdf5Handle create_table(hid_t file, const std::string& name, const Sizes& shape,
 
 }  // namespace
 
-// HDF5 tells only its own view; the system's number, where there is one, tells the cause.
+// Turns HDF5's error into a FileError with the system's errno, which names the cause.
 template <class Work>
 void StateWriter::guarded(Work&& work) {
     errno = 0;
@@ -261,7 +261,7 @@ struct StateReader::Files {
 
 namespace {
 
-// Numbers; a larger table is one of planes (StateWriter::begin_table).
+// Largest number of values read at once; larger tables were written in planes.
 constexpr std::size_t largest_at_once = std::size_t{1} << 24;
 
 std::size_t product(const Sizes& sizes) {

@@ -18,8 +18,8 @@ namespace {
 
 using Messages = std::vector<std::vector<double>>;
 
-// MPI keeps no copy of a long message: the partner may read it from here until this
-// process ends, and would take what came into freed memory for an answer.
+// Keeps buffers alive until the process ends. MPI copies no long message: the partner may
+// read it from here until then, and would otherwise take freed memory for an answer.
 void keep_until_exit(Messages& messages) {
     static auto& kept = *new std::vector<Messages>;  // never freed
     kept.push_back(std::move(messages));
@@ -32,7 +32,7 @@ std::string in_words(const Occasion& when) {
 
 using Box = std::array<Vec3, 2>;
 
-// Around nothing.
+// The empty box: any point widens it.
 constexpr Box no_box() {
     constexpr double most = std::numeric_limits<double>::max();
     return {Vec3{most, most, most}, Vec3{-most, -most, -most}};
@@ -45,7 +45,9 @@ void widen(Box& box, const Vec3& low, const Vec3& high) {
     }
 }
 
-// Numbers of markers to and from every rank of the partner.
+// Exchanges with every rank of the partner the number of markers that each side will
+// send. A new run may take long to start, so the exchange before the first step has no
+// time limit.
 void exchange_counts(const World& world, const std::vector<int>& mine,
                      std::vector<int>& theirs, std::int64_t step, double timeout_s) {
     MPI_Request request;
@@ -61,8 +63,9 @@ void start_send(const World& world, int rank, int tag, const std::vector<double>
                &sending.emplace_back());
 }
 
-// Receives a message from each of the ranks into its place in `in`, which has its size or
-// gets that of what comes, and completes what is being sent.
+// Receives a message from each of the ranks into its place in `in`, and completes the
+// sends in `sending`. An empty buffer takes the size of its message; a filled one must
+// have it.
 void receive_from(const World& world, const std::vector<int>& ranks, int tag,
                   Messages& in, std::vector<MPI_Request>& sending, double timeout_s,
                   const std::string& what) {
@@ -84,7 +87,7 @@ void receive_from(const World& world, const std::vector<int>& ranks, int tag,
     sending.clear();
 }
 
-// The boxes of each rank of a grid, as numbers: how many, then six for each.
+// The boxes of each rank as a flat list: their number, then six numbers for each.
 std::vector<double> to_numbers(const std::vector<std::vector<CellBox>>& by_rank) {
     std::vector<double> numbers;
     for (const auto& boxes : by_rank) {
@@ -107,7 +110,8 @@ void from_numbers(const double* number, std::vector<std::vector<CellBox>>& by_ra
     }
 }
 
-// What forcing no_slip says besides: its numbers of the i-th marker of a message.
+// Index of the no_slip numbers of the i-th marker: of its volume in a message, of its
+// answer in the reply.
 constexpr std::size_t volume_at(std::size_t i) {
     return message_header + marker_values_of(Forcing::no_slip) * i + 9;
 }
@@ -135,7 +139,7 @@ void write_answer(std::vector<double>& message, const NoSlipAnswer& answer,
     }
 }
 
-// Each fluid rank has a part of it.
+// Adds a fluid rank's shares of row sums and of q to the answer.
 void add_answer(const std::vector<double>& message, const std::vector<int>& markers,
                 NoSlipAnswer& answer) {
     for (std::size_t i = 0; i < markers.size(); ++i) {
@@ -207,7 +211,7 @@ void StructureExchange::renew(std::int64_t step, std::span<const Vec3> points_m)
     table_ = partner_table(grid_, kernel_, points_m);
     renewed_at_.assign(points_m.begin(), points_m.end());
     std::vector<int> mine(table_.size());
-    std::vector<int> theirs(table_.size());  // the fluid sends zeros
+    std::vector<int> theirs(table_.size());  // filled with the fluid's zeros
     partners_.clear();
     for (std::size_t f = 0; f < table_.size(); ++f) {
         const std::size_t markers = table_[f].size();
@@ -282,7 +286,7 @@ FluidExchange::~FluidExchange() {
     try {
         wait_all(sending_, timeout_s_, "receiver of the last velocities");
     } catch (const std::exception&) {
-        // The structure waits for these velocities no more; it has said why.
+        // The structure has ended without these velocities and has reported why.
     }
 }
 
@@ -317,7 +321,7 @@ void FluidExchange::follow(std::int64_t step, bool stays) {
             widen(bodies[b], get(message.data() + 6 * b),
                   get(message.data() + 6 * b + 3));
     }
-    // Some bodies may have no markers.
+    // Bodies without markers have empty boxes.
     std::erase_if(bodies, [](const Box& box) { return box[0][0] > box[1][0]; });
     if (!stays) follower_->follow(bodies);
     if (world_.rank() != 0) return;
@@ -357,7 +361,8 @@ void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity,
     for (const int partner : partners_) {
         const std::size_t s = partner;
         const std::size_t count = count_[s];
-        // Not in renew: the last velocities may still be under way then.
+        // Sized here and not in renew(), since MPI may still read the last velocities
+        // then.
         out_[s].resize(message_header + velocity_values_of(forcing_) * count);
         write_header(out_[s], when, count);
         double* at = out_[s].data() + message_header;

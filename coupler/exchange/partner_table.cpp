@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which fluid ranks a marker can reach until the table is renewed.
+// The partner table: which fluid ranks a marker can reach until the table is renewed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +18,8 @@ bool overlap(int a_lo, int a_hi, int b_lo, int b_hi) {
 
 }  // namespace
 
+// The reach along each axis is half the kernel's support, one cell for rounding to cells,
+// and the margin.
 bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& point_m) {
     const int reach = support(kernel) / 2 + 1 + grid.renewal.margin_cells;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -38,7 +40,8 @@ bool may_touch(const Grid& grid, Kernel kernel, const CellBox& box, const Vec3& 
 
 std::vector<std::vector<int>> partner_table(const Grid& grid, Kernel kernel,
                                             std::span<const Vec3> points_m) {
-    // A point far outside would meet no rank, and nobody would notice.
+    // Throws for a point far outside the box, which would otherwise touch no rank's cells
+    // and go unnoticed.
     for (const Vec3& point : points_m) marker_stencil(grid, kernel, point);
     std::vector<std::vector<int>> table(grid.owned_by_rank.size());
     for (std::size_t rank = 0; rank < table.size(); ++rank) {

@@ -15,7 +15,7 @@ double norm(double x, double y, double z) {
     return std::sqrt(x * x + y * y + z * z);
 }
 
-// Without a scale any difference is infinitely large, and so is one that is not a number.
+// A difference without a scale counts as infinite, and so does NaN.
 double relative(double difference, double scale) {
     if (difference == 0) return 0;
     const double ratio = difference / scale;
@@ -89,6 +89,9 @@ void MarkerWork::begin_step() {
     std::ranges::fill(impulse_before_, Vec3{});
 }
 
+// The coupling force is the change of the impulse over the substep with the sign
+// reversed, plus what the body pays for earlier impulses; the trapezoidal rule weighs the
+// forces at both ends.
 void MarkerWork::add_substep(const PenaltyForce& force, const double* nodal_velocity,
                              double duration_s) {
     const auto impulse = force.impulse();

@@ -16,7 +16,9 @@ double condition_number(const Grid& grid, Kernel kernel, std::span<const Vec3> p
     rows.place(points_m);
     std::vector<double> cells(3 * rows.cells());
     std::vector<Vec3> marker(points_m.size());
-    // What forces of these sizes bring about at the markers; one number of the three.
+    // Applies the marker system: spreads forces of these sizes, times the markers'
+    // volumes, and interpolates the result back to the markers. Forces act along x only,
+    // since the system is the same for each component.
     const auto felt = [&](const std::vector<double>& size) {
         for (std::size_t m = 0; m < marker.size(); ++m)
             marker[m] = {volume_m3[m] * size[m], 0, 0};

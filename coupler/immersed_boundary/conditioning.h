@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How well the markers of a body say what force each of them gives.
+// Conditioning of the marker system: how uniquely the fluid's velocities determine the
+// markers' forces.
 #pragma once
 
 #include <span>
@@ -9,10 +10,11 @@
 
 namespace magfsi::coupler {
 
-// Condition number of the marker system over its row sums (no_slip.h), whose largest
-// eigenvalue is 1, by power iteration from below: at least this. Large where markers
-// crowd and their forces can cancel without the fluid's notice. volume_m3: of fluid that
-// each moves.
+// Lower bound of the condition number of the marker system divided by its row sums
+// (no_slip.h). The largest eigenvalue of that matrix is 1; the smallest one is approached
+// from above by power iteration on the identity less the matrix. The number is large
+// where markers crowd, so that their forces can cancel without any effect on the fluid.
+// points_m: positions [m]; volume_m3: fluid that each marker moves [m3].
 double condition_number(const Grid& grid, Kernel kernel, std::span<const Vec3> points_m,
                         std::span<const double> volume_m3);
 

@@ -23,7 +23,8 @@ EnclosedFluid::EnclosedFluid(std::span<const Marker> markers,
         const EnclosedFollow& follow = m.enclosed_follow.part >= scale.follow.part
                                            ? m.enclosed_follow
                                            : scale.follow;
-        // Of a change 2 M - N takes on 2 w - w^2 at once, M takes on w.
+        // In one step M takes on the share w of a change and 2 M - N the share 2 w - w^2;
+        // w is chosen so that this share is follow.part.
         if (follow.without_lag)
             following_.push_back({1 - std::sqrt(1 - follow.part), 1});
         else
@@ -72,6 +73,7 @@ PenaltyForce::PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scal
     kappa_ = own_kappa_;
 }
 
+// Row sums are bounded from below, since the stable substep depends on the largest kappa.
 void PenaltyForce::divide_by(std::span<const double> row_sum) {
     for (std::size_t m = 0; m < kappa_.size(); ++m)
         kappa_[m] =
@@ -103,6 +105,7 @@ void PenaltyForce::hold(std::span<const Vec3> fluid_velocity) {
     std::ranges::copy(fluid_velocity, fluid_velocity_.begin());
 }
 
+// The middle of the substep makes the mean of U over the step that of its line.
 void PenaltyForce::follow(double duration_s) {
     const double part = (elapsed_s_ + 0.5 * duration_s) / coupled_step_s_;
     for (std::size_t m = 0; m < change_.size(); ++m) {
@@ -128,6 +131,7 @@ void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
     }
 }
 
+// Strengths above 1 act on the drag only: an iteration never gives more than the slip.
 IteratedForcing::IteratedForcing(std::span<const Marker> markers,
                                  const PenaltyScale& scale)
     : coupled_step_s_(scale.coupled_step_s),

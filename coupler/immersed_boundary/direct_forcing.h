@@ -6,8 +6,9 @@
 // strength 1 the fluid, given 2 rho / dt of the slip through Guo's forcing, is brought to
 // the marker's velocity in one step.
 //
-// The force is evaluated anew in every substep of the structure. Held over the substeps
-// it would sample sheet modes above half the fluid's step rate aliased and pump them.
+// The force is evaluated anew in every substep of the structure. A force held over the
+// substeps would sample sheet modes above half the fluid's step rate aliased, and pump
+// them.
 #pragma once
 
 #include <algorithm>
@@ -20,31 +21,30 @@
 
 namespace magfsi::coupler {
 
-// How a marker follows the fluid's acceleration (EnclosedFluid).
+// The way in which the enclosed fluid's acceleration A follows dU/dt (EnclosedFluid).
 struct EnclosedFollow {
-    double part = 0.1;  // of a change that it takes on in a coupled step
-    bool without_lag = false;
+    double part = 0.1;         // share of a change taken on per coupled step
+    bool without_lag = false;  // A = 2 M - N instead of M
 };
 
-// Lagrangian markers: material points of the body, carried by its elements through their
-// shape functions, so that the fluid's grid and the body's mesh can be refined alone. As
-// one structure rank sees it: eight nodes by local index, their weights (which add up to
-// one), the volume of fluid that it moves, that of the fluid inside the body whose
-// inertia is its force (EnclosedFluid), and that of the fluid beyond the body which its
-// layer carries along (LayerInertia) [m3]; enclosed_follow: for EnclosedFluid, if its own
-// takes on less; core: deep inside a sheet (no_slip.h).
+// A Lagrangian marker: a material point of the body that its element carries through the
+// shape functions, so that the fluid's grid and the body's mesh can be refined
+// independently. Nodes are those of one structure rank.
 struct Marker {
-    std::array<int, 8> node{};
-    std::array<double, 8> weight{};
-    double volume_m3 = 0;
+    std::array<int, 8> node{};       // local indices of the element's nodes
+    std::array<double, 8> weight{};  // shape functions there; they add up to 1
+    double volume_m3 = 0;            // fluid that the marker moves [m3]
+    // Fluid inside the body [m3] whose inertia is taken away by a force (EnclosedFluid).
     double displaced_m3 = 0;
+    // Fluid outside the body [m3] that the marker's layer carries along (LayerInertia).
     double beyond_m3 = 0;
+    // Used instead of EnclosedFluidScale::follow if its part is at least as large.
     EnclosedFollow enclosed_follow{.part = 0};
-    bool core = false;
-    int body = 0;
+    bool core = false;  // true deep inside a thick sheet (no_slip.h)
+    int body = 0;       // number of the body in the scene
 };
 
-// Value of a nodal field (three numbers a node) at a marker.
+// Value at a marker of a nodal field with three numbers per node.
 inline Vec3 at_marker(const Marker& marker, const double* nodal) {
     Vec3 value{};
     for (std::size_t a = 0; a < 8; ++a) {
@@ -54,7 +54,7 @@ inline Vec3 at_marker(const Marker& marker, const double* nodal) {
     return value;
 }
 
-// Adds a marker's force to its nodes: the transpose of at_marker.
+// Adds a marker's force [N] to the forces of its nodes: the transpose of at_marker.
 inline void to_nodes(const Marker& marker, const Vec3& force, double* nodal) {
     for (std::size_t a = 0; a < 8; ++a) {
         double* f = nodal + 3 * static_cast<std::ptrdiff_t>(marker.node[a]);
@@ -62,6 +62,7 @@ inline void to_nodes(const Marker& marker, const Vec3& force, double* nodal) {
     }
 }
 
+// Quantities that EnclosedFluid needs; `follow` is the default for all markers.
 struct EnclosedFluidScale {
     double fluid_density_kg_m3 = 0;
     double coupled_step_s = 0;
@@ -69,118 +70,138 @@ struct EnclosedFluidScale {
     EnclosedFollow follow{};
 };
 
-// Of a body's markers in the serial scheme; density_ratio: of the body and the fluid, as
-// far as its nodes may lack mass. Without lag sheets of a tenth of the fluid's density
-// gain energy from 0.48 on with the 3-point kernel, from 0.2 with the 2-point one, and a
-// ball of 1.1 vibrates sooner (docs/coupling_measurements.md, enclosed fluid).
+// The way in which a body's markers follow in the serial scheme. density_ratio: density
+// of the body over that of the fluid, 0 if its nodes keep their whole mass. The limits
+// are measured (docs/coupling_measurements.md, enclosed fluid): without lag sheets of a
+// tenth of the fluid's density gain energy from a part of 0.48 on with the 3-point
+// kernel, from 0.2 on with the 2-point kernel, and a ball of density ratio 1.1 vibrates
+// even sooner.
 constexpr EnclosedFollow enclosed_follow_of(double density_ratio, Kernel kernel) {
     if (density_ratio >= 0.5) return {.part = 0.3};
     const double most = kernel == Kernel::two_point ? 0.15 : 0.3;
     return {std::clamp(3 * density_ratio, EnclosedFollow{}.part, most), true};
 }
 
-// The fluid that fills the body's own volume on the fluid's grid, as far as the body's
-// nodes do not lack its mass already. It is fictitious: its inertia is taken away again,
-// with the sampled velocity U for its motion, and its weight is the buoyancy (Uhlmann
-// 2005; Kempe, Froehlich 2012):
-//   F = rho_f dV (A - g),  A following dU/dt over three to ten coupled steps: its running
-// mean M or, with no lag behind what changes slowly, 2 M - N, N the running mean of M.
+// The fluid that fills the body's own volume on the fluid's grid, as far as its mass was
+// not taken off the nodes. It is fictitious: its inertia is taken away again, with the
+// sampled velocity U for its motion, and its weight is the buoyancy (Uhlmann 2005; Kempe,
+// Froehlich 2012):
+//   F = rho_f dV (A - g).
+// A follows dU/dt over three to ten coupled steps: it is the running mean M of dU/dt or,
+// to follow slow changes without lag, 2 M - N with N the running mean of M.
 //
-// Light bodies stay stable: body and fluid are tied by the immersed boundary within the
-// step, so an error of A accelerates the body's mass, the fluid inside and the added mass
-// together, and comes back smaller by rho_f / (rho_s + rho_f (1 + C_added)). But the
-// fluid's pressure, which is what C_added stands for, needs some steps to travel through
-// the body; followed at once, A diverged below a density ratio of 0.4, at a fifth of the
-// rate below 0.05. At a tenth a sheet of 0.01 times the fluid's density runs. But what
-// follows a time T late works as if it drove the body: rho_f dV A (dU/dt - A) = rho_f dV
-// T (dA/dt)^2 and more. A sheet of a tenth of the fluid's density got 8 % of the field's
-// work so, 5 % with three steps. So markers follow as fast as their body's density bears,
-// those of light bodies without lag, in the serial scheme (enclosed_follow_of). All this
-// is so for U from before the step; in a step that is repeated until U is that of its own
-// end, A may follow at once.
+// Stability. The immersed boundary ties body and fluid within the step, so an error of A
+// accelerates the body's mass, the fluid inside and the added mass together and comes
+// back smaller by rho_f / (rho_s + rho_f (1 + C_added)). But the fluid's pressure, which
+// C_added stands for, needs some steps to travel through the body: with A = dU/dt runs
+// diverged below a density ratio of 0.4, at a fifth of that rate below 0.05, while at a
+// tenth a sheet of 0.01 times the fluid's density runs.
+//
+// Energy. An A that lags by a time T works as if it drove the body: rho_f dV A
+// (dU/dt - A) = rho_f dV T (dA/dt)^2 and more. A sheet of a tenth of the fluid's density
+// got 8 % of the field's work in this way, 5 % with three steps. In the serial scheme
+// markers therefore follow as fast as the body's density allows, those of light bodies
+// without lag (enclosed_follow_of). All this holds for U from before the step; in a step
+// that is repeated until U is that of its own end A may follow at once.
 class EnclosedFluid {
   public:
+    // markers: those of this rank; displaced_m3 and enclosed_follow are used.
     EnclosedFluid(std::span<const Marker> markers, const EnclosedFluidScale& scale);
 
-    // The fluid's velocity at every marker before the first coupled step [m/s], in which
-    // it is taken to move steadily; then for each coming step.
+    // start() takes the fluid's velocities at all markers before the first coupled step
+    // [m/s]; the acceleration is 0 then. begin_step() takes them at the start of each
+    // step and computes the forces for it.
     void start(std::span<const Vec3> fluid_velocity);
     void begin_step(std::span<const Vec3> fluid_velocity);
 
-    // On every marker, constant over the coupled step [N].
+    // Force on every marker, constant over the coupled step [N].
     std::span<const Vec3> force() const { return force_; }
 
-    // What the next step needs of those before: for checkpoints.
+    // State for checkpoints: the last sample U [m/s], and the running means M and N of
+    // dU/dt [m/s2].
     std::span<Vec3> last_velocity() { return last_velocity_; }
     std::span<Vec3> mean() { return mean_; }
     std::span<Vec3> mean_of_mean() { return mean_of_mean_; }
 
   private:
-    template <bool Weighs>  // in gravity
+    // Weighs: gravity is present.
+    template <bool Weighs>
     void follow(std::span<const Vec3> fluid_velocity);
 
     EnclosedFluidScale scale_;
+    // Weights of one marker.
     struct Following {
-        double weight;  // of dU/dt in its mean
+        double weight;  // weight of dU/dt in M
         double twice;   // 1: A = 2 M - N; 0: A = M
     };
     std::vector<double> mass_kg_;
     std::vector<Following> following_;
     std::vector<Vec3> last_velocity_;
-    std::vector<Vec3> mean_, mean_of_mean_;  // of dU/dt [m/s2]
+    std::vector<Vec3> mean_, mean_of_mean_;  // M and N [m/s2]
     std::vector<Vec3> force_;
 };
 
+// Quantities that the coefficient kappa of eq. (13) is made from. strength:
+// dimensionless; 1 is direct forcing.
 struct PenaltyScale {
     double strength = 1;
     double fluid_density_kg_m3 = 0;
     double coupled_step_s = 0;
     EnclosedFollow enclosed_follow{};
 
-    // Of fluid, that a marker of this volume brings to its velocity in a coupled step.
+    // Mass of fluid [kg] that a marker of this volume brings to its own velocity in a
+    // coupled step. Guo's forcing acts with half the force at once, hence the factor 2.
     double moved_mass_kg(double volume_m3) const {
         return strength * 2 * fluid_density_kg_m3 * volume_m3;
     }
+    // The coefficient kappa of eq. (13) [kg/s].
     double drag_coefficient_kg_s(double volume_m3) const {
         return moved_mass_kg(volume_m3) / coupled_step_s;
     }
 };
 
+// The force of eq. (13) on this rank's markers, with that of the enclosed fluid, and the
+// impulses that the fluid gets in return.
 class PenaltyForce {
   public:
+    // gravity_m_s2: zero if the scene has none.
     PenaltyForce(std::vector<Marker> markers, const PenaltyScale& scale,
                  const Vec3& gravity_m_s2);
 
     const std::vector<Marker>& markers() const { return markers_; }
 
-    // The fluid's velocity at every marker for the coming coupled step [m/s]; clears the
-    // impulses. owed: what the fluid was given besides, which the body pays by a constant
-    // force over the step [N s]; empty: nothing.
+    // Starts a coupled step with the fluid's velocity at every marker [m/s] and clears
+    // the impulses. owed: impulses [N s] that the fluid has been given in addition and
+    // that the body pays by a constant force over this step; empty if none.
     void begin_step(std::span<const Vec3> fluid_velocity,
                     std::span<const Vec3> owed = {});
 
-    // After begin_step: U is not held over the coupled step but goes linearly from start
-    // to end; each substep has that of its middle.
+    // Lets U change linearly over the coupled step from start to end; each substep takes
+    // the value at its middle. To be called after begin_step.
     void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
 
-    // The coefficients over the row sums of the marker system (no_slip.h).
+    // Sets the coefficients for forcing no_slip: their own values times no_slip_strength,
+    // over the row sums of the marker system or least_row_sum, whichever is larger
+    // (no_slip.h).
     void divide_by(std::span<const double> row_sum);
 
-    // After begin_step: U is held at another value, but for the enclosed fluid's sake.
+    // Holds U at another value than begin_step was given, which then counts for the
+    // enclosed fluid only. To be called after begin_step.
     void hold(std::span<const Vec3> fluid_velocity);
 
-    // One substep: adds the forces, with those of the enclosed fluid, to the nodes
-    // (nodal_force[3 * node + d], [N]) and the impulse of duration_s to the markers'
-    // sums.
+    // One substep of duration_s [s]: adds the forces, those of the enclosed fluid
+    // included, to the nodes (nodal_force[3 * node + d], [N]) and the impulses to the
+    // markers' sums. nodal_velocity: present velocities [m/s], in the same order.
     void apply(const double* nodal_velocity, double* nodal_force, double duration_s);
 
+    // U as the last substep used it [m/s].
     std::span<const Vec3> fluid_velocity() const { return fluid_velocity_; }
 
-    // What the markers gave to the fluid since begin_step [N s].
+    // Impulses that the markers gave to the fluid since begin_step [N s].
     std::span<const Vec3> impulse() const { return impulse_; }
 
-    // On every marker over the coupled step [N]: of the enclosed fluid, less what is
-    // paid.
+    // Force on every marker that is constant over the coupled step [N]: that of the
+    // enclosed fluid less what the body pays for owed impulses.
     std::span<const Vec3> constant_force() const {
         return paying_.empty() ? enclosed_.force() : std::span<const Vec3>(paying_);
     }
@@ -189,49 +210,55 @@ class PenaltyForce {
     const EnclosedFluid& enclosed() const { return enclosed_; }
 
   private:
+    // Sets U to its value at the middle of the coming substep.
     void follow(double duration_s);
 
     std::vector<Marker> markers_;
-    std::vector<double> own_kappa_, kappa_;  // of its own volume; of the force
+    std::vector<double> own_kappa_, kappa_;  // before and after divide_by [kg/s]
     EnclosedFluid enclosed_;
     double coupled_step_s_;
-    double elapsed_s_ = 0;  // of the coupled step
+    double elapsed_s_ = 0;  // time since the start of the step
     std::vector<Vec3> fluid_velocity_;
-    std::vector<Vec3> start_, change_;  // of U over the step; empty where it is held
+    std::vector<Vec3> start_, change_;  // U at the start, and its change; else empty
     std::vector<Vec3> impulse_;
-    std::vector<Vec3> paying_;  // filled only where something is owed
+    std::vector<Vec3> paying_;  // constant force; empty if nothing is owed
 };
 
-// Iterated (multi-direct) forcing (Luo et al. 2007; Wang, Fan, Luo 2008): once the
-// impulses of a coupled step are spread, the fluid at a marker still slips, for what
-// neighbours give overlaps and what a thin body gives is smeared. Each iteration takes
-// the slip that is left and gives the fluid the impulse that would remove it, or the part
-// that a strength below 1 asks for,
+// Iterated (multi-direct) forcing (Luo et al. 2007; Wang, Fan, Luo 2008). Once the
+// impulses of a coupled step are spread the fluid at a marker still slips, because the
+// forces of neighbouring markers overlap and those of a thin body are smeared. Each
+// iteration takes the slip that is left and gives the fluid the impulse that would remove
+// it, or the part of it that a strength below 1 asks for,
 //   min(strength, 1) 2 rho dV (W - U'),
-// W the marker's mean velocity over the step, U' the fluid's with half of the step's
-// forces so far, F dt / (2 rho): the physical velocity of Guo's scheme.
+// with W the marker's mean velocity over the step and U' the fluid's velocity including
+// half of the step's forces so far, F dt / (2 rho): the physical velocity of Guo's
+// scheme.
 //
-// The structure has moved on by then: it feels what these impulses took over its next
-// step, as a constant force. A force that is held is stable only where the drag of eq.
-// (13), evaluated in every substep, exceeds it (whole impulses after a weak drag fed the
-// sheet: 2 iterations at strength 0.25, 3 at 0.5); with three and four at strength 1
-// sheets begin to oscillate, five diverge.
+// By then the structure has finished its step: it feels these impulses as a constant
+// force over its next step. A force that is held is stable only where the drag of eq.
+// (13), evaluated in every substep, exceeds it: whole impulses after a weak drag fed the
+// sheet with energy (2 iterations at strength 0.25, 3 at 0.5). With three and four
+// iterations at strength 1 sheets begin to oscillate, with five they diverge.
 class IteratedForcing {
   public:
     IteratedForcing(std::span<const Marker> markers, const PenaltyScale& scale);
 
-    void begin_step();  // forgets the impulses of the step before
+    // Forgets the impulses of the step before.
+    void begin_step();
 
-    // One iteration: the impulses [N s] that remove the slip which is left. Positions at
-    // the ends of the step [m]; fluid_velocity: U' at `before_m` [m/s].
+    // One iteration: returns the impulses [N s] that remove the slip which is left.
+    // before_m and now_m: the markers' positions at the start and the end of the step
+    // [m]; fluid_velocity: U' at before_m [m/s].
     std::span<const Vec3> correct(std::span<const Vec3> before_m,
                                   std::span<const Vec3> now_m,
                                   std::span<const Vec3> fluid_velocity);
 
-    // Of all iterations since begin_step, what each marker gave besides the drag [N s].
+    // Impulses of all iterations since begin_step, by marker, without those of the drag
+    // [N s].
     std::span<Vec3> impulse() { return impulse_; }
     std::span<const Vec3> impulse() const { return impulse_; }
-    // To the impulses of the drag [N s]: then what each marker gave in all.
+    // Adds these impulses to those of the drag [N s]: the sum is what each marker gave in
+    // all.
     void add_to(std::span<Vec3> of_drag) const;
 
   private:

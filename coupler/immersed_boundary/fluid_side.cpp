@@ -25,8 +25,8 @@ bool FluidSide::own(const std::vector<CellBox>& boxes) {
 
 void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse,
                        bool more) {
-    // Impulses act where the velocities were sampled last, as a rule; in a step that is
-    // repeated, where they acted before.
+    // Impulses usually act where the velocities were sampled last; in a step that is
+    // repeated they act where they acted before.
     bool known = false;
     if (!spread_rows_.placed_at(points_m)) {
         if (sample_rows_.placed_at(points_m)) {
@@ -77,6 +77,8 @@ std::span<const Vec3> FluidSide::interpolate(std::size_t markers) {
     return sampled_;
 }
 
+// q = U + F dt / (2 rho) in each cell, with the cell's own density, interpolated to the
+// markers.
 void FluidSide::add_passed(double density_kg_m3, const Vec3& body_force,
                            NoSlipAnswer& answer) {
     const double half_s = coupled_step_s_ / (2 * density_kg_m3);
@@ -88,6 +90,8 @@ void FluidSide::add_passed(double density_kg_m3, const Vec3& body_force,
     spread_rows_.interpolate(passing, answer.passed);
 }
 
+// The row sums are the marker system applied to ones: volumes spread and interpolated
+// back.
 void FluidSide::add_row_sums(std::span<const double> volume_m3, NoSlipAnswer& answer) {
     volume_.assign(volume_m3.size(), Vec3{});
     for (std::size_t m = 0; m < volume_m3.size(); ++m) volume_[m][0] = volume_m3[m];

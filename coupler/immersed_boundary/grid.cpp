@@ -49,11 +49,11 @@ Grid grid_from_text(const std::string& text) {
             for (const auto& box : boxes)
                 grid.owned_by_rank.back().push_back({box.at(0), box.at(1)});
         }
-    } else {  // older records
+    } else {  // a record of an older version
         for (const auto& box : json.at("owned_by_rank"))
             grid.owned_by_rank.push_back({{box.at(0), box.at(1)}});
     }
-    if (json.contains("follows")) {  // not in older records
+    if (json.contains("follows")) {  // absent in older records
         grid.follows = json.at("follows");
         const auto& renewal = json.at("renewal");
         grid.renewal = {renewal.at(0), renewal.at(1), renewal.at(2)};

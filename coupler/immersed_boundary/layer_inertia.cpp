@@ -9,9 +9,9 @@ namespace magfsi::coupler {
 
 namespace {
 
-constexpr double weight_of_last_step = 0.1;  // in the running means
+constexpr double weight_of_last_step = 0.1;  // weight in the running means
 
-// The part of v along a surface with this normal, of any length.
+// The part of v parallel to a surface; the normal may have any length.
 Vec3 along(const Vec3& v, const Vec3& normal) {
     const double length2 =
         normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];

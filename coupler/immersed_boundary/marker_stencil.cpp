@@ -20,6 +20,7 @@ namespace {
         grid.cells[2] * grid.spacing_m * 1e3));
 }
 
+// Drops the weights beyond walls and scales the others up, so that they add up to 1.
 Stencil1D cut_at_walls(const Stencil1D& s, int cells) {
     Stencil1D cut;
     cut.first = std::max(s.first, 0);
@@ -94,8 +95,7 @@ bool SolidCells::at(int x, int y, int z) const {
                   static_cast<std::size_t>(cell[0])];
 }
 
-// Whether the stencil's cells, unless they wrap, reach into the box around all solid
-// cells.
+// True if the stencil's cells reach into the box around all solid cells, or wrap.
 bool SolidCells::may_meet(const MarkerStencil& stencil) const {
     for (std::size_t d = 0; d < 3; ++d) {
         const int first = stencil[d].first, end = first + stencil[d].count;

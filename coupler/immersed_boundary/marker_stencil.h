@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cells that a marker reads its velocity from and gives its force to: the same
-// weights both ways, so that power is conserved (interpolation and spreading are
-// adjoint).
+// The stencil of a marker: the cells from which it reads its velocity and to which it
+// gives its force, with the same weights both ways. Interpolation and spreading are thus
+// adjoint, which conserves power.
 //
 // The weights are products of one-dimensional regularised delta functions phi(r), r in
-// cells. Each has the partition of unity: sum over the cells of phi(x - i) = 1 for every
-// x.
+// cells. Each has the partition of unity: the sum over the cells of phi(x - i) is 1 for
+// every x.
 //   two_point    hat function
 //   three_point  Roma, Peskin, Berger, J. Comput. Phys. 153 (1999)
 //   four_point   Peskin, Acta Numerica 11 (2002), eq. (6.27)
@@ -20,28 +20,32 @@
 
 namespace magfsi::coupler {
 
+// Largest support of a kernel along an axis, in cells.
 constexpr int max_support = 4;
 
+// Number of cells that a kernel touches along an axis.
 inline int support(Kernel kernel) {
     return 2 + static_cast<int>(kernel);
 }
 
-// The cells that a point touches along one axis: first, first + 1, ... with their
-// weights. A cell i has its centre at i + 1/2.
+// The cells that a point touches along one axis, first, first + 1, ..., and their
+// weights. Cell i has its centre at i + 1/2. Indices may lie outside the box along
+// periodic axes.
 struct Stencil1D {
     int first = 0;
     int count = 0;
     std::array<double, max_support> weight{};
 };
 
-// Without a call or a branch: every marker needs three of them a step.
+// std::floor without a call or a branch: every marker needs three of them per step.
 inline int floor_of(double x) {
     const int toward_zero = x;
     return toward_zero - (x < toward_zero);
 }
 
-// All weights at once: by the kernels' own conditions (sum, first moment, even and odd
-// cells) they follow from one root. Into its place, for a copy costs as much again.
+// Computes all weights at once: by the kernels' own conditions (sum, first moment, sums
+// over even and odd cells) they follow from one square root. The result is written in
+// place, since a copy would cost as much again.
 inline void set_stencil(Stencil1D& s, Kernel kernel, double position_in_cells) {
     s.count = support(kernel);
     const double centred = position_in_cells - 0.5;  // cell i sits at i
@@ -66,48 +70,52 @@ inline void set_stencil(Stencil1D& s, Kernel kernel, double position_in_cells) {
     }
 }
 
-// Product of three one-dimensional stencils. Beyond a wall there is no fluid: those
-// weights are dropped and the rest scaled up, which keeps the partition of unity. Across
-// a periodic side the indices wrap when used.
+// The stencil in space: the product of three one-dimensional ones. There is no fluid
+// beyond a wall: weights there are dropped and the others scaled up, which keeps the
+// partition of unity. Across a periodic side indices are wrapped where they are used.
 using MarkerStencil = std::array<Stencil1D, 3>;
 
-// Throws Diverged when the point lies outside a box without periodic sides.
+// Throws Diverged if the point [m] lies outside the box along an axis that is not
+// periodic.
 void set_stencil(MarkerStencil& stencil, const Grid& grid, Kernel kernel,
                  const Vec3& point_m);
 MarkerStencil marker_stencil(const Grid& grid, Kernel kernel, const Vec3& point_m);
 
-// Index wrapped into [0, cells): more than once where a kernel is wider than the box.
+// The index wrapped into [0, cells); a kernel wider than the box may need more than one
+// turn.
 inline int wrapped(int index, int cells) {
     while (index < 0) index += cells;
     while (index >= cells) index -= cells;
     return index;
 }
 
-// Cells that hold no fluid: obstacles. A marker near one reads from and gives to fluid
-// cells alone: as beyond walls, the weights of solid cells are dropped and the rest
-// scaled up, which keeps their sum at one.
+// Cells inside obstacles, which hold no fluid. A marker near one reads from fluid cells
+// and gives to fluid cells only: as beyond walls, the weights of solid cells are dropped
+// and the others scaled up, which keeps their sum at 1.
 class SolidCells {
   public:
     explicit SolidCells(const Grid& grid);
 
     bool any() const { return !solid_.empty(); }
-    // Indices within the box.
+    // True if the cell is solid; indices lie within the box.
     bool at(int x, int y, int z) const;
-    // Sum of the weights in fluid cells: 1, and that exactly, where no solid one has any;
-    // 0 where all have.
+    // Sum of the weights in fluid cells. It is exactly 1 if no solid cell has a weight,
+    // and 0 if all weights are in solid cells.
     double fluid_share(const MarkerStencil& stencil) const;
 
   private:
+    // False if the stencil certainly touches no solid cell.
     bool may_meet(const MarkerStencil& stencil) const;
 
     std::array<int, 3> cells_{};
-    std::array<int, 3> lo_{}, size_{};  // of the box around all solid cells
+    std::array<int, 3> lo_{}, size_{};  // bounding box of all solid cells
+    // One flag per cell of that box, x fastest.
     std::vector<bool> solid_;
 };
 
-// A body may stand on an obstacle or reach into it. Markers that have less than this
-// share of their weights in the fluid lie in the obstacle, whose wall holds the fluid
-// there: they take no part.
+// A body may stand on an obstacle or reach into it. Markers with less than this share of
+// their weights in the fluid lie inside the obstacle, whose wall holds the fluid there;
+// they are left out.
 constexpr double least_fluid_share = 0.5;
 
 }  // namespace magfsi::coupler

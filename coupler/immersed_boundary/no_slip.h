@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forcing no_slip: the force after which the fluid that passes the body has its velocity.
+// Forcing no_slip: the force that makes the fluid which passes the body move with it.
 //
-// In Guo's scheme mass moves with q = U + F dt / (2 rho), U the velocity before the
-// force and rho the density of the cell. (With the density of rest a pressure that is
-// held inside a body moves mass by half of the force times the density's share: where it
-// is low it falls without end, as in a ball held at a lattice speed of 0.08 at Re 10.)
-// Markers overlap, so that a force F = 2 rho dV / dt (V - U) of each brings q only
-// part of the way. With the row sum r of the marker system, what unit slip everywhere
-// would give back at the marker,
+// In Guo's scheme mass moves with q = U + F dt / (2 rho), where U is the velocity before
+// the force acts and rho the density of the cell. (With the density at rest instead, a
+// pressure that is held inside a body moves mass by half of the force times the density's
+// relative deviation: where the pressure is low it falls without end, as in a ball held
+// at a lattice speed of 0.08 at Re 10.) Markers overlap, so that forces F = 2 rho dV / dt
+// (V - U) bring q only part of the way. The row sum r of the marker system is what unit
+// slip everywhere would give back at the marker,
 //   r = interpolate(spread(dV)),
-// F = 2 rho dV / (r dt) (V - U) makes q = V where the slip is uniform. What is left where
-// it is not, a memory p of it removes over some steps:
+// and F = 2 rho dV / (r dt) (V - U) makes q = V where the slip is uniform. Where it is
+// not, a memory p of the slip removes the rest over some steps:
 //   F = s 2 rho dV / (r dt) (V - U + p),   p <- p + gain (mean V - q) - leak (r f - g),
-// f = F dt / (2 rho dV), and g = q - U what these forces together do at the marker. An
-// even force has g = r f: what it holds, such as a pressure, is held without slip. A
-// force of which the fluid feels nothing, g = 0, is let go. Where markers fill a volume,
-// the fluid there follows nothing else: with s = 1 its difference to the body changes
-// sign in every step and does not decay, with 3/4 the pair of it and p decays to 0.4 in a
-// step.
+// with f = F dt / (2 rho dV) the change by the marker's own force and g = q - U the
+// change by all forces together. An even force has g = r f; it is held without slip, as a
+// pressure is. A force that the fluid does not feel, g = 0, decays by the leak. Where
+// markers fill a volume the fluid there follows nothing else: with s = 1 its difference
+// to the body would change sign in every step and not decay; with s = 3/4 this difference
+// and p together decay to 0.4 of themselves in a step.
 //
-// In the core of thick sheets more is let go. There three velocities a marker and a
-// volume that is kept in each cell are more conditions than the fluid has velocities:
-// where they contradict each other, as where a sheet bends, pressure and p grow against
-// each other.
+// The leak is larger in the core of thick sheets. Three velocities per marker and a
+// volume that is kept in each cell are more conditions there than the fluid has
+// velocities: where they contradict each other, as where a sheet bends, pressure and p
+// grow against each other.
 //
-// Markers must stand about a cell apart, in one layer where the body is thin: closer ones
-// make the marker system nearly singular, and the memory drifts in its null modes.
+// Markers must stand about a cell apart, and in one layer where the body is thin: closer
+// ones make the marker system nearly singular, and the memory drifts in its null modes.
 #pragma once
 
 #include <algorithm>
@@ -36,26 +36,28 @@
 
 namespace magfsi::coupler {
 
-// What the fluid says of each marker besides its velocity: the row sum at its new
+// The fluid's answer for each marker besides its velocity: the row sum at the new
 // position, and q [m/s] at the old one in the step that has been done.
 struct NoSlipAnswer {
     std::vector<double> row_sum;
     std::vector<Vec3> passed;
 
+    // Sizes the arrays; values of markers that were there before remain.
     void make_room(std::size_t markers) {
         row_sum.resize(markers);
         passed.resize(markers);
     }
 };
 
-// Markers that stand alone, at a rim or beside an obstacle, have small row sums; a force
-// beyond this multiple of their own fluid would need too many substeps.
+// Smallest row sum that forces are divided by. Isolated markers, at a rim or beside an
+// obstacle, have small row sums, and their kappa would need too many substeps.
 constexpr double least_row_sum = 0.25;
 
-constexpr double no_slip_strength = 0.75;  // s
+constexpr double no_slip_strength = 0.75;  // s in the equations above
 
-// What gain and leak depend on: the fluid's viscosity and the largest speed that the run
-// should resolve (0: not known), on the grid at the bodies.
+// The quantities that gain and leak depend on, all on the grid at the bodies: the fluid's
+// viscosity, the largest speed that the run should resolve (0 if not known), spacing and
+// coupled step.
 struct SlipScale {
     double viscosity_m2_s = 0;
     double speed_m_s = 0;
@@ -63,27 +65,31 @@ struct SlipScale {
     double coupled_step_s = 0;
 };
 
+// Gain and leak of the memory per coupled step, and the leak in the core of thick sheets.
 struct SlipRates {
-    double gain, leak, core_leak;  // parts a step
+    double gain, leak, core_leak;
 };
 
-// The gain is 1/4, and falls with the viscosity nu dt / h^2 beyond 0.1, a relaxation time
-// of 0.8: with 1/4 a ball of 9 spacings that settles diverges at 1.19, with 1/2 one of 6
-// spacings from 1.16 on.
+// Gain and leak for a fluid and a step. The gain is 1/4; it falls with the viscosity nu
+// dt / h^2 beyond 0.1, which is a relaxation time of 0.8. With a constant 1/4 a settling
+// ball of 9 spacings diverges at a relaxation time of 1.19, with 1/2 one of 6 spacings
+// from 1.16 on.
 //
-// Steady forces leave the slip leak / gain (r f - g), where f falls with the step while
-// the velocity that a force F of one marker alone holds up does not:
-// F / (rho h (nu + c u h)) from viscosity and from the flow past it. So that the same
-// forces are let go at any step, leak over gain is their ratio,
+// Under steady forces the slip that remains is leak / gain (r f - g). There f is
+// proportional to the step, whereas the velocity that the force F of a single marker can
+// hold does not depend on it: F / (rho h (nu + c u h)), from viscosity and from the flow
+// past it. Leak over gain is made proportional to their ratio, so that the same forces
+// leak away at any step:
 //   leak / gain = 0.008 / (nu dt / h^2 + 2 u dt / h).
 // With a constant leak of 0.02 the flow past held balls fell by 1.5 % with every halving
-// of the step, towards balls 0.1 h larger than theirs. The factor 2 makes the leak 0.02
-// for sheets at the usual speed of 0.05 h a step. The speed alone makes it no less, and
-// where it is as large as the gain the memory holds nothing more.
+// of the step, as if the balls were 0.1 h larger. The factor 2 makes the leak 0.02 for
+// sheets at the usual speed of 0.05 h per step. A larger speed does not lower leak / gain
+// below 0.008 / max(0.1, nu dt / h^2). The leak is at most the gain, at which the memory
+// holds nothing more.
 //
-// In the core of sheets the leak is four times as large: a strip seven layers thick that
-// diverged (2-point kernel) has a fourth of p and runs. In the middle of balls it would
-// take 1 % off their drag.
+// In the core of sheets the leak is four times as large: a strip seven layers thick,
+// which diverged with the 2-point kernel, then has a fourth of p and runs. In the middle
+// of balls this leak would take 1 % off their drag.
 inline SlipRates slip_rates(const SlipScale& scale) {
     constexpr double most_gain = 0.25, fully_gains_until = 0.1;
     constexpr double usual_speed = 0.05;  // h a step
@@ -96,6 +102,7 @@ inline SlipRates slip_rates(const SlipScale& scale) {
     return {gain, of_gain * gain, std::min(4 * of_gain, 1.0) * gain};
 }
 
+// The memory p of the slip at this rank's markers [m/s].
 class SlipMemory {
   public:
     SlipMemory(std::span<const Marker> markers, const SlipRates& rates)
@@ -104,7 +111,8 @@ class SlipMemory {
             leak_.push_back(m.core ? rates.core_leak : rates.leak);
     }
 
-    // After a step: the markers' mean velocities, what passed, and r f - g [m/s].
+    // Adds a coupled step. mean_velocity: the markers' in the step; passed: q; uneven: r
+    // f - g, all [m/s].
     void add(std::span<const Vec3> mean_velocity, std::span<const Vec3> passed,
              std::span<const Vec3> uneven) {
         for (std::size_t m = 0; m < memory_.size(); ++m) {
@@ -114,7 +122,7 @@ class SlipMemory {
         }
     }
 
-    // U - p: what the marker feels for the fluid's velocity.
+    // U - p, which takes the place of U in the force [m/s].
     std::vector<Vec3> felt(std::span<const Vec3> fluid_velocity) const {
         std::vector<Vec3> all(fluid_velocity.begin(), fluid_velocity.end());
         for (std::size_t m = 0; m < all.size(); ++m) {
@@ -123,7 +131,7 @@ class SlipMemory {
         return all;
     }
 
-    std::span<Vec3> values() { return memory_; }  // for checkpoints
+    std::span<Vec3> values() { return memory_; }  // p, for checkpoints
 
   private:
     std::vector<Vec3> memory_;

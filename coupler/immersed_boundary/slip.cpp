@@ -8,6 +8,7 @@ namespace magfsi::coupler {
 
 namespace {
 
+// One edge vector of a piece of surface [m].
 Vec3 edge(const Marker& marker, const std::array<double, 8>& weight,
           const double* nodal) {
     Marker along = marker;

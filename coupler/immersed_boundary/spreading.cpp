@@ -8,6 +8,7 @@ namespace magfsi::coupler {
 
 namespace {
 
+// True if two stencils of full support touch the same cells.
 bool same_cells(const MarkerStencil& a, const MarkerStencil& b) {
     return a[0].first == b[0].first && a[1].first == b[1].first &&
            a[2].first == b[2].first;
@@ -41,8 +42,9 @@ int TouchedRows::part_of(const MarkerStencil& stencil) const {
     return no_part;
 }
 
-// Visits the marker's cells that this rank owns and that hold fluid, as runs along x that
-// do not wrap: (row, first x, cells, their weights along x, the weight along y and z).
+// Calls visit(slot, run, weight along y and z) for the marker's cells that this rank owns
+// and that hold fluid, as runs along x that do not wrap. Weights are divided by the
+// marker's share in the fluid.
 template <typename Visit>
 void TouchedRows::for_each_run(std::size_t marker, Visit&& visit) const {
     const auto& [sx, sy, sz] = stencils_[marker];
@@ -71,6 +73,7 @@ void TouchedRows::for_each_run(std::size_t marker, Visit&& visit) const {
     }
 }
 
+// Splits a run at solid cells.
 template <typename Visit>
 void TouchedRows::without_solid(int y, int z, const Run& run, Visit&& visit) const {
     for (int i = 0; i < run.cells;) {
@@ -81,7 +84,8 @@ void TouchedRows::without_solid(int y, int z, const Run& run, Visit&& visit) con
     }
 }
 
-// A periodic side cuts a stencil; in what order they come decides about rounding.
+// Splits the stencil into runs where a periodic side cuts it. Runs keep the order of the
+// stencil, on which the rounding of sums depends.
 std::size_t TouchedRows::runs_along_x(const CellBox& box, const Stencil1D& sx,
                                       Runs& runs) const {
     std::size_t pieces = 0;
@@ -113,7 +117,7 @@ void TouchedRows::widen(const Part& part, int y, int z, int x_begin, int x_end) 
 
 void TouchedRows::widen_by(std::size_t marker) {
     if (plain_[marker]) {
-        // Neighbours touch the same cells more often than not.
+        // Consecutive markers often touch the same cells.
         if (marker > 0 && plain_[marker - 1] &&
             same_cells(stencils_[marker], stencils_[marker - 1]))
             return;
@@ -192,7 +196,8 @@ std::size_t TouchedRows::first_value(int at, int x) const {
     return 3 * (origin_[row] + x);
 }
 
-// Loops of constant length become a few vector instructions.
+// Calls use with the kernel's support as a compile-time constant: loops of constant
+// length become a few vector instructions.
 template <typename Use>
 void TouchedRows::with_support(Use&& use) const {
     switch (kernel_) {
@@ -205,7 +210,8 @@ void TouchedRows::with_support(Use&& use) const {
     }
 }
 
-// Sums over y and z first, all cells and components along x side by side.
+// Interpolation for a plain marker: sums over y and z first, with all cells and
+// components along x side by side, so that the inner loop vectorises.
 template <int Cells>
 Vec3 TouchedRows::read_plain(std::size_t marker, const double* velocity) const {
     const auto& [sx, sy, sz] = stencils_[marker];
@@ -226,6 +232,7 @@ Vec3 TouchedRows::read_plain(std::size_t marker, const double* velocity) const {
     return sum;
 }
 
+// Spreading for a plain marker, the transpose of read_plain.
 template <int Cells>
 void TouchedRows::add_plain(std::size_t marker, const Vec3& force,
                             double* density) const {
@@ -265,6 +272,8 @@ void TouchedRows::interpolate(std::span<const double> velocity,
     });
 }
 
+// A force density is the force over the volume of a cell; each marker's weights add up to
+// 1.
 void TouchedRows::spread(std::span<const Vec3> impulse, double duration_s,
                          std::span<double> density) const {
     const double per_volume =

@@ -51,7 +51,8 @@ void File::write_record(std::string_view record) {
         write(record);
     } catch (const FileError&) {
         const auto end = static_cast<off_t>(before);
-        // Fails on what cannot be cut (a device); the first error is the one to report.
+        // Fails for what cannot be truncated (a device); the first error is the one to
+        // report.
         if (::ftruncate(descriptor_, end) == 0 &&
             ::lseek(descriptor_, end, SEEK_SET) == end)
             size_bytes_ = before;
@@ -67,6 +68,7 @@ void File::close() {
 
 namespace {
 
+// Writes a file or folder through to the disk.
 void sync(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) throw FileError(path, errno);
@@ -75,7 +77,8 @@ void sync(const std::filesystem::path& path) {
     if (error != 0) throw FileError(path, error);
 }
 
-// A rename is durable only when the folder's own entry is on the disk.
+// Syncs the folder of a file: a rename is durable only when the folder's entry is on the
+// disk.
 void sync_folder(const std::filesystem::path& file) {
     sync(file.has_parent_path() ? file.parent_path() : ".");
 }
@@ -122,7 +125,7 @@ std::string relative_to(const std::filesystem::path& file,
 
 std::string to_text(double value) {
     if (std::isnan(value)) return "nan";
-    std::array<char, 32> text{};  // the longest shortest double has 24 characters
+    std::array<char, 32> text{};  // the longest such decimal has 24 characters
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return {text.data(), end};
 }

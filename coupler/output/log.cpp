@@ -17,6 +17,7 @@ namespace magfsi::output {
 
 namespace {
 
+// Standard output without the levels that go to standard error.
 class BelowErrorToStdout : public spdlog::sinks::stdout_sink_mt {
   public:
     void log(const spdlog::details::log_msg& message) override {
@@ -97,7 +98,7 @@ void Progress::update(std::int64_t steps_done) {
 }
 
 void Progress::rewrite(std::string_view text) {
-    // Blanks over what the longer line before left behind.
+    // Blanks overwrite the rest of a longer line before.
     const std::size_t blanks = width_ > text.size() ? width_ - text.size() : 0;
     sink_('\r' + std::string(text) + std::string(blanks, ' '));
     width_ = text.size();

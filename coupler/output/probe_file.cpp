@@ -16,6 +16,7 @@ namespace {
 
 constexpr auto time_column = "t[s]";
 
+// Returns the names or throws std::invalid_argument.
 std::vector<std::string> checked(std::vector<std::string> columns) {
     std::set<std::string> seen{time_column};
     for (const auto& name : columns) {
@@ -37,6 +38,7 @@ std::string header(const std::vector<std::string>& columns) {
     return line + '\n';
 }
 
+// The numbers of a row, the time first.
 std::vector<double> numbers(const std::string& line) {
     std::vector<double> values;
     const char* at = line.c_str();
@@ -46,7 +48,8 @@ std::vector<double> numbers(const std::string& line) {
     }
 }
 
-// Leaves the header and the complete rows up to a time. Returns the last one's values.
+// Rewrites the file with the header and the complete rows up to until_s, and returns the
+// values of the last of them.
 std::vector<double> cut(const std::filesystem::path& path, const std::string& head,
                         double until_s) {
     std::string kept = head;
@@ -58,7 +61,7 @@ std::vector<double> cut(const std::filesystem::path& path, const std::string& he
             throw std::runtime_error(fmt::format(
                 "{}: other columns than those of this run; move the file away",
                 path.string()));
-        // A line that ends without a line break is torn.
+        // A line without a line break at its end is incomplete.
         while (std::getline(in, line) && !in.eof()) {
             const auto row = numbers(line);
             if (row.front() > until_s) break;

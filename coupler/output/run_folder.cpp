@@ -28,6 +28,7 @@ namespace {
 constexpr long launcher_byte = 0, leader_byte = 1, member_byte = 2;
 constexpr auto between_tries = std::chrono::milliseconds(20);
 
+// A request to the kernel for a lock on a range of bytes.
 struct flock request(short kind, long first, long count) {
     struct flock lock {};
     lock.l_type = kind;
@@ -46,6 +47,7 @@ std::string host_name() {
     return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
+// Age of a time of the day's clock, in words.
 std::string age_of(long since) {
     const long seconds = std::max(0L, static_cast<long>(std::time(nullptr)) - since);
     if (seconds < 120) return fmt::format("{} s", seconds);
@@ -55,15 +57,16 @@ std::string age_of(long since) {
 
 }  // namespace
 
-// Open file description locks, which belong to the descriptor: closing another one of the
-// same file, as a library may, does not lose them.
+// Open file description locks belong to the descriptor: unlike POSIX locks they survive
+// the closing of another descriptor of the same file, which a library might do.
 bool FolderLock::take(short kind, long first, long count, double patience_s) {
     const auto start = steady_clock::now();
     while (true) {
         struct flock lock = request(kind, first, count);
         if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return true;
         if (errno == EINTR) continue;
-        if (errno != EAGAIN && errno != EACCES) return false;  // no locks here
+        // The file system has no locks.
+        if (errno != EAGAIN && errno != EACCES) return false;
         if (seconds_since(start) >= patience_s)
             throw FolderTaken(fmt::format(
                 "the run folder {} belongs to a run that goes on: {}; wait for its end, "
@@ -83,6 +86,8 @@ FolderLock::FolderLock(const fs::path& folder, Holder holder, double patience_s)
         else if (holder == Holder::member)
             held_ = take(F_RDLCK, member_byte, 1, patience_s);
         else
+            // The leader waits for members of another job, too, then lets its own members
+            // in.
             held_ = take(F_WRLCK, leader_byte, 2, patience_s) &&
                     take(F_UNLCK, member_byte, 1, 0);
     } catch (...) {
@@ -133,6 +138,7 @@ std::string FolderLock::owner() const {
 
 namespace {
 
+// Files whose presence makes a folder hold results, and other files of a run.
 constexpr const char* results[] = {"summary.json", "probes.csv", "structure.pvd",
                                    "fluid.pvd"};
 constexpr const char* other_files[] = {"fields",      "run.log",         "run.json",
@@ -152,7 +158,8 @@ bool is_result(const std::string& name) {
     return std::ranges::find(results, name) != std::end(results) || is_checkpoint(name);
 }
 
-// Leaves what the user may have put there: figures, notes.
+// True for files of a run, complete or unfinished; others, such as figures and notes of
+// the user, are left alone.
 bool is_ours(const std::string& name, const std::vector<std::string>& solver_folders) {
     constexpr std::string_view unfinished = ".tmp";
     if (name.ends_with(unfinished))
@@ -187,7 +194,8 @@ fs::path set_aside(const fs::path& folder, const std::vector<std::string>& solve
     }
     fs::path place = next_place(folder);
     fs::create_directory(place);
-    // The results last: a kill in between leaves what is set aside at the next start.
+    // Results are moved last: a kill in between leaves a folder that the next start sets
+    // aside.
     std::stable_partition(left.begin(), left.end(), [](const fs::path& path) {
         return !is_result(path.filename().string());
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Who owns a run folder, and what becomes of the results that an earlier run left there.
+// Ownership of a run folder, and the handling of results that an earlier run left there.
 #pragma once
 
 #include <filesystem>
@@ -9,21 +9,23 @@
 
 namespace magfsi::output {
 
-// Another run has the folder: "the run folder X belongs to process 12 of host a, ...".
+// Another run owns the folder: "the run folder X belongs to process 12 of host a, ...".
 class FolderTaken : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// Locks on three bytes of run.lock: the launcher's and the leading process's exclude
-// their like, the others of a job share theirs. The kernel releases a lock when its
-// process is gone, however it ended; so a folder is free when all of a job are gone. On a
-// file system without locks (some network ones) nothing is locked: held() is false.
+// A process's lock on the run folder, on one of three bytes of run.lock. The locks of the
+// launcher and of the leading process are exclusive, that of the other processes of a job
+// is shared among them. The kernel releases a lock when its process is gone, however it
+// ended, so that a folder is free when all processes of a job are gone. On file systems
+// without locks (some network ones) nothing is locked and held() is false.
 class FolderLock {
   public:
     enum class Holder { launcher, leader, member };
 
-    // Waits up to patience_s for a lock in the way. Throws FolderTaken, FileError.
+    // Waits up to patience_s [s] for a lock that is in the way. Throws FolderTaken after
+    // that, FileError if run.lock cannot be opened.
     FolderLock(const std::filesystem::path& folder, Holder holder, double patience_s);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
@@ -31,16 +33,20 @@ class FolderLock {
 
     bool held() const { return held_; }
 
-    // Whether all processes of the job are gone, after at most patience_s; the launcher
-    // asks. Calls `waiting` once when that takes longer than a second.
+    // Waits up to patience_s [s] until all processes of the job are gone, and returns
+    // true if they are. Called by the launcher. `waiting` is called once if this takes
+    // longer than a second.
     bool wait_for_job(double patience_s, void (*waiting)() = nullptr) const;
 
-    // Who turns others away from here on, such as "magfsi run": this process. A leading
-    // process leaves that to the launcher that holds its lock, if there is one.
+    // Writes this process into run.lock as the owner that others are told about; what:
+    // its name, such as "magfsi run". A leading process leaves the entry to the launcher,
+    // if one holds its lock. Throws FileError.
     void sign(const std::string& what);
-    std::string owner() const;  // who signed last
+    std::string owner() const;  // description of the last signer
 
   private:
+    // Takes or releases a lock on `count` bytes from `first` on; false if the file system
+    // has no locks.
     bool take(short kind, long first, long count, double patience_s);
 
     std::filesystem::path path_;
@@ -49,18 +55,19 @@ class FolderLock {
     bool held_ = false;
 };
 
-// How long a run waits for the processes of one whose launcher was killed.
+// Time [s] that a run waits for the processes of a job whose launcher was killed.
 constexpr double patience_with_the_ending_s = 8;
 
-// What an earlier run left in the folder goes to earlier-1 in it, or earlier-2 ...; or
-// away, if it has no results or is to be overwritten. solver_folders: names of what
-// solvers leave there. Returns where the results are now; empty if there were none.
+// Moves what an earlier run left in the folder into earlier-1, earlier-2 ... in it, or
+// deletes it if it has no results or is to be overwritten. Files that are not a run's
+// stay. solver_folders: names of what solvers leave in the folder. Returns the new place
+// of the results; empty if there were none.
 std::filesystem::path set_aside(const std::filesystem::path& folder,
                                 const std::vector<std::string>& solver_folders,
                                 bool overwrite);
 
-// Throws std::invalid_argument if one of the files that a run goes on with is a link:
-// what it writes there would go elsewhere.
+// Throws std::invalid_argument if one of the files that a run continues is a symbolic
+// link, through which it would write outside the folder.
 void refuse_links(const std::filesystem::path& folder,
                   const std::vector<std::string>& solver_folders);
 

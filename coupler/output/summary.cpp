@@ -14,6 +14,7 @@
 namespace magfsi::output {
 namespace {
 
+// A JSON object of named values, in their order.
 template <class T>
 Json object(const Named<T>& entries) {
     Json out = Json::object();
@@ -21,7 +22,7 @@ Json object(const Named<T>& entries) {
     return out;
 }
 
-// Every field once, to send and to receive.
+// All fields of a load, once for both sending and receiving.
 template <class Load>
 auto fields(Load& load) {
     return std::tie(load.ranks, load.working_s, load.waiting_s, load.solver_s,
@@ -170,7 +171,8 @@ Json to_json(const Summary& summary) {
 }
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
-    // A cause may quote a file's bytes; what is not UTF-8 is replaced, not thrown at.
+    // The cause may quote bytes of a file: what is not UTF-8 is replaced and does not
+    // throw.
     const auto text =
         to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
     write_atomically(path, text + '\n');
@@ -180,7 +182,7 @@ void add_record(const std::filesystem::path& path, const RunRecord& record,
                 bool goes_on) {
     Json all = Json::array();
     if (std::ifstream in(path); goes_on && in) all = Json::parse(in, nullptr, false);
-    if (!all.is_array()) all = Json::array();  // damaged: the run itself is not
+    if (!all.is_array()) all = Json::array();  // a damaged file must not stop the run
     const auto now =
         std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     all.push_back({{"begun", fmt::format("{:%FT%TZ}", fmt::gmtime(now))},

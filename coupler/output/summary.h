@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How a run went, as summary.json.
+// The summary of a run, summary.json, and the record of its start, run.json.
 #pragma once
 
 #include <cstdint>
@@ -15,101 +15,111 @@ namespace magfsi::output {
 
 using Json = nlohmann::ordered_json;
 
+// The way a run ended.
 enum class Outcome { completed, diverged, lost_partner, stopped };
 
 std::string_view to_text(Outcome outcome);  // "completed" ...
 
-// In the order in which it was filled, and so in the file.
+// A list of named values that keeps the order in which it was filled, also in the file.
 template <class T>
 using Named = std::vector<std::pair<std::string, T>>;
 
+// The section "fluid" of summary.json.
 struct FluidSummary {
     std::int64_t cells = 0;
-    double mlups = 0;  // million cell updates a second of wall time
+    double mlups = 0;  // million cell updates per second of wall time
     double relaxation_time = 0;
     double spacing_m = 0;
     std::string collision, kernel;
 };
 
+// The section "structure".
 struct StructureSummary {
     std::int64_t elements = 0;
     double ns_per_element_step = 0;
     int substeps_per_step = 1;  // at the end of the run
     std::int64_t substeps = 0;  // in the whole run
-    // Where the deformation, or a retry, has changed their number per step:
+    // Smallest number per step, if the deformation or a retry has changed it.
     std::optional<int> fewest_substeps_per_step = {};
 };
 
-// How well the immersed boundary held, measured at the markers (every probe row, or a
-// hundred times): coupler/immersed_boundary/slip.h. Shares are of the reference speed.
+// The section "immersed_boundary": slip and leakage, measured at the markers with every
+// probe row or a hundred times (coupler/immersed_boundary/slip.h).
 struct BoundarySummary {
     std::int64_t markers = 0, samples = 0;
-    double error_m_s = 0, largest_error_m_s = 0;  // rms of |U - V|; of the worst sample
-    double error = 0;
+    // Rms of |U - V| over all samples, and that of the worst sample.
+    double error_m_s = 0, largest_error_m_s = 0;
+    double error = 0;  // error_m_s over the reference speed
     double leakage_m3_s = 0;
-    double leakage = 0;  // of the reference speed through a quarter of the surface
+    // leakage_m3_s over the reference speed times a quarter of the surface.
+    double leakage = 0;
     double marker_speed_m_s = 0, reference_speed_m_s = 0;
 };
 
-// Of an implicit scheme: what its steps took until they converged.
+// The section "iterations": the number of iterations that the steps of an implicit scheme
+// took.
 struct IterationSummary {
     std::string acceleration;
-    std::string measure;   // what is to stay the same from one iteration to the next
-    double tolerance = 0;  // relative
+    std::string measure;   // quantity that must converge
+    double tolerance = 0;  // largest relative residual allowed
     std::int64_t steps = 0, iterations = 0;
-    int most = 0;                  // iterations in a step
-    std::int64_t unconverged = 0;  // steps that went on all the same
-    double residual_sum = 0;       // of the last residuals of all steps, for their mean
+    int most = 0;                  // most iterations in one step
+    std::int64_t unconverged = 0;  // steps that continued unconverged
+    double residual_sum = 0;       // sum of the steps' last residuals
     double worst_residual = 0;
 };
 
-// What the energy audit found, over all rows of the probes.
+// The section "energy_audit": extremes over all probe rows.
 struct EnergySummary {
-    double work_j = 0;      // the largest work, or the energy of the start
-    double residual_j = 0;  // largest magnitude
-    // Largest rise of the energy of bodies and fluid that no work has paid for; absent
-    // where the fluid is driven by its sides or a force.
+    double work_j = 0;      // largest work, or the energy at the start
+    double residual_j = 0;  // largest magnitude of the residual
+    // Largest increase of the energy of bodies and fluid that no work accounts for;
+    // absent if the fluid is driven by its sides or by a body force.
     std::optional<double> gained_j;
-    // Of the sum over markers of F . V dt by what the fluid is given besides the bodies'
-    // forces: the largest magnitude; absent where it is given nothing.
+    // Largest magnitude of the sum over markers of F . V dt for the impulses that the
+    // fluid gets without a reaction on the bodies; absent if there are none.
     std::optional<double> layer_j;
 };
 
-// One participant's time over the whole run. Seconds are means over its ranks, but for
-// two.
+// One participant's time in seconds over the whole run, mean over its ranks unless noted.
 struct SideLoad {
     int ranks = 1;
-    double working_s = 0;  // all tasks, less waiting
-    double waiting_s = 0;  // for the partner
-    double solver_s = 0;   // of the work: what the solver would need alone; least rank
-    double immersed_boundary_s = 0;  // of the work: markers from and to cells; most rank
-    double output_s = 0;             // of the work: probes and files
-    double imbalance = 1;            // largest work of a rank over the mean
-    double steps_s = 0;  // all tasks: what the steps took as this side saw them
-    int max_ranks = 1;   // beyond which a rank has too little to do
+    double working_s = 0;  // all tasks, waiting excluded
+    double waiting_s = 0;  // waiting for the partner
+    // Part of the work that the solver alone would need; that of the rank with the least.
+    double solver_s = 0;
+    // Part of the work that moves data between markers and cells; that of the rank with
+    // most.
+    double immersed_boundary_s = 0;
+    double output_s = 0;   // part of the work for probes and files
+    double imbalance = 1;  // largest work of a rank over the mean
+    double steps_s = 0;    // all tasks, waiting included
+    int max_ranks = 1;     // limit above which ranks have too little work
 };
 
-// What a participant reports at the end.
+// One participant's report at the end of a run.
 struct ParticipantReport {
     std::string name;
     Named<double> tasks;    // seconds on the root rank
-    Named<double> waiting;  // of them, for the partner
+    Named<double> waiting;  // seconds of the tasks waiting for the partner
     SideLoad load;
     std::int64_t memory_bytes = 0;  // all ranks
     Named<std::string> versions;
-    std::int64_t substeps = 0;    // of a structure, in the whole run
-    Named<std::string> sections;  // JSON by its key in summary.json: "fluid", ...
+    std::int64_t substeps = 0;    // total number, structure only
+    Named<std::string> sections;  // JSON of each section by its key, "fluid" ...
 
+    // Add a section; the participant that reports it decides which there are.
     void add(const FluidSummary& fluid);
     void add(const StructureSummary& structure);
     void add(const BoundarySummary& boundary);
     void add(const IterationSummary& iterations);
     void add(const EnergySummary& energy);
 
-    std::string to_text() const;  // for the partner
+    std::string to_text() const;  // for the message to the partner
     static ParticipantReport from_text(const std::string& text);
 };
 
+// The content of summary.json.
 struct Summary {
     std::string scene;
     std::uint64_t scene_hash = 0;
@@ -120,23 +130,24 @@ struct Summary {
     double simulated_s = 0, wall_s = 0;
     std::vector<ParticipantReport> participants;
     std::optional<double> coupling_overhead;        // share of the steps' time
-    std::optional<double> immersed_boundary_share;  // the same
-    std::string advice;                             // empty where there is none
-    Named<double> probes;                           // last values by column
+    std::optional<double> immersed_boundary_share;  // share of the steps' time
+    std::string advice;                             // better ranks or scheme, or empty
+    Named<double> probes;                           // last row, by column
     std::optional<std::int64_t> restarted_at_step;
 };
 
-// scene_hash is 16 hexadecimal digits in a string; what is not finite becomes null, for
-// JSON knows no NaN; a section that no participant has is no key.
+// The summary as JSON. scene_hash becomes a string of 16 hexadecimal digits, numbers that
+// are not finite become null (JSON has no NaN), and sections that no participant reported
+// are absent.
 Json to_json(const Summary& summary);
 
-// Indented, atomic. Throws FileError.
+// Writes the summary, indented, atomically. Throws FileError.
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-// What was run, as run.json keeps it: a list with an entry for each start in the folder.
+// One start of a run, as run.json lists them: an entry for each start in the folder.
 struct RunRecord {
-    std::string scene;    // the file
-    std::string command;  // empty where nobody typed one
+    std::string scene;    // path of the scene file
+    std::string command;  // command line as typed, or empty
     std::vector<std::string> overrides;
     std::string restart;
     std::string machine;
@@ -144,7 +155,8 @@ struct RunRecord {
     Named<int> ranks;
 };
 
-// Atomic. goes_on: the earlier entries stay. Throws FileError.
+// Adds a record to run.json, atomically. goes_on: the entries of earlier starts are kept.
+// Throws FileError.
 void add_record(const std::filesystem::path& path, const RunRecord& record, bool goes_on);
 
 }  // namespace magfsi::output

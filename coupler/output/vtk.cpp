@@ -21,6 +21,7 @@ std::string_view vtk_type(const Values& values) {
     return types[values.index()];
 }
 
+// Number of values, and their bytes.
 std::size_t count(const Values& values) {
     return std::visit([](auto span) { return span.size(); }, values);
 }
@@ -31,8 +32,8 @@ std::span<const std::byte> bytes(const Values& values) {
         values);
 }
 
-// Throws std::invalid_argument when the field has no name, no components, or not
-// components * tuples values; `what` says what a tuple belongs to ("cells").
+// Throws std::invalid_argument if the field has no name, no components, or not
+// components * tuples values; `what` names the tuples ("cells") in the message.
 void check_size(const Field& field, std::size_t tuples, std::string_view what) {
     if (field.name.empty()) throw std::invalid_argument("a VTK field must have a name");
     if (field.components < 1)
@@ -63,11 +64,12 @@ std::string xml_escaped(std::string_view text) {
     return out;
 }
 
-// The raw appended section of a VTK XML file: every array is a byte count (UInt64)
-// followed by the bytes; the XML above refers to it by its offset.
+// The raw appended section of a VTK XML file. Each array is its number of bytes (UInt64)
+// followed by the bytes; the XML above refers to it by its offset in the section.
 class AppendedArrays {
   public:
-    // Both return the <DataArray .../> element. The bytes are read when written.
+    // Register an array and return its <DataArray .../> element. The bytes are read when
+    // write() is called.
     std::string add(std::string_view name, std::string_view type, int components,
                     std::span<const std::byte> data);
     std::string add(const Field& field);
@@ -104,7 +106,7 @@ void AppendedArrays::write(AtomicFile& file) const {
     file.write("\n</AppendedData>\n");
 }
 
-// <VTKFile type="..."> with the byte order of this machine.
+// The element <VTKFile type="..."> with the byte order of this machine.
 std::string vtk_file_element(std::string_view type) {
     return fmt::format(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
@@ -112,7 +114,7 @@ std::string vtk_file_element(std::string_view type) {
         type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
 }
 
-// <PointData> or <CellData> with its arrays; `what` is "points" or "cells".
+// A <PointData> or <CellData> element with its arrays; `what` is "points" or "cells".
 std::string data_element(std::string_view element, std::span<const Field> fields,
                          std::size_t tuples, std::string_view what,
                          AppendedArrays& appended) {
@@ -124,7 +126,7 @@ std::string data_element(std::string_view element, std::span<const Field> fields
     return xml + fmt::format("</{}>\n", element);
 }
 
-// The XML, the arrays and the end of the file, at once.
+// Writes the XML, the arrays and the end of the file.
 void write_file(const std::filesystem::path& path, const std::string& xml,
                 const AppendedArrays& appended) {
     AtomicFile file(path);
@@ -139,6 +141,8 @@ std::string extent_text(const CellExtent& e) {
                        e.hi[2]);
 }
 
+// The attributes WholeExtent, Origin and Spacing. Throws std::invalid_argument for an
+// empty extent or a spacing that is not positive.
 std::string grid_attributes(const ImageGrid& grid, const CellExtent& whole) {
     for (const double h : grid.spacing_m)
         if (!(h > 0))
@@ -166,6 +170,8 @@ bool inside(const CellExtent& inner, const CellExtent& outer) {
     return true;
 }
 
+// Throws unless the pieces cover the whole grid once: all inside, none overlapping, and
+// as many cells.
 void check_partition(const CellExtent& whole, std::span<const ImagePiece> pieces) {
     std::size_t cells = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -198,7 +204,8 @@ std::size_t CellExtent::cells() const {
 void write_vti(const std::filesystem::path& path, const ImageGrid& grid,
                const CellExtent& extent, std::span<const Field> cell_fields) {
     AppendedArrays appended;
-    // The piece's extent is the whole of its file, so that it opens alone, too.
+    // The extent of the piece is the whole extent of its file, so that the file opens on
+    // its own, too.
     std::string xml = vtk_file_element("ImageData") +
                       fmt::format("<ImageData {}>\n<Piece Extent=\"{}\">\n",
                                   grid_attributes(grid, extent), extent_text(extent));
@@ -232,9 +239,10 @@ void write_pvti(const std::filesystem::path& path, const ImageGrid& grid,
 namespace {
 
 constexpr std::uint8_t vtk_hexahedron = 12;
-// VTK walks round the lower quadrilateral, then round the upper one.
+// VTK goes round the lower quadrilateral, then round the upper one.
 constexpr std::array<int, 8> lexicographic_of_vtk{0, 1, 3, 2, 4, 5, 7, 6};
 
+// Points of all hexahedra in VTK's order.
 std::vector<std::int64_t> connectivity(std::span<const std::array<int, 8>> hexahedra,
                                        std::size_t points) {
     std::vector<std::int64_t> out;
@@ -251,6 +259,7 @@ std::vector<std::int64_t> connectivity(std::span<const std::array<int, 8>> hexah
     return out;
 }
 
+// Ends of the hexahedra in the list of points.
 std::vector<std::int64_t> offsets(std::size_t cells) {
     std::vector<std::int64_t> out(cells);
     for (std::size_t cell = 0; cell < cells; ++cell)
@@ -263,7 +272,7 @@ std::span<const std::byte> bytes_of(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));
 }
 
-// <FieldData>: each word as its bytes and a zero.
+// The <FieldData> element: each word as the codes of its bytes and a final zero.
 std::string words_element(std::span<const Words> lists) {
     if (lists.empty()) return "";
     std::string xml = "<FieldData>\n";

@@ -15,12 +15,15 @@ namespace magfsi::coupler {
 
 namespace {
 
+// Tag of the messages to and from the controller.
 constexpr int tag = 76;
-// The controller's own alarm comes first and leaves where it hangs.
+// Time [s] added to the controller's own limit: its alarm comes first and leaves the
+// place where it hangs.
 constexpr double grace_s = 1;
-// Of an answer's first byte.
+// First byte of an answer without an error; after any other byte the text is a traceback.
 constexpr char good = '=';
 
+// Bytes that checkpoints store as numbers.
 std::string bytes_of(std::span<const double> numbers) {
     std::string bytes;
     for (const double number : numbers) bytes += static_cast<char>(number);
@@ -43,12 +46,12 @@ std::string receive(MPI_Comm comm) {
 
 }  // namespace
 
-// The first byte of a message, the same in controller.py.
+// Kind of a request: the first byte of the message, the same in controller.py.
 enum class Controller::Request : char {
     begin = 'b',    // a plan in JSON
     restore = 'r',  // a state
-    step = 's',     // step, time, probes; answered with the field
-    keep = 'k',     // answered with a state
+    step = 's',     // step, time, probes; the answer is the field
+    keep = 'k',     // the answer is a state
     end = 'e'
 };
 
@@ -63,6 +66,7 @@ Controller::Controller(const World& world, const ControlPlan& plan,
                                {"out", out},
                                {"keeps", keeps},
                                {"restored", state.has_value()}};
+    // The first message of a controller names the file of its trace.
     trace_ = answer("word of the controller");
     request(Request::begin, begin.dump(), "start of the controller");
     if (state) request(Request::restore, bytes_of(*state), "controller to go on");
@@ -124,6 +128,7 @@ std::string Controller::answer(const std::string& what) {
     throw std::runtime_error(found.substr(1));
 }
 
+// The trace ends where the user's script ends and controller.py begins.
 void Controller::fail_late(const std::string& what) const {
     std::string where;
     std::ifstream file(trace_);

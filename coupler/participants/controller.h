@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The structure's link to a controller: a program of the user's in a process of its own
-// (adapters/python/magfsi/controller.py), which is asked at some steps, answers with a
-// text, and has a state that checkpoints keep. All calls are collective over the
-// structure; its root talks.
+// The structure's link to a controller: a user's program in a process of its own
+// (adapters/python/magfsi/controller.py). It is asked at some steps, answers with a text,
+// and has a state that checkpoints contain. All calls are collective over the structure;
+// its root exchanges the messages.
 #pragma once
 
 #include <cstdint>
@@ -15,40 +15,50 @@
 
 namespace magfsi::coupler {
 
+// The controller of a scene.
 struct ControlPlan {
+    // Path of the user's script.
     std::string script;
-    std::vector<std::string> probes;  // by the names that the script gives them
+    std::vector<std::string> probes;  // names that the script uses
+    // Interval between two questions [s], and the longest wait for an answer [s].
     double every_s = 0;
-    double timeout_s = 0;  // longest wait for an answer
+    double timeout_s = 0;
 };
 
+// The structure's end of the exchange with the controller.
 class Controller {
   public:
-    // The script is loaded; it goes on from a state that keep() gave, where there is one.
-    // keeps: whether there will be checkpoints, which it must then be able to serve.
-    // Throws std::runtime_error, as the calls below do, with the controller's traceback
-    // where it fails or hangs; PartnerLost where it is gone.
+    // Loads the script and restores the state, one that keep() returned before, if it is
+    // given. out: the run folder. keeps: true if checkpoints will ask for the state,
+    // which the script must then be able to give. Throws std::runtime_error with the
+    // controller's traceback if it fails or hangs, PartnerLost if it is gone; so do all
+    // other calls.
     Controller(const World& world, const ControlPlan& plan, const std::string& out,
                bool keeps, std::optional<std::vector<double>> state);
 
-    // After the last step: the process ends.
+    // Ends the controller's process; called after the last step.
     void end();
 
-    // What it answers to these probes, on all ranks.
+    // The controller's answer to the values of the probes at time_s [s], the same text on
+    // all ranks.
     std::string ask(std::int64_t step, double time_s, std::span<const double> probes);
 
-    // Its state, bytes as numbers, on the root.
+    // The controller's state on the root, one byte per number; empty on the other ranks.
     std::vector<double> keep();
 
   private:
     enum class Request : char;
+    // Sends a request and returns its answer; `what` names the awaited answer in
+    // messages.
     std::string request(Request kind, std::string_view content, const std::string& what);
     std::string answer(const std::string& what);
+    // Reports a controller that does not answer, with the place where it hangs.
     [[noreturn]] void fail_late(const std::string& what) const;
 
     const World& world_;
     ControlPlan plan_;
-    std::string trace_;  // a file in which a controller that hangs leaves where it is
+    // Path of a file in which a controller that hangs leaves its place in the script.
+    std::string trace_;
 };
 
 }  // namespace magfsi::coupler

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How a run can end other than well. Each maps to one exit code of the command line.
+// The ways in which a run can fail, and the exit codes of the command line.
 #pragma once
 
 #include <stdexcept>
 
 namespace magfsi::coupler {
 
+// Exit codes of all programs.
 enum ExitCode {
     exit_done = 0,
     exit_error = 1,
@@ -14,25 +15,26 @@ enum ExitCode {
     exit_partner = 4
 };
 
-// The numbers left the range in which they mean anything: names what, where and when.
+// The numbers left the range in which they mean anything; the message names what, where
+// and when.
 class Diverged : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// A partner never came, went away, disagrees, or did not answer in time.
+// A partner never started, went away, disagrees, or did not answer in time.
 class PartnerLost : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// It lives, but did not answer in time.
+// A partner lives, but did not answer in time.
 class TimedOut : public PartnerLost {
   public:
     using PartnerLost::PartnerLost;
 };
 
-// Told to end (SIGTERM or SIGINT).
+// The process was told to end by SIGTERM or SIGINT.
 class Stopped : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

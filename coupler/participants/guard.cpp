@@ -76,20 +76,23 @@ std::filesystem::path default_out(const std::string& scene_name) {
 
 namespace {
 
-// Invalid operations, divisions by zero and overflows end the process where they happen
-// (SIGFPE), on all of this process's threads to come.
+// Makes invalid operations, divisions by zero and overflows end the process where they
+// happen (SIGFPE), on this thread and all threads it starts later. Only in builds with
+// MAGFSI_TRAPS.
 void trap_floating_point_faults() {
 #ifdef MAGFSI_TRAPS
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
 #endif
 }
 
+// Exit code, outcome and cause of a failed run.
 struct Ending {
     int code;
     output::Outcome outcome;
     std::string cause;
 };
 
+// The ending that belongs to an exception.
 Ending classify(const std::exception_ptr& exception) {
     using output::Outcome;
     try {
@@ -100,23 +103,26 @@ Ending classify(const std::exception_ptr& exception) {
         return {exit_partner, Outcome::lost_partner, e.what()};
     } catch (const Stopped& e) {
         return {exit_partner, Outcome::stopped, e.what()};
-    } catch (const std::invalid_argument& e) {  // of the scene, a mesh, or a solver
+    } catch (const std::invalid_argument& e) {  // bad scene, mesh or solver input
         return {exit_input, Outcome::stopped, e.what()};
     } catch (const std::exception& e) {
         return {exit_error, Outcome::stopped, e.what()};
     }
 }
 
+// Writes summary.json for a failed run, unless the folder is not this run's.
 void write_failure(const RunState& state, const Ending& ending) {
     if (!state.started) return;
-    // Told to end because another process failed: that one has named the cause already.
+    // A process that is told to end because another one failed leaves the summary to that
+    // one, which knows the cause.
     const bool told = ending.outcome == output::Outcome::stopped;
     if (told && std::filesystem::exists(state.out / "summary.json")) return;
     output::Summary summary = summary_of(state);
     summary.outcome = ending.outcome;
     summary.cause = ending.cause;
     try {
-        // Both sides may end at the same moment: each writes a file of its own first.
+        // Both sides may end at the same moment: each writes a file of its own and
+        // renames it.
         const auto mine = state.out / fmt::format("summary.{}.json", ::getpid());
         output::write_summary(mine, summary);
         std::filesystem::rename(mine, state.out / "summary.json");
@@ -142,7 +148,7 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         fmt::print("{}", arguments.help_text);
         return exit_done;
     }
-    // MPI_Init waits for all of the job.
+    // Faults of the job are found first, because MPI_Init waits for all of its processes.
     if (const std::string fault = fault_of_job(); !fault.empty()) {
         fmt::print(stderr, "magfsi {}: {}\n", to_string(role), fault);
         let_the_others_connect();
@@ -156,7 +162,7 @@ int run_participant(Role role, const std::string& description, int argc, char** 
         return exit_partner;
     }
     catch_stop_signals();
-    trap_floating_point_faults();  // after MPI's own start
+    trap_floating_point_faults();  // MPI's own start may raise faults
     RunState state;
     try {
         body(arguments, state);

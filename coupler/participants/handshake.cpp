@@ -17,6 +17,7 @@ namespace {
 constexpr int swap_tag = 72;
 constexpr int numbers_tag = 73;
 
+// Throws PartnerLost if an item differs between the sides.
 template <class Number>
 void compare(const World& world, const char* item, Number mine, Number theirs,
              const char* format = "{}") {

@@ -21,12 +21,13 @@ struct Address {
     socklen_t size = 0;
 };
 
+// The address that a process's socket is bound to; every other process can compute it.
 Address address_of(const ProcessId& process) {
     const std::string text =
         fmt::format("magfsi-{:x}-{}-{}", process.machine, process.pid, process.started);
     Address address;
     address.name.sun_family = AF_UNIX;
-    // The zero in front makes it an abstract name.
+    // A zero byte in front makes the name an abstract one.
     text.copy(address.name.sun_path + 1, sizeof address.name.sun_path - 1);
     address.size =
         static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + text.size());
@@ -57,7 +58,8 @@ bool Notifier::notify(const ProcessId& other) const {
     const char byte = 0;
     const ssize_t sent = ::sendto(socket_, &byte, sizeof byte, MSG_NOSIGNAL,
                                   generic(address), address.size);
-    // Full of notifications that were not read yet: one more would say nothing new.
+    // A full queue holds notifications that were not read yet: one more would add
+    // nothing.
     return sent >= 0 || errno == EAGAIN;
 }
 
@@ -66,6 +68,7 @@ bool Notifier::wait(std::chrono::nanoseconds longest) const {
     const timespec time{seconds.count(), (longest - seconds).count()};
     pollfd one{socket_, POLLIN, 0};
     if (::ppoll(&one, 1, &time, nullptr) <= 0) return false;
+    // Takes all notifications that have come: one wake-up answers all of them.
     char byte = 0;
     while (::recv(socket_, &byte, sizeof byte, 0) >= 0) {
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How a process sleeps until its partner has sent a message: MPI's waits poll, and a core
-// that polls is one that the partner may need. Whoever has sent a message notifies the
-// receiver by a datagram to a socket in Linux's abstract name space (unix(7): no file).
-// Not by a signal, which MPI's own threads could take. Processes of one machine reach
-// each other; others have to look by themselves.
+// Sleeping until the partner has sent a message. MPI's own waits poll, and a core that
+// polls may be one that the partner needs. A process that has sent a message therefore
+// notifies the receiver by a datagram to a socket in Linux's abstract name space
+// (unix(7): no file is made). A signal would not do, since MPI's own threads could take
+// it. Only processes of one machine reach each other; others must poll.
 #pragma once
 
 #include <chrono>
@@ -12,18 +12,20 @@
 
 namespace magfsi::coupler {
 
+// The socket of this process.
 class Notifier {
   public:
-    // From now on self can be notified. Where the system grants no socket it cannot.
+    // Opens the socket of process `self`, which must be this process. If the system
+    // grants none, the other calls have no effect.
     explicit Notifier(const ProcessId& self);
     ~Notifier();
     Notifier(const Notifier&) = delete;
     Notifier& operator=(const Notifier&) = delete;
 
-    // False where the other one cannot be notified.
+    // Notifies another process; returns false if it cannot be reached.
     bool notify(const ProcessId& other) const;
-    // Until a notification comes or has come since the last wait, a signal comes, or that
-    // much time has passed. Whether there was a notification.
+    // Sleeps until a notification comes or one has come since the last wait, or a signal
+    // comes, or the time has passed. Returns true if there was a notification.
     bool wait(std::chrono::nanoseconds longest) const;
 
   private:

@@ -25,6 +25,7 @@ namespace magfsi::coupler {
 
 namespace {
 
+// Hash of the machine's boot and of the name space of process numbers (containers).
 std::uint64_t machine() {
     std::string text;
     std::ifstream("/proc/sys/kernel/random/boot_id") >> text;
@@ -34,8 +35,9 @@ std::uint64_t machine() {
     return hash_of(text);
 }
 
+// The part of /proc/PID/stat that is needed.
 struct Status {
-    char state = 0;  // none: no such process
+    char state = 0;  // a letter; 0: no such process
     std::int64_t started = 0;
 };
 
@@ -43,7 +45,7 @@ Status status_of(std::int64_t pid) {
     std::ifstream in(fmt::format("/proc/{}/stat", pid));
     std::string line;
     std::getline(in, line);
-    const auto name_end = line.rfind(')');  // the name may hold anything
+    const auto name_end = line.rfind(')');  // the name may contain anything
     if (name_end == std::string::npos) return {};
     std::istringstream fields(line.substr(name_end + 1));
     Status status;
@@ -82,7 +84,7 @@ void wake(const ProcessId& process) {
 namespace {
 
 // Beyond some tens of processes on a machine mpirun starts them from threads of its own,
-// and the kernel counts the end of such a thread as the parent's death.
+// and the kernel takes the end of such a thread for the parent's death.
 bool started_by_main_thread_of(pid_t parent) {
     std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", parent));
     for (pid_t child = 0; children >> child;)
@@ -96,24 +98,26 @@ void die_with_mpirun() {
     const bool of_mpirun =
         std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE") || std::getenv("PMIX_RANK");
     const pid_t parent = ::getppid();
-    if (of_mpirun && parent == 1) ::_exit(1);  // it is gone already
+    if (of_mpirun && parent == 1) ::_exit(1);  // mpirun is gone already
     if (!of_mpirun || !started_by_main_thread_of(parent)) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() == 1) ::_exit(1);  // it is gone already
+    if (::getppid() == 1) ::_exit(1);  // mpirun is gone already
 }
 
 namespace {
 
-// Far above what a job takes to start on a busy machine.
+// Times [s] far above what a job takes to start on a busy machine.
 constexpr unsigned first_word_s = 30, end_s = 90;
 volatile std::sig_atomic_t words = 0;
 
+// Prints a text by write(), which is safe in a signal handler.
 template <std::size_t n>
 void say(const char (&text)[n]) {
     const ssize_t ignored = ::write(STDERR_FILENO, text, n - 1);
     (void)ignored;
 }
 
+// Handler of SIGALRM: the first alarm prints a line, the second ends the process.
 extern "C" void nobody_joined(int /*signal*/) {
     if (words == 0) {
         words = 1;
@@ -139,7 +143,8 @@ void joined() {
 
 namespace {
 
-// Of mpirun's command line, one for each program; none where it is not the parent.
+// The parts of mpirun's command line between colons, one for each program; empty if
+// mpirun is not the parent.
 std::vector<std::string> contexts_of_job() {
     std::ifstream in(fmt::format("/proc/{}/cmdline", ::getppid()));
     std::vector<std::string> contexts(1);
@@ -162,7 +167,8 @@ std::vector<std::string> contexts_of_job() {
 std::string fault_of_job() {
     const auto contexts = contexts_of_job();
     if (contexts.size() < 2) return "";
-    // Where Open MPI says how many there are, a colon may have had another meaning.
+    // A colon may have another meaning: the parts count only if Open MPI gives the same
+    // number of programs.
     const int programs = number_in_environment("OMPI_NUM_APP_CTX");
     if (programs > 0 && contexts.size() != static_cast<std::size_t>(programs)) return "";
     for (const std::string& words : contexts) {
@@ -184,7 +190,7 @@ std::string fault_of_job() {
 std::string fault_of_start() {
     int size = 0;
     MPI_Comm_size(MPI_COMM_WORLD, &size);
-    // MPICH and its kin tell their processes so how many they are.
+    // MPICH and its relatives give each process the number of processes in this variable.
     const int started = number_in_environment("PMI_SIZE");
     if (size > 1 || started <= 1) return "";
     return fmt::format(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A process of the job as the others on its machine see it: whether it is still there.
+// A process of the job as other processes of its machine see it, and checks of the job's
+// start.
 #pragma once
 
 #include <cstdint>
@@ -7,39 +8,46 @@
 
 namespace magfsi::coupler {
 
-// The same layout everywhere: it travels in messages.
+// A process, identified beyond its number. The layout is the same everywhere, since it is
+// sent in messages.
 struct ProcessId {
     std::int64_t pid = 0;
-    std::int64_t started = 0;   // in clock ticks since boot: numbers are used again
-    std::uint64_t machine = 0;  // of this boot, and of the name space of its numbers
+    std::int64_t started = 0;   // clock ticks since boot; pids are reused
+    std::uint64_t machine = 0;  // hash of this boot and of the pid name space
 };
+// The identity of this process.
 ProcessId this_process();
 
-// far: on another machine, where only the MPI runtime knows.
+// State of a process. far: it is on another machine, where only the MPI runtime knows its
+// state.
 enum class Life { far, gone, stopped, alive };
 Life life_of(const ProcessId& process);
 
-// To one that sleeps between messages: there is one for it (SIGUSR2). Does nothing to a
-// far one, which has to look by itself.
+// Wakes a process of this machine that sleeps between messages, by SIGUSR2. Does nothing
+// for a process of another machine, which polls.
 void wake(const ProcessId& process);
 
-// mpirun's death is to end this process too; a stopped one as well. Call it first.
+// Makes the death of mpirun end this process, too, even a stopped one. Must be called
+// before anything else.
 void die_with_mpirun();
 
-// From here to joined(), which MPI_Init and the first exchange are within: a word where
-// the job's other programs do not come, and then the end, with exit_partner. A program
-// that knows nothing of MPI would keep all others in MPI_Init for ever.
+// These calls guard the start of the job: MPI_Init and the first exchange take place
+// between them. If the job's other programs do not come, this process prints a line after
+// 30 s and ends with exit_partner after 2 min: a program that knows nothing of MPI would
+// otherwise keep all others in MPI_Init for ever.
 void watch_joining();
 void joined();
 
-// Empty, or why this MPI job cannot be one of ours, as far as its start tells.
+// Reason why this MPI job cannot be a job of magfsi, as far as the command line of mpirun
+// shows; empty if there is none.
 std::string fault_of_job();
 
-// After MPI_Init: empty, or why the processes that were started together are not one job.
+// Reason why the processes that were started together are not one MPI job; empty if there
+// is none. To be called after MPI_Init.
 std::string fault_of_start();
 
-// Before an end without MPI_Init: Open MPI 4.1's mpirun may hang for ever where a process
-// ends while another one is just connecting to it.
+// Waits before this process ends without MPI_Init: mpirun of Open MPI 4.1 may hang for
+// ever if a process ends while another one is connecting to it.
 void let_the_others_connect();
 
 }  // namespace magfsi::coupler

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a participant runs, in the coupler's own terms. adapters/run_scene.cpp fills it.
+// The plan of a run in the coupler's own terms; adapters/run_scene.cpp makes it from a
+// scene.
 #pragma once
 
 #include <array>
@@ -13,39 +14,42 @@
 
 namespace magfsi::coupler {
 
+// Checkpoints of a run.
 struct CheckpointPlan {
     double every_s = 0;
-    bool retry =
-        false;  // after a divergence, from the last checkpoint with half the steps
+    // After a divergence: restart from the last checkpoint with half the step size.
+    bool retry = false;
 };
 
+// Everything about a run that the coupler needs to know; times in [s].
 struct RunPlan {
     std::string name;
     std::uint64_t scene_hash = 0;
-    std::uint64_t state_hash =
-        0;  // the same whatever end_s: a run may go on to a later end
+    // Hash of the scene without end_s, which a restart may change.
+    std::uint64_t state_hash = 0;
     double end_s = 0;
-    int steps_at_a_time = 1;           // whole steps of a refined grid's coarsest level
-    std::vector<Role> roles;           // the participants of the run
+    // Coupled steps in one step of a refined grid's coarsest level.
+    int steps_at_a_time = 1;
+    std::vector<Role> roles;           // participants of the run
     bool controlled = false;           // the structure has a controller
-    std::optional<Coupling> coupling;  // present where there are both
+    std::optional<Coupling> coupling;  // present if structure and fluid are coupled
     std::optional<CheckpointPlan> checkpoint;
-    bool interface_balance = false;  // is audited
+    bool interface_balance = false;  // the interface is audited
 
-    // Of the fluid, where there is one.
+    // Properties of the fluid; 0 without one.
     double fluid_density_kg_m3 = 0;
     std::array<double, 3> fluid_body_force_n_m3{};
-    double given_speed_m_s = 0;  // the largest of inlets, walls and the initial flow
+    double given_speed_m_s = 0;  // largest speed of inlets, walls and initial flow
 
-    // What a fluid leaves in the run folder beside the coupler's own files.
+    // Names of what the solvers leave in the run folder, beside the coupler's own files.
     std::vector<std::string> solver_folders;
 
-    // For the run folder: the scene's text as given, and as read, in SI units (JSON).
+    // Texts for the run folder: the scene as given, and as read, in SI units (JSON).
     std::string scene_as_given, scene_as_read;
-    std::string machine;  // in words
-    // For log and summary.
+    std::string machine;  // description of the machine
+    // Texts for log and summary.
     std::vector<std::string> effects, absent_effects;
-    std::vector<std::string> effects_by_step;  // a line for each part of the step
+    std::vector<std::string> effects_by_step;  // one line for each part of the step
     std::vector<std::string> warnings;
 };
 

@@ -24,7 +24,7 @@ output::Named<std::string> versions() {
     const std::string mpi(text.data());
     output::Named<std::string> found{{"magfsi", MAGFSI_VERSION},
                                      {"MPI", mpi.substr(0, mpi.find(','))}};
-    // Of a checkout; its launcher tells it.
+    // The commit of a checkout, which its launcher passes in the environment.
     if (const char* const commit = std::getenv("MAGFSI_COMMIT"); commit && *commit)
         found.insert(found.begin() + 1, {"commit", commit});
     return found;
@@ -32,6 +32,7 @@ output::Named<std::string> versions() {
 
 namespace {
 
+// Fills the state before the members that need it are made.
 RunState& fill(RunState& state, const ParticipantArguments& arguments, RunPlan plan) {
     state.plan = std::move(plan);
     state.out = arguments.out.empty() ? default_out(state.plan.name) : arguments.out;
@@ -44,7 +45,8 @@ Session::Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
                  RunState& state)
     : state_(fill(state, arguments, std::move(plan))),
       arguments_(arguments),
-      // A structure that is played has been controlled.
+      // A structure that is replayed has no controller: its record contains the
+      // controller's effect.
       world_(role, state_.plan.roles.size() == 2, state_.plan.scene_hash,
              state_.plan.controlled && arguments.replay.empty()) {}
 
@@ -96,11 +98,11 @@ void Session::find_restart(double step_s) {
 }
 
 void Session::claim_run_folder() {
-    std::error_code none;  // false where one of them is not there
+    std::error_code none;  // then false if one of the folders does not exist
     const bool goes_on =
         restart_ && std::filesystem::equivalent(restart_->folder, state_.out, none);
     if (world_.leads()) take_over(goes_on);
-    // Nobody writes there before the folder is this run's.
+    // The exchange makes all ranks wait until the folder is this run's.
     const char mine = 1;
     char theirs = 0;
     if (world_.coupled())
@@ -139,7 +141,7 @@ void Session::take_over(bool goes_on) {
     if (goes_on) {
         output::refuse_links(state_.out, plan().solver_folders);
         std::filesystem::remove(state_.out / "summary.json");
-        // Of steps that this run is about to do again.
+        // Checkpoints of steps that this run will do again.
         clear_checkpoints_after(state_.out, restart_->header.step);
     } else {
         earlier_results_ =

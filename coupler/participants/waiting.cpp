@@ -21,26 +21,30 @@ namespace magfsi::coupler {
 
 namespace {
 
+// State of this process, set by set_awaited and tell_of_long_waits.
 Awaited awaited;
 std::function<void(const std::string&)> tell;
 
 using SteadyClock = std::chrono::steady_clock;
 
-// A short spin keeps the latency of small scenes down; where the same wait was long, it
-// is shorter still. A nap of a sixty-fourth of what was waited already adds at most that
-// share to a wait, and a partner that works for long on the same core is disturbed
-// seldom.
+// A short spin keeps the latency of small scenes low; it is shorter still if the last
+// wait of the same kind was long. A nap of 1/64 of the time waited so far lengthens a
+// wait by at most that share, and seldom disturbs a partner that works for long on the
+// same core.
 constexpr auto spin_time = std::chrono::microseconds(100);
 constexpr auto shortest_nap = std::chrono::nanoseconds(10000);
 constexpr auto longest_nap = std::chrono::nanoseconds(200000);
 constexpr int naps_a_wait = 64;
-// Between looks at a partner that notifies this process of what it sends.
+// Longest sleep between two looks at a partner that notifies this process of its
+// messages.
 constexpr auto longest_sleep = std::chrono::milliseconds(20);
 
-std::map<int, SteadyClock::duration> last_waits;  // by the message's tag, 0 for others
+// Durations of the last waits, by the message's tag, 0 for others.
+std::map<int, SteadyClock::duration> last_waits;
 
 double seconds_waited = 0;
 
+// Measures a wait, and chooses the length of its spin from the last wait of the same tag.
 struct WaitingTime {
     explicit WaitingTime(int tag) : last(last_waits[tag]) {}
     SteadyClock::duration& last;
@@ -52,17 +56,18 @@ struct WaitingTime {
     }
 };
 
-// Without it the kernel lengthens every nap by 50 us, to wake up several sleepers at
-// once.
+// Sets the slack of this thread's timers to 1 us: by default the kernel lengthens every
+// nap by 50 us, to wake up several sleepers at once.
 void sleep_exactly() {
     static const int done = prctl(PR_SET_TIMERSLACK, 1000UL, 0, 0, 0);  // ns
     (void)done;
 }
 
-// Between two checks.
+// The sleep between two checks of a wait.
 class Sleep {
   public:
-    // notifier: of this process, if who sends what is waited for notifies it, else null.
+    // notifier: that of this process, if the senders of the awaited messages notify it,
+    // else null.
     explicit Sleep(const Notifier* notifier) : notifier_(notifier) { sleep_exactly(); }
     void after(SteadyClock::duration waited) {
         using std::chrono::nanoseconds;
@@ -71,7 +76,8 @@ class Sleep {
                 std::clamp<nanoseconds>(waited / naps_a_wait, shortest_nap, longest_nap));
             return;
         }
-        // What was sent may need another moment, or it was for another wait.
+        // The message may need another moment after its notification, or the notification
+        // was for another wait: short sleeps follow.
         nanoseconds longest = longest_sleep;
         if (notified_after_ >= nanoseconds(0))
             longest = std::clamp<nanoseconds>((waited - notified_after_) / 2,
@@ -81,11 +87,13 @@ class Sleep {
 
   private:
     const Notifier* notifier_;
-    // From the start of the wait; below 0: not yet.
+    // Time of the last notification, since the start of the wait; negative if there was
+    // none.
     SteadyClock::duration notified_after_{-1};
 };
 
-// Of mpirun's one second between SIGTERM and SIGKILL.
+// Time within which a wait must end after SIGTERM, a part of the second that mpirun
+// leaves before SIGKILL.
 constexpr auto patience_after_sigterm = std::chrono::milliseconds(300);
 
 volatile std::sig_atomic_t stop_signal = 0;
@@ -95,13 +103,14 @@ extern "C" void remember_signal(int number) {
     stop_signal = number;
 }
 
-// How long ago this wait saw the signal.
+// True if a wait may go on after a signal that it saw `since` ago.
 bool may_wait_on(SteadyClock::duration since) {
     if (!postponed) return false;
     return stop_signal == SIGUSR1 || since < patience_after_sigterm;
 }
 
-// A wait that lasts: whether the partner is still there, and a word about it each minute.
+// The bookkeeping of a long wait: the time limit, checks once a second that the partner
+// is still there, and a message each minute.
 class LongWait {
   public:
     LongWait(double timeout_s, const std::string& what, const std::string& whom)
@@ -109,7 +118,8 @@ class LongWait {
 
     void look(SteadyClock::time_point now) {
         // Time in which this process did not run either is nobody's delay: the whole job
-        // was suspended, or the machine slept.
+        // was suspended, or the machine slept. A step between two looks counts as one
+        // second at most.
         constexpr std::chrono::duration<double> longest_between_looks(1);
         own_s_ +=
             std::min<std::chrono::duration<double>>(now - last_, longest_between_looks)
@@ -147,7 +157,8 @@ class LongWait {
                          start, std::difftime(std::time(nullptr), start_), what_, about));
     }
 
-    // mpirun notices too and names the cause; this is for a job that has none.
+    // mpirun notices a dead process, too, and names the cause; this error is for jobs in
+    // which it does not.
     void lost(const Awaited::Process& one) {
         constexpr double patience_with_mpirun_s = 4;
         if (!gone_s_) gone_s_ = own_s_;
@@ -162,9 +173,12 @@ class LongWait {
     std::time_t start_ = std::time(nullptr);
     SteadyClock::time_point last_ = SteadyClock::now();
     double own_s_ = 0, next_look_s_ = 1, next_word_s_ = 60;
+    // Time at which a process of the partner was first found to be gone.
     std::optional<double> gone_s_;
 };
 
+// Waits until done() returns true. tag: selects the kind of wait whose last duration sets
+// the spin; notifier: see Sleep.
 template <typename Done>
 void wait_until(Done done, double timeout_s, const std::string& what,
                 const std::string& whom = awaited.partner, int tag = 0,
@@ -203,7 +217,7 @@ void catch_stop_signals() {
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGUSR1, &action, nullptr);
-    // A file beyond its size limit is then a failed write, which names the file.
+    // Writing beyond the limit of a file's size then fails, and the error names the file.
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -239,7 +253,8 @@ void wait_for_messages(MPI_Comm comm, std::span<const int> ranks, int tag,
         [&] {
             for (; arrived < ranks.size(); ++arrived) {
                 int there = 0;
-                // Open MPI looks for what has come only after it has answered.
+                // Open MPI handles incoming messages only after it has answered a probe,
+                // so that a second probe may find what the first one missed.
                 for (int twice = 0; twice < 2 && there == 0; ++twice)
                     MPI_Iprobe(ranks[arrived], tag, comm, &there, MPI_STATUS_IGNORE);
                 if (there == 0) return false;

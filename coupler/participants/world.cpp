@@ -20,7 +20,7 @@ namespace {
 
 constexpr int intercommunicator_tag = 71, controller_tag = 75;
 
-// A process of the job, as all of them learn of it.
+// A process of the job, as all others learn of it.
 struct Member {
     std::int64_t role = 0;
     std::uint64_t scene_hash = 0;
@@ -28,6 +28,7 @@ struct Member {
     ProcessId process;
 };
 
+// All processes of the job by world rank. Collective over the job.
 std::vector<Member> members_of_world(Role self, std::uint64_t scene_hash) {
     Member mine{static_cast<int>(self), scene_hash, {}, this_process()};
     const std::string_view name = program_invocation_short_name;
@@ -40,6 +41,7 @@ std::vector<Member> members_of_world(Role self, std::uint64_t scene_hash) {
     return all;
 }
 
+// Throws PartnerLost if a process of the same role runs another program or scene.
 void check_own_side(Role self, const Member& mine, const std::vector<Member>& all) {
     for (const Member& other : all) {
         if (other.role != mine.role) continue;
@@ -55,7 +57,7 @@ void check_own_side(Role self, const Member& mine, const std::vector<Member>& al
     }
 }
 
-// The world rank of the first process of each role, or -1.
+// World rank of the first process of a role, or -1.
 int first_rank(const std::vector<Member>& all, Role role) {
     const auto at = std::ranges::find(all, static_cast<int>(role), &Member::role);
     return at == all.end() ? -1 : static_cast<int>(at - all.begin());
@@ -83,7 +85,7 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
     MPI_Comm_rank(local_, &rank_);
     MPI_Comm_size(local_, &size_);
     join_partner(first_rank(all, other()), partner_expected);
-    // A controller is the structure's: the fluid knows nothing of it.
+    // The controller belongs to the structure; the fluid does not take part.
     const int controller = first_rank(all, Role::control);
     if (self == Role::structure) join_controller(controller, controller_expected);
     if (controller_ != MPI_COMM_NULL) controller_process_ = all[controller].process;
@@ -99,13 +101,14 @@ World::World(Role self, bool partner_expected, std::uint64_t scene_hash,
     set_awaited(std::move(awaited));
 }
 
-// Both sides' sockets are there since the first exchange.
+// Sockets of both sides exist since the first exchange, which every process makes after
+// it has opened its own.
 bool World::partner_notifies(const std::vector<ProcessId>& partner) {
     int reached = 1, reached_by_all = 0;
     for (const ProcessId& process : partner)
         if (!notifier_.notify(process)) reached = 0;
     if (reached != 0) notified_ = partner;
-    // On an intercommunicator: of the partner's processes.
+    // On an intercommunicator the result is that of the other side's processes.
     MPI_Allreduce(&reached, &reached_by_all, 1, MPI_INT, MPI_MIN, partner_);
     return reached_by_all != 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The two sides of a run, and the controller beside the structure: how they find each
-// other and send.
+// The two sides of a run and the controller beside the structure: communicators,
+// identities and sending.
 #pragma once
 
 #include <mpi.h>
@@ -14,19 +14,20 @@
 
 namespace magfsi::coupler {
 
+// The part that a process plays in a run; the values are colours of MPI_Comm_split.
 enum class Role { structure = 1, fluid = 2, control = 3 };
 
 std::string to_string(Role role);
 
-// The first act of every participant: all world ranks join one split by role, then the
-// two sides are joined by an intercommunicator, and the structure and a controller by
-// another. After that nobody uses MPI_COMM_WORLD.
+// The communicators of a run. Making it is the first act of every participant: all world
+// ranks take part in one split by role; an intercommunicator then joins the two sides,
+// and another one the structure and a controller. After that nobody uses MPI_COMM_WORLD.
 class World {
   public:
-    // partner_expected: whether the scene has another side; controller_expected: whether
-    // this one, the structure, has a controller. Throws PartnerLost when one was not
-    // started, or was started although the scene has none, and where the processes of one
-    // side are not of one program and one scene.
+    // Collective over all processes of the job. partner_expected: the scene has another
+    // side; controller_expected: this side, the structure, has a controller. Throws
+    // PartnerLost if an expected side was not started, if a side was started that the
+    // scene does not have, and if the processes of this side differ in program or scene.
     World(Role self, bool partner_expected, std::uint64_t scene_hash = 0,
           bool controller_expected = false);
     ~World();
@@ -39,7 +40,8 @@ class World {
     }
     MPI_Comm local() const { return local_; }
     MPI_Comm partner() const { return partner_; }  // MPI_COMM_NULL without a partner
-    MPI_Comm controller() const { return controller_; }  // the structure's; likewise
+    // Communicator with the controller, MPI_COMM_NULL without one or on the fluid.
+    MPI_Comm controller() const { return controller_; }
     const ProcessId& controller_process() const { return controller_process_; }
     int rank() const { return rank_; }
     int size() const { return size_; }
@@ -48,25 +50,31 @@ class World {
     int processes_here() const { return processes_here_; }
     bool root() const { return rank_ == 0; }
     bool coupled() const { return partner_ != MPI_COMM_NULL; }
-    // The side that writes probes.csv, summary.json and the progress.
+    // True on the process that writes probes.csv, summary.json and the progress: the root
+    // of the structure, or of the only side.
     bool leads() const { return root() && (self_ == Role::structure || !coupled()); }
 
-    // Starts to send to that rank of the partner, and wakes it up.
+    // Starts to send to a rank of the partner and wakes it up. data must live until the
+    // request is complete.
     void send(const void* data, int count, MPI_Datatype type, int rank, int tag,
               MPI_Request* request) const;
-    // Receives the message of the partner's root; throws what wait_all throws.
+    // Receives a message from the partner's root; `what` names it in errors. Throws what
+    // wait_all throws.
     void receive_from_root(void* data, int count, MPI_Datatype type, int tag,
                            double timeout_s, const std::string& what) const;
 
   private:
+    // first: world rank of the first process of that role, or -1 if there is none.
     void join_partner(int first, bool expected);
     void join_controller(int first, bool expected);
-    // Whether each of the partner's processes can notify this one.
+    // Notifies all of the partner's processes. Returns true if each of them can notify
+    // this one. Collective over both sides.
     bool partner_notifies(const std::vector<ProcessId>& partner);
 
     Role self_;
     Notifier notifier_;
-    std::vector<ProcessId> notified_;  // the partner's, by rank; empty: they cannot be
+    // The partner's processes by rank; empty if they cannot be notified.
+    std::vector<ProcessId> notified_;
     MPI_Comm local_ = MPI_COMM_NULL;
     MPI_Comm partner_ = MPI_COMM_NULL;
     MPI_Comm controller_ = MPI_COMM_NULL;

@@ -28,7 +28,7 @@ double inner_product(MPI_Comm comm, std::span<const double> a,
                      std::span<const double> b) {
     const double mine = std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
     double all = 0;
-    // MPI does not promise the same bits of a reduction on every rank.
+    // MPI does not promise the same bits of an all-reduction on every rank.
     MPI_Reduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, 0, comm);
     MPI_Bcast(&all, 1, MPI_DOUBLE, 0, comm);
     return all;
@@ -60,11 +60,13 @@ Aitken::Aitken(MPI_Comm comm, double first_omega)
 void Aitken::improve(std::span<double> guess, std::span<const double> answer) {
     const std::size_t n = guess.size();
     const bool first = change_.empty();
-    change_.resize(std::max<std::size_t>(n, 1));  // a rank may have no part
+    // Not empty on a rank without markers, either.
+    change_.resize(std::max<std::size_t>(n, 1));
     std::vector<double> residual(n);
     for (std::size_t i = 0; i < n; ++i) residual[i] = answer[i] - guess[i];
     if (first) {
-        // As a step begins: no larger than the user's, of the sign that was found.
+        // The first factor of a step: the last one of the step before with its sign, but
+        // no larger than first_omega.
         omega_ = std::copysign(std::min(std::abs(omega_), first_omega_), omega_);
     } else {
         const std::span<double> change(change_.data(), n);
@@ -103,10 +105,12 @@ bool IqnIls::learn(std::span<const double> guess, std::span<const double> answer
 
 void IqnIls::improve(std::span<double> guess, std::span<const double> answer) {
     if (learn(guess, answer)) build_on_columns(guess, answer);
-    // The filter may have left none.
+    // The guess is relaxed if there is no column: at the start of a run, or if the filter
+    // has dropped all.
     if (columns_.empty()) relax(guess, answer, wanted_.relaxation);
 }
 
+// The answer replaces the guess only if a column is kept.
 void IqnIls::build_on_columns(std::span<double> guess, std::span<const double> answer) {
     std::vector<std::span<const double>> changes;
     for (const Column& column : columns_) changes.emplace_back(column.residual);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A step of an implicit scheme is a fixed point x = H(x): H answers to a guess of the
-// fluid's velocities at the step's end with those that follow from it. An acceleration
-// makes the next guess from what was answered so far. Vectors may be spread over the
-// ranks of a communicator, each rank holding its part in the same order throughout.
+// Acceleration methods of the implicit scheme. A step is a fixed point x = H(x): x is a
+// guess of the fluid's velocities at the step's end, H(x) the velocities that follow from
+// it, its answer. An acceleration makes the next guess from the answers so far. Vectors
+// may be spread over the ranks of a communicator; each rank holds its part, in the same
+// order throughout.
 #pragma once
 
 #include <mpi.h>
@@ -17,38 +18,40 @@
 
 namespace magfsi::coupler {
 
-// Inner products of vectors that are spread over ranks. The same bits on every rank, so
-// that all decide alike.
-// Collective; each rank gives its part.
+// Inner product of vectors that are spread over ranks, with the same bits on every rank,
+// so that all ranks decide alike. Collective; each rank gives its part.
 double inner_product(MPI_Comm comm, std::span<const double> a, std::span<const double> b);
 
-// Euclidean.
+// Euclidean norm of a vector that is spread over ranks. Collective.
 double norm(MPI_Comm comm, std::span<const double> a);
 
+// A method that finds the fixed point of a step. All calls must be made on all ranks
+// alike.
 class Acceleration {
   public:
     virtual ~Acceleration() = default;
 
-    // The next guess in the place of the last one. Collective.
+    // Replaces a guess by the next one, given its answer H(guess).
     virtual void improve(std::span<double> guess, std::span<const double> answer) = 0;
 
-    // The step ends with this pair, converged or not: what was learnt goes on to the next
-    // step as far as the method reuses it.
+    // Ends a step with the last guess and its answer, whether converged or not. The
+    // method keeps what it can reuse in the next step.
     virtual void end_step(std::span<const double> guess,
                           std::span<const double> answer) = 0;
 
-    // Between steps, for checkpoints: numbers that are the same on all ranks, and vectors
-    // (this rank's parts). Given the numbers, a fresh object of the same settings and
-    // `size` makes room for the vectors, which are then filled.
+    // State between steps, for checkpoints: numbers() are the same on all ranks,
+    // vectors() are this rank's parts. To restore it, make_room() gets the numbers and
+    // the size of this rank's part, on a fresh object with the same settings; then
+    // vectors() are filled.
     virtual std::vector<double> numbers() const = 0;
     virtual std::vector<std::span<double>> vectors() = 0;
     virtual void make_room(std::span<const double> numbers, std::size_t size) = 0;
 };
 
-// The one that the options ask for.
+// The method that the options ask for.
 std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm, const Iteration& wanted);
 
-// x' = x + omega (H(x) - x), omega constant.
+// Under-relaxation: x' = x + omega (H(x) - x) with constant omega.
 class UnderRelaxation final : public Acceleration {
   public:
     explicit UnderRelaxation(double omega) : omega_(omega) {}
@@ -63,13 +66,13 @@ class UnderRelaxation final : public Acceleration {
     double omega_;
 };
 
-// Relaxation with a factor that follows the last two residuals r = H(x) - x (Aitken's
-// delta-squared for vectors; Irons and Tuck 1969):
+// Aitken relaxation, with a factor that follows from the last two residuals r = H(x) - x
+// (delta-squared method for vectors; Irons and Tuck 1969):
 //   omega' = -omega r_old . (r - r_old) / |r - r_old|^2.
 class Aitken final : public Acceleration {
   public:
-    // first_omega: of the first iteration of each step, unless the last one's was
-    // smaller.
+    // first_omega: limit to the magnitude of the first factor of each step, which
+    // otherwise is the last one of the step before.
     Aitken(MPI_Comm comm, double first_omega);
 
     void improve(std::span<double> guess, std::span<const double> answer) override;
@@ -84,17 +87,19 @@ class Aitken final : public Acceleration {
     MPI_Comm comm_;
     double first_omega_;
     double omega_;
-    std::vector<double> residual_;  // the last one of this step; empty at its start
+    // Residual of the last iteration of this step; empty at its start.
+    std::vector<double> residual_;
     std::vector<double> change_;
 };
 
-// Interface quasi-Newton with the inverse of the Jacobian from a least-squares model
-// (Degroote, Bathe, Vierendeels 2009): how the residual r = H(x) - x changed with the
-// answers H(x) in this step and in some before,
+// Interface quasi-Newton method with the inverse Jacobian from a least-squares model
+// (IQN-ILS; Degroote, Bathe, Vierendeels 2009). The model consists of the changes of the
+// residual r = H(x) - x and of the answer H(x) between iterations of this step and of
+// some steps before,
 //   V = changes of r,  W = changes of H(x),
 //   x' = H(x) + W c,  c = argmin |V c + r|.
-// Exact after n + 1 iterations where H is linear in n dimensions. The newest columns come
-// first; those that say nothing new are dropped for good.
+// It is exact after n + 1 iterations if H is linear in n dimensions. The newest columns
+// come first; columns that the filter finds dependent are dropped for good.
 class IqnIls final : public Acceleration {
   public:
     IqnIls(MPI_Comm comm, const Iteration& wanted);
@@ -106,22 +111,23 @@ class IqnIls final : public Acceleration {
     void make_room(std::span<const double> numbers, std::size_t size) override;
 
     std::size_t columns() const { return columns_.size(); }
-    std::int64_t dropped() const { return dropped_; }  // by the filter so far
+    std::int64_t dropped() const { return dropped_; }  // columns dropped by the filter
 
   private:
     struct Column {
-        std::vector<double> residual, answer;  // changes
-        int age = 0;                           // steps ago
+        std::vector<double> residual, answer;  // changes between two iterations
+        int age = 0;                           // steps since they were made
     };
 
-    // Takes in a pair; whether there is a column to build on.
+    // Adds the column of a guess and its answer. Returns true if there is any column.
     bool learn(std::span<const double> guess, std::span<const double> answer);
+    // Makes the next guess from the model and drops the columns that the filter rejects.
     void build_on_columns(std::span<double> guess, std::span<const double> answer);
 
     MPI_Comm comm_;
     Iteration wanted_;
     std::deque<Column> columns_;
-    bool first_ = true;  // of this step
+    bool first_ = true;  // no iteration of this step yet
     std::vector<double> residual_, answer_;
     std::int64_t dropped_ = 0;
 };

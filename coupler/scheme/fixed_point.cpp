@@ -15,9 +15,10 @@ namespace magfsi::coupler {
 
 namespace {
 
+// Tag of the convergence message.
 constexpr int convergence_tag = 75;
 
-// The norm of as many velocities of this size in the markers of all ranks.
+// Norm of a vector with `size` at each marker of all ranks. Collective.
 double norm_of_all(MPI_Comm comm, double size, std::size_t markers) {
     double count = markers;
     MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_DOUBLE, MPI_SUM, comm);
@@ -34,7 +35,7 @@ ConvergenceSender::~ConvergenceSender() {
     try {
         wait_all({&sending_, 1}, timeout_s_, "receiver of the last convergence message");
     } catch (const std::exception&) {
-        // The fluid waits for it no more; it has said why.
+        // The fluid waits no more for this message and has reported why.
     }
 }
 

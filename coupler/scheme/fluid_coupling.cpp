@@ -27,7 +27,7 @@ void FluidCoupling::begin() {
     batch_ = &exchange_.receive(when_, session_.restart() != nullptr);
     take_place();
     if (options_.scheme == Scheme::parallel && session_.restart()) {
-        // The impulses of the step before the checkpoint are still to act.
+        // The impulses of the step before the checkpoint have not acted yet.
         spread_impulses();
         sample_forced_velocities();
     } else {
@@ -47,6 +47,7 @@ void FluidCoupling::take_place() {
     if (!fluid_.grid().follows) return;
     const std::size_t rank = session_.world().rank();
     const bool moved = boundary_.own(fluid_.grid().owned_by_rank[rank]);
+    // After a move the cells of felt_ are others: their velocities are sampled again.
     if (!moved || felt_.empty()) return;
     boundary_.sample(batch_->before_m);
     felt_ = boundary_.sampled_cells();
@@ -60,8 +61,8 @@ void FluidCoupling::spread_impulses() {
                          session_.plan().fluid_body_force_n_m3, *answer_);
 }
 
-// The structure, to which the shares of all fluid ranks add up, answers the slip that is
-// left with the impulses that remove it.
+// Returns the slip that is left to the structure, where the shares of all fluid ranks add
+// up, and spreads the impulses with which it answers.
 void FluidCoupling::iterate_forcing() {
     for (int i = 1; i < options_.immersed_boundary.iterations; ++i) {
         const Occasion when(when_.step, i);
@@ -81,7 +82,7 @@ void FluidCoupling::advance() {
 void FluidCoupling::sample_velocities() {
     sampled_ = boundary_.sample(batch_->now_m);
     if (!answer_) return;
-    answer_->make_room(sampled_.size());  // before the first step nothing has passed
+    answer_->make_room(sampled_.size());  // q is zero before the first step
     boundary_.add_row_sums(batch_->volume_m3, *answer_);
 }
 

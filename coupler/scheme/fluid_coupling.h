@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The fluid's half of a coupled step, whatever solves it: exchange, spreading and
-// sampling, audit. The order of its tasks is in schemes.cpp. A fluid participant makes
-// one when it has a partner, and adds its own checks and outputs behind these tasks.
+// The fluid's half of a coupled step, whatever solver it has: exchange, spreading,
+// sampling and audit. schemes.cpp has the order of the tasks. A fluid participant with a
+// partner makes one and adds its own checks and outputs after these tasks.
 #pragma once
 
 #include <memory>
@@ -17,22 +17,25 @@ namespace magfsi::coupler {
 // Name of the task in which the fluid advances, in every scheme.
 inline constexpr const char* advance_fluid = "advance fluid";
 
+// All calls are collective over the fluid's ranks.
 class FluidCoupling {
   public:
-    // Sends the description of the fluid's grid to the structure; both outlive this.
+    // Sends the description of the fluid's grid to the structure. session and fluid must
+    // outlive this object.
     FluidCoupling(Session& session, GridFluid& fluid);
 
-    // The coupled step up to its count: after these tasks the clock stands at t(n+1), and
-    // so does the fluid.
+    // Adds the tasks of a coupled step up to its count: after them the clock and the
+    // fluid stand at t(n+1).
     void add_tasks(TaskList& tasks);
 
-    // Before the first step: the velocities at the first positions.
+    // Answers the structure's first exchange with the velocities at the first positions;
+    // called before the first step.
     void begin();
 
-    // Of the fluid so far, repeated ones, too.
+    // Number of times that the fluid has advanced, in repeated steps included.
     std::int64_t advances() const { return advances_; }
 
-    // Null unless the run audits the interface.
+    // Sums of the audit, null unless the run audits the interface.
     BalanceRecord* balance() const { return balance_.get(); }
 
   private:
@@ -41,16 +44,18 @@ class FluidCoupling {
     void add_implicit(TaskList& tasks);
 
     void receive_markers();
-    void take_place();  // of a grid that may have moved
+    // Takes over the boxes of a grid that may have moved.
+    void take_place();
     void spread_impulses();
     void iterate_forcing();
+    // Enters what this rank's cells received in the step.
     void audit(const InterfaceBalance& received) { balance_->add(received); }
     void advance();
     void sample_velocities();
     void sample_forced_velocities();
     void send_velocities();
 
-    // Of the implicit scheme.
+    // Tasks of the implicit scheme.
     void begin_iterations();
     void check_convergence();
 
@@ -60,16 +65,17 @@ class FluidCoupling {
     FluidExchange exchange_;
     FluidSide boundary_;
     std::unique_ptr<BalanceRecord> balance_;
-    Occasion when_ = -1;  // of batch_
-    const MarkerBatch* batch_ = nullptr;
+    Occasion when_ = -1;                  // exchange that batch_ belongs to
+    const MarkerBatch* batch_ = nullptr;  // markers received last
     std::span<const Vec3> sampled_;       // velocities at batch_->now_m
-    std::optional<NoSlipAnswer> answer_;  // of forcing no_slip
+    std::optional<NoSlipAnswer> answer_;  // set for forcing no_slip only
     std::int64_t advances_ = 0;
 
-    // Of the implicit scheme.
+    // State of the implicit scheme.
     int iteration_ = 0;
-    bool again_ = false;        // the step is repeated
-    std::vector<double> felt_;  // the cells' velocities at t(n); only for the audit
+    bool again_ = false;  // the step is repeated
+    // Velocities of the cells at t(n) [m/s], for the audit only.
+    std::vector<double> felt_;
 };
 
 }  // namespace magfsi::coupler

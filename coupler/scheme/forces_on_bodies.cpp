@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the fluid does to bodies and to parts of them, for probes: sums over their
+// Forces of the fluid on bodies and on parts of them, for probes: sums over their
 // markers.
 #include "coupler/scheme/structure_coupling.h"
 
@@ -7,6 +7,7 @@ namespace magfsi::coupler {
 
 namespace {
 
+// Adds vectors over the ranks, with the result on all of them. Collective.
 std::vector<Vec3> over_ranks(std::vector<Vec3> sum, MPI_Comm comm) {
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(3 * sum.size()), MPI_DOUBLE,
                   MPI_SUM, comm);
@@ -19,6 +20,9 @@ void add_to(Vec3& sum, const Vec3& force) {
 
 }  // namespace
 
+// Force of the fluid on the body at a marker [N]: the reaction to its impulses, the force
+// of the enclosed fluid, and the inertia and weight of the fluid whose mass was taken off
+// the nodes.
 Vec3 StructureCoupling::force_on(std::size_t marker) const {
     const double step_s = session_.clock().step_s();
     const Vec3 velocity = at_marker(force_.markers()[marker], solver_.velocities());

@@ -10,7 +10,8 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// The triangle of a matrix, filled up with zero rows where it has too few.
+// The triangle R of a matrix's QR decomposition, with zero rows where the matrix has too
+// few.
 Matrix triangle(const Matrix& a) {
     const Eigen::Index n = a.cols();
     Matrix r = Matrix::Zero(n, n);
@@ -21,7 +22,7 @@ Matrix triangle(const Matrix& a) {
     return r;
 }
 
-// On the root the triangle of all ranks' rows together.
+// On the root: the triangle of the rows of all ranks together. Collective.
 Matrix joint_triangle(MPI_Comm comm, const Matrix& mine) {
     int rank = 0, size = 1;
     MPI_Comm_rank(comm, &rank);
@@ -34,6 +35,7 @@ Matrix joint_triangle(MPI_Comm comm, const Matrix& mine) {
     return rank == 0 ? triangle(all) : r;
 }
 
+// Some columns of a matrix.
 Matrix take(const Matrix& r, const std::vector<Eigen::Index>& columns) {
     Matrix some(r.rows(), static_cast<Eigen::Index>(columns.size()));
     for (std::size_t i = 0; i < columns.size(); ++i)
@@ -41,23 +43,25 @@ Matrix take(const Matrix& r, const std::vector<Eigen::Index>& columns) {
     return some;
 }
 
-// Lengths survive the rotation: the triangle stands for the columns themselves. The first
-// column that says too little of its own, or -1.
+// Index of the first column that is too dependent on those before, or -1. The rotation
+// keeps lengths: columns of the triangle are as long as the columns themselves.
 Eigen::Index first_to_drop(const Matrix& r, ColumnFilter filter, double limit) {
     const Eigen::Index n = r.cols();
     const double whole = r.norm();
     for (Eigen::Index i = 0; i < n; ++i) {
         const double scale =
             filter == ColumnFilter::qr1 ? whole : r.col(i).head(i + 1).norm();
-        // Not "less than": a column of zeros goes, too.
+        // Negated, so that a column of zeros is dropped, too.
         if (!(std::abs(r(i, i)) > limit * scale)) return i;
     }
     return -1;
 }
 
+// Drops one column after the other until the filter accepts all, then solves for the
+// rest.
 void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
                    std::vector<double>& coefficient, std::vector<int>& kept) {
-    const Eigen::Index n = r.cols() - 1;  // the last is the residual
+    const Eigen::Index n = r.cols() - 1;  // the last column is the residual
     std::vector<Eigen::Index> columns;
     for (Eigen::Index i = 0; i < n; ++i) columns.push_back(i);
     while (!columns.empty()) {

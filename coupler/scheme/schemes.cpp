@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The three schemes: for each the tasks of a coupled step, of the structure and of the
-// fluid. Both sides stand at t(n) before it and at t(n+1) after "count step".
+// The three schemes: the tasks of a coupled step of the structure and of the fluid. Both
+// sides stand at t(n) before these tasks and at t(n+1) after "count step".
 #include "coupler/scheme/fluid_coupling.h"
 #include "coupler/scheme/structure_coupling.h"
 
 namespace magfsi::coupler {
 
-// Serial: the structure's step, under the fluid's velocity at t(n); then the fluid's,
-// under the impulses of the structure's step.
+// Serial scheme: the structure takes its step under the fluid's velocity at t(n); then
+// the fluid takes its step under the impulses of the structure's step.
 void StructureCoupling::add_serial(TaskList& tasks) {
     if (extrapolates())
         tasks.add_coupling("extrapolate fluid velocity",
@@ -35,8 +35,9 @@ void FluidCoupling::add_serial(TaskList& tasks) {
     tasks.add_coupling("send velocities", [this] { send_velocities(); });
 }
 
-// Parallel: both do step n at once, then exchange. The impulses of the structure's step
-// act in the fluid's coming step; the velocities sent have half of their effect.
+// Parallel scheme: both take step n at the same time, then exchange. The impulses of the
+// structure's step act in the fluid's next step; half of their effect is included in the
+// velocities that are sent.
 void StructureCoupling::add_parallel(TaskList& tasks) {
     tasks.add_coupling("take mean fluid velocity", [this] { take_mean_velocity(); });
     add_advance(tasks);
@@ -64,8 +65,9 @@ void FluidCoupling::add_parallel(TaskList& tasks) {
     tasks.add("count step", [this] { session_.complete_step(); });
 }
 
-// Implicit: a guess of the fluid's velocities at t(n+1), both sides' steps under it, the
-// velocities that follow; from the same state again until the two are the same.
+// Implicit scheme: both take the step under a guess of the fluid's velocities at t(n+1),
+// from the same state again and again until the resulting velocities agree with the
+// guess.
 void StructureCoupling::add_implicit(TaskList& tasks) {
     tasks.add("keep state", [this] { keep_state(); });
     const std::size_t first = tasks.size();

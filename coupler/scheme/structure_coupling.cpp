@@ -9,21 +9,21 @@ namespace magfsi::coupler {
 
 namespace {
 
-// Cells per step: a hundred-millionth of the lattice's largest speeds is rounding.
+// Speed [cells per step] of a fluid at rest: rounding errors of the largest speeds.
 constexpr double rest_lattice_speed = 1e-9;
 
 // A velocity that alternates from step to step has no mean over a step: the body would
-// not feel it, the fluid not be held, and at low viscosity it grows (the small swimmer's
-// by 4 % per step at strength 1). So both ends of the straight line from U(n) to the
-// guess are drawn back by a part of the second difference, an eighth with the penalty;
-// in the mean,
+// not feel it, the fluid would not be held, and at low viscosity it would grow (in the
+// small swimmer by 4 % per step at strength 1). Both ends of the line from U(n) to the
+// guess are therefore drawn back by a part of the second difference, with the penalty an
+// eighth. In the mean,
 //   (3 U(n+1) + 6 U(n) - U(n-1)) / 8,
-// half of what alternates is left, and the rest is the line's to second order. Beside a
-// body at rest that takes back s times the slip in a step, the amplification of
+// half of what alternates is left, and the rest is that of the line to second order.
+// Beside a body at rest that takes back s times the slip in a step, the amplification of
 //   U(n+1) - U(n) = -2 s mean(U)
-// is above -1 for s < 1 / (4 drawn back): 2 with an eighth. Without slip s is 3/4
-// (no_slip.h), and a fifth is taken, with which four fifths of what alternates are left:
-// with an eighth the swimmer at 0.2 mm diverged after 1560 steps of 20 us, of 5000 kg/m3
+// is above -1 for s < 1 / (4 drawn_back): 2 with an eighth. In forcing no_slip s is 3/4
+// (no_slip.h) and the part a fifth, which leaves four fifths of what alternates: with an
+// eighth the swimmer at 0.2 mm diverged after 1560 steps of 20 us, one of 5000 kg/m3
 // after 219.
 constexpr double drawn_back_penalty = 0.125, drawn_back_no_slip = 0.2;
 
@@ -148,7 +148,7 @@ void StructureCoupling::begin() {
         exchange_.send(-1, before_m_, none, now_m_, volumes_m3());
     }
     if (session_.restart()) {
-        // The checkpoint has them already, to the last bit.
+        // The checkpoint has these already; the exchange is for the row sums.
         std::vector<Vec3> again(fluid_velocity_.size());
         receive(-1, again);
         if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
@@ -184,7 +184,7 @@ void StructureCoupling::let_change(std::span<const Vec3> start,
     force_.let_change(no_slip_->memory.felt(start), no_slip_->memory.felt(end));
 }
 
-// After the step: the slip that is left, and the coefficients of the next.
+// Updates the no_slip memory; the body force's part of q - U is left out of g.
 void StructureCoupling::take_answer(std::span<const Vec3> felt) {
     if (!no_slip_) return;
     const auto& [row_sum, passed] = no_slip_->answer;
@@ -203,7 +203,7 @@ void StructureCoupling::take_answer(std::span<const Vec3> felt) {
     force_.divide_by(row_sum);
 }
 
-// Of the markers in the step that has been done.
+// Mean velocity of the markers in the step that has been done.
 std::vector<Vec3> StructureCoupling::mean_velocity() const {
     const double step_s = session_.clock().step_s();
     std::vector<Vec3> all(now_m_.size());
@@ -257,7 +257,7 @@ StructureCoupling::Exchanged StructureCoupling::exchanged() const {
     return {now_m_, given(), fluid_velocity_, no_slip_->volume_m3, &no_slip_->answer};
 }
 
-// The fluid's slip under these impulses, answered until all iterations are done.
+// Answers the slip that the fluid reports until all iterations are done.
 void StructureCoupling::iterate_forcing() {
     const std::int64_t step = session_.clock().step();
     std::vector<Vec3> velocity(force_.markers().size());
@@ -310,9 +310,9 @@ void StructureCoupling::guess_velocity() {
     begin_force(guess);
     const Line line = line_to(guess, fluid_velocity_, last_velocity_,
                               no_slip_ ? drawn_back_no_slip : drawn_back_penalty);
-    // Held at its end the fluid would lead the body by half a step, which is a negative
-    // added mass of kappa dt / 2 per marker, as large as the fluid that it moves: light
-    // sheets diverge.
+    // If U were held at the value of the step's end the fluid would lead the body by half
+    // a step, a negative added mass of kappa dt / 2 per marker, as large as the fluid
+    // that the marker moves: light sheets would diverge.
     if (extrapolates())
         let_change(line.start, line.end);
     else
@@ -332,7 +332,7 @@ void StructureCoupling::check_convergence() {
 void StructureCoupling::accept_answer() {
     last_velocity_ = fluid_velocity_;
     fluid_velocity_ = answer_;
-    // It took the guess for the velocity at the step's end.
+    // The enclosed fluid took the guess for the velocity at the step's end.
     std::ranges::copy(fluid_velocity_, force_.enclosed().last_velocity().begin());
     take_answer(last_velocity_);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The structure's half of a coupled step, whatever solves it: markers, the force within
-// its substeps, exchange, audits. The order of its tasks is in schemes.cpp.
+// The structure's half of a coupled step, whatever solver it has: markers, the force
+// within its substeps, exchange and audits. schemes.cpp has the order of the tasks.
 #pragma once
 
 #include <memory>
@@ -21,83 +21,96 @@
 
 namespace magfsi::coupler {
 
-// Names of tasks of the structure, in every scheme.
+// Names of the structure's tasks that every scheme has.
 inline constexpr const char* advance_structure = "advance structure";
 inline constexpr const char* check_finite = "check finite";
 
-// The markers of this rank and what is measured at them, made where the meshes are known.
+// The markers of this rank and the quantities that are measured at them, made where the
+// bodies' meshes are known.
 struct BodyMarkers {
     std::vector<Marker> markers;
-    std::vector<int> placed_index;  // of each marker its number among those of all ranks,
-    std::size_t placed = 0;         // so many, in the order of their placement
-    std::vector<MarkerArea> areas;
-    std::size_t bodies = 0;
-    std::vector<std::vector<std::size_t>> parts;  // of bodies: the markers in each
+    // Number of each marker in the order of placement, counted over all ranks, and the
+    // number of all of them.
+    std::vector<int> placed_index;
+    std::size_t placed = 0;
+    std::vector<MarkerArea> areas;  // surface pieces of this rank's markers
+    std::size_t bodies = 0;         // number of bodies in the scene
+    // For each part of a body that a probe asks for, the indices of this rank's markers
+    // in it.
+    std::vector<std::vector<std::size_t>> parts;
     Vec3 gravity_m_s2{};
-    // Where probes ask for forces: of each marker the mass of the fluid inside the body
-    // that came off the nodes.
+    // Measurement of forces, if probes ask for them: for each marker the mass [kg] of the
+    // fluid inside the body that was taken off the nodes. Empty if not measured.
     bool measures_force = false;
     std::vector<double> off_nodes_kg;
-    bool carries_layers = false;  // markers of any rank have a volume beyond their body
-    bool measures_work = false;   // for the energy audit
-    SlipRates slip_rates{};       // without slip (no_slip.h)
+    // True if a marker on any rank stands for a layer of fluid outside its body.
+    bool carries_layers = false;
+    bool measures_work = false;  // work is measured for the energy audit
+    SlipRates slip_rates{};      // for forcing no_slip (no_slip.h)
     std::int64_t steps_between_slip_samples = 1;
 };
 
+// The markers of a structure rank and their part in the coupled step. All calls are made
+// by every rank of the structure.
 class StructureCoupling {
   public:
-    // Attaches the fluid's force to the solver, which outlives this.
+    // Attaches the fluid's force to the solver. session and solver must outlive this
+    // object. grid: that of the fluid, from its description.
     StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
                       BodyMarkers markers);
 
-    // The coupled step up to its count.
+    // Adds the tasks of a coupled step up to its count.
     void add_tasks(TaskList& tasks);
 
-    // Velocities for the first step; after a checkpoint's arrays are in their places.
+    // Exchanges the velocities for the first step. After a restart the arrays of the
+    // checkpoint must be in their places.
     void begin();
 
-    // Of the structure so far, repeated ones, too.
+    // Number of times that the structure has advanced, in repeated steps included.
     std::int64_t advances() const { return advances_; }
 
-    // What this rank's markers carry from step to step, kept in checkpoints under its
-    // name; each has three numbers per marker.
+    // An array that this rank's markers carry from step to step, under its name in
+    // checkpoints, with three numbers per marker.
     struct MarkerArray {
         std::string name;
         std::span<double> values;
     };
     std::vector<MarkerArray> carried();
-    // After they are back: the last coupled step was this part of what it was (a retry),
-    // and the fluid's velocity then that much closer to the present one.
+    // Adapts the carried arrays after a restart with a smaller step (a retry): `part` is
+    // the new step over the old one, and velocities of one step ago are moved towards the
+    // present ones accordingly.
     void shorten_last_step(double part);
-    // Numbers that are the same on all ranks; with them, after a restart, a fresh object
-    // makes room for what is carried. Empty but in the implicit scheme.
+    // State that is the same on all ranks. After a restart make_room() gets it on a fresh
+    // object and sizes the carried arrays. Empty except in the implicit scheme.
     std::vector<double> carried_numbers() const;
     void make_room(std::span<const double> numbers);
+    // BodyMarkers::placed_index and placed, for gathering the arrays by placement.
     std::span<const int> placed_index() const { return markers_.placed_index; }
     std::size_t placed() const { return markers_.placed; }
     const Grid& grid() const { return grid_; }
 
-    // What the markers of this rank sent to the fluid last and what it answered.
+    // The last exchange of this rank's markers: positions at the end of the step [m],
+    // impulses given to the fluid [N s], and the fluid's velocities that came back [m/s].
     struct Exchanged {
         std::span<const Vec3> position_m, impulse, velocity;
-        std::span<const double> volume_m3;  // in forcing no_slip, as the next
+        std::span<const double> volume_m3;  // no_slip only, as the next
         const NoSlipAnswer* no_slip = nullptr;
     };
     Exchanged exchanged() const;
 
-    // Sum over the ranks of the force on each body in the last step [N], and on each of
-    // the parts. Collective.
+    // Force of the fluid on each body, and on each part, in the last step [N], the same
+    // on all ranks. Collective. Requires BodyMarkers::measures_force.
     std::vector<Vec3> force_on_bodies();
     std::vector<Vec3> force_on_parts();
-    // Likewise of the torque on each body about the origin of space [N m].
+    // Torque of the same forces on each body about the origin of space [N m]. Collective.
     std::vector<Vec3> torque_on_bodies();
 
-    // Null unless the run measures them.
+    // Records of the audits; null unless the run makes them.
     BalanceRecord* balance() const { return balance_.get(); }
     const MarkerWork* work() const { return work_.get(); }
-    // Null but in the implicit scheme.
+    // Statistics of the iterations; null except in the implicit scheme.
     const output::IterationSummary* iterations() const;
-    SlipReport slip() const;  // collective
+    SlipReport slip() const;  // over all ranks; collective
 
   private:
     void add_serial(TaskList& tasks);
@@ -105,45 +118,50 @@ class StructureCoupling {
     void add_implicit(TaskList& tasks);
     void add_advance(TaskList& tasks);
 
-    // At the start of a step: the fluid's velocity over it is the one sampled last, held;
-    // or goes in a straight line through the last two; or is their mean, in which a
-    // response of the fluid that alternates from step to step cancels.
+    // Fix the fluid's velocity for a step: hold the last sample; extrapolate linearly
+    // from the last two; or take their mean, in which a response of the fluid that
+    // alternates from step to step cancels.
     void hold_velocity();
     void extrapolate_velocity();
     void take_mean_velocity();
     bool extrapolates() const;
 
-    void send_impulses();  // given in the step, where and where the markers are now
+    // Sends the impulses of the step with the markers' positions at its start and its
+    // end.
+    void send_impulses();
     void iterate_forcing();
     void audit();
     void receive_velocities();
     void measure_slip();
 
-    // Of the implicit scheme.
+    // Tasks of the implicit scheme.
     void keep_state();
     void guess_velocity();
     void check_convergence();
     void accept_answer();
 
-    std::span<const double> volumes_m3() const;  // none but in forcing no_slip
+    std::span<const double> volumes_m3() const;  // filled in forcing no_slip only
     void receive(const Occasion& when, std::span<Vec3> velocity);
-    // The velocity of the fluid that markers feel.
+    // Set the fluid's velocity U that markers feel; with forcing no_slip it is U - p.
     void hold(std::span<const Vec3> fluid_velocity);
     void let_change(std::span<const Vec3> start, std::span<const Vec3> end);
-    void take_answer(std::span<const Vec3> felt);  // U of the step
+    // Updates the no_slip memory after a step. felt: the fluid's velocity U in the step.
+    void take_answer(std::span<const Vec3> felt);
+    // Mean velocity of the markers in the last step [m/s].
     std::vector<Vec3> mean_velocity() const;
-    // To the fluid in the step [N s].
+    // Impulses that the fluid is given in the step [N s].
     std::span<const Vec3> given() const {
         return layer_ ? layer_->given() : force_.impulse();
     }
 
+    // Starts the force of a step; owed: see PenaltyForce::begin_step.
     void begin_force(std::span<const Vec3> fluid_velocity,
                      std::span<const Vec3> owed = {});
     std::vector<Vec3> marker_positions() const;
     Vec3 force_on(std::size_t marker) const;
     int iteration() const { return fixed_point_ ? fixed_point_->iteration() : 0; }
 
-    // Of forcing no_slip, from step to step.
+    // State of forcing no_slip from step to step.
     struct NoSlip {
         NoSlip(std::span<const Marker> markers, const SlipRates& rates);
         std::vector<double> volume_m3;
@@ -155,24 +173,31 @@ class StructureCoupling {
     StructureSolver& solver_;
     Grid grid_;
     const Coupling& options_;
-    BodyMarkers markers_;  // those of the force are its own
+    // `markers` and `areas` have been moved into force_ and slip_.
+    BodyMarkers markers_;
     PenaltyForce force_;
+    // Set if the forcing is iterated.
     std::unique_ptr<IteratedForcing> iterated_;
-    std::unique_ptr<NoSlip> no_slip_;      // null in other forcings
-    std::unique_ptr<LayerInertia> layer_;  // null unless a sheet has one layer of markers
+    std::unique_ptr<NoSlip> no_slip_;  // set in forcing no_slip only
+    // Set if a sheet on any rank has one layer of markers.
+    std::unique_ptr<LayerInertia> layer_;
     StructureExchange exchange_;
     SlipRecord slip_;
     std::unique_ptr<BalanceRecord> balance_;
     std::unique_ptr<MarkerWork> work_;
     std::int64_t advances_ = 0;
 
+    // Positions of the markers at the start and the end of the last step [m], and the
+    // fluid's velocity at the latter [m/s].
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
-    // A step before fluid_velocity_; empty where the scheme uses one sample only.
+    // fluid_velocity_ one step before; empty if the scheme uses one sample only.
     std::vector<Vec3> last_velocity_;
-    std::vector<Vec3> under_way_;       // parallel: impulses, filled for checkpoints
-    std::vector<Vec3> start_velocity_;  // of the markers, where forces are measured
+    // Parallel scheme: impulses that the fluid has not used yet, filled for checkpoints.
+    std::vector<Vec3> under_way_;
+    // Velocities of the markers at the start of the step, if forces are measured.
+    std::vector<Vec3> start_velocity_;
 
-    // Of the implicit scheme; kept: at the start of the step.
+    // State of the implicit scheme; kept_ is that at the start of the step.
     std::unique_ptr<FixedPoint> fixed_point_;
     struct Kept {
         std::optional<EnclosedFluid> enclosed;
@@ -180,8 +205,8 @@ class StructureCoupling {
         std::optional<MarkerWork> work;
         std::vector<Vec3> markers_m;
     } kept_;
-    std::vector<Vec3> answer_;
-    bool again_ = false;  // the step is repeated
+    std::vector<Vec3> answer_;  // the fluid's answer to the last guess
+    bool again_ = false;        // the step is repeated
 };
 
 }  // namespace magfsi::coupler

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time as an integer number of coupled steps; seconds are computed, never accumulated.
+// Time as an integer number of coupled steps: seconds are computed from it and never
+// accumulated.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +10,13 @@
 
 namespace magfsi::coupler {
 
+// The clock of a run.
 class Clock {
   public:
-    // Runs from 0 to the first step at or after end_s; 1e-9 of a step counts as none, and
-    // so does the rounding of an end that was meant as a whole number of steps.
-    // at_a_time: what is wanted at some time happens after a multiple of so many steps.
+    // Runs from 0 to the first step at or after end_s [s]. An excess of 1e-9 of a step
+    // counts as none, and so does the rounding of an end that was meant to be a whole
+    // number of steps. at_a_time: the end and periodic events lie at multiples of this
+    // number of steps.
     Clock(double step_s, double end_s, int at_a_time = 1)
         : step_s_(step_s),
           at_a_time_(at_a_time),
@@ -27,12 +30,12 @@ class Clock {
     bool done() const { return step_ >= steps_; }
     void tick() { ++step_; }
 
-    // After a restart, before the first tick.
+    // Sets the step of a restart; called before the first tick.
     void start_at(std::int64_t step) { step_ = first_step_ = step; }
     std::int64_t first_step() const { return first_step_; }
-    std::int64_t steps_here() const { return step_ - first_step_; }  // of this run
+    std::int64_t steps_here() const { return step_ - first_step_; }  // steps of this run
 
-    // Every how many steps something happens that is wanted every interval_s.
+    // Number of steps between events that are wanted every interval_s [s]; at least one.
     std::int64_t every(double interval_s) const {
         const std::int64_t steps = std::llround(interval_s / (at_a_time_ * step_s_));
         return at_a_time_ * (steps < 1 ? 1 : steps);
@@ -40,7 +43,7 @@ class Clock {
 
   private:
     static std::int64_t first_at_or_after(double quotient) {
-        // The quotient and what went into it: a few roundings.
+        // Tolerance for a few roundings, of the quotient and of the numbers in it.
         constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
         const double tolerance = std::max(1e-9, rounding * quotient);
         return static_cast<std::int64_t>(std::ceil(quotient - tolerance));

@@ -9,15 +9,17 @@ namespace magfsi::coupler {
 
 namespace {
 
-// A gain below this is lost in what the model leaves out: memory bandwidth and messages.
+// Smallest predicted gain that is advised: less is lost in effects that the model leaves
+// out, memory bandwidth and messages.
 constexpr double least_gain = 1.15;
-// The other scheme answers a little differently: it must give more than ranks alone.
+// The other scheme gives slightly different results: it must gain more than ranks alone.
 constexpr double least_gain_of_scheme = 1.25;
-// Not a rank more for a per cent or two.
+// Gain that justifies a further rank.
 constexpr double worth_a_rank = 1.02;
-// Shorter runs are start-up and chance.
+// Duration [s] below which a run is dominated by start-up and chance.
 constexpr double shortest_run_s = 1;
 
+// A division of the ranks, and its predicted speed over the present one.
 struct Choice {
     Scheme scheme = Scheme::serial;
     int structure = 1;
@@ -29,10 +31,12 @@ bool in_turns(Scheme scheme) {
     return scheme != Scheme::parallel;
 }
 
+// Time of two sides that take turns or work at the same time.
 double together(Scheme scheme, double a, double b) {
     return in_turns(scheme) ? a + b : std::max(a, b);
 }
 
+// Time of the steps with other numbers of ranks.
 double predicted_s(const Choice& choice, const SideLoad& structure,
                    const SideLoad& fluid) {
     return together(choice.scheme,
@@ -53,7 +57,7 @@ struct Run {
 };
 
 Choice best_ranks(Scheme scheme, const Run& run, const Choice& now) {
-    // What the model does not see stays as it is.
+    // The time that the model does not explain is assumed to stay as it is.
     const double rest_s =
         std::max(0.0, run.wall_s - predicted_s(now, run.structure, run.fluid));
     Choice best = now;
@@ -93,7 +97,7 @@ double coupling_overhead(Scheme scheme, const SideLoad& structure,
     if (steps_s <= 0) return 0;
     const double structure_s = structure.solver_s + structure.immersed_boundary_s;
     const double fluid_s = fluid.solver_s + fluid.immersed_boundary_s;
-    // Outputs of the two sides overlap in either scheme.
+    // Outputs of the two sides overlap in every scheme.
     const double needed_s =
         in_turns(scheme)
             ? structure_s + fluid_s + std::max(structure.output_s, fluid.output_s)
@@ -113,7 +117,8 @@ std::optional<std::string> advice(Scheme scheme, const SideLoad& structure,
     const Run run{structure, fluid, wall_s, cores};
     const Choice now{scheme, structure.ranks, fluid.ranks};
     Choice best = best_ranks(scheme, run, now);
-    if (scheme != Scheme::implicit) {  // that one was asked for for another reason
+    // Users choose the implicit scheme for other reasons.
+    if (scheme != Scheme::implicit) {
         const Scheme other = scheme == Scheme::serial ? Scheme::parallel : Scheme::serial;
         const Choice changed = best_ranks(other, run, now);
         if (changed.gain > least_gain_of_scheme * best.gain) best = changed;

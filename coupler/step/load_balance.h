@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How the work of a coupled run is shared between its two sides and over their ranks,
-// what the coupling costs, and whether another share would pay.
+// Balance of the work of a coupled run between its two sides and over their ranks, the
+// cost of the coupling, and advice on a better division.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,19 @@ namespace magfsi::coupler {
 
 using output::SideLoad;
 
-// Share of the steps' time that goes beyond what solvers, immersed boundary and outputs
-// need: in turns (serial), or the slower side (parallel). It is packing, messages and
-// waiting for them. The side that started its first step later, after its start-up,
-// counts. Clamped at zero.
+// Share of the steps' time beyond what solvers, immersed boundary and outputs need:
+// packing, messages and waiting for them. The need is the sum of both sides in schemes
+// where they take turns, that of the slower side in the parallel scheme. The steps' time
+// is that of the side that started its first step later. At least 0.
 double coupling_overhead(Scheme scheme, const SideLoad& structure, const SideLoad& fluid);
 
-// Share of the steps' time in which markers take from and give to cells, on the ranks
-// that have most of it.
+// Share of the steps' time for moving data between markers and cells, on the ranks that
+// have most of it.
 double immersed_boundary_share(const SideLoad& structure, const SideLoad& fluid);
 
-// Ranks and scheme that should be faster by enough to be worth a try, in words with the
-// options to give; nothing when there are none. The work of a side is taken to be divided
-// by its ranks without loss. cores: of the machine.
+// Numbers of ranks, and a scheme, that should be faster by enough to be worth a try, in
+// words with the options to give; nothing if there are none. The work of a side is
+// assumed to be divided by its ranks without loss. cores: number of cores of the machine.
 std::optional<std::string> advice(Scheme scheme, const SideLoad& structure,
                                   const SideLoad& fluid, double wall_s, int cores);
 

@@ -17,7 +17,7 @@ namespace magfsi::coupler {
 
 namespace {
 
-// The largest physical memory that this process ever held (VmHWM); 0 where the kernel
+// The largest resident memory that this process ever had (VmHWM) [bytes]; 0 if the kernel
 // does not say.
 std::int64_t peak_resident_bytes() {
     std::ifstream status("/proc/self/status");
@@ -28,6 +28,7 @@ std::int64_t peak_resident_bytes() {
     return 0;
 }
 
+// Sums the tasks by kind and reduces them over the ranks. Collective.
 SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double idle_s) {
     enum { working, waiting, solver, output, steps, values };
     std::array<double, values> mine{};
@@ -43,8 +44,8 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
     }
     mine[working] -= idle_s;
     std::array<double, 2> most_s{mine[working], immersed_boundary_s};
-    // Ranks wait for each other inside the solver: for the one that still samples and
-    // spreads, which itself waits least.
+    // Inside the solver ranks wait for the one that still samples and spreads; that one
+    // waits least, so that the smallest solver time is the true one.
     double least_solver_s = mine[solver];
     std::array<double, values> all = mine;
     MPI_Allreduce(MPI_IN_PLACE, all.data(), values, MPI_DOUBLE, MPI_SUM, world.local());
@@ -58,7 +59,7 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
     return load;
 }
 
-// What takes two sides: the summary of a run without a partner has none of it.
+// Adds the entries that compare two sides; a run without a partner has none of them.
 void add_balance(const Session& session, output::Summary& summary,
                  const ParticipantReport& structure, const ParticipantReport& fluid) {
     const Scheme scheme = session.plan().coupling->scheme;

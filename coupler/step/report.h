@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the log, the progress and summary.json say of a run.
+// The texts and numbers of a run in the log, the progress and summary.json.
 #pragma once
 
 #include <memory>
@@ -17,44 +17,51 @@ namespace magfsi::coupler {
 
 using output::ParticipantReport;
 
-// Name, ranks, tasks, load and memory. idle_s: what this rank's solver has waited for its
-// own neighbours, which is no work. Collective over the participant.
+// Name, ranks, tasks, load and memory of a participant. idle_s: time [s] that this rank's
+// solver has waited for its own neighbours, which does not count as work. Collective over
+// the participant; the result is complete on its root.
 ParticipantReport basic_report(const World& world, const TaskList& tasks,
                                double idle_s = 0);
 
-// At the end of a coupled run: the fluid sends its report, the structure receives it.
+// Final report of the fluid to the structure in a coupled run: the fluid sends it, the
+// structure receives it. Collective over both sides.
 void send_report(const Session& session, const ParticipantReport& report);
 ParticipantReport receive_report(const Session& session);
 
-// probes.csv of this run, continued after a restart.
+// Opens probes.csv of this run; after a restart continues the file. Leading process only.
 std::unique_ptr<output::ProbeFile> open_probes(const Session& session,
                                                const std::vector<std::string>& columns);
 
-// "done: 400 steps in 2.1 s; results in runs/swimmer", or how it was stopped.
+// The last line of the log: "done: 400 steps in 2.1 s; results in runs/swimmer", or the
+// cause of a stop.
 std::string end_line(const Session& session, double wall_s);
 
-// summary.json of a run that ended in order; only the lead calls it. probes: the columns
-// and the last row of probes.csv, nullptr without one.
+// Writes summary.json of a run that ended in order; leading process only. reports: of one
+// or both participants, the structure first. probes: source of the last values; null
+// without probes.csv.
 void write_summary(const Session& session, std::span<const ParticipantReport> reports,
                    double wall_s, const output::ProbeFile* probes);
 
-// How well the immersed boundary held, relative to the larger of the markers' speed (rms)
-// and the given flow's; the leakage to that speed times a quarter of the surface, the
-// mean cross-section of a convex body.
+// Slip relative to the reference speed, the larger of the markers' rms speed and the
+// speed given by inlets, walls and initial flow [m/s]; leakage relative to that speed
+// times a quarter of the surface, which is the mean cross-section of a convex body.
 output::BoundarySummary boundary_summary(const SlipReport& slip, double given_speed_m_s);
 
+// A line for the log, with a warning above 5 %.
 std::string to_text(const output::BoundarySummary& boundary);
 
-// For the head of the log: the effects of each step, those that are absent, warnings of
-// those that can do nothing.
+// Logs the effects of each part of the step, present and absent, and warnings about
+// effects that can do nothing.
 void log_effects(const Session& session);
 
-// "structure step: ..." and, in a coupled run, what the other side says of itself, which
-// calls this, too, before the first exchange. First a line on this side, if not empty.
+// Logs the list of tasks, "structure step: ...", and in a coupled run that of the other
+// side, which must make the same call before the first exchange. about: a first line
+// about this side, unless empty.
 void log_steps(const Session& session, const TaskList& tasks,
                const std::string& about = "");
 
-// The progress of a participant that leads, on its standard output. After session.begin.
+// The progress of a leading participant on its standard output. Must be made after
+// session.begin.
 std::unique_ptr<output::Progress> progress_on_stdout(const Session& session,
                                                      output::ProgressMode mode);
 

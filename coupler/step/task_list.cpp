@@ -37,7 +37,7 @@ void TaskList::run() {
         run(tasks_[i]);
         if (loop == loops_.end() || i != loop->last) continue;
         if (loop->again())
-            i = loop->first - 1;  // unsigned: wraps to 0 with the increment
+            i = loop->first - 1;  // unsigned: for 0 the increment wraps to 0
         else
             ++loop;
     }

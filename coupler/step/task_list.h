@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A coupled step, readable as a list: the tasks that the scene calls for, in order, and
-// what a participant writes beside its solution. An effect that is absent has no task.
+// The coupled step as a readable list of tasks, in the order in which they run, and the
+// outputs of a participant. An effect that the scene lacks has no task.
 #pragma once
 
 #include <functional>
@@ -14,16 +14,19 @@
 
 namespace magfsi::coupler {
 
-// Whose work a task is, for the coupling's overhead.
+// Kind of work of a task, from which the coupling's overhead is computed.
 enum class TaskKind { solver, immersed_boundary, coupling, output };
 
+// Time of a task over all its runs on this rank.
 struct TaskTime {
     std::string name;
     TaskKind kind = TaskKind::solver;
-    double seconds = 0;    // so far
-    double waiting_s = 0;  // of them, for the partner
+    // Seconds, and the part of them spent waiting for the partner.
+    double seconds = 0;
+    double waiting_s = 0;
 };
 
+// The tasks of a coupled step.
 class TaskList {
   public:
     using Work = std::function<void()>;
@@ -31,29 +34,34 @@ class TaskList {
     void add_immersed_boundary(std::string name, Work work) {
         add(std::move(name), std::move(work), TaskKind::immersed_boundary);
     }
-    void add_coupling(std::string name, Work work) {  // exchange, waiting
+    // Exchange with the partner, and waiting for it.
+    void add_coupling(std::string name, Work work) {
         add(std::move(name), std::move(work), TaskKind::coupling);
     }
     void add_output(std::string name, Work work) {
         add(std::move(name), std::move(work), TaskKind::output);
     }
 
-    // The tasks from number `first` on up to here are done again as long as `again` says
-    // so after the last of them.
+    // Makes the tasks from number `first` to the last one added so far a loop: they are
+    // done again as long as again() returns true after the last of them. size() is the
+    // number of the next task.
     std::size_t size() const { return tasks_.size(); }
     void repeat_from(std::size_t first, std::function<bool()> again);
 
-    // Puts something around the work of each task.
+    // Replaces the work of each task by a function made from it, which may do something
+    // before and after.
     using Wrap = std::function<Work(const std::string& name, const Work& work)>;
     void wrap(const Wrap& around);
 
-    // Every task, each timed under its name.
+    // Runs every task and adds its time.
     void run();
 
-    // "advance structure, send impulses, ..."; what is repeated stands in brackets.
+    // "advance structure, send impulses, ..."; a loop stands in brackets.
     std::string names() const;
-    std::vector<TaskTime> times() const;          // of the tasks that ran, in their order
-    double seconds(std::string_view name) const;  // 0 for one that is not in the list
+    // Times of the tasks that ran, in their order.
+    std::vector<TaskTime> times() const;
+    // Time of a task by name; 0 if it is not in the list.
+    double seconds(std::string_view name) const;
 
   private:
     struct Task {
@@ -68,35 +76,42 @@ class TaskList {
     void run(Task& task);
 
     std::vector<Task> tasks_;
-    std::vector<Loop> loops_;  // in order, none inside another
+    std::vector<Loop> loops_;  // in order; none is inside another
 };
 
-// What a participant writes beside its solution: an object for each output that the scene
-// names, and a task of the step.
+// An output of a participant beside its solution: an object and a task of the step for
+// each output that the scene names.
 class Output {
   public:
     virtual ~Output() = default;
-    // Before the first step: what is written of step 0, where the run does not go on from
+    // Called before the first step: writes the output of step 0, unless the run continues
     // a checkpoint.
     virtual void begin() {}
+    // Called at the end of every coupled step, by all ranks.
     virtual void end_step() = 0;
-    virtual void finish() {}  // when all sides have ended; on the leading rank
-    // What the summary is made from; null on most.
+    // Called on the leading rank when all sides have ended.
+    virtual void finish() {}
+    // The file of probes from which the summary takes the last values; null for most
+    // outputs.
     virtual const output::ProbeFile* probes() const { return nullptr; }
 };
 
-// Run: what a participant hands to its outputs, which lives as long as they do. make
-// returns null where the scene does not name the output, on all ranks or on none.
+// A kind of output that a program is built with. Run: what a participant hands to its
+// outputs; it must outlive them. make() returns null if the scene does not name the
+// output, on all ranks or on none.
 template <class Run>
 struct OutputKind {
-    std::string_view name;  // of the effect
+    // Name of the effect, and of the task.
+    std::string_view name;
     const char* task = "";
     std::unique_ptr<Output> (*make)(Run&) = nullptr;
 };
 
+// The outputs of a run.
 class Outputs {
   public:
-    // kinds: those of this build, up to one without a name.
+    // Makes the outputs that the scene names and adds their tasks. kinds: those of this
+    // build, terminated by one without a name.
     template <class Run>
     void add(const OutputKind<Run>* kinds, Run& run, TaskList& tasks) {
         for (; !kinds->name.empty(); ++kinds) {
@@ -107,7 +122,8 @@ class Outputs {
             all_.push_back(std::move(output));
         }
     }
-    // After add. Throws std::invalid_argument where the build lacks what is asked for.
+    // Throws std::invalid_argument if an output is asked for that this build does not
+    // have. Called after add.
     void need(bool asked, std::string_view name) const;
 
     void begin();

@@ -14,13 +14,15 @@ namespace magfsi::coupler {
 
 namespace {
 
-// About 24 MB of text a rank, which Perfetto still opens in a second or two.
+// Largest number of events, about 24 MB of text per rank, which Perfetto opens in a
+// second or two.
 constexpr std::size_t most_events = 200000;
 
 std::int64_t ns(double seconds) {
     return 1e9 * seconds;
 }
 
+// The time of day [s] since the epoch.
 double day_clock_s() {
     return std::chrono::duration<double>(
                std::chrono::system_clock::now().time_since_epoch())
@@ -57,14 +59,15 @@ void TaskTrace::add(std::uint32_t task, double start_s, double end_s, double wai
         ++left_out_;
         return;
     }
-    constexpr double longest_s = 4;  // of 32 bits; a longer task is cut
+    constexpr double longest_s = 4;  // limit of 32 bits in ns; longer tasks are cut
     events_.push_back(
         {ns(clock_offset_s_ + start_s),
          static_cast<std::uint32_t>(ns(std::min(longest_s, end_s - start_s))),
          static_cast<std::uint32_t>(ns(std::min(longest_s, waited_s))), task});
 }
 
-// A wait stands at the end of its task: what was waited for is used next.
+// The trace in Chrome's JSON format. The waiting part of a task is drawn at its end,
+// since what was waited for is used next.
 std::string TaskTrace::text() const {
     const std::string place = fmt::format("\"pid\":{},\"tid\":{}", side_number_, rank_);
     std::string out = fmt::format(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// --trace: when each task of each rank began and ended, for https://ui.perfetto.dev and
-// Chrome's chrome://tracing. A run without it has none of this: the tasks are wrapped.
+// The trace of a run (--trace): when each task of each rank began and ended, for
+// https://ui.perfetto.dev and Chrome's chrome://tracing. Without the option the tasks are
+// not wrapped and nothing of this exists.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@
 
 namespace magfsi::coupler {
 
-// Of this rank. In memory up to the end of the run, however it ends.
+// The trace of this rank, kept in memory and written when the run ends, however it ends.
 class TaskTrace {
   public:
-    // Wraps the tasks of the list, which must outlive this.
+    // Wraps the tasks of the list, which must outlive this object.
     TaskTrace(const Session& session, TaskList& tasks);
     ~TaskTrace();  // writes trace_SIDE_RANK.json: Chrome's trace events, a JSON array
     TaskTrace(const TaskTrace&) = delete;
@@ -26,7 +27,8 @@ class TaskTrace {
   private:
     struct Event {
         std::int64_t start_ns;
-        std::uint32_t length_ns, waited_ns;  // waited: for the partner, of the length
+        // Duration of the task, and the part of it spent waiting for the partner.
+        std::uint32_t length_ns, waited_ns;
         std::uint32_t task;
     };
     void add(std::uint32_t task, double start_s, double end_s, double waited_s);
@@ -35,13 +37,15 @@ class TaskTrace {
     std::filesystem::path file_;
     std::string side_, other_;
     int side_number_, rank_;
-    double clock_offset_s_;  // of the day's clock, which all machines of a run share
+    // Offset of the day's clock, which all machines of a run share, from the steady
+    // clock.
+    double clock_offset_s_;
     std::vector<std::string> names_;
     std::vector<Event> events_;
-    std::int64_t left_out_ = 0;
+    std::int64_t left_out_ = 0;  // events beyond the largest number
 };
 
-// Null without --trace.
+// The trace of this rank; null without --trace.
 std::unique_ptr<TaskTrace> trace_of(const Session& session, TaskList& tasks);
 
 }  // namespace magfsi::coupler

@@ -7,6 +7,8 @@ namespace magfsi::fluids {
 
 namespace {
 
+// Saves the solver's state and, if the interface is audited, the sums of the steps since
+// the last probe row, by rank.
 void save(FluidRun& run, coupler::StateWriter* file) {
     run.fluid.save(file);
     if (!run.balance) return;

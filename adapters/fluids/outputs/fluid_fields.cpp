@@ -17,14 +17,15 @@ namespace magfsi::fluids {
 
 namespace {
 
+// Column name with unit and number of components, as ParaView shows them.
 output::FieldType type_of(scene::FluidField field) {
     return {.name = fmt::format("{}[{}]", scene::name_of(field), scene::unit_of(field)),
             .components = scene::components_of(field)};
 }
 
-// fluid.pvd and its files: one .vti a rank, one .pvti an instant; in a refined grid for
-// each of its patches, which are the parts of one picture: where a finer one is, cells
-// are marked as hidden.
+// Writes fluid.pvd and its files: for each instant one .vti per rank and one .pvti that
+// joins them. A refined grid has such a set for each patch; the .pvd lists the patches as
+// parts of one instant, and cells that a finer patch solves are marked as hidden.
 class FluidFields : public coupler::Output {
   public:
     explicit FluidFields(FluidRun& run);
@@ -36,8 +37,10 @@ class FluidFields : public coupler::Output {
     }
 
   private:
-    void write();  // collective
+    void write();  // collective over the fluid's ranks
+    // Writes this rank's .vti of a patch; number counts the instants from 0.
     void write_patch(std::int64_t number, std::size_t patch, const FieldCells& cells);
+    // Writes the patch's .pvti and enters it into the series; rank 0 only.
     void write_index(std::int64_t number, std::size_t patch, const FieldCells& cells);
     static constexpr std::string_view start = "fluid_";
     std::filesystem::path whole(std::int64_t number, const FieldCells& cells) const {
@@ -54,8 +57,9 @@ class FluidFields : public coupler::Output {
     const std::vector<scene::FluidField>& fields_;
     std::int64_t every_;
     std::filesystem::path folder_;
-    std::unique_ptr<output::PvdSeries> series_;  // on the root
-    // By number of the instant: what the run has left before a restart.
+    std::unique_ptr<output::PvdSeries> series_;  // on rank 0
+    // The .pvti files that the run left before it was restarted, by number of the
+    // instant.
     std::map<std::int64_t, std::set<std::filesystem::path>> left_;
 };
 
@@ -73,7 +77,8 @@ FluidFields::FluidFields(FluidRun& run)
         if (name.starts_with(start) && entry.path().extension() == ".pvti")
             left_[std::stoll(name.substr(start.size()))].insert(entry.path());
     }
-    // The series again up to the present step, whatever patches there were.
+    // Rebuilds the series up to the present step from the files that are there: the
+    // number of patches may differ from instant to instant.
     const coupler::Clock& clock = session_.clock();
     for (std::int64_t step = 0; step <= clock.step(); step += every_) {
         int part = 0;
@@ -89,7 +94,7 @@ void FluidFields::write() {
         write_patch(number, patch, patches[patch]);
     MPI_Barrier(session_.world().local());
     if (!series_) return;
-    // Another nest of patches may have been there.
+    // An instant that is written again may have had other patches.
     if (const auto left = left_.extract(number)) {
         for (const auto& file : left.mapped()) std::filesystem::remove(file);
     }
@@ -101,14 +106,15 @@ output::ImageGrid image_of(const FieldCells& cells) {
     return {{}, {cells.spacing_m, cells.spacing_m, cells.spacing_m}};
 }
 
-// One flag a cell of the box, x fastest.
+// One flag per cell of the box, x fastest: hidden_cell where a box of `hidden` covers it.
 std::vector<std::uint8_t> hidden_in(const coupler::CellBox& box,
                                     const std::vector<coupler::CellBox>& hidden) {
     const std::array<int, 3> n{box.hi[0] - box.lo[0], box.hi[1] - box.lo[1],
                                box.hi[2] - box.lo[2]};
     std::vector<std::uint8_t> flags(output::CellExtent{box.lo, box.hi}.cells(), 0);
     for (const coupler::CellBox& part : hidden) {
-        std::array<int, 3> lo{}, hi{};  // of the part in the box
+        // Corners of the covered part, relative to the box.
+        std::array<int, 3> lo{}, hi{};
         for (std::size_t d = 0; d < 3; ++d) {
             lo[d] = std::max(part.lo[d], box.lo[d]) - box.lo[d];
             hi[d] = std::min(part.hi[d], box.hi[d]) - box.lo[d];
@@ -146,6 +152,7 @@ void FluidFields::write_patch(std::int64_t number, std::size_t patch,
         output::write_vti(piece(number, cells, rank), image_of(cells), extent, fields);
 }
 
+// The .pvti names only the ranks that own cells of the patch.
 void FluidFields::write_index(std::int64_t number, std::size_t patch,
                               const FieldCells& cells) {
     std::vector<output::ImagePiece> pieces;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rows of probes.csv; beside a structure, the numbers that go to its rows.
+// Rows of probes.csv of a fluid that runs alone. Beside a structure, which writes the
+// file, the fluid's values are sent to it for each of its rows.
 #include "adapters/fluids/fluid_probes.h"
 #include "adapters/fluids/fluid_run.h"
 #include "coupler/participants/handshake.h"
@@ -10,6 +11,9 @@ namespace magfsi::fluids {
 
 namespace {
 
+// Every probe interval: computes the fluid's columns on all ranks; the leading rank
+// writes them, or the root sends them to the structure together with the audited sums of
+// the steps since the last row.
 class Probes : public coupler::Output {
   public:
     explicit Probes(FluidRun& run)
