@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Interpolation between the rows of a table over time: linear between rows, the first
 // row's value before them; after them the last row's value or, with `repeat`, all rows
 // repeated with the period of the table. Two rows of one time are a jump: from that time

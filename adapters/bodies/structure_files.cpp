@@ -195,7 +195,7 @@ StructureFiles::StructureFiles(const scene::Scene& scene, const Bodies& bodies,
 
 void StructureFiles::add(BodyField field, const scene::Scene& scene,
                          const Bodies& bodies) {
-    const Kind& kind = kinds[field];
+    const Kind& kind = kinds[static_cast<int>(field)];
     fields_.push_back({fmt::format("{}[{}]", scene::name_of(field), kind.unit),
                        kind.components, kind.of_nodes, nullptr});
     if (kind.of_nodes)

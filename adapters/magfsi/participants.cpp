@@ -77,7 +77,7 @@ void check_structure(const scene::Scene& scene, int ranks) {
 }  // namespace
 
 const FluidProgram& fluid_program(const scene::Scene& scene) {
-    return fluid_programs.at(scene.fluid->solver);
+    return fluid_programs.at(static_cast<int>(scene.fluid->solver));
 }
 
 bool by_newton(const scene::Scene& scene) {

@@ -123,7 +123,7 @@ bool is_viscous(const Body& body) {
 // Adds boundary conditions beyond the named ones as effects under their own names, so
 // that a new kind needs no entry in the list below.
 void add_further_kinds(std::vector<Effect>& effects, auto side_of) {
-    constexpr std::size_t last_named = BoundaryKind::pressure_outlet;
+    constexpr auto last_named = static_cast<std::size_t>(BoundaryKind::pressure_outlet);
     for (std::size_t k = last_named + 1; k < names<BoundaryKind>.size(); ++k)
         effects.push_back(
             {Step::fluid, names<BoundaryKind>[k], side_of(static_cast<BoundaryKind>(k))});

@@ -277,7 +277,7 @@ constexpr int components_of(FluidField field) {
 }
 constexpr std::string_view unit_of(FluidField field) {
     constexpr std::string_view units[] = {"m/s", "kg/m3", "1/s", "Pa", "1"};
-    return units[field];
+    return units[static_cast<int>(field)];
 }
 
 // Fields that structure files can have.

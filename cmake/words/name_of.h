@@ -9,7 +9,7 @@
 namespace magfsi {
 
 inline constexpr auto name_of = [](auto value) {
-    return std::string_view(words_of(value)[value]);
+    return std::string_view(words_of(value)[static_cast<std::size_t>(value)]);
 };
 
 }  // namespace magfsi

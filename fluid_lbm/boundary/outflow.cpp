@@ -15,7 +15,7 @@ std::vector<OutflowCell> outflow_cells(const SideContext& in, int side,
             Cell inner = cells[i];
             inner[axis_of(side)] += inward(side);
             for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
-                const int which = a;
+                const auto which = static_cast<int>(a);
                 out[i].slots[which] = cell_slots(rows, in.layout, a, cells[i]);
                 out[i].inner_slots[which] = cell_slots(rows, in.layout, a, inner);
             }

@@ -97,7 +97,7 @@ void PressureOutlet::end_step(const Populations& populations, Arrangement arrang
     populations.visit([&](const auto& rows) {
         auto* base = rows.row(0, 0);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
-            const int now = arrangement;
+            const auto now = static_cast<int>(arrangement);
             double f[directions], inner[directions];
             gather(base, cells_[i].slots[now], f);
             gather(base, cells_[i].inner_slots[now], inner);

@@ -107,7 +107,7 @@ CutLink cut_link(const Populations& populations, const RowLayout& layout,
                  int obstacle) {
     CutLink link;
     for (const Arrangement a : {Arrangement::natural, Arrangement::swapped}) {
-        const int i = a;
+        const auto i = static_cast<int>(a);
         const CellSlots slots = populations.visit(
             [&](const auto& rows) { return cell_slots(rows, layout, a, cell); });
         link.from_wall[i] = slots[from_wall];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Static equilibrium of one body under magnetic fields, weight and supports, followed
 // along a path of loads.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Drag on all nodes: its option and its law. A further law is a member of Drag and a
 // factor in DragDecay, and a key of the scene.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Base class of fixes with friction: stick points of each atom, which move with the atom
 // between ranks and are part of LAMMPS's restart files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Energy and forces of one element in the plainest form: reference for tests and timings
 // of the fast kernels, and source of energy densities for output.
 #pragma once

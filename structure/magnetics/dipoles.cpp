@@ -55,7 +55,7 @@ Dipole dipole_of(const DipoleElement& element, const std::array<int, 8>& nodes,
     return out;
 }
 
-Dipoles::Dipoles(InstructionSet set) : function_(sum_functions[set]) {}
+Dipoles::Dipoles(InstructionSet set) : function_(sum_functions[static_cast<int>(set)]) {}
 
 void Dipoles::resize(std::size_t count) {
     for (std::size_t d = 0; d < 3; ++d) {

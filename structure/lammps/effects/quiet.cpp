@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Distance from equilibrium: fix ID group magttice/quiet gives the largest nodal force
 // over the largest nodal load, for `fix halt`. See docs/fix_magttice.md.
 #include "atom.h"
