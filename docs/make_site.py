@@ -34,7 +34,7 @@ HEADERS = {
     "The LAMMPS styles": ["structure/lammps/register_styles.h", "structure/lammps/script.h"],
 }
 # Pages that are made, by the heading of the index below which the site lists them.
-MADE = {"Reference": ["docs/scene_examples.md", "docs/cpp_reference.md"]}
+MADE = {"Reference": ["docs/scene_examples.md"], "Developers": ["docs/cpp_reference.md"]}
 # Lists whose items have the keys of another place.
 LIKE_ANOTHER = [("magnetic_field", "plus")]  # magnetic_field
 SIDES = [f"{axis}_{end}" for axis in "xyz" for end in ("min", "max")]
@@ -141,7 +141,7 @@ def with_contents(source):
     for part in text.split("\n## ")[1:]:
         heading, _, body = part.partition("\n")
         links = [os.path.normpath(index.parent / link)
-                 for link in re.findall(r"\]\(([^)#:]+\.md)[)#]", body)]
+                 for link in re.findall(r"\]\(([^)#:]+\.md)\)", body)]
         pages = [os.path.relpath(link, source) for link in links] + MADE.get(heading, [])
         listed = {page for above in lists.values() for page in above}
         lists[heading] = [page for page in dict.fromkeys(pages) if page not in listed]
