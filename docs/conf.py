@@ -12,6 +12,7 @@ extensions = ["myst_parser", "sphinx.ext.autodoc"]
 master_doc = root_doc = "docs/index"
 source_suffix = {".md": "markdown"}
 myst_heading_anchors = 4
+myst_enable_extensions = ["html_image"]  # pictures whose width is given
 autodoc_typehints = "none"  # they stand in the signatures' own text
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "adapters/python"))
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Builds the documentation as a site, with the pages that are made: docs/scene_examples.md (an example
-of every key) and docs/cpp_reference.md (the headers of the installed libraries).
+of every key) and docs/cpp_reference.md (the headers of the installed libraries). The sidebar has the
+headings and links of docs/index.md.
 
     ./magfsi python docs/make_site.py OUT       OUT/html/docs/index.html; any warning is an error
 
@@ -32,6 +33,8 @@ HEADERS = {
                      "structure/equilibrium/newton.h"],
     "The LAMMPS styles": ["structure/lammps/register_styles.h", "structure/lammps/script.h"],
 }
+# Pages that are made, by the heading of the index below which the site lists them.
+MADE = {"Reference": ["docs/scene_examples.md"], "Developers": ["docs/cpp_reference.md"]}
 # Lists whose items have the keys of another place.
 LIKE_ANOTHER = [("magnetic_field", "plus")]  # magnetic_field
 SIDES = [f"{axis}_{end}" for axis in "xyz" for end in ("min", "max")]
@@ -128,6 +131,29 @@ def cpp_reference():
     return "\n".join(lines)
 
 
+def with_contents(source):
+    """The text of docs/index.md and, hidden below it, what Sphinx makes the sidebar of: a list of the
+    linked pages for each heading, and one of all other pages. In the index itself a forge would show
+    these directives as code."""
+    index = source / "docs/index.md"
+    text = index.read_text()
+    lists = {}
+    for part in text.split("\n## ")[1:]:
+        heading, _, body = part.partition("\n")
+        links = [os.path.normpath(index.parent / link)
+                 for link in re.findall(r"\]\(([^)#:]+\.md)\)", body)]
+        pages = [os.path.relpath(link, source) for link in links] + MADE.get(heading, [])
+        listed = {page for above in lists.values() for page in above}
+        lists[heading] = [page for page in dict.fromkeys(pages) if page not in listed]
+    listed = {"docs/index.md", *(page for pages in lists.values() for page in pages)}
+    files = [*source.glob("*.md"), *(source / "docs").rglob("*.md"), *(source / "tutorials").rglob("*.md")]
+    lists["More pages"] = sorted({str(file.relative_to(source)) for file in files} - listed)
+    for heading, pages in lists.items():
+        names = "\n".join("/" + page.removesuffix(".md") for page in pages)
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {heading}\n:maxdepth: 1\n{names}\n```\n"
+    return text
+
+
 def build(out):
     source = out / "source"
     shutil.rmtree(out, ignore_errors=True)
@@ -140,6 +166,7 @@ def build(out):
     page, missing = scene_examples(schema)
     (source / "docs/scene_examples.md").write_text(page)
     (source / "docs/cpp_reference.md").write_text(cpp_reference())
+    (source / "docs/index.md").write_text(with_contents(source))
     words = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going", "-c",
              source / "docs", source, out / "html"]
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True,

@@ -100,7 +100,7 @@ double exchange_s(const Work& work, const Calibration& c) {
                   : c.s_per_coupled_step + work.fluid->cells * c.s_per_coupled_cell;
 }
 
-// Time [s] of one element's dipole acting on another, with AVX2 (docs/effects.md).
+// Time [s] of one element's dipole acting on another, with AVX2 (docs/lab/effects.md).
 constexpr double s_per_dipole = 4e-9;
 
 // Wall time of a substep [s]. Ranks share elements, markers and dipole pairs evenly, and

@@ -194,7 +194,7 @@ void keys(Io& io, Scene& scene) {
        scene.magnetic_field);
     io(key("dipoles",
            "Forces of magnetised bodies on each other: each element is a dipole. Every "
-           "pair counts in every step (docs/effects.md)."),
+           "pair counts in every step (docs/lab/effects.md)."),
        scene.dipoles);
     io(key("control",
            "Program that sees probes and sets the magnetic field as the run goes on."),

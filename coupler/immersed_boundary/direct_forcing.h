@@ -72,8 +72,8 @@ struct EnclosedFluidScale {
 
 // The way in which a body's markers follow in the serial scheme. density_ratio: density
 // of the body over that of the fluid, 0 if its nodes keep their whole mass. The limits
-// are measured (docs/coupling_measurements.md, enclosed fluid): without lag sheets of a
-// tenth of the fluid's density gain energy from a part of 0.48 on with the 3-point
+// are measured (docs/lab/coupling_measurements.md, enclosed fluid): without lag sheets of
+// a tenth of the fluid's density gain energy from a part of 0.48 on with the 3-point
 // kernel, from 0.2 on with the 2-point kernel, and a ball of density ratio 1.1 vibrates
 // even sooner.
 constexpr EnclosedFollow enclosed_follow_of(double density_ratio, Kernel kernel) {

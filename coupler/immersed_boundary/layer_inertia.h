@@ -23,7 +23,7 @@
 // what is given is zero, which would not be so for (1 - n n)(V - V'). The energy audit
 // includes the work of what is given. A couple on the sheet would make the energy exact,
 // too, but needs the velocity of the fluid around it and is left out
-// (docs/coupling_measurements.md).
+// (docs/lab/coupling_measurements.md).
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What each effect costs on a small reference scene, on against off: prints docs/effects.md.
+"""What each effect costs on a small reference scene, on against off: prints docs/lab/effects.md.
 
-    ./magfsi python tests/bench/effects/costs.py > docs/effects.md
+    ./magfsi python tests/bench/effects/costs.py > docs/lab/effects.md
     ... costs.py structure            one part of it: structure, fluid, coupled
 
 Instructions are those within the steps (valgrind's callgrind), which are exact: of coupled scenes
@@ -83,14 +83,14 @@ def rows(program, measure, scene, effects, common, short, long):
 HEAD = """# What effects cost
 
 The cost of each effect on a small reference scene: with it, compared with without it. That an effect which is a folder costs
-nothing where it is off, `tests/effects/removed.py` shows ([adding_an_effect.md](adding_an_effect.md)). Instructions are those
+nothing where it is off, `tests/effects/removed.py` shows ([adding_an_effect.md](../adding_an_effect.md)). Instructions are those
 within the steps, start and end apart; seconds are of longer runs, medians of {pairs} pairs on and
 off in turn, with the smallest and largest difference of a pair; memory is the largest resident.
 
 Made by
 
 ```sh
-./magfsi python tests/bench/effects/costs.py > docs/effects.md
+./magfsi python tests/bench/effects/costs.py > docs/lab/effects.md
 ```
 
 Every step of every scene checks for NaN: the structure at its nodes, the fluid within its

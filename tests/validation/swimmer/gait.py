@@ -79,7 +79,7 @@ class Gait(unittest.TestCase):
 
     def test_half_the_step(self):
         """The step is no choice that the rise depends on: of its error bar, 2 % of 1.47 mm in the
-        first period (docs/coupling_measurements.md), half the step may take no more than all."""
+        first period (docs/lab/coupling_measurements.md), half the step may take no more than all."""
         half = Swim(testing.QUICK_SWIMMER, {"fluid.lattice_speed": "0.025",
                                       "time.end": f"{PERIOD_S} s"})
         for time_s in (PERIOD_S / 2, PERIOD_S):

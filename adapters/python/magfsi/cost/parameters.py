@@ -56,7 +56,7 @@ def _cells(fluid):
 def _off_place(scene, factor):
     """By how many cells bodies start elsewhere between the nodes of a grid so many times finer.
     What a sheet of one layer does depends on that by some per cent
-    (docs/coupling_measurements.md), which on an arm would look like the spacing's."""
+    (docs/lab/coupling_measurements.md), which on an arm would look like the spacing's."""
     h = finest_spacing(scene)
     at = [x / h for body in scene.get("bodies", {}).values()
           for x in body.get("initial", {}).get("position", [])]
