@@ -49,8 +49,8 @@ struct Grid {
     std::vector<GridRow> solid{};  // rows of cells inside obstacles, of all ranks
 };
 
-// The grid as JSON, for the partner at start-up and for records. grid_from_text throws
-// nlohmann::json's exceptions on a text that is none.
+// The grid as JSON, for the partner at start-up. grid_from_text throws nlohmann::json's
+// exceptions on a text that is none.
 std::string to_text(const Grid& grid);
 Grid grid_from_text(const std::string& text);
 

@@ -252,11 +252,6 @@ void StructureCoupling::send_impulses() {
                    volumes_m3());
 }
 
-StructureCoupling::Exchanged StructureCoupling::exchanged() const {
-    if (!no_slip_) return {now_m_, given(), fluid_velocity_, {}};
-    return {now_m_, given(), fluid_velocity_, no_slip_->volume_m3, &no_slip_->answer};
-}
-
 // Answers the slip that the fluid reports until all iterations are done.
 void StructureCoupling::iterate_forcing() {
     const std::int64_t step = session_.clock().step();

@@ -87,16 +87,6 @@ class StructureCoupling {
     // BodyMarkers::placed_index and placed, for gathering the arrays by placement.
     std::span<const int> placed_index() const { return markers_.placed_index; }
     std::size_t placed() const { return markers_.placed; }
-    const Grid& grid() const { return grid_; }
-
-    // The last exchange of this rank's markers: positions at the end of the step [m],
-    // impulses given to the fluid [N s], and the fluid's velocities that came back [m/s].
-    struct Exchanged {
-        std::span<const Vec3> position_m, impulse, velocity;
-        std::span<const double> volume_m3;  // no_slip only, as the next
-        const NoSlipAnswer* no_slip = nullptr;
-    };
-    Exchanged exchanged() const;
 
     // Force of the fluid on each body, and on each part, in the last step [N], the same
     // on all ranks. Collective. Requires BodyMarkers::measures_force.
