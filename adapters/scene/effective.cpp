@@ -167,12 +167,9 @@ std::vector<Effect> effects_of(const Scene& s) {
          some_body([](const Body& body) { return !body.prescribed_motion.empty(); })},
         {coupled, "immersed boundary", s.coupling.has_value()},
         {coupled, "buoyancy", s.coupling && s.gravity},
-        {coupled, "iterated forcing",
-         s.coupling && s.coupling->immersed_boundary.iterations > 1},
         {coupled, "overlap check",
          !s.bodies.empty() && s.coupling &&
              s.coupling->overlap == coupler::OverlapRule::stop},
-        {coupled, "parallel scheme", scheme(Scheme::parallel)},
         {coupled, "implicit scheme", scheme(Scheme::implicit)},
         {fluid, "fluid", s.fluid.has_value()},
         {fluid, "body force", s.fluid && s.fluid->body_force_n_m3},

@@ -88,7 +88,7 @@ class GridFluid {
     // memory; go_back() returns to it from the step's end, any number of times. Between
     // go_back() and the next advance() only velocity() and set_force() are called, with
     // the same rows. The defaults throw std::invalid_argument: such a fluid can take part
-    // in the other schemes only.
+    // in the serial scheme only.
     virtual void keep();
     virtual void go_back();
 };
