@@ -21,7 +21,7 @@ void keys(Io& io, Iteration& iteration) {
            .at_least(2).at_most(1000).by_default(),
        iteration.max_iterations);
     io(key("on_no_convergence",
-           "What happens after max_iterations: end ends the run, continue goes on with "
+           "What happens after max_iterations: stop ends the run, continue goes on with "
            "the next step and counts this one.").by_default(),
        iteration.on_no_convergence);
     io(key("initial_guess",
