@@ -372,7 +372,7 @@ void check_retry(const Scene& scene, const Marks& marks) {
     // The least-squares model of the implicit scheme belongs to a step of the old length.
     require(
         !scene.fluid || scene.bodies.empty() || scene.coupling->scheme == Scheme::serial,
-        here, "a retry in a scheme that is not serial", "it with coupling.scheme serial",
+        here, "a retry in the implicit scheme", "it with coupling.scheme serial",
         without + ", and a smaller fluid.lattice_speed");
     const std::string fault = fault_of_half_step(scene);
     require(fault.empty(), here, "a retry though " + fault,

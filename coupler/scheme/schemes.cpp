@@ -75,10 +75,12 @@ void StructureCoupling::add_advance(TaskList& tasks) {
 }
 
 void StructureCoupling::add_tasks(TaskList& tasks) {
-    options_.scheme == Scheme::serial ? add_serial(tasks) : add_implicit(tasks);
+    if (options_.scheme == Scheme::serial) return add_serial(tasks);
+    add_implicit(tasks);
 }
 void FluidCoupling::add_tasks(TaskList& tasks) {
-    options_.scheme == Scheme::serial ? add_serial(tasks) : add_implicit(tasks);
+    if (options_.scheme == Scheme::serial) return add_serial(tasks);
+    add_implicit(tasks);
 }
 
 }  // namespace magfsi::coupler

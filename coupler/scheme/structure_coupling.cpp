@@ -68,15 +68,14 @@ std::vector<int> bodies_of(std::span<const Marker> markers) {
 
 }  // namespace
 
-StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
-                                     BodyMarkers markers)
+StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver,
+                                     const Grid& grid, BodyMarkers markers)
     : session_(session),
       solver_(solver),
-      grid_(std::move(grid)),
       options_(*session.plan().coupling),
       markers_(std::move(markers)),
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
-      exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
+      exchange_(session.world(), grid, options_.immersed_boundary.kernel,
                 session.timeout_s(), options_.immersed_boundary.forcing.value(),
                 markers_.bodies, bodies_of(force_.markers())),
       slip_(std::move(markers_.areas)) {
@@ -94,7 +93,7 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
         last_velocity_.resize(count);
     if (options_.scheme == Scheme::implicit) {
         const double rest_m_s =
-            rest_lattice_speed * grid_.spacing_m / session.clock().step_s();
+            rest_lattice_speed * grid.spacing_m / session.clock().step_s();
         fixed_point_ = std::make_unique<FixedPoint>(
             session.world(),
             FixedPoint::Setting{*options_.iteration, rest_m_s, session.timeout_s()},

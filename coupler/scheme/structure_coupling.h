@@ -56,7 +56,7 @@ class StructureCoupling {
   public:
     // Attaches the fluid's force to the solver. session and solver must outlive this
     // object. grid: that of the fluid, from its description.
-    StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
+    StructureCoupling(Session& session, StructureSolver& solver, const Grid& grid,
                       BodyMarkers markers);
 
     // Adds the tasks of a coupled step up to its count.
@@ -155,7 +155,6 @@ class StructureCoupling {
 
     Session& session_;
     StructureSolver& solver_;
-    Grid grid_;
     const Coupling& options_;
     // `markers` and `areas` have been moved into force_ and slip_.
     BodyMarkers markers_;
