@@ -42,16 +42,13 @@ struct ImmersedBoundary {
     double retraction = 0.4;         // depth of the markers below the surface
     double rim_retraction = 0.9;     // the same at the rim of a sheet
     double strength = 1;             // kappa of eq. (13) over 2 rho dV / dt
-    // Evaluations of the forcing in a coupled step; 1 is plain direct forcing.
-    int iterations = 1;
 };
 
-// Order of the two solvers in a coupled step. serial: one after the other. parallel: both
-// at once, forces acting one step late. implicit: one after the other, repeated until the
-// fluid's velocity at the markers has converged.
-enum class Scheme { serial, parallel, implicit };
+// Steps of the two solvers, which take turns. serial: one step each. implicit: both
+// repeat the step until the fluid's velocity at the markers has converged.
+enum class Scheme { serial, implicit };
 constexpr auto words_of(Scheme) {
-    return std::to_array<std::string_view>({"serial", "parallel", "implicit"});
+    return std::to_array<std::string_view>({"serial", "implicit"});
 }
 
 // The fluid's velocity at the markers during the structure's substeps: held, or
@@ -62,14 +59,9 @@ constexpr auto words_of(SampledVelocity) {
 }
 
 // Methods that make the next guess of an implicit step (scheme/acceleration.h).
-enum class AccelerationMethod { under_relaxation, aitken, iqn_ils };
+enum class AccelerationMethod { aitken, iqn_ils };
 constexpr auto words_of(AccelerationMethod) {
-    return std::to_array<std::string_view>({"under_relaxation", "aitken", "iqn_ils"});
-}
-// Filters that drop dependent columns of IQN-ILS (scheme/least_squares.h).
-enum class ColumnFilter { qr1, qr2 };
-constexpr auto words_of(ColumnFilter) {
-    return std::to_array<std::string_view>({"qr1", "qr2"});
+    return std::to_array<std::string_view>({"aitken", "iqn_ils"});
 }
 // First guess of an implicit step: the velocities at its start, or extrapolated from the
 // step before.
@@ -92,13 +84,13 @@ struct Iteration {
     int max_iterations = 20;  // limit per coupled step
     OnNoConvergence on_no_convergence = OnNoConvergence::stop;
     InitialGuess initial_guess = InitialGuess::linear;
-    // Factor of under-relaxation; for aitken that of the first iteration, for iqn_ils
-    // that of iterations without a column.
+    // Factor of the residual in the first iteration of aitken, and in iterations of
+    // iqn_ils without a column.
     double relaxation = 0.5;
     int max_used_iterations = 40;  // IQN-ILS: columns in the least-squares model
     int reused_steps = 8;          // IQN-ILS: steps whose columns are kept
-    ColumnFilter filter = ColumnFilter::qr2;
-    // Relative size below which the filter drops a column.
+    // IQN-ILS: independent part of a column, relative to the column, below which it is
+    // dropped (scheme/least_squares.h).
     double filter_limit = 1e-2;
 };
 

@@ -247,21 +247,9 @@ std::string EnergyAudit::fault() const {
     return fmt::format(
         "the run has gained energy without a source: {:.3g} J more than the energy of "
         "the start, or of a later time, and all works, of which the largest is {:.3g} J; "
-        "{}",
-        gained, record_.work, advice());
-}
-
-// In the parallel scheme the fluid answers a step late: in a volume of markers a mode
-// that alternates from step to step does not decay from a strength of 2/3 on. Near a
-// wall, where a kernel has fewer cells, this limit is lower.
-const char* EnergyAudit::advice() const {
-    if (scene_.coupling && scene_.coupling->scheme == coupler::Scheme::parallel &&
-        scene_.coupling->immersed_boundary.strength > 0.5)
-        return "in the parallel scheme forces act a step late, which bodies of several "
-               "cells' thickness bear up to a coupling.immersed_boundary.strength of "
-               "0.5: take that, or coupling.scheme: serial";
-    return "take a smaller step (fluid.lattice_speed, or more coupling.substeps), the "
-           "automatic collision, or a strength of at most 1";
+        "take a smaller step (fluid.lattice_speed, or more coupling.substeps), the "
+        "automatic collision, or a strength of at most 1",
+        gained, record_.work);
 }
 
 output::EnergySummary EnergyAudit::summary() const {

@@ -140,7 +140,6 @@ Participant::Participant(const scene::Scene& scene, coupler::Session& session,
       at_start_(substeps),
       run_{.scene = scene, .session = session, .substeps = substeps} {
     run_.counted.fewest = substeps.count;
-    run_.recorded = arguments.record;
     if (session_.restart()) take_substeps_of_restart();
     start_lammps();
     if (session_.restart()) restore_bodies(run_, coupler::open_restart(session_));
@@ -196,11 +195,11 @@ void Participant::start_lammps() {
 
 // Receives the description of the grid from the fluid and places the markers in it.
 void Participant::build_coupling(const std::vector<int>& first_node) {
-    coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
+    const coupler::Grid grid = coupler::grid_from_text(coupler::swap_text(
         session_.world(), "", coupler::no_timeout_s, "description of the grid"));
     auto markers = own_markers(scene_, *run_.engine, first_node, grid, session_.clock());
     run_.coupling = std::make_unique<coupler::StructureCoupling>(
-        session_, *run_.engine, std::move(grid), std::move(markers));
+        session_, *run_.engine, grid, std::move(markers));
 }
 
 // The tasks of a step: those of the coupling, or without a fluid one advance of the
@@ -280,7 +279,6 @@ void Participant::assemble_output(output::ProgressMode progress) {
     outputs_.need(scene_.control.has_value(), "control");
     outputs_.need(scene_.output.structure.has_value(), "structure_fields");
     outputs_.need(scene_.checkpoint.has_value(), "checkpoint");
-    outputs_.need(run_.recorded, "record");
     if (!session_.world().leads()) return;
     progress_ = coupler::progress_on_stdout(session_, progress);
     tasks_.add_output("progress", [this] { progress_->update(session_.clock().step()); });

@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -43,7 +42,6 @@ struct StructureRun {
     std::vector<double> whole_mass_kg{};
     // The field's work on each body; on the root, on a path of equilibria in a field.
     std::vector<bodies::FieldWork> field_work{};
-    bool recorded = false;  // option --record
     // The file probes.csv with its columns and its last row; on the leading rank, null
     // without probes.
     const output::ProbeFile* probes = nullptr;
@@ -55,9 +53,6 @@ struct StructureRun {
     // Writes the controller's part of a checkpoint; empty without a controller.
     // Collective; the file is null on ranks other than the root.
     std::function<void(coupler::StateWriter*)> save_control{};
-    // Receives the values that the fluid has sent for a row of probes, on the root; may
-    // be empty.
-    std::function<void(std::span<const double>)> on_fluid_values{};
 
     // The record of momentum and power at the interface; null unless the run measures it.
     coupler::BalanceRecord* balance() const {

@@ -52,7 +52,6 @@ struct PathWork {
 struct Work {
     double steps = 0;       // number of coupled steps
     double iterations = 1;  // iterations per coupled step (implicit scheme)
-    bool parallel = false;  // both sides work at the same time
     std::optional<FluidWork> fluid;
     std::optional<StructureWork> structure;
     std::optional<PathWork> path;

@@ -81,17 +81,11 @@ std::pair<double, double> density_ratios(const scene::Scene& scene) {
 // Order of work of structure and fluid under the coupling scheme, in words.
 std::string in_words(const coupler::Coupling& coupling) {
     const auto velocity = scene::name_of(*coupling.sampled_velocity);
-    switch (coupling.scheme) {
-        case coupler::Scheme::serial:
-            return fmt::format(
-                "structure and fluid take turns; the fluid's velocity is {} over the "
-                "substeps",
-                velocity);
-        case coupler::Scheme::parallel:
-            return "structure and fluid work at once; impulses act one step late";
-        case coupler::Scheme::implicit:
-            break;
-    }
+    if (coupling.scheme == coupler::Scheme::serial)
+        return fmt::format(
+            "structure and fluid take turns; the fluid's velocity is {} over the "
+            "substeps",
+            velocity);
     const coupler::Iteration& i = *coupling.iteration;
     return fmt::format(
         "each step is repeated, by {}, until the fluid velocity at the markers stays "
@@ -101,14 +95,8 @@ std::string in_words(const coupler::Coupling& coupling) {
 
 // Cost of a coupled step under the scheme, in words.
 std::string cost(const coupler::Coupling& coupling) {
-    switch (coupling.scheme) {
-        case coupler::Scheme::serial:
-            return "one step of each side after the other";
-        case coupler::Scheme::parallel:
-            return "one step of the slower side, on cores of its own";
-        case coupler::Scheme::implicit:
-            break;
-    }
+    if (coupling.scheme == coupler::Scheme::serial)
+        return "one step of each side after the other";
     return "the structure's step once per iteration (2 to 4 with iqn_ils); the fluid's "
            "step once and the rows that bodies touch again, or, with openings, moving "
            "walls or obstacles, the whole fluid and a copy of it each time";

@@ -26,7 +26,7 @@ using namespace magfsi;
 struct Options {
     launch::RunOptions run;
     launch::LatticeOptions lattice;
-    std::string ranks, fluid, replay;
+    std::string ranks, fluid;
     bool json = false;
 };
 
@@ -89,7 +89,6 @@ int execute(CLI::App& app, Options& options) {
         options.run.overrides.push_back("fluid.solver=" + options.fluid);
     }
     options.run.ranks = launch::parse_ranks(options.ranks);
-    options.run.replay = launch::parse_replay(options.replay);
     const std::string command = app.get_subcommands().front()->get_name();
     if (command == "schema") {
         fmt::print("{}\n", scene::scene_schema().dump(2));
@@ -125,10 +124,6 @@ int main(int argc, char** argv) {
                  "ui.perfetto.dev");
     run.add_flag("!--no-report", options.run.page,
                  "Write no report.html when the run has ended");
-    run.add_flag("--record", options.run.record,
-                 "Write exchange.record: all that the two sides send each other");
-    run.add_option("--replay", options.replay,
-                   "Play one side from a record: fluid=RUN or structure=RUN");
     run.add_option("--structure", options.run.structure,
                    "Your own program as the structure (coupling.structure: own)");
     run.add_option(

@@ -32,15 +32,11 @@ const std::array fluid_programs = std::to_array<FluidProgram>({
 static_assert(std::tuple_size_v<decltype(fluid_programs)> ==
               scene::names<scene::FluidSolver>.size());
 
-// The structure gets one rank unless --ranks gives it more.
+// The structure gets one rank unless --ranks gives it more. Both sides take turns, so
+// that the fluid may use every core.
 int default_ranks(const scene::Scene& scene, const std::string& role) {
     if (role == "structure") return 1;
-    // In the serial scheme both sides take turns, and the fluid may use every core; in
-    // the parallel one it leaves a core to the structure.
-    const bool parallel =
-        scene.coupling && scene.coupling->scheme == coupler::Scheme::parallel;
-    const int cores = std::max(1, available_cores() - (parallel ? 1 : 0));
-    return std::min(worthwhile_parts(*scene.fluid), cores);
+    return std::min(worthwhile_parts(*scene.fluid), available_cores());
 }
 
 // Refuses far more ranks than cores: they take turns on the cores, and a large job hardly

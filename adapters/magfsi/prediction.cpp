@@ -161,8 +161,7 @@ void add_memory(const Work& work, const Calibration& c, Prediction& p) {
     if (!work.structure) p.disk_bytes += f.probe_rows * bytes_per_probe_row;
 }
 
-// The sides' times add up in the serial scheme; in the parallel one the slower side
-// decides.
+// The sides take turns, so that their times add up.
 Prediction predict(const Work& work, const Calibration& c) {
     Prediction p;
     add_memory(work, c, p);
@@ -174,9 +173,8 @@ Prediction predict(const Work& work, const Calibration& c) {
     if (work.fluid) p.fluid_s = fluid_s(work, c);
     if (work.fluid && work.structure)
         p.exchange_s = work.steps * work.iterations * exchange_s(work, c);
-    const double structure = p.structure_s.value_or(0), fluid = p.fluid_s.value_or(0);
-    p.wall_s = (work.parallel ? std::max(structure, fluid) : structure + fluid) +
-               p.exchange_s.value_or(0);
+    p.wall_s =
+        p.structure_s.value_or(0) + p.fluid_s.value_or(0) + p.exchange_s.value_or(0);
     return p;
 }
 

@@ -47,8 +47,7 @@ bool goes_on_in(const fs::path& out, const RunOptions& options) {
     return fs::equivalent(coupler::restart_folder(options.restart, out), out, none);
 }
 
-// Command lines of all participants: the user's program, replays and the controller
-// included.
+// Command lines of all participants, the user's program and the controller included.
 std::vector<Program> participants(const scene::Scene& scene, const RunOptions& options,
                                   const fs::path& out) {
     std::vector<std::string> arguments{options.scene.string(), "--out", out.string(),
@@ -79,17 +78,9 @@ std::vector<Program> participants(const scene::Scene& scene, const RunOptions& o
                              {"--note", fmt::format("{} in place of magfsi-structure",
                                                     options.structure.string())});
         }
-        if (const auto played = options.replay.find(role);
-            played != options.replay.end()) {
-            p.ranks = 1;
-            p.command.front() = program("magfsi-replay-").string() + role;
-            p.command.insert(p.command.end(), {"--replay", played->second.string()});
-        } else if (options.record && p.role == "structure") {
-            p.command.emplace_back("--record");
-        }
         programs.push_back(std::move(p));
     }
-    if (scene.control && !options.replay.contains("structure"))
+    if (scene.control)
         programs.push_back({"controller", 1, {python, "-P", "-m", "magfsi.controller"}});
     return programs;
 }
@@ -276,8 +267,8 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
             (out / "summary.json").string());
         return coupler::exit_error;
     }
-    // The prediction holds for whole runs with both sides and without retries.
-    if (options.restart.empty() && options.replay.empty() && without_retries)
+    // The prediction holds for whole runs without retries.
+    if (options.restart.empty() && without_retries)
         write_predicted(out, prediction(scene, choose_ranks(scene, options.ranks)));
     return coupler::exit_done;
 }
@@ -286,10 +277,10 @@ int conclude(const scene::Scene& scene, const RunOptions& options, const fs::pat
 // within the tolerance and then calls this program without one. Never returns; throws if
 // that cannot be done.
 void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) {
-    if (!options.restart.empty() || options.record || !options.replay.empty()) {
+    if (!options.restart.empty()) {
         throw std::invalid_argument(
-            "--error: found with --restart, --record or --replay, which belong to one "
-            "setting; run that without a tolerance");
+            "--error: found with --restart, which belongs to one setting; run that "
+            "without a tolerance");
     }
     if (!std::getenv("PYTHONPATH")) {
         throw std::invalid_argument(
@@ -322,26 +313,6 @@ void run_within_tolerance(const scene::Scene& scene, const RunOptions& options) 
 
 }  // namespace
 
-std::map<std::string, fs::path> parse_replay(const std::string& text) {
-    if (text.empty()) return {};
-    const auto equals = text.find('=');
-    const std::string role = text.substr(0, equals);
-    if (equals == std::string::npos || (role != "structure" && role != "fluid")) {
-        throw std::invalid_argument(fmt::format(
-            "--replay: found '{}'; allowed is structure=RUN or fluid=RUN with "
-            "the folder of a run that had --record",
-            text));
-    }
-    fs::path record = text.substr(equals + 1);
-    if (fs::is_directory(record)) record /= "exchange.record";
-    if (!fs::is_regular_file(record)) {
-        throw std::invalid_argument(
-            fmt::format("--replay: there is no {}; make it with magfsi run --record",
-                        record.string()));
-    }
-    return {{role, fs::absolute(record)}};
-}
-
 int run(const RunOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
     if (scene.accuracy || !options.error.empty()) run_within_tolerance(scene, options);
@@ -361,7 +332,6 @@ int run(const RunOptions& options) {
     if (options.out.empty()) check_default_out(scene, out);
     if (!options.restart.empty())
         (void)coupler::find_restart(options.restart, out, run_plan(scene));
-    check_exchange(scene, options, out);
     if (scene.control) need_controller();
     need_stack();
     pass_on_signals();

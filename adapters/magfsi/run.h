@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -29,9 +28,6 @@ struct RunOptions {
     bool trace = false;      // write trace.json
     // True to write report.html at the end, unless the scene switches it off.
     bool page = true;
-    bool record = false;  // write exchange.record
-    // Record by the role that it plays: structure or fluid.
-    std::map<std::string, std::filesystem::path> replay;
     // Program of the user's own that replaces the bodies (coupling.structure: own).
     std::filesystem::path structure;
     // Tolerance such as "3 %", or "". With one, a cheaper setting than the scene's may be
@@ -43,10 +39,5 @@ struct RunOptions {
 // std::invalid_argument and scene::SceneError on bad input, std::runtime_error if the job
 // cannot be started.
 int run(const RunOptions& options);
-
-// Reads text such as "fluid=runs/swimmer": a role, and the run folder or record file that
-// plays it. Returns an empty map for "". Throws std::invalid_argument if there is no such
-// record.
-std::map<std::string, std::filesystem::path> parse_replay(const std::string& text);
 
 }  // namespace magfsi::launch

@@ -30,35 +30,6 @@ void need_controller() {
             "control: needs the launcher ./magfsi, which knows the Python package");
 }
 
-// A record has one message for each step, which a retry with halved steps would not
-// match. A run in the recorded run's folder would move the record away before it is read.
-void check_exchange(const scene::Scene& scene, const RunOptions& options,
-                    const fs::path& out) {
-    const bool replays = !options.replay.empty();
-    if (!replays && !options.record) return;
-    const char* option = replays ? "--replay" : "--record";
-    if (scene.checkpoint && scene.checkpoint->retry()) {
-        throw std::invalid_argument(
-            fmt::format("{}: a run with checkpoint.on_divergence: retry may change its "
-                        "step; take stop",
-                        option));
-    }
-    if (!scene.fluid || scene.bodies.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "{}: the scene has no {}; only a body in a fluid exchanges anything", option,
-            scene.fluid ? "bodies" : "fluid"));
-    }
-    for (const auto& [role, record] : options.replay) {
-        std::error_code none;  // equivalent() is false if a path is missing
-        if (fs::equivalent(record.parent_path(), out, none)) {
-            throw std::invalid_argument(
-                fmt::format("--replay: the run folder {} is the recorded run's; give "
-                            "another with --out",
-                            out.string()));
-        }
-    }
-}
-
 // Only the command line may name the program: a scene from a stranger must not start one.
 void check_structure_program(const scene::Scene& scene, const RunOptions& options) {
     const fs::path& program = options.structure;

@@ -16,11 +16,6 @@ constexpr const char* python = "/usr/bin/python3";
 // Requires the Python packages that a scene with `control` needs: mpi4py and magfsi.
 void need_controller();
 
-// Checks --record and --replay: needs a body in a fluid and fixed steps, and another run
-// folder than the record's.
-void check_exchange(const scene::Scene& scene, const RunOptions& options,
-                    const std::filesystem::path& out);
-
 // Checks --structure: it must be given exactly for scenes with coupling.structure: own,
 // and be executable.
 void check_structure_program(const scene::Scene& scene, const RunOptions& options);

@@ -149,11 +149,8 @@ Work work_of(const scene::Scene& scene, const Ranks& ranks) {
         step_s = substeps.coupled_step_s;
     }
     work.steps = std::round(scene.time.end_s / step_s);
-    if (scene.coupling) {
-        work.parallel = scene.coupling->scheme == coupler::Scheme::parallel;
-        if (scene.coupling->scheme == coupler::Scheme::implicit)
-            work.iterations = usual_iterations;
-    }
+    if (scene.coupling && scene.coupling->scheme == coupler::Scheme::implicit)
+        work.iterations = usual_iterations;
     return work;
 }
 

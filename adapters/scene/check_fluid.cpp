@@ -207,9 +207,6 @@ void check_refinement(const Scene& scene, const Marks& marks) {
     require(!(refinement.margin_m && refinement.box_m),
             marks.key({"fluid", "refinement", "margin"}),
             "a margin around bodies beside a box", "one of the two");
-    require(!scene.coupling || scene.coupling->scheme != Scheme::parallel,
-            marks.value({"coupling", "scheme"}),
-            "the parallel scheme with a refined grid", "serial and implicit");
     for (std::size_t d = 0; refinement.box_m && d < 3; ++d) {
         const double low = (*refinement.box_m)[0][d], high = (*refinement.box_m)[1][d];
         require(low >= 0 && low < high && high <= fluid.box_m[d] * (1 + 1e-9),
@@ -372,11 +369,10 @@ void check_retry(const Scene& scene, const Marks& marks) {
             "a retry with fluid.solver openfoam",
             "it with the lattice-Boltzmann fluid, or bodies alone",
             without + ", and a smaller fluid.courant");
-    // Impulses under way (parallel scheme) and the least-squares model (implicit scheme)
-    // belong to a step of the old length.
+    // The least-squares model of the implicit scheme belongs to a step of the old length.
     require(
         !scene.fluid || scene.bodies.empty() || scene.coupling->scheme == Scheme::serial,
-        here, "a retry in a scheme that is not serial", "it with coupling.scheme serial",
+        here, "a retry in the implicit scheme", "it with coupling.scheme serial",
         without + ", and a smaller fluid.lattice_speed");
     const std::string fault = fault_of_half_step(scene);
     require(fault.empty(), here, "a retry though " + fault,

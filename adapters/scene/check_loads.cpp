@@ -70,27 +70,14 @@ void check_no_slip(const Scene& scene, const Marks& marks) {
 void check_coupling(const Coupling& coupling, const Marks& marks) {
     const Scheme scheme = coupling.scheme;
     const auto& boundary = coupling.immersed_boundary;
-    // The impulses of a forcing iteration must act in the same step as the slip that they
-    // answer.
-    require(boundary.iterations == 1 || scheme == Scheme::serial,
-            marks.value({"coupling", "immersed_boundary", "iterations"}),
-            "iterations of the forcing outside the serial scheme", "1 in other schemes",
-            "take coupling.scheme: serial");
     require(!coupling.iteration || scheme == Scheme::implicit,
-            marks.key({"coupling", "iteration"}),
-            fmt::format("iteration in the {} scheme", name_of(scheme)),
+            marks.key({"coupling", "iteration"}), "iteration in the serial scheme",
             "it in the implicit scheme only", "add scheme: implicit or remove this key");
     require(scheme != Scheme::implicit || boundary.strength <= max_implicit_strength,
             marks.value({"coupling", "immersed_boundary", "strength"}),
             fmt::format("strength {} in the implicit scheme", boundary.strength),
             fmt::format("at most {} there", max_implicit_strength),
             "take a smaller one, or coupling.scheme: serial");
-    require(scheme != Scheme::parallel ||
-                coupling.sampled_velocity != SampledVelocity::linear,
-            marks.value({"coupling", "sampled_velocity"}),
-            "sampled_velocity: linear in the parallel scheme",
-            "frozen, which there is the mean of the last two samples",
-            "remove this key or take another scheme");
 }
 
 // Requires two magnetised bodies, or one if its dipoles act on the body itself.
@@ -232,13 +219,8 @@ std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
         return beside("kernel",
                       "2-point or 3-point: the depth of a 4-point kernel's rim is "
                       "not known");
-    if (boundary.iterations != 1)
-        return beside("iterations", "1: the memory of the slip replaces further ones");
     if (boundary.strength > 1)
         return beside("strength", "at most 1, which removes a uniform slip in one step");
-    if (scene.coupling->scheme == Scheme::parallel)
-        return {{"forcing", "forcing: no_slip in the parallel scheme", "penalty there",
-                 "take coupling.scheme: serial or implicit"}};
     if (scene.fluid && scene.fluid->solver != FluidSolver::lbm)
         return {{"forcing",
                  fmt::format("forcing: no_slip with fluid.solver: {}",

@@ -72,8 +72,7 @@ void require_regular_file(const std::filesystem::path& file, const Origin& where
 
 // Reason why a scene cannot have coupling.immersed_boundary.forcing: no_slip. Its markers
 // follow from kernel, spacing and thickness, so that options that place markers otherwise
-// have no meaning, nor has the number of iterations, which its memory of the slip
-// replaces.
+// have no meaning.
 struct NoSlipObjection {
     const char* key;  // key in coupling.immersed_boundary
     std::string found;

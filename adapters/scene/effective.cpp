@@ -140,9 +140,6 @@ std::vector<Effect> effects_of(const Scene& s) {
     const auto side_of = [&](BoundaryKind kind) {
         return some_side([&](const Boundary& side) { return side.kind == kind; });
     };
-    const auto scheme = [&](Scheme wanted) {
-        return s.coupling && s.coupling->scheme == wanted;
-    };
     std::vector<Effect> effects{
         {structure, "elasticity", !s.bodies.empty()},
         {structure, "viscosity", some_body(is_viscous)},
@@ -167,13 +164,11 @@ std::vector<Effect> effects_of(const Scene& s) {
          some_body([](const Body& body) { return !body.prescribed_motion.empty(); })},
         {coupled, "immersed boundary", s.coupling.has_value()},
         {coupled, "buoyancy", s.coupling && s.gravity},
-        {coupled, "iterated forcing",
-         s.coupling && s.coupling->immersed_boundary.iterations > 1},
         {coupled, "overlap check",
          !s.bodies.empty() && s.coupling &&
              s.coupling->overlap == coupler::OverlapRule::stop},
-        {coupled, "parallel scheme", scheme(Scheme::parallel)},
-        {coupled, "implicit scheme", scheme(Scheme::implicit)},
+        {coupled, "implicit scheme",
+         s.coupling && s.coupling->scheme == Scheme::implicit},
         {fluid, "fluid", s.fluid.has_value()},
         {fluid, "body force", s.fluid && s.fluid->body_force_n_m3},
         {fluid, "eddy viscosity", s.fluid && s.fluid->smagorinsky_constant > 0},

@@ -21,15 +21,15 @@ void keys(Io& io, Iteration& iteration) {
            .at_least(2).at_most(1000).by_default(),
        iteration.max_iterations);
     io(key("on_no_convergence",
-           "What happens after max_iterations: end ends the run, continue goes on with "
+           "What happens after max_iterations: stop ends the run, continue goes on with "
            "the next step and counts this one.").by_default(),
        iteration.on_no_convergence);
     io(key("initial_guess",
            "First guess of a step. constant: the velocities at the step's start; linear: "
            "extrapolated from the step before.").by_default(),
        iteration.initial_guess);
-    io(key("relaxation", "Part of the residual that is added to the guess; aitken and "
-           "iqn_ils begin with it.").above(0).at_most(1).by_default(),
+    io(key("relaxation", "Part of the residual that is added to the guess at first: in the "
+           "first iteration of aitken, and in iqn_ils as long as it has no column.").above(0).at_most(1).by_default(),
        iteration.relaxation);
     io(key("max_used_iterations",
            "Largest number of columns in the least-squares model of iqn_ils.")
@@ -39,12 +39,8 @@ void keys(Io& io, Iteration& iteration) {
            "Number of earlier coupled steps whose iterations iqn_ils uses.")
            .at_least(0).at_most(100).by_default(),
        iteration.reused_steps);
-    io(key("filter",
-           "Rule by which iqn_ils drops a column: if its part that is independent of the "
-           "newer ones is below filter_limit of all columns (qr1), or of itself (qr2).")
-           .by_default(),
-       iteration.filter);
-    io(key("filter_limit", "Limit of the filter of iqn_ils.").above(0).at_most(0.9).by_default(),
+    io(key("filter_limit", "Part of a column that must be independent of the newer ones: iqn_ils "
+           "drops the column if less is.").above(0).at_most(0.9).by_default(),
        iteration.filter_limit);
 }
 
@@ -53,9 +49,9 @@ template <class Io>
 void keys(Io& io, ImmersedBoundary& boundary) {
     io(key("forcing", "How a marker's slip becomes a force: penalty is eq. (13) with the fluid "
            "of its own volume; no_slip makes the fluid that passes the body move with it, with "
-           "markers about one spacing apart. Without it: no_slip with solver lbm, in the "
-           "serial and the implicit scheme, with 2-point and 3-point kernels; penalty in "
-           "others, and where a key is given that belongs to the penalty."),
+           "markers about one spacing apart. Without it: no_slip with solver lbm and 2-point "
+           "or 3-point kernels; penalty in others, and where a key is given that belongs to "
+           "the penalty."),
        boundary.forcing);
     io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
     io(key("markers",
@@ -79,29 +75,22 @@ void keys(Io& io, ImmersedBoundary& boundary) {
            "direct forcing.")
            .above(0).at_most(4).by_default(),
        boundary.strength);
-    io(key("iterations",
-           "Number of iterations of the forcing in a coupled step (multi-direct "
-           "forcing). Each after the first removes part of the remaining slip; 1 is "
-           "direct forcing, beyond 2 sheets may oscillate.").at_least(1).at_most(4).by_default(),
-       boundary.iterations);
 }
 
 // Keys of `coupling` itself.
 template <class Io>
 void keys(Io& io, Coupling& coupling) {
-    io(key("scheme", "serial: structure and fluid take turns; parallel: both work at the same "
-           "time, and the fluid feels the bodies one step late; implicit: they repeat each "
-           "step until it has converged.").by_default(),
+    io(key("scheme", "serial: structure and fluid take turns; implicit: they repeat each step "
+           "until it has converged.").by_default(),
        coupling.scheme);
     io(key("structure",
            "Origin of the bodies. bodies: those of the scene; own: a program of yours, "
            "which run --structure names.").by_default(),
        coupling.structure);
     io(key("sampled_velocity", "The fluid's velocity that bodies feel in their substeps. "
-           "frozen: that at the step's start, or the mean of two samples (parallel, "
-           "implicit); linear: a straight line through the velocities at the step's two "
-           "ends, in the serial scheme through the last two. Without it: linear if implicit, "
-           "else frozen."),
+           "frozen: that at the step's start, if implicit the mean of those at its two ends; "
+           "linear: a straight line through the velocities at the step's two ends, in the "
+           "serial scheme through the last two. Without it: linear if implicit, else frozen."),
        coupling.sampled_velocity);
     io(key("iteration", "Options of the implicit scheme: how a step is repeated."),
        coupling.iteration);

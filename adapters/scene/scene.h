@@ -25,7 +25,7 @@ using Vec3 = std::array<double, 3>;
 
 // The options that scene and solvers share.
 using namespace structure;
-using coupler::AccelerationMethod, coupler::ColumnFilter, coupler::Coupling;
+using coupler::AccelerationMethod, coupler::Coupling;
 using coupler::ImmersedBoundary, coupler::InitialGuess, coupler::Iteration;
 using coupler::Kernel, coupler::Markers, coupler::OnNoConvergence,
     coupler::SampledVelocity;

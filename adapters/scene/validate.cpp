@@ -150,6 +150,12 @@ constexpr RemovedWord removed_words[] = {
     {"collision", "recursive_odd",
      "it made the fluid thicker in a stream, and was removed: leave the key out, or "
      "write recursive_regularized"},
+    {"scheme", "parallel",
+     "it was removed: write serial, from which it differed by a term of first order in "
+     "the step"},
+    {"acceleration", "under_relaxation",
+     "it was removed: write aitken, which finds the factor by itself, or leave the key "
+     "out for iqn_ils"},
 };
 
 // Advice for a removed word, else the most similar one.
@@ -227,12 +233,27 @@ constexpr Renamed renamed[] = {
     {"checkpoint", "retries", "max_retries"},
 };
 
-// Advice about an unknown key: its new name, the group that it belongs to, or the most
-// similar key; "" if none applies.
+// Former keys that have no successor, with the advice that replaces them.
+struct RemovedKey {
+    std::string_view group, name, instead;
+};
+constexpr RemovedKey removed_keys[] = {
+    {"iteration", "filter",
+     "it was removed: leave it out; columns are dropped as qr2 did, by filter_limit"},
+    {"immersed_boundary", "iterations",
+     "it was removed: leave it out, and take forcing: no_slip where less slip is wanted"},
+};
+
+// Advice about an unknown key: its new name, its replacement, the group that it belongs
+// to, or the most similar key; "" if none applies.
 std::string advice(const std::string& key, const Field& group) {
     for (const Renamed& entry : renamed) {
         if (entry.group == group.name && entry.old_name == key)
             return fmt::format("it is now called {}", in_quotes(entry.new_name));
+    }
+    for (const RemovedKey& entry : removed_keys) {
+        if (entry.group == group.name && entry.name == key)
+            return std::string(entry.instead);
     }
     std::vector<std::string> keys, owners;
     for (const Field& known : group.children) {

@@ -374,9 +374,4 @@ void FluidExchange::send(const Occasion& when, std::span<const Vec3> velocity,
     }
 }
 
-void FluidExchange::finish_sending() {
-    wait_all(sending_, timeout_s_, "receiver of the velocities");
-    sending_.clear();
-}
-
 }  // namespace magfsi::coupler

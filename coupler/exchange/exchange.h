@@ -44,8 +44,7 @@ constexpr std::size_t velocity_values_of(Forcing forcing) {
 }
 
 // The exchange that a message belongs to: the coupled step, -1 for the exchange before
-// the first one, and the iteration within it (of the implicit scheme, or of iterated
-// forcing).
+// the first one, and the iteration of the implicit scheme within it.
 struct Occasion {
     std::int64_t step = 0;
     int iteration = 0;
@@ -186,11 +185,6 @@ class FluidExchange {
     // forcing no_slip its share of the answer.
     void send(const Occasion& when, std::span<const Vec3> velocity,
               const NoSlipAnswer* more = nullptr);
-
-    // Waits until the structure has received the velocities. A message too long for MPI's
-    // buffers moves only while both sides are inside MPI calls: without this wait the
-    // structure might wait for the whole next step of a fluid that goes on to compute.
-    void finish_sending();
 
   private:
     // Receives the number of markers from every structure rank and sizes the buffers.

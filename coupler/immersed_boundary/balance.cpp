@@ -90,18 +90,15 @@ void MarkerWork::begin_step() {
 }
 
 // The coupling force is the change of the impulse over the substep with the sign
-// reversed, plus what the body pays for earlier impulses; the trapezoidal rule weighs the
-// forces at both ends.
+// reversed; the trapezoidal rule weighs the forces at both ends.
 void MarkerWork::add_substep(const PenaltyForce& force, const double* nodal_velocity,
                              double duration_s) {
     const auto impulse = force.impulse();
-    const auto constant = force.constant_force();
     const auto enclosed = force.enclosed().force();
     for (std::size_t m = 0; m < works_.size(); ++m) {
         const Vec3 v = at_marker(force.markers()[m], nodal_velocity);
         for (std::size_t d = 0; d < 3; ++d) {
-            const double fluid = constant[m][d] - enclosed[m][d] -
-                                 (impulse[m][d] - impulse_before_[m][d]) / duration_s;
+            const double fluid = (impulse_before_[m][d] - impulse[m][d]) / duration_s;
             const double way = 0.5 * duration_s * v[d];
             works_[m][0] += way * (last_fluid_force_[m][d] + fluid);
             works_[m][1] += way * (last_enclosed_force_[m][d] + enclosed[m][d]);

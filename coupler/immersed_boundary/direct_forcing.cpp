@@ -80,16 +80,11 @@ void PenaltyForce::divide_by(std::span<const double> row_sum) {
             no_slip_strength * own_kappa_[m] / std::max(row_sum[m], least_row_sum);
 }
 
-void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity,
-                              std::span<const Vec3> owed) {
+void PenaltyForce::begin_step(std::span<const Vec3> fluid_velocity) {
     std::copy(fluid_velocity.begin(), fluid_velocity.end(), fluid_velocity_.begin());
     std::fill(impulse_.begin(), impulse_.end(), Vec3{});
     change_.clear();
     enclosed_.begin_step(fluid_velocity);
-    if (owed.empty()) return;
-    paying_.assign(enclosed_.force().begin(), enclosed_.force().end());
-    for (std::size_t m = 0; m < owed.size(); ++m)
-        for (std::size_t d = 0; d < 3; ++d) paying_[m][d] -= owed[m][d] / coupled_step_s_;
 }
 
 void PenaltyForce::let_change(std::span<const Vec3> start, std::span<const Vec3> end) {
@@ -118,10 +113,10 @@ void PenaltyForce::follow(double duration_s) {
 void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
                          double duration_s) {
     if (!change_.empty()) follow(duration_s);
-    const auto constant = constant_force();
+    const auto enclosed = enclosed_.force();
     for (std::size_t m = 0; m < markers_.size(); ++m) {
         const Vec3 velocity = at_marker(markers_[m], nodal_velocity);
-        Vec3 force = constant[m];
+        Vec3 force = enclosed[m];
         for (std::size_t d = 0; d < 3; ++d) {
             const double given = kappa_[m] * (velocity[d] - fluid_velocity_[m][d]);
             impulse_[m][d] += given * duration_s;
@@ -129,41 +124,6 @@ void PenaltyForce::apply(const double* nodal_velocity, double* nodal_force,
         }
         to_nodes(markers_[m], force, nodal_force);
     }
-}
-
-// Strengths above 1 act on the drag only: an iteration never gives more than the slip.
-IteratedForcing::IteratedForcing(std::span<const Marker> markers,
-                                 const PenaltyScale& scale)
-    : coupled_step_s_(scale.coupled_step_s),
-      last_(markers.size()),
-      impulse_(markers.size()) {
-    moved_mass_kg_.reserve(markers.size());
-    PenaltyScale whole = scale;
-    whole.strength = std::min(scale.strength, 1.0);
-    for (const Marker& m : markers)
-        moved_mass_kg_.push_back(whole.moved_mass_kg(m.volume_m3));
-}
-
-void IteratedForcing::begin_step() {
-    std::ranges::fill(impulse_, Vec3{});
-}
-
-std::span<const Vec3> IteratedForcing::correct(std::span<const Vec3> before_m,
-                                               std::span<const Vec3> now_m,
-                                               std::span<const Vec3> fluid_velocity) {
-    for (std::size_t m = 0; m < last_.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            const double mean = (now_m[m][d] - before_m[m][d]) / coupled_step_s_;
-            last_[m][d] = moved_mass_kg_[m] * (mean - fluid_velocity[m][d]);
-            impulse_[m][d] += last_[m][d];
-        }
-    }
-    return last_;
-}
-
-void IteratedForcing::add_to(std::span<Vec3> of_drag) const {
-    for (std::size_t m = 0; m < of_drag.size(); ++m)
-        for (std::size_t d = 0; d < 3; ++d) of_drag[m][d] += impulse_[m][d];
 }
 
 }  // namespace magfsi::coupler

@@ -149,14 +149,10 @@ struct PenaltyScale {
     double coupled_step_s = 0;
     EnclosedFollow enclosed_follow{};
 
-    // Mass of fluid [kg] that a marker of this volume brings to its own velocity in a
-    // coupled step. Guo's forcing acts with half the force at once, hence the factor 2.
-    double moved_mass_kg(double volume_m3) const {
-        return strength * 2 * fluid_density_kg_m3 * volume_m3;
-    }
-    // The coefficient kappa of eq. (13) [kg/s].
+    // The coefficient kappa of eq. (13) [kg/s] for a marker of this volume. Guo's forcing
+    // acts with half the force at once, hence the factor 2.
     double drag_coefficient_kg_s(double volume_m3) const {
-        return moved_mass_kg(volume_m3) / coupled_step_s;
+        return strength * 2 * fluid_density_kg_m3 * volume_m3 / coupled_step_s;
     }
 };
 
@@ -171,10 +167,8 @@ class PenaltyForce {
     const std::vector<Marker>& markers() const { return markers_; }
 
     // Starts a coupled step with the fluid's velocity at every marker [m/s] and clears
-    // the impulses. owed: impulses [N s] that the fluid has been given in addition and
-    // that the body pays by a constant force over this step; empty if none.
-    void begin_step(std::span<const Vec3> fluid_velocity,
-                    std::span<const Vec3> owed = {});
+    // the impulses.
+    void begin_step(std::span<const Vec3> fluid_velocity);
 
     // Lets U change linearly over the coupled step from start to end; each substep takes
     // the value at its middle. To be called after begin_step.
@@ -200,12 +194,6 @@ class PenaltyForce {
     // Impulses that the markers gave to the fluid since begin_step [N s].
     std::span<const Vec3> impulse() const { return impulse_; }
 
-    // Force on every marker that is constant over the coupled step [N]: that of the
-    // enclosed fluid less what the body pays for owed impulses.
-    std::span<const Vec3> constant_force() const {
-        return paying_.empty() ? enclosed_.force() : std::span<const Vec3>(paying_);
-    }
-
     EnclosedFluid& enclosed() { return enclosed_; }
     const EnclosedFluid& enclosed() const { return enclosed_; }
 
@@ -221,50 +209,6 @@ class PenaltyForce {
     std::vector<Vec3> fluid_velocity_;
     std::vector<Vec3> start_, change_;  // U at the start, and its change; else empty
     std::vector<Vec3> impulse_;
-    std::vector<Vec3> paying_;  // constant force; empty if nothing is owed
-};
-
-// Iterated (multi-direct) forcing (Luo et al. 2007; Wang, Fan, Luo 2008). Once the
-// impulses of a coupled step are spread the fluid at a marker still slips, because the
-// forces of neighbouring markers overlap and those of a thin body are smeared. Each
-// iteration takes the slip that is left and gives the fluid the impulse that would remove
-// it, or the part of it that a strength below 1 asks for,
-//   min(strength, 1) 2 rho dV (W - U'),
-// with W the marker's mean velocity over the step and U' the fluid's velocity including
-// half of the step's forces so far, F dt / (2 rho): the physical velocity of Guo's
-// scheme.
-//
-// By then the structure has finished its step: it feels these impulses as a constant
-// force over its next step. A force that is held is stable only where the drag of eq.
-// (13), evaluated in every substep, exceeds it: whole impulses after a weak drag fed the
-// sheet with energy (2 iterations at strength 0.25, 3 at 0.5). With three and four
-// iterations at strength 1 sheets begin to oscillate, with five they diverge.
-class IteratedForcing {
-  public:
-    IteratedForcing(std::span<const Marker> markers, const PenaltyScale& scale);
-
-    // Forgets the impulses of the step before.
-    void begin_step();
-
-    // One iteration: returns the impulses [N s] that remove the slip which is left.
-    // before_m and now_m: the markers' positions at the start and the end of the step
-    // [m]; fluid_velocity: U' at before_m [m/s].
-    std::span<const Vec3> correct(std::span<const Vec3> before_m,
-                                  std::span<const Vec3> now_m,
-                                  std::span<const Vec3> fluid_velocity);
-
-    // Impulses of all iterations since begin_step, by marker, without those of the drag
-    // [N s].
-    std::span<Vec3> impulse() { return impulse_; }
-    std::span<const Vec3> impulse() const { return impulse_; }
-    // Adds these impulses to those of the drag [N s]: the sum is what each marker gave in
-    // all.
-    void add_to(std::span<Vec3> of_drag) const;
-
-  private:
-    double coupled_step_s_;
-    std::vector<double> moved_mass_kg_;  // min(strength, 1) 2 rho dV
-    std::vector<Vec3> last_, impulse_;
 };
 
 }  // namespace magfsi::coupler

@@ -23,8 +23,7 @@ bool FluidSide::own(const std::vector<CellBox>& boxes) {
     return true;
 }
 
-void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse,
-                       bool more) {
+void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse) {
     // Impulses usually act where the velocities were sampled last; in a step that is
     // repeated they act where they acted before.
     bool known = false;
@@ -44,35 +43,18 @@ void FluidSide::spread(std::span<const Vec3> points_m, std::span<const Vec3> imp
         felt_density_.resize(spread_rows_.cells());
         fluid_.velocity(spread_rows_.rows(), felt_, felt_density_);
     }
-    if (!more) density_.assign(3 * spread_rows_.cells(), 0.0);
+    density_.assign(3 * spread_rows_.cells(), 0.0);
     spread_rows_.spread(impulse, coupled_step_s_, density_);
     fluid_.set_force(spread_rows_.rows(), density_);
 }
 
 std::span<const Vec3> FluidSide::sample(std::span<const Vec3> points_m) {
-    read_cells(points_m);
-    return interpolate(points_m.size());
-}
-
-std::span<const Vec3> FluidSide::sample_forced(std::span<const Vec3> points_m,
-                                               double density_kg_m3) {
-    read_cells(points_m);
-    read_now_ = false;
-    sample_rows_.add_shared(spread_rows_, density_, coupled_step_s_ / (2 * density_kg_m3),
-                            velocity_);
-    return interpolate(points_m.size());
-}
-
-void FluidSide::read_cells(std::span<const Vec3> points_m) {
     sample_rows_.place(points_m);
     velocity_.resize(3 * sample_rows_.cells());
     if (forcing_ == Forcing::no_slip) relative_density_.resize(sample_rows_.cells());
     fluid_.velocity(sample_rows_.rows(), velocity_, relative_density_);
     read_now_ = true;
-}
-
-std::span<const Vec3> FluidSide::interpolate(std::size_t markers) {
-    sampled_.resize(markers);
+    sampled_.resize(points_m.size());
     sample_rows_.interpolate(velocity_, sampled_);
     return sampled_;
 }

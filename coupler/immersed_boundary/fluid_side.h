@@ -25,19 +25,12 @@ class FluidSide {
     bool own(const std::vector<CellBox>& boxes);
 
     // Gives the impulses [N s] of a coupled step at the points [m] to the fluid, as a
-    // force density over that step. more: adds to those of the last spread, which must
-    // have had the same points.
-    void spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse,
-                bool more = false);
+    // force density over that step.
+    void spread(std::span<const Vec3> points_m, std::span<const Vec3> impulse);
 
     // This rank's share of the fluid's velocities at the points [m/s], before the force
     // of the coming step acts. Valid until the next sample.
     std::span<const Vec3> sample(std::span<const Vec3> points_m);
-
-    // The same velocities with half of the change that the last spread's forces will make
-    // in the coming step, F dt / (2 rho): the physical velocity of Guo's scheme.
-    std::span<const Vec3> sample_forced(std::span<const Vec3> points_m,
-                                        double density_kg_m3);
 
     // For forcing no_slip. add_passed() comes after spread() and before the fluid
     // advances: it stores this rank's share of q at the points of the spread, from the
@@ -65,9 +58,6 @@ class FluidSide {
     InterfaceBalance received(std::span<const double> felt) const;
 
   private:
-    void read_cells(std::span<const Vec3> points_m);
-    std::span<const Vec3> interpolate(std::size_t markers);
-
     GridFluid& fluid_;
     std::vector<CellBox> owned_;
     Kernel kernel_;

@@ -12,7 +12,7 @@ namespace {
 [[noreturn]] void refuse_repetition() {
     throw std::invalid_argument(
         "coupling.scheme: implicit repeats steps, and this fluid cannot go back to the "
-        "start of one; take serial or parallel, or fluid.solver: lbm");
+        "start of one; take serial, or fluid.solver: lbm");
 }
 
 }  // namespace

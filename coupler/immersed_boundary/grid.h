@@ -49,8 +49,8 @@ struct Grid {
     std::vector<GridRow> solid{};  // rows of cells inside obstacles, of all ranks
 };
 
-// The grid as JSON, for the partner at start-up and for records. grid_from_text throws
-// nlohmann::json's exceptions on a text that is none.
+// The grid as JSON, for the partner at start-up. grid_from_text throws nlohmann::json's
+// exceptions on a text that is none.
 std::string to_text(const Grid& grid);
 Grid grid_from_text(const std::string& text);
 
@@ -88,7 +88,7 @@ class GridFluid {
     // memory; go_back() returns to it from the step's end, any number of times. Between
     // go_back() and the next advance() only velocity() and set_force() are called, with
     // the same rows. The defaults throw std::invalid_argument: such a fluid can take part
-    // in the other schemes only.
+    // in the serial scheme only.
     virtual void keep();
     virtual void go_back();
 };

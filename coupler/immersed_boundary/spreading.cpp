@@ -297,22 +297,4 @@ void TouchedRows::spread(std::span<const Vec3> impulse, double duration_s,
     });
 }
 
-void TouchedRows::add_shared(const TouchedRows& other, std::span<const double> values,
-                             double factor, std::span<double> to) const {
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-        const GridRow& mine = rows_[r];
-        const int at = other.row_of_[slot_of_[r]];
-        if (at < 0) continue;
-        const std::size_t o = at;
-        const GridRow& theirs = other.rows_[o];
-        const int end = std::min(mine.x_end, theirs.x_end);
-        for (int x = std::max(mine.x_begin, theirs.x_begin); x < end; ++x) {
-            const std::size_t cell = origin_[r] + x;
-            const std::size_t from = other.origin_[o] + x;
-            for (std::size_t d = 0; d < 3; ++d)
-                to[3 * cell + d] += factor * values[3 * from + d];
-        }
-    }
-}
-
 }  // namespace magfsi::coupler

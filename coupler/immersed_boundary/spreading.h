@@ -40,12 +40,6 @@ class TouchedRows {
     void spread(std::span<const Vec3> impulse, double duration_s,
                 std::span<double> density) const;
 
-    // Computes to[cell] += factor * values[cell] in the cells that these rows share with
-    // those of `other`. `to` belongs to these rows, `values` to the other ones. Both
-    // objects must have the same boxes.
-    void add_shared(const TouchedRows& other, std::span<const double> values,
-                    double factor, std::span<double> to) const;
-
   private:
     // Cells of a stencil side by side along x, with one weight each.
     struct Run {

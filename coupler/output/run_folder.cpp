@@ -141,10 +141,9 @@ namespace {
 // Files whose presence makes a folder hold results, and other files of a run.
 constexpr const char* results[] = {"summary.json", "probes.csv", "structure.pvd",
                                    "fluid.pvd"};
-constexpr const char* other_files[] = {"fields",      "run.log",         "run.json",
-                                       "scene.yaml",  "scene.json",      "report.html",
-                                       "trace.json",  "lammps.in",       "lammps.log",
-                                       "bodies.data", "exchange.record", "replay.csv"};
+constexpr const char* other_files[] = {
+    "fields",      "run.log",    "run.json",  "scene.yaml", "scene.json",
+    "report.html", "trace.json", "lammps.in", "lammps.log", "bodies.data"};
 
 bool is_checkpoint(const std::string& name) {
     return name.starts_with("checkpoint_") && name.ends_with(".h5");

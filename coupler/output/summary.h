@@ -131,7 +131,7 @@ struct Summary {
     std::vector<ParticipantReport> participants;
     std::optional<double> coupling_overhead;        // share of the steps' time
     std::optional<double> immersed_boundary_share;  // share of the steps' time
-    std::string advice;                             // better ranks or scheme, or empty
+    std::string advice;                             // better ranks, or empty
     Named<double> probes;                           // last row, by column
     std::optional<std::int64_t> restarted_at_step;
 };

@@ -43,8 +43,6 @@ ParticipantArguments parse_arguments(int argc, char** argv,
                  "Drop what an earlier run left in the run folder");
     app.add_flag("--trace", a.trace,
                  "Write when each task began and ended: trace_SIDE_RANK.json");
-    app.add_flag("--record", a.record, "Write exchange.record");
-    app.add_option("--replay", a.replay, "The exchange.record that is played");
     app.add_option("--progress", a.progress, "terminal, plain or off")
         ->transform(CLI::CheckedTransformer(modes));
     if (const char* command = std::getenv("MAGFSI_COMMAND")) a.command = command;

@@ -29,8 +29,6 @@ struct ParticipantArguments {
     bool overwrite = false;          // drop results of an earlier run in the folder
     std::string command;             // command line of the launcher, if there is one
     bool trace = false;              // write when each task began and ended
-    bool record = false;             // write the messages of both sides for replay
-    std::filesystem::path replay;    // record that a replay participant plays
     output::ProgressMode progress = output::ProgressMode::plain;
     bool help = false;  // the help text was asked for
     std::string help_text;

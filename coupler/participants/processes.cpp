@@ -174,7 +174,7 @@ std::string fault_of_job() {
     for (const std::string& words : contexts) {
         const bool ours = std::ranges::any_of(
             std::to_array({"magfsi-structure", "magfsi-equilibrium", "magfsi-fluid-",
-                           "magfsi-replay-", "magfsi.controller"}),
+                           "magfsi.controller"}),
             [&](const char* name) { return words.find(name) != std::string::npos; });
         if (ours) continue;
         return fmt::format(

@@ -45,10 +45,8 @@ Session::Session(Role role, const ParticipantArguments& arguments, RunPlan plan,
                  RunState& state)
     : state_(fill(state, arguments, std::move(plan))),
       arguments_(arguments),
-      // A structure that is replayed has no controller: its record contains the
-      // controller's effect.
       world_(role, state_.plan.roles.size() == 2, state_.plan.scene_hash,
-             state_.plan.controlled && arguments.replay.empty()) {}
+             state_.plan.controlled) {}
 
 double Session::timeout_s() const {
     return plan().coupling ? plan().coupling->timeout_s.value_or(no_timeout_s)

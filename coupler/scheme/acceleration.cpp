@@ -39,19 +39,9 @@ double norm(MPI_Comm comm, std::span<const double> a) {
 }
 
 std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm, const Iteration& wanted) {
-    switch (wanted.acceleration) {
-        case AccelerationMethod::under_relaxation:
-            return std::make_unique<UnderRelaxation>(wanted.relaxation);
-        case AccelerationMethod::aitken:
-            return std::make_unique<Aitken>(comm, wanted.relaxation);
-        case AccelerationMethod::iqn_ils:
-            break;
-    }
+    if (wanted.acceleration == AccelerationMethod::aitken)
+        return std::make_unique<Aitken>(comm, wanted.relaxation);
     return std::make_unique<IqnIls>(comm, wanted);
-}
-
-void UnderRelaxation::improve(std::span<double> guess, std::span<const double> answer) {
-    relax(guess, answer, omega_);
 }
 
 Aitken::Aitken(MPI_Comm comm, double first_omega)
@@ -114,8 +104,8 @@ void IqnIls::improve(std::span<double> guess, std::span<const double> answer) {
 void IqnIls::build_on_columns(std::span<double> guess, std::span<const double> answer) {
     std::vector<std::span<const double>> changes;
     for (const Column& column : columns_) changes.emplace_back(column.residual);
-    const LeastSquares found = solve_least_squares(comm_, changes, residual_,
-                                                   wanted_.filter, wanted_.filter_limit);
+    const LeastSquares found =
+        solve_least_squares(comm_, changes, residual_, wanted_.filter_limit);
     if (std::ranges::find(found.kept, true) != found.kept.end())
         std::ranges::copy(answer, guess.begin());
     std::deque<Column> kept;

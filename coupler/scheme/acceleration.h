@@ -51,23 +51,8 @@ class Acceleration {
 // The method that the options ask for.
 std::unique_ptr<Acceleration> make_acceleration(MPI_Comm comm, const Iteration& wanted);
 
-// Under-relaxation: x' = x + omega (H(x) - x) with constant omega.
-class UnderRelaxation final : public Acceleration {
-  public:
-    explicit UnderRelaxation(double omega) : omega_(omega) {}
-
-    void improve(std::span<double> guess, std::span<const double> answer) override;
-    void end_step(std::span<const double>, std::span<const double>) override {}
-    std::vector<double> numbers() const override { return {}; }
-    std::vector<std::span<double>> vectors() override { return {}; }
-    void make_room(std::span<const double>, std::size_t) override {}
-
-  private:
-    double omega_;
-};
-
-// Aitken relaxation, with a factor that follows from the last two residuals r = H(x) - x
-// (delta-squared method for vectors; Irons and Tuck 1969):
+// Aitken relaxation, x' = x + omega r with r = H(x) - x and a factor that follows from
+// the last two residuals (delta-squared method for vectors; Irons and Tuck 1969):
 //   omega' = -omega r_old . (r - r_old) / |r - r_old|^2.
 class Aitken final : public Acceleration {
   public:

@@ -26,13 +26,7 @@ FluidCoupling::FluidCoupling(Session& session, GridFluid& fluid)
 void FluidCoupling::begin() {
     batch_ = &exchange_.receive(when_, session_.restart() != nullptr);
     take_place();
-    if (options_.scheme == Scheme::parallel && session_.restart()) {
-        // The impulses of the step before the checkpoint have not acted yet.
-        spread_impulses();
-        sample_forced_velocities();
-    } else {
-        sample_velocities();
-    }
+    sample_velocities();
     send_velocities();
 }
 
@@ -61,18 +55,6 @@ void FluidCoupling::spread_impulses() {
                          session_.plan().fluid_body_force_n_m3, *answer_);
 }
 
-// Returns the slip that is left to the structure, where the shares of all fluid ranks add
-// up, and spreads the impulses with which it answers.
-void FluidCoupling::iterate_forcing() {
-    for (int i = 1; i < options_.immersed_boundary.iterations; ++i) {
-        const Occasion when(when_.step, i);
-        exchange_.send(when, boundary_.sample_forced(
-                                 batch_->before_m, session_.plan().fluid_density_kg_m3));
-        batch_ = &exchange_.receive(when);
-        boundary_.spread(batch_->before_m, batch_->impulse, true);
-    }
-}
-
 void FluidCoupling::advance() {
     fluid_.advance();
     boundary_.fluid_has_changed();
@@ -84,11 +66,6 @@ void FluidCoupling::sample_velocities() {
     if (!answer_) return;
     answer_->make_room(sampled_.size());  // q is zero before the first step
     boundary_.add_row_sums(batch_->volume_m3, *answer_);
-}
-
-void FluidCoupling::sample_forced_velocities() {
-    sampled_ =
-        boundary_.sample_forced(batch_->now_m, session_.plan().fluid_density_kg_m3);
 }
 
 void FluidCoupling::send_velocities() {

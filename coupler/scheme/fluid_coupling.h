@@ -40,19 +40,16 @@ class FluidCoupling {
 
   private:
     void add_serial(TaskList& tasks);
-    void add_parallel(TaskList& tasks);
     void add_implicit(TaskList& tasks);
 
     void receive_markers();
     // Takes over the boxes of a grid that may have moved.
     void take_place();
     void spread_impulses();
-    void iterate_forcing();
     // Enters what this rank's cells received in the step.
     void audit(const InterfaceBalance& received) { balance_->add(received); }
     void advance();
     void sample_velocities();
-    void sample_forced_velocities();
     void send_velocities();
 
     // Tasks of the implicit scheme.

@@ -26,7 +26,7 @@ void add_to(Vec3& sum, const Vec3& force) {
 Vec3 StructureCoupling::force_on(std::size_t marker) const {
     const double step_s = session_.clock().step_s();
     const Vec3 velocity = at_marker(force_.markers()[marker], solver_.velocities());
-    Vec3 force = force_.constant_force()[marker];
+    Vec3 force = force_.enclosed().force()[marker];
     for (std::size_t d = 0; d < 3; ++d) {
         const double acceleration = (velocity[d] - start_velocity_[marker][d]) / step_s -
                                     markers_.gravity_m_s2[d];

@@ -45,22 +45,18 @@ Matrix take(const Matrix& r, const std::vector<Eigen::Index>& columns) {
 
 // Index of the first column that is too dependent on those before, or -1. The rotation
 // keeps lengths: columns of the triangle are as long as the columns themselves.
-Eigen::Index first_to_drop(const Matrix& r, ColumnFilter filter, double limit) {
-    const Eigen::Index n = r.cols();
-    const double whole = r.norm();
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const double scale =
-            filter == ColumnFilter::qr1 ? whole : r.col(i).head(i + 1).norm();
+Eigen::Index first_to_drop(const Matrix& r, double limit) {
+    for (Eigen::Index i = 0; i < r.cols(); ++i) {
         // Negated, so that a column of zeros is dropped, too.
-        if (!(std::abs(r(i, i)) > limit * scale)) return i;
+        if (!(std::abs(r(i, i)) > limit * r.col(i).head(i + 1).norm())) return i;
     }
     return -1;
 }
 
 // Drops one column after the other until the filter accepts all, then solves for the
 // rest.
-void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
-                   std::vector<double>& coefficient, std::vector<int>& kept) {
+void solve_on_root(const Matrix& r, double limit, std::vector<double>& coefficient,
+                   std::vector<int>& kept) {
     const Eigen::Index n = r.cols() - 1;  // the last column is the residual
     std::vector<Eigen::Index> columns;
     for (Eigen::Index i = 0; i < n; ++i) columns.push_back(i);
@@ -70,7 +66,7 @@ void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
         const Matrix t = triangle(take(r, with_residual));
         const Eigen::Index m = columns.size();
         const Matrix square = t.topLeftCorner(m, m);
-        const Eigen::Index drop = first_to_drop(square, filter, limit);
+        const Eigen::Index drop = first_to_drop(square, limit);
         if (drop >= 0) {
             columns.erase(columns.begin() + drop);
             continue;
@@ -90,8 +86,7 @@ void solve_on_root(const Matrix& r, ColumnFilter filter, double limit,
 
 LeastSquares solve_least_squares(MPI_Comm comm,
                                  std::span<const std::span<const double>> columns,
-                                 std::span<const double> residual, ColumnFilter filter,
-                                 double limit) {
+                                 std::span<const double> residual, double limit) {
     const std::size_t n = columns.size();
     Matrix mine(residual.size(), n + 1);
     for (std::size_t row = 0; row < residual.size(); ++row) {
@@ -104,7 +99,7 @@ LeastSquares solve_least_squares(MPI_Comm comm,
     std::vector<int> kept(n);
     int rank = 0;
     MPI_Comm_rank(comm, &rank);
-    if (rank == 0) solve_on_root(r, filter, limit, result.coefficient, kept);
+    if (rank == 0) solve_on_root(r, limit, result.coefficient, kept);
     MPI_Bcast(result.coefficient.data(), static_cast<int>(n), MPI_DOUBLE, 0, comm);
     MPI_Bcast(kept.data(), static_cast<int>(n), MPI_INT, 0, comm);
     for (std::size_t i = 0; i < n; ++i) result.kept[i] = kept[i] != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The three schemes: the tasks of a coupled step of the structure and of the fluid. Both
+// The two schemes: the tasks of a coupled step of the structure and of the fluid. Both
 // sides stand at t(n) before these tasks and at t(n+1) after "count step".
 #include "coupler/scheme/fluid_coupling.h"
 #include "coupler/scheme/structure_coupling.h"
@@ -13,10 +13,10 @@ void StructureCoupling::add_serial(TaskList& tasks) {
         tasks.add_coupling("extrapolate fluid velocity",
                            [this] { extrapolate_velocity(); });
     else
-        tasks.add_coupling("take fluid velocity", [this] { hold_velocity(); });
+        tasks.add_coupling("take fluid velocity",
+                           [this] { begin_force(fluid_velocity_); });
     add_advance(tasks);
     tasks.add_coupling("send impulses", [this] { send_impulses(); });
-    if (iterated_) tasks.add_coupling("iterate forcing", [this] { iterate_forcing(); });
     if (balance_) tasks.add_coupling("audit interface", [this] { audit(); });
     tasks.add_coupling("wait for fluid", [this] { receive_velocities(); });
     tasks.add_output("measure slip", [this] { measure_slip(); });
@@ -25,44 +25,12 @@ void StructureCoupling::add_serial(TaskList& tasks) {
 void FluidCoupling::add_serial(TaskList& tasks) {
     tasks.add_coupling("wait for structure", [this] { receive_markers(); });
     tasks.add_immersed_boundary("spread impulses", [this] { spread_impulses(); });
-    if (options_.immersed_boundary.iterations > 1)
-        tasks.add_coupling("iterate forcing", [this] { iterate_forcing(); });
     if (balance_)
         tasks.add_coupling("audit interface", [this] { audit(boundary_.received()); });
     tasks.add(advance_fluid, [this] { advance(); });
     tasks.add("count step", [this] { session_.complete_step(); });
     tasks.add_immersed_boundary("sample velocities", [this] { sample_velocities(); });
     tasks.add_coupling("send velocities", [this] { send_velocities(); });
-}
-
-// Parallel scheme: both take step n at the same time, then exchange. The impulses of the
-// structure's step act in the fluid's next step; half of their effect is included in the
-// velocities that are sent.
-void StructureCoupling::add_parallel(TaskList& tasks) {
-    tasks.add_coupling("take mean fluid velocity", [this] { take_mean_velocity(); });
-    add_advance(tasks);
-    tasks.add_coupling("send impulses", [this] { send_impulses(); });
-    if (balance_) tasks.add_coupling("audit interface", [this] { audit(); });
-    tasks.add_coupling("wait for fluid", [this] { receive_velocities(); });
-    tasks.add_output("measure slip", [this] { measure_slip(); });
-    tasks.add("count step", [this] { session_.complete_step(); });
-}
-void FluidCoupling::add_parallel(TaskList& tasks) {
-    tasks.add(advance_fluid, [this] { advance(); });
-    tasks.add_coupling("wait for structure", [this] { receive_markers(); });
-    tasks.add_immersed_boundary("spread impulses", [this] { spread_impulses(); });
-    if (balance_) {
-        tasks.add_coupling("audit interface", [this] {
-            audit(boundary_.received(boundary_.sampled_cells()));
-        });
-    }
-    tasks.add_immersed_boundary("sample velocities",
-                                [this] { sample_forced_velocities(); });
-    tasks.add_coupling("send velocities", [this] {
-        send_velocities();
-        exchange_.finish_sending();
-    });
-    tasks.add("count step", [this] { session_.complete_step(); });
 }
 
 // Implicit scheme: both take the step under a guess of the fluid's velocities at t(n+1),
@@ -107,24 +75,12 @@ void StructureCoupling::add_advance(TaskList& tasks) {
 }
 
 void StructureCoupling::add_tasks(TaskList& tasks) {
-    switch (options_.scheme) {
-        case Scheme::serial:
-            return add_serial(tasks);
-        case Scheme::parallel:
-            return add_parallel(tasks);
-        case Scheme::implicit:
-            return add_implicit(tasks);
-    }
+    if (options_.scheme == Scheme::serial) return add_serial(tasks);
+    add_implicit(tasks);
 }
 void FluidCoupling::add_tasks(TaskList& tasks) {
-    switch (options_.scheme) {
-        case Scheme::serial:
-            return add_serial(tasks);
-        case Scheme::parallel:
-            return add_parallel(tasks);
-        case Scheme::implicit:
-            return add_implicit(tasks);
-    }
+    if (options_.scheme == Scheme::serial) return add_serial(tasks);
+    add_implicit(tasks);
 }
 
 }  // namespace magfsi::coupler

@@ -68,23 +68,18 @@ std::vector<int> bodies_of(std::span<const Marker> markers) {
 
 }  // namespace
 
-StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
-                                     BodyMarkers markers)
+StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver,
+                                     const Grid& grid, BodyMarkers markers)
     : session_(session),
       solver_(solver),
-      grid_(std::move(grid)),
       options_(*session.plan().coupling),
       markers_(std::move(markers)),
       force_(std::move(markers_.markers), penalty_scale(session), markers_.gravity_m_s2),
-      exchange_(session.world(), grid_, options_.immersed_boundary.kernel,
+      exchange_(session.world(), grid, options_.immersed_boundary.kernel,
                 session.timeout_s(), options_.immersed_boundary.forcing.value(),
                 markers_.bodies, bodies_of(force_.markers())),
       slip_(std::move(markers_.areas)) {
     const std::size_t count = force_.markers().size();
-    if (options_.immersed_boundary.iterations > 1) {
-        iterated_ =
-            std::make_unique<IteratedForcing>(force_.markers(), penalty_scale(session));
-    }
     if (options_.immersed_boundary.forcing == Forcing::no_slip)
         no_slip_ = std::make_unique<NoSlip>(force_.markers(), markers_.slip_rates);
     if (markers_.carries_layers)
@@ -94,16 +89,11 @@ StructureCoupling::StructureCoupling(Session& session, StructureSolver& solver, 
     if (markers_.measures_work) work_ = std::make_unique<MarkerWork>(count);
     fluid_velocity_.resize(count);
     start_velocity_.resize(markers_.off_nodes_kg.size());
-    if (options_.scheme != Scheme::serial ||
-        options_.sampled_velocity == SampledVelocity::linear)
+    if (options_.scheme == Scheme::implicit || extrapolates())
         last_velocity_.resize(count);
-    if (options_.scheme == Scheme::parallel) {
-        before_m_.resize(count);
-        under_way_.resize(count);
-    }
     if (options_.scheme == Scheme::implicit) {
         const double rest_m_s =
-            rest_lattice_speed * grid_.spacing_m / session.clock().step_s();
+            rest_lattice_speed * grid.spacing_m / session.clock().step_s();
         fixed_point_ = std::make_unique<FixedPoint>(
             session.world(),
             FixedPoint::Setting{*options_.iteration, rest_m_s, session.timeout_s()},
@@ -140,36 +130,28 @@ void StructureCoupling::receive(const Occasion& when, std::span<Vec3> velocity) 
 
 void StructureCoupling::begin() {
     now_m_ = marker_positions();
-    if (session_.restart() && !under_way_.empty()) {
-        exchange_.send(-1, before_m_, under_way_, now_m_, volumes_m3());
-    } else {
-        before_m_ = now_m_;
-        const std::vector<Vec3> none(now_m_.size());
-        exchange_.send(-1, before_m_, none, now_m_, volumes_m3());
-    }
-    if (session_.restart()) {
-        // The checkpoint has these already; the exchange is for the row sums.
-        std::vector<Vec3> again(fluid_velocity_.size());
-        receive(-1, again);
-        if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
-        return;
-    }
-    receive(-1, fluid_velocity_);
+    before_m_ = now_m_;
+    const std::vector<Vec3> none(now_m_.size());
+    exchange_.send(-1, before_m_, none, now_m_, volumes_m3());
+    std::vector<Vec3> first(now_m_.size());
+    receive(-1, first);
     if (no_slip_) force_.divide_by(no_slip_->answer.row_sum);
+    // A checkpoint has the velocities already; the exchange was for the row sums.
+    if (session_.restart()) return;
+    fluid_velocity_ = std::move(first);
     force_.enclosed().start(fluid_velocity_);
     if (layer_) layer_->start(fluid_velocity_, solver_.positions());
     if (!last_velocity_.empty()) last_velocity_ = fluid_velocity_;
 }
 
-void StructureCoupling::begin_force(std::span<const Vec3> fluid_velocity,
-                                    std::span<const Vec3> owed) {
+void StructureCoupling::begin_force(std::span<const Vec3> fluid_velocity) {
     if (work_) work_->begin_step();
     if (markers_.measures_force) {
         solver_.renew_ghost_velocities();
         for (std::size_t m = 0; m < start_velocity_.size(); ++m)
             start_velocity_[m] = at_marker(force_.markers()[m], solver_.velocities());
     }
-    force_.begin_step(fluid_velocity, owed);
+    force_.begin_step(fluid_velocity);
     if (no_slip_) hold(fluid_velocity);
 }
 
@@ -218,25 +200,14 @@ bool StructureCoupling::extrapolates() const {
     return options_.sampled_velocity == SampledVelocity::linear;
 }
 
-void StructureCoupling::hold_velocity() {
-    if (!iterated_) return begin_force(fluid_velocity_);
-    begin_force(fluid_velocity_, iterated_->impulse());
-    iterated_->begin_step();
-}
-
 void StructureCoupling::extrapolate_velocity() {
     std::vector<Vec3> end = fluid_velocity_;
     for (std::size_t m = 0; m < end.size(); ++m) {
         for (std::size_t d = 0; d < 3; ++d)
             end[m][d] += fluid_velocity_[m][d] - last_velocity_[m][d];
     }
-    hold_velocity();
+    begin_force(fluid_velocity_);
     let_change(fluid_velocity_, end);
-    last_velocity_ = fluid_velocity_;
-}
-
-void StructureCoupling::take_mean_velocity() {
-    begin_force(mean(last_velocity_, fluid_velocity_));
     last_velocity_ = fluid_velocity_;
 }
 
@@ -252,29 +223,11 @@ void StructureCoupling::send_impulses() {
                    volumes_m3());
 }
 
-StructureCoupling::Exchanged StructureCoupling::exchanged() const {
-    if (!no_slip_) return {now_m_, given(), fluid_velocity_, {}};
-    return {now_m_, given(), fluid_velocity_, no_slip_->volume_m3, &no_slip_->answer};
-}
-
-// Answers the slip that the fluid reports until all iterations are done.
-void StructureCoupling::iterate_forcing() {
-    const std::int64_t step = session_.clock().step();
-    std::vector<Vec3> velocity(force_.markers().size());
-    for (int i = 1; i < options_.immersed_boundary.iterations; ++i) {
-        exchange_.receive({step, i}, velocity);
-        exchange_.send({step, i}, before_m_,
-                       iterated_->correct(before_m_, now_m_, velocity), now_m_);
-    }
-}
-
 void StructureCoupling::audit() {
-    std::vector<Vec3> impulse(given().begin(), given().end());
-    if (iterated_) iterated_->add_to(impulse);
-    InterfaceBalance given;
-    for (std::size_t m = 0; m < impulse.size(); ++m)
-        add_marker(given, impulse[m], fluid_velocity_[m]);
-    balance_->add(given);
+    InterfaceBalance sum;
+    for (std::size_t m = 0; m < given().size(); ++m)
+        add_marker(sum, given()[m], fluid_velocity_[m]);
+    balance_->add(sum);
 }
 
 void StructureCoupling::receive_velocities() {
@@ -344,12 +297,6 @@ std::vector<StructureCoupling::MarkerArray> StructureCoupling::carried() {
         {"enclosed_acceleration", flat(force_.enclosed().mean())},
         {"enclosed_mean_acceleration", flat(force_.enclosed().mean_of_mean())}};
     if (!last_velocity_.empty()) all.push_back({"last_velocity", flat(last_velocity_)});
-    if (!under_way_.empty()) {
-        std::ranges::copy(force_.impulse(), under_way_.begin());
-        all.push_back({"before", flat(before_m_)});
-        all.push_back({"impulse", flat(under_way_)});
-    }
-    if (iterated_) all.push_back({"owed_impulse", flat(iterated_->impulse())});
     if (no_slip_) all.push_back({"slip_memory", flat(no_slip_->memory.values())});
     if (layer_) {
         all.push_back({"layer_velocity_along", flat(layer_->last_along())});

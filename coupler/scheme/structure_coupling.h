@@ -56,7 +56,7 @@ class StructureCoupling {
   public:
     // Attaches the fluid's force to the solver. session and solver must outlive this
     // object. grid: that of the fluid, from its description.
-    StructureCoupling(Session& session, StructureSolver& solver, Grid grid,
+    StructureCoupling(Session& session, StructureSolver& solver, const Grid& grid,
                       BodyMarkers markers);
 
     // Adds the tasks of a coupled step up to its count.
@@ -87,16 +87,6 @@ class StructureCoupling {
     // BodyMarkers::placed_index and placed, for gathering the arrays by placement.
     std::span<const int> placed_index() const { return markers_.placed_index; }
     std::size_t placed() const { return markers_.placed; }
-    const Grid& grid() const { return grid_; }
-
-    // The last exchange of this rank's markers: positions at the end of the step [m],
-    // impulses given to the fluid [N s], and the fluid's velocities that came back [m/s].
-    struct Exchanged {
-        std::span<const Vec3> position_m, impulse, velocity;
-        std::span<const double> volume_m3;  // no_slip only, as the next
-        const NoSlipAnswer* no_slip = nullptr;
-    };
-    Exchanged exchanged() const;
 
     // Force of the fluid on each body, and on each part, in the last step [N], the same
     // on all ranks. Collective. Requires BodyMarkers::measures_force.
@@ -114,22 +104,17 @@ class StructureCoupling {
 
   private:
     void add_serial(TaskList& tasks);
-    void add_parallel(TaskList& tasks);
     void add_implicit(TaskList& tasks);
     void add_advance(TaskList& tasks);
 
-    // Fix the fluid's velocity for a step: hold the last sample; extrapolate linearly
-    // from the last two; or take their mean, in which a response of the fluid that
-    // alternates from step to step cancels.
-    void hold_velocity();
+    // Starts the force of a step with the line through the last two samples of the
+    // fluid's velocity.
     void extrapolate_velocity();
-    void take_mean_velocity();
     bool extrapolates() const;
 
     // Sends the impulses of the step with the markers' positions at its start and its
     // end.
     void send_impulses();
-    void iterate_forcing();
     void audit();
     void receive_velocities();
     void measure_slip();
@@ -154,9 +139,8 @@ class StructureCoupling {
         return layer_ ? layer_->given() : force_.impulse();
     }
 
-    // Starts the force of a step; owed: see PenaltyForce::begin_step.
-    void begin_force(std::span<const Vec3> fluid_velocity,
-                     std::span<const Vec3> owed = {});
+    // Starts the force of a step, with the fluid's velocity held.
+    void begin_force(std::span<const Vec3> fluid_velocity);
     std::vector<Vec3> marker_positions() const;
     Vec3 force_on(std::size_t marker) const;
     int iteration() const { return fixed_point_ ? fixed_point_->iteration() : 0; }
@@ -171,13 +155,10 @@ class StructureCoupling {
 
     Session& session_;
     StructureSolver& solver_;
-    Grid grid_;
     const Coupling& options_;
     // `markers` and `areas` have been moved into force_ and slip_.
     BodyMarkers markers_;
     PenaltyForce force_;
-    // Set if the forcing is iterated.
-    std::unique_ptr<IteratedForcing> iterated_;
     std::unique_ptr<NoSlip> no_slip_;  // set in forcing no_slip only
     // Set if a sheet on any rank has one layer of markers.
     std::unique_ptr<LayerInertia> layer_;
@@ -192,8 +173,6 @@ class StructureCoupling {
     std::vector<Vec3> before_m_, now_m_, fluid_velocity_;
     // fluid_velocity_ one step before; empty if the scheme uses one sample only.
     std::vector<Vec3> last_velocity_;
-    // Parallel scheme: impulses that the fluid has not used yet, filled for checkpoints.
-    std::vector<Vec3> under_way_;
     // Velocities of the markers at the start of the step, if forces are measured.
     std::vector<Vec3> start_velocity_;
 

@@ -62,11 +62,10 @@ SideLoad load_of(const World& world, const std::vector<TaskTime>& tasks, double 
 // Adds the entries that compare two sides; a run without a partner has none of them.
 void add_balance(const Session& session, output::Summary& summary,
                  const ParticipantReport& structure, const ParticipantReport& fluid) {
-    const Scheme scheme = session.plan().coupling->scheme;
-    summary.coupling_overhead = coupling_overhead(scheme, structure.load, fluid.load);
+    summary.coupling_overhead = coupling_overhead(structure.load, fluid.load);
     summary.immersed_boundary_share = immersed_boundary_share(structure.load, fluid.load);
     const int cores = sysconf(_SC_NPROCESSORS_ONLN);
-    const auto better = advice(scheme, structure.load, fluid.load, summary.wall_s, cores);
+    const auto better = advice(structure.load, fluid.load, summary.wall_s, cores);
     if (!better) return;
     summary.advice = *better;
     session.log(*better);

@@ -60,7 +60,7 @@ class IsRefused(unittest.TestCase):
     def test_run(self):
         scene = Scene(BEAM)
         for words, says in ((["--error", "x"], "allowed a percentage"),
-                            (["--error", "3 %", "--record"], "belong to one setting")):
+                            (["--error", "3 %", "--restart", "latest"], "belongs to one setting")):
             done = scene.run(*words)
             self.assertEqual((done.code, len(done.err.strip().splitlines())), (2, 1), done.err)
             self.assertIn(says, done.err)

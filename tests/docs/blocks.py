@@ -60,9 +60,7 @@ class Folder:
         self.limit_s = 600
         for name in ("magfsi", "tutorials", "docs", "tests", "build", "packaging", "cluster", ".ci"):
             (self.path / name).symlink_to(ROOT / name)
-        scene = yaml.safe_load(testing.SMALL.read_text())
-        scene["probes"].pop("interface_balance", None)  # which a replay cannot have
-        (self.path / "my_scene.yaml").write_text(yaml.safe_dump(scene))
+        (self.path / "my_scene.yaml").write_text(testing.SMALL.read_text())
         search = (ROOT / "docs/optimize.md").read_text().split("```yaml\n")[1].split("```")[0]
         (self.path / "search.yaml").write_text(search.replace("../tutorials", "tutorials"))
         self.environment = {**os.environ, "MAGFSI_INSTALL": "no",

@@ -92,7 +92,6 @@ EFFECTS = {
     "pressure_outlet": of_fluid("pressure_outlet"),
     "overlap": output("overlap", "structure/mesh/proximity.*", "adapters/bodies/solids_around.*",
                       absent={"coupling.overlap": "allow"}, coupled=[STRUCTURE]),
-    "record": output("record", "coupler/exchange/exchange_record.*", coupled=[STRUCTURE]),
     "probes": [*output("probes", alone=[FLUID]),
                *output("probes", absent={"probes": "null"}, alone=[STRUCTURE], coupled=BOTH)],
     "control": output("control", absent={"control": "null"}, alone=[STRUCTURE]),

@@ -16,7 +16,6 @@ REFUSED = [
     ({"fluid.refinement": "{margin: 1 mm, box: [[1 mm, 1 mm, 1 mm], [7 mm, 3 mm, 7 mm]]}"},
      "one of the two"),
     ({"fluid.refinement": "{levels: 1}", "fluid.solver": "openfoam"}, "fluid.solver: lbm"),
-    ({"fluid.refinement": "{levels: 1}", "coupling.scheme": "parallel"}, "serial and implicit"),
     ({"fluid.refinement": "{levels: 1, margin: 2 mm}",
       "fluid.boundaries.x_min": "{velocity_inlet: {velocity: [0.1 m/s, 0 m/s, 0 m/s]}}",
       "fluid.boundaries.x_max": "{pressure_outlet: {}}"}, "keep the bodies further from it"),

@@ -29,23 +29,12 @@ class SameBytes(unittest.TestCase):
     def test_swimmer_on_several_ranks(self):
         self.same(testing.SMALL, COUPLED, "1.375 ms", "structure=2,fluid=3")
 
-    # What the body owes for the iterations of a step goes on in the next.
-    def test_swimmer_with_iterated_forcing(self):
-        self.same(testing.SMALL, {**COUPLED, "coupling.immersed_boundary.iterations": 2},
-                  "1.375 ms", "structure=1,fluid=1")
-
     # The memory of the slip goes on; row sums are those of the positions.
     def test_swimmer_without_slip(self):
         no_slip = {**COUPLED, "coupling.immersed_boundary.forcing": "no_slip"}
         self.same(testing.SMALL, no_slip, "1.375 ms", "structure=2,fluid=3")
         self.same(testing.SMALL, {**no_slip, "coupling.scheme": "implicit"}, "1.375 ms",
                   "structure=1,fluid=1")
-
-    # Impulses of the last step are under way when the checkpoint is written.
-    def test_swimmer_in_the_parallel_scheme(self):
-        for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            self.same(testing.SMALL, {**COUPLED, "coupling.scheme": "parallel"}, "1.375 ms",
-                      ranks)
 
     def test_swimmer_with_extrapolated_velocity(self):
         self.same(testing.SMALL, {**COUPLED, "coupling.sampled_velocity": "linear"},

@@ -34,11 +34,9 @@ class OtherRanks(unittest.TestCase):
         self.close(testing.SMALL, COUPLED, "1.375 ms", "structure=3,fluid=2",
                    "structure=1,fluid=1", BOUND)
 
-    def test_swimmer_in_other_schemes(self):
-        for scheme, forcing, bound in (("parallel", "penalty", BOUND),
-                                       ("implicit", "penalty", BOUND),
-                                       ("implicit", "no_slip", IMPLICIT_BOUND)):
-            self.close(testing.SMALL, {**COUPLED, "coupling.scheme": scheme,
+    def test_swimmer_in_the_implicit_scheme(self):
+        for forcing, bound in ("penalty", BOUND), ("no_slip", IMPLICIT_BOUND):
+            self.close(testing.SMALL, {**COUPLED, "coupling.scheme": "implicit",
                                        "coupling.immersed_boundary.forcing": forcing}, "1.375 ms",
                        "structure=2,fluid=3", "structure=1,fluid=1", bound)
 

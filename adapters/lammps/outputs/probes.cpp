@@ -126,7 +126,6 @@ FluidEnergy Probes::add_partner_values(std::vector<double>& row) {
                              session.timeout_s());
     const std::span<const double> all(numbers);
     const auto of_fluid = all.first(fluid_values);
-    if (run_.on_fluid_values) run_.on_fluid_values(of_fluid);
     row.insert(row.end(), of_fluid.begin(), of_fluid.end());
     FluidEnergy last;
     if (run_.audit) last = {*(of_fluid.end() - 2), of_fluid.back()};

@@ -18,11 +18,8 @@ IMPLICIT = {"coupling.scheme": "implicit"}
 SCHEMES = {
     "serial": {},
     "serial, linear": {"coupling.sampled_velocity": "linear"},
-    "parallel": {"coupling.scheme": "parallel"},
     "implicit, iqn_ils": IMPLICIT,
     "implicit, aitken": {**IMPLICIT, "coupling.iteration.acceleration": "aitken"},
-    "implicit, under_relaxation": {**IMPLICIT,
-                                   "coupling.iteration.acceleration": "under_relaxation"},
 }
 
 

@@ -71,10 +71,8 @@ ROWS = {"probes": "{every: 0.1 ms, bodies: [com]}"}
 COUPLED = {
     "buoyancy and gravity": ({}, {"gravity": "null"}),
     "no slip": ({}, PENALTY),
-    "parallel scheme": ({"coupling.scheme": "parallel"}, PENALTY),
     "implicit scheme": ({"coupling.scheme": "implicit"}, {}),
     "linear velocity": ({"coupling.sampled_velocity": "linear"}, {}),
-    "iterated forcing, 2 iterations": ({f"{BOUNDARY}.iterations": "2"}, PENALTY),
     "interface balance": ({"probes": "{every: 0.1 ms, bodies: [com], interface_balance: true}"},
                           ROWS),
     "energy audit, every 4 steps": (

@@ -308,40 +308,12 @@ TEST(TouchedRows, no_marker_no_row) {
     EXPECT_EQ(share[0], Vec3{});
 }
 
-// The sample with half the pending forces is the mean of the samples before and after the
-// step in which they act, wherever the markers have gone to in the meantime.
-class ForcedSample : public ::testing::Test {
-  protected:
+// A fluid that has moved on is audited with what the markers felt before.
+TEST(FluidSide, audits_with_the_velocities_that_were_felt) {
     const Grid grid = channel(1);
     const TravellingMarkers markers{grid.spacing_m};
     ArrayFluid fluid{grid, 0};
     FluidSide side{fluid, grid.owned_by_rank[0], kernel, ArrayFluid::step_s};
-};
-
-TEST_F(ForcedSample, is_the_mean_of_before_and_after) {
-    // Four steps apart: about one cell, so that the rows overlap in part.
-    const auto there = markers.positions(4);
-    side.spread(markers.positions(0), markers.impulses(0));
-    const auto copy = [](std::span<const Vec3> u) {
-        return std::vector<Vec3>(u.begin(), u.end());
-    };
-    const auto before = copy(side.sample(there));
-    const auto forced = copy(side.sample_forced(there, ArrayFluid::density_kg_m3));
-    fluid.advance();
-    const auto after = copy(side.sample(there));
-    double largest_change = 0;
-    for (std::size_t m = 0; m < there.size(); ++m) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            // Velocities are of order one; some hundred roundings.
-            EXPECT_NEAR(forced[m][d], 0.5 * (before[m][d] + after[m][d]), 1e-14);
-            largest_change = std::max(largest_change, after[m][d] - before[m][d]);
-        }
-    }
-    EXPECT_GT(largest_change, 1e-4);  // there was something to be seen
-}
-
-// A fluid that has moved on is audited with what the markers felt before.
-TEST_F(ForcedSample, audit_with_the_velocities_that_were_felt) {
     const auto points = markers.positions(0);
     side.spread(points, markers.impulses(3));
     const auto felt = side.sample(points);

@@ -17,14 +17,14 @@ TEST(Effects, of_a_swimmer) {
     const Scene s = read_scene(test_folder / "complete/swimmer.yaml");
     EXPECT_EQ(active_effects(s),
               (Names{"elasticity", "magnetic field", "gravity", "damping", "clamps",
-                     "immersed boundary", "buoyancy", "iterated forcing", "overlap check",
-                     "fluid", "body force", "moving walls", "probes", "interface balance",
+                     "immersed boundary", "buoyancy", "overlap check", "fluid",
+                     "body force", "moving walls", "probes", "interface balance",
                      "energy audit", "structure fields", "fluid fields", "checkpoint"}));
     EXPECT_EQ(absent_effects(s),
               (Names{"viscosity", "field gradient", "field sources", "dipoles", "control",
                      "platform", "friction", "contact", "rollers", "prescribed motion",
-                     "parallel scheme", "implicit scheme", "eddy viscosity", "rheology",
-                     "free slip", "inlets and outlets", "refinement", "obstacles"}));
+                     "implicit scheme", "eddy viscosity", "rheology", "free slip",
+                     "inlets and outlets", "refinement", "obstacles"}));
 }
 
 TEST(Effects, of_a_strip_on_a_platform) {
@@ -45,8 +45,8 @@ TEST(Effects, of_a_solid) {
             "platform, "
             "friction, contact, "
             "clamps, rollers, prescribed motion",
-            "coupled step: none; absent: immersed boundary, buoyancy, iterated "
-            "forcing, overlap check, parallel scheme, implicit scheme",
+            "coupled step: none; absent: immersed boundary, buoyancy, "
+            "overlap check, implicit scheme",
             "fluid step: none; absent: fluid, body force, eddy viscosity, "
             "rheology, moving walls, free slip, inlets and outlets, refinement, "
             "obstacles",
@@ -361,7 +361,6 @@ TEST(Defaults, forcing_is_without_slip_where_that_can_be) {
     EXPECT_EQ(forcing("scheme", "implicit"), no_slip);
     EXPECT_EQ(forcing("immersed_boundary.kernel", "2-point"), no_slip);
     EXPECT_EQ(forcing("immersed_boundary.forcing", "penalty"), penalty);
-    EXPECT_EQ(forcing("scheme", "parallel"), penalty);
     EXPECT_EQ(minimal({"fluid.solver=openfoam"}).coupling->immersed_boundary.forcing,
               penalty);
     for (const auto& [key, value] : {std::pair{"kernel", "4-point"},
@@ -370,8 +369,7 @@ TEST(Defaults, forcing_is_without_slip_where_that_can_be) {
                                      {"retraction", "0.3"},
                                      {"rim_retraction", "0.8"},
                                      {"strength", "0.5"},
-                                     {"strength", "2"},
-                                     {"iterations", "2"}})
+                                     {"strength", "2"}})
         EXPECT_EQ(forcing(std::string("immersed_boundary.") + key, value), penalty)
             << key;
 }

@@ -139,7 +139,6 @@ TEST(Keys, of_the_implicit_scheme) {
     EXPECT_EQ(i.relaxation, 0.25);
     EXPECT_EQ(i.max_used_iterations, 30);
     EXPECT_EQ(i.reused_steps, 3);
-    EXPECT_EQ(i.filter, ColumnFilter::qr1);
     EXPECT_EQ(i.filter_limit, 1e-5);
 }
 
@@ -152,7 +151,6 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_EQ(s.coupling->immersed_boundary.markers, Markers::both_faces);
     EXPECT_EQ(s.coupling->immersed_boundary.marker_spacing, 0.45);
     EXPECT_EQ(s.coupling->immersed_boundary.strength, 0.25);
-    EXPECT_EQ(s.coupling->immersed_boundary.iterations, 3);
     EXPECT_EQ(s.probes->every_s, 0.2e-3);
     EXPECT_EQ(s.probes->bodies, (std::vector{BodyQuantity::energy, BodyQuantity::com}));
     ASSERT_EQ(s.probes->points.size(), 2u);

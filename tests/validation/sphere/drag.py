@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The drag of a ball of markers, held still in a stream, tends to that of a solid sphere.
+"""The drag of a ball of markers, held still in a stream, is that of a solid sphere.
 
 The box is narrow to be cheap, 4 x 4 diameters, and the stream fast, so its drag is not that of the
 unbounded stream. What is compared is the same sphere as an obstacle with interpolated walls in the
@@ -36,12 +36,12 @@ def coefficient(cells, settings, column):
             / (0.5 * DENSITY * SPEED**2 * math.pi / 4 * DIAMETER**2))
 
 
-PENALTY = {"coupling.immersed_boundary.iterations": 2}
+PENALTY = {"coupling.immersed_boundary.forcing": "penalty"}
 NO_SLIP = {"coupling.immersed_boundary.forcing": "no_slip",
            "coupling.immersed_boundary.kernel": "3-point"}
 
 
-def error(cells, settings, boundary=PENALTY):
+def error(cells, settings, boundary):
     """Of the markers against the obstacle."""
     ball = coefficient(cells, {**boundary, **settings}, "ball.fluid_force_x[N]")
     solid = coefficient(cells, {**SOLID, **settings}, "ball.force_x[N]")
@@ -50,34 +50,13 @@ def error(cells, settings, boundary=PENALTY):
     return ball / solid - 1
 
 
-def richardson(e):
-    """Order p and limit L of e = L + A / cells**p through three grids."""
-    (n1, e1), (n2, e2), (n3, e3) = sorted(e.items())
-    low, high = 0.1, 4
-    for _ in range(60):  # the ratio of differences rises with p
-        p = (low + high) / 2
-        ratio = (n1**-p - n2**-p) / (n2**-p - n3**-p)
-        low, high = (p, high) if ratio < (e1 - e2) / (e2 - e3) else (low, p)
-    return p, e3 - (e2 - e3) * n3**-p / (n2**-p - n3**-p)
-
-
-class Drag(unittest.TestCase):
-    def converges(self, settings, coarse, fine):
-        """Returns the error extrapolated to fine grids, as of first order."""
-        e = {cells: error(cells, settings) for cells in (coarse, fine)}
-        order = math.log(abs(e[coarse] / e[fine])) / math.log(fine / coarse)
-        limit = e[fine] - (e[coarse] - e[fine]) * coarse / (fine - coarse)
-        testing.report(f"  order {order:.2f}, extrapolated {100 * limit:+.2f} %")
-        self.assertGreater(order, 1)
-        return e, limit
-
-
-class Quick(Drag):
+class Quick(unittest.TestCase):
     def test_reynolds_20(self):
-        e, _ = self.converges({}, 6, 8)
         # Markers sit 0.4 cells below the surface, where viscous flow sees a ball of the right
-        # size; what is left, 0.1 cells of the radius, is 2.5 % of the drag.
-        self.assertLess(abs(e[8]), 0.05)
+        # size; the smeared surface adds drag, and the slip that the penalty leaves takes some off:
+        # 0.1 cells of the radius is 2.5 % of the drag.
+        for cells in (6, 8):
+            self.assertLess(abs(error(cells, {}, PENALTY)), 0.05)
 
     def test_reynolds_20_without_slip(self):
         # The depth of its markers comes from the theory of the lattice for plane walls
@@ -86,7 +65,7 @@ class Quick(Drag):
             self.assertLess(abs(error(cells, {}, NO_SLIP)), 0.02)
 
 
-class Held(Drag):
+class Held(unittest.TestCase):
     def test_at_relaxation_times_from_a_half_to_one(self):
         """Reynolds numbers 4 to 20. Where the density that goes with the pressure in the ball was left
         out of what passes a marker, it fell without end from a lattice speed of 0.08 on."""
@@ -121,7 +100,7 @@ def without_slip(reynolds, cells=8):
     return markers / limit - 1, coarse / limit - 1
 
 
-class Long(Drag):
+class Long(unittest.TestCase):
     def test_without_slip(self):
         # The layer at the front is a diameter over sqrt(Re): 1.8 cells at 20, 0.65 at 150.
         for reynolds, allowed, of_solid in (
@@ -132,27 +111,6 @@ class Long(Drag):
             self.assertLess(abs(solid), of_solid)
             if reynolds >= 50:  # the wall of an obstacle loses more on such a grid
                 self.assertLess(abs(markers), abs(solid))
-
-    def test_reynolds_20(self):
-        _, limit = self.converges({}, 8, 12)
-        self.assertLess(abs(limit), 0.03)
-
-    def test_reynolds_100(self):
-        # One collision for all grids, and the one whose own error is small: at 8 cells the
-        # regularised one gives the solid itself 11 % more drag.
-        settings = {"fluid.viscosity": "0.2 mm2/s", "fluid.collision": "trt",
-                    "fluid.magic_number": 0.1875}
-        order, limit = richardson({cells: error(cells, settings) for cells in (8, 12, 16)})
-        testing.report(f"  order {order:.2f}, extrapolated {100 * limit:+.2f} %")
-        self.assertGreater(order, 1)
-        self.assertLess(abs(limit), 0.03)
-
-    def test_reynolds_200(self):
-        # This collision diverges at the inlet with less than 16 cells.
-        settings = {"fluid.viscosity": "0.1 mm2/s", "fluid.collision": "trt",
-                    "fluid.magic_number": 0.1875, "fluid.lattice_speed": 0.12}
-        _, limit = self.converges(settings, 16, 20)
-        self.assertLess(abs(limit), 0.03)
 
 
 if __name__ == "__main__":

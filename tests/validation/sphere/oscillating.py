@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The force of the fluid on a sphere that swings to and fro, by both fluids on the same grid, against
-Stokes' law for an oscillating sphere, with the small part that the box adds."""
+"""The force of the fluid on a sphere that swings to and fro, on the lattice, against Stokes' law for
+an oscillating sphere, with the small part that the box adds."""
 
 import cmath
 import math

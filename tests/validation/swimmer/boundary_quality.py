@@ -33,15 +33,6 @@ class BoundaryQuality(unittest.TestCase):
             "time.end": "0.4 ms"})
         testing.check_interface_balance(self, run, "no probe of the fluid")
 
-    def test_iterated_forcing_slips_less_and_conserves_as_exactly(self):
-        direct = quality(PENALTY)
-        for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
-            run = testing.good_run(testing.SMALL, {IB + "iterations": 2}, ranks)
-            slip = run.summary()["immersed_boundary"]["no_slip_error"]
-            testing.report(f"2 iterations, {ranks}: no-slip error {slip:.4f}")
-            self.assertLess(slip, 0.8 * direct["no_slip_error"])
-            testing.check_interface_balance(self, run, ranks)
-
     def test_the_same_on_any_ranks(self):
         one, four = quality(), quality(ranks="structure=2,fluid=2")
         self.assertEqual(one["markers"], four["markers"])

@@ -86,11 +86,10 @@ class ImplicitScheme(unittest.TestCase):
         for ranks in ("structure=1,fluid=1", "structure=2,fluid=3"):
             testing.check_interface_balance(self, run("implicit", ranks=ranks), ranks)
 
-    def test_every_acceleration_gives_the_same_and_takes_its_iterations(self):
+    def test_either_acceleration_gives_the_same_and_takes_its_iterations(self):
         mean, probes = {}, {}
-        for name, more in (("iqn_ils", {}), ("aitken", {}),
-                           ("under_relaxation", {"max_iterations": 60})):
-            found = run("implicit", **implicit(name, **more))
+        for name in ("iqn_ils", "aitken"):
+            found = run("implicit", **implicit(name))
             iterations = found.summary()["iterations"]
             self.assertEqual(iterations["acceleration"], name)
             self.assertEqual(iterations["unconverged_steps"], 0)
@@ -98,14 +97,12 @@ class ImplicitScheme(unittest.TestCase):
             mean[name], probes[name] = iterations["mean"], found.probes()
         testing.report("iterations a step: " + ", ".join(f"{n} {m:.2f}" for n, m in mean.items()))
         self.assertLess(mean["iqn_ils"], mean["aitken"])
-        self.assertLess(mean["aitken"], mean["under_relaxation"])
-        for name in ("aitken", "under_relaxation"):
-            for column in COLUMNS:
-                self.assertLess(difference(probes["iqn_ils"], probes[name], column),
-                                ACCELERATION_BOUND)
+        for column in COLUMNS:
+            self.assertLess(difference(probes["iqn_ils"], probes["aitken"], column),
+                            ACCELERATION_BOUND)
 
     def test_a_step_that_does_not_converge_is_named_or_counted(self):
-        slow = implicit(acceleration="under_relaxation", relaxation=0.1, max_iterations=3)
+        slow = implicit(acceleration="aitken", relaxation=0.1, max_iterations=3)
         ended = testing.run(testing.SMALL, settings("implicit", **slow))
         self.assertEqual(ended.code, 3, ended.err)
         self.assertRegex(ended.err, r"coupled step \d+ has not converged: after 3 iterations the "

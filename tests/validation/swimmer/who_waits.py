@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""summary.json tells waiting from working, for either scheme and on more ranks."""
+"""summary.json tells waiting from working, on one rank a side and on more."""
 
 import unittest
 
@@ -7,8 +7,8 @@ from magfsi import testing
 
 
 class WhoWaits(unittest.TestCase):
-    def check(self, scheme, ranks):
-        summary = testing.good_run(testing.SMALL, {"coupling.scheme": scheme}, ranks).summary()
+    def check(self, ranks):
+        summary = testing.good_run(testing.SMALL, {}, ranks).summary()
         for side in ("structure", "fluid"):
             tasks, waiting = summary["tasks"][side], summary["waiting"][side]
             for task, seconds in waiting.items():
@@ -28,11 +28,11 @@ class WhoWaits(unittest.TestCase):
         self.assertGreater(summary["coupling_overhead"], 0)
         self.assertLess(summary["coupling_overhead"], 1)
 
-    def test_serial(self):
-        self.check("serial", "structure=1,fluid=1")
+    def test_on_one_rank_a_side(self):
+        self.check("structure=1,fluid=1")
 
-    def test_parallel_on_more_ranks(self):
-        self.check("parallel", "structure=2,fluid=2")
+    def test_on_more_ranks(self):
+        self.check("structure=2,fluid=2")
 
 
 if __name__ == "__main__":
