@@ -150,6 +150,7 @@ constexpr RemovedWord removed_words[] = {
     {"collision", "recursive_odd",
      "it made the fluid thicker in a stream, and was removed: leave the key out, or "
      "write recursive_regularized"},
+    {"precision", "float_double", "it was removed: write float, or double"},
 };
 
 // Advice for a removed word, else the most similar one.

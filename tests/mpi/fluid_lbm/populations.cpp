@@ -131,14 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
             true,
             true,
             Collision::trt,
-            Precision::float_},
-        Box{"FloatDouble",
-            {17, 8, 9},
-            {wrap, wrap, wall},
-            false,
-            true,
-            Collision::bgk,
-            Precision::float_double}),
+            Precision::float_}),
     [](const auto& box) { return box.param.name; });
 
 // ---- A state taken from a fluid on one rank and put into one on several goes on with

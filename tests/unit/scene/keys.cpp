@@ -271,7 +271,7 @@ TEST(Keys, of_a_channel_with_obstacles) {
     const Fluid f = *complete("channel.yaml").fluid;
     EXPECT_EQ(f.collision, Collision::trt);
     EXPECT_EQ(f.magic_number, 0.25);
-    EXPECT_EQ(f.precision, Precision::float_double);
+    EXPECT_EQ(f.precision, Precision::float_);
     EXPECT_EQ(f.smagorinsky_constant, 0.16);
     const Boundary& inlet = f.boundaries[0];
     EXPECT_EQ(inlet.kind, BoundaryKind::velocity_inlet);
