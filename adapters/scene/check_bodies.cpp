@@ -16,30 +16,6 @@ namespace magfsi::scene {
 
 namespace {
 
-// mean_f uses 3 min(l_i, l_j)^2 for the hourglass stiffness. If an in-plane edge is
-// shorter than the edge through the thickness, the minimum picks the wrong one and
-// bending is several times too soft.
-void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
-    if (body.element != ElementVariant::mean_f) return;
-    Vec3 edge{};
-    for (int i = 0; i < 3; ++i) edge[i] = box.size_m[i] / box.elements[i];
-    const auto& size = box.size_m;
-    const auto thickness = std::ranges::min_element(size) - size.begin();
-    for (int i = 0; i < 3; ++i) {
-        // The tolerance admits the rounding of equal edges.
-        if (edge[i] >= edge[thickness] * (1 - 1e-9)) continue;
-        const int most = std::max(1, static_cast<int>(size[i] / edge[thickness] + 1e-9));
-        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
-               fmt::format("mean_f elements with the edge {} along {}, shorter than {} "
-                           "through the thickness",
-                           metres(edge[i]), axis_names[i], metres(edge[thickness])),
-               "in-plane edges of at least the edge through the thickness",
-               fmt::format("take at most {} elements along {}, more layers along {}, or "
-                           "element: assumed_strain",
-                           most, axis_names[i], axis_names[thickness]));
-    }
-}
-
 // Number of elements of a mesh that is described by numbers; 1 for meshes from files,
 // which are counted when they are built.
 double elements_of(const Body& body) {
@@ -344,7 +320,6 @@ void check_bodies(const Scene& scene, const Marks& marks) {
         const auto* box = std::get_if<Box>(&body.mesh);
         if (box) check_marker_count(scene, body, *box, marks);
         if (box) check_marker_spacing(scene, body, *box, marks);
-        if (box) check_mean_f(body, *box, marks);
         if (const auto* voxels = std::get_if<VoxelMesh>(&body.mesh))
             check_voxels(body, *voxels, marks);
         check_clamps(body, marks);

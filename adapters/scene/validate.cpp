@@ -151,6 +151,8 @@ constexpr RemovedWord removed_words[] = {
      "it made the fluid thicker in a stream, and was removed: leave the key out, or "
      "write recursive_regularized"},
     {"precision", "float_double", "it was removed: write float, or double"},
+    {"element", "mean_f",
+     "it was removed: write assumed_strain, which is better in every mode"},
 };
 
 // Advice for a removed word, else the most similar one.

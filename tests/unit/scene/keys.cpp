@@ -43,7 +43,7 @@ TEST(Keys, of_a_body) {
     const auto& box = std::get<Box>(b.mesh);
     EXPECT_EQ(box.size_m, (Vec3{3.7e-3, 1.5e-3, 0.185e-3}));
     EXPECT_EQ(box.elements, (std::array{20, 8, 2}));
-    EXPECT_EQ(b.element, ElementVariant::mean_f);
+    EXPECT_EQ(b.element, ElementVariant::full);
     EXPECT_EQ(b.material.shear_modulus_pa, 33e3);
     EXPECT_EQ(b.material.lame_lambda_pa, 660e3);
     EXPECT_EQ(b.material.density_kg_m3, 1860);
