@@ -27,8 +27,7 @@ using Vec3 = std::array<double, 3>;
 using namespace structure;
 using coupler::AccelerationMethod, coupler::ColumnFilter, coupler::Coupling;
 using coupler::ImmersedBoundary, coupler::InitialGuess, coupler::Iteration;
-using coupler::Kernel, coupler::Markers, coupler::OnNoConvergence,
-    coupler::SampledVelocity;
+using coupler::Kernel, coupler::OnNoConvergence, coupler::SampledVelocity;
 using coupler::Scheme;
 using coupler::StructureSide;
 using fluid::Block, fluid::Boundary, fluid::BoundaryKind, fluid::Collision;
@@ -277,7 +276,7 @@ constexpr int components_of(FluidField field) {
 }
 constexpr std::string_view unit_of(FluidField field) {
     constexpr std::string_view units[] = {"m/s", "kg/m3", "1/s", "Pa", "1"};
-    return units[field];
+    return units[static_cast<int>(field)];
 }
 
 // Fields that structure files can have.

@@ -230,12 +230,30 @@ constexpr Renamed renamed[] = {
     {"checkpoint", "retries", "max_retries"},
 };
 
-// Advice about an unknown key: its new name, the group that it belongs to, or the most
-// similar key; "" if none applies.
+// Keys that were removed, with what stands in their place.
+struct RemovedKey {
+    std::string_view group, key, instead;
+};
+constexpr std::string_view markers_follow =
+    "it was removed: markers follow from the body's shape and the fluid's spacing; leave "
+    "the key out";
+constexpr RemovedKey removed_keys[] = {
+    {"immersed_boundary", "markers", markers_follow},
+    {"immersed_boundary", "marker_spacing", markers_follow},
+    {"immersed_boundary", "retraction", markers_follow},
+    {"immersed_boundary", "rim_retraction", markers_follow},
+};
+
+// Advice about an unknown key: what replaced it, its new name, the group that it belongs
+// to, or the most similar key; "" if none applies.
 std::string advice(const std::string& key, const Field& group) {
     for (const Renamed& entry : renamed) {
         if (entry.group == group.name && entry.old_name == key)
             return fmt::format("it is now called {}", in_quotes(entry.new_name));
+    }
+    for (const RemovedKey& entry : removed_keys) {
+        if (entry.group == group.name && entry.key == key)
+            return std::string(entry.instead);
     }
     std::vector<std::string> keys, owners;
     for (const Field& known : group.children) {

@@ -94,7 +94,8 @@ void check_viscosity(const Material& material) {
 
 }  // namespace
 
-ElementKernel::ElementKernel(InstructionSet set) : function_(element_functions[set]) {}
+ElementKernel::ElementKernel(InstructionSet set)
+    : function_(element_functions[static_cast<int>(set)]) {}
 
 void ElementKernel::assign(const Lattice& lattice) {
     assign(lattice, all_elements(lattice), lattice.elements);
@@ -176,7 +177,8 @@ KernelResult ElementKernel::run(const Part& part, const double* x, double* f,
     return result;
 }
 
-ViscousKernel::ViscousKernel(InstructionSet set) : function_(viscous_functions[set]) {}
+ViscousKernel::ViscousKernel(InstructionSet set)
+    : function_(viscous_functions[static_cast<int>(set)]) {}
 
 void ViscousKernel::assign(const Lattice& lattice) {
     assign(lattice, all_elements(lattice), lattice.elements);

@@ -30,7 +30,7 @@ class MapInParts(unittest.TestCase):
         row = study("lattice", out, **low, collision="recursive_regularized")
         self.assertEqual(row["verdict"], "right")
         # Whole impulses after a weak drag fed the sheet.
-        weak = study("boundary", out, strength=0.25, iterations=3, markers="both_faces")
+        weak = study("boundary", out, strength=0.25, iterations=3)
         self.assertEqual(weak["verdict"], "right")
         refused = study("schemes", out, strength=4, scheme="implicit, aitken", kernel="3-point")
         self.assertEqual(refused["verdict"], "refused")

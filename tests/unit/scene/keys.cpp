@@ -149,8 +149,6 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_EQ(s.coupling->substeps, 12);
     EXPECT_EQ(s.coupling->timeout_s, 30);
     EXPECT_EQ(s.coupling->immersed_boundary.kernel, Kernel::four_point);
-    EXPECT_EQ(s.coupling->immersed_boundary.markers, Markers::both_faces);
-    EXPECT_EQ(s.coupling->immersed_boundary.marker_spacing, 0.45);
     EXPECT_EQ(s.coupling->immersed_boundary.strength, 0.25);
     EXPECT_EQ(s.coupling->immersed_boundary.iterations, 3);
     EXPECT_EQ(s.probes->every_s, 0.2e-3);
