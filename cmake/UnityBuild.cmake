@@ -6,7 +6,7 @@
 # and outputs with what is theirs alone, so that a program can be linked without them
 # (tests/effects/removed.py), and what a program in docs/examples replaces by its own.
 set(magfsi_alone "(^|/)(effects|outputs)/" mesh/proximity bodies/solids_around
-  bodies/structure_files checkpoint/checkpoints lammps/effects lammps/field_program)
+  bodies/structure_files checkpoint/checkpoints lammps/effects)
 list(JOIN magfsi_alone "|" magfsi_alone)
 
 function(magfsi_compiled_alone)

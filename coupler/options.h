@@ -18,13 +18,6 @@ constexpr auto words_of(Kernel) {
     return std::to_array<std::string_view>({"2-point", "3-point", "4-point"});
 }
 
-// Places of the markers in a body: the middle surface of a sheet, both its faces, or the
-// whole volume.
-enum class Markers { mid_surface, both_faces, volume };
-constexpr auto words_of(Markers) {
-    return std::to_array<std::string_view>({"mid_surface", "both_faces", "volume"});
-}
-
 // The law that turns a marker's slip into a force. penalty: eq. (13) with the fluid of
 // the marker's own volume. no_slip: the force that gives the fluid passing the body the
 // body's velocity (immersed_boundary/no_slip.h).
@@ -33,15 +26,11 @@ constexpr auto words_of(Forcing) {
     return std::to_array<std::string_view>({"penalty", "no_slip"});
 }
 
-// Options of the immersed boundary; lengths are in units of the fluid's spacing.
+// Options of the immersed boundary.
 struct ImmersedBoundary {
     std::optional<Forcing> forcing;  // absent: no_slip where possible
     Kernel kernel = Kernel::three_point;
-    std::optional<Markers> markers;  // absent: chosen by the body's shape
-    double marker_spacing = 0.5;     // distance between markers
-    double retraction = 0.4;         // depth of the markers below the surface
-    double rim_retraction = 0.9;     // the same at the rim of a sheet
-    double strength = 1;             // kappa of eq. (13) over 2 rho dV / dt
+    double strength = 1;  // kappa of eq. (13) over 2 rho dV / dt
 };
 
 // Steps of the two solvers, which take turns. serial: one step each. implicit: both

@@ -144,7 +144,7 @@ Fluid::State::State(MPI_Comm parent, const FluidConfig& fluid_config)
       comm(parent),
       decomposition(decompose(config.cells, periodic_axes(config), comm.size)),
       layout(decomposition.layout(comm.rank)),
-      populations(layout.nx, layout.row_count(), storage_of(config.precision)),
+      populations(layout.nx, layout.row_count(), config.precision),
       halo(comm, decomposition, comm.rank, populations),
       needed_from_natural{rows_at_cuts(layout), inner_rows(layout)},
       needed_from_swapped(without_refilled(config, owned(), needed_from_natural)) {
@@ -174,8 +174,7 @@ CellBox Fluid::State::local_part(const CellBox& box) const {
 
 void Fluid::State::need_forces(const std::optional<Vec3>& body_force) {
     if (!forces)
-        forces.emplace(layout.nx, layout.ny, layout.nz, body_force,
-                       storage_of(config.precision));
+        forces.emplace(layout.nx, layout.ny, layout.nz, body_force, config.precision);
 }
 
 void Fluid::State::reset_solid_cells() {

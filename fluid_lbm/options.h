@@ -27,12 +27,11 @@ constexpr auto words_of(Collision) {
         {"automatic", "bgk", "trt", "recursive_regularized", "recursive_mrt"});
 }
 
-// Types of storage and of arithmetic. float_ stores and computes in single precision,
-// with half the memory and time of double_. float_double stores float and computes in
-// double: it costs little more than float_ and leaves only the rounding of the storage.
-enum class Precision { double_, float_, float_double };
+// Type in which populations are stored and computed. float_ takes half the memory and
+// time of double_.
+enum class Precision { double_, float_ };
 constexpr auto words_of(Precision) {
-    return std::to_array<std::string_view>({"double", "float", "float_double"});
+    return std::to_array<std::string_view>({"double", "float"});
 }
 
 // --- sides of the box ---------------------------------------------------------------

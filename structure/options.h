@@ -103,14 +103,12 @@ struct RegionMaterial {
 
 // Variants of the hexahedron (lattice/element.h).
 // full: the paper's element: exact volume, full spring matrix.
-// mean_f: J from the mean deformation gradient, and hourglass coefficients 3 min(l_i,
-// l_j)^2 of the edge lengths l: accurate in bending with few layers.
 // assumed_strain: all of the energy from the mean deformation gradient, and a hourglass
 // energy that is exact for linear bending and twist: accurate in every mode with one
 // layer, for edges of any ratio.
-enum class ElementVariant { full, mean_f, assumed_strain };
+enum class ElementVariant { full, assumed_strain };
 constexpr auto words_of(ElementVariant) {
-    return std::to_array<std::string_view>({"full", "mean_f", "assumed_strain"});
+    return std::to_array<std::string_view>({"full", "assumed_strain"});
 }
 
 // Distribution of an element's mass on its nodes (lattice/inertia.h).

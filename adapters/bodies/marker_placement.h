@@ -33,28 +33,18 @@ struct PlacedMarker {
 // fluid and coupling. A sheet consists of columns of equally many elements between two
 // large faces (structure/mesh/sheet.h).
 //
-// The kernel spreads the force of a marker over some cells, which makes the body larger:
-// markers lie `retraction` grid spacings below its surface. (At 0.4 a sphere of 6 or 12
-// cells settles at the same speed, that of the experiment.) Three arrangements:
-//   both_faces   for a sheet: one layer below each face, each with half of the fluid; in
-//                a thin sheet both reach the mid-surface. The markers end at a distance
-//                of rim_retraction from the rim (at 0.9 a plate of the swimmer's shape
-//                falls alike at 15 and 7 cells a width).
-//   mid_surface  for a sheet: one layer, as in the paper; the limit of fine grids is a
-//                plate without thickness.
-//   volume       for any body: each marker stands for its part of the volume.
-// The default is both_faces for sheets and volume for other bodies. In forcing no_slip
-// the key does not apply: there markers are rows about a grid spacing apart
-// (no_slip_markers.cpp).
+// In forcing no_slip markers are rows about a grid spacing apart (no_slip_markers.cpp).
+// The penalty has them at most half a spacing apart and at least one an element: below
+// both faces of a sheet, each layer with half of the fluid, and through the volume of
+// other bodies, where each stands for its part of the volume. The kernel spreads the
+// force of a marker over some cells, which makes the body larger; hence they lie below
+// its surface, in a thin sheet at most as deep as its middle.
 //
 // A marker on a sheet moves a fluid volume of its area times one grid spacing, the width
 // of the layer that the kernel takes along. The surface of a sheet that is measured for
 // leakage is that of both faces without the rim; in other bodies the markers nearest to
 // the surface stand for all of it. Markers keep no distance from clamped faces, which
 // stand on something, and from the ends of a body along axes on which it continues.
-//
-// Throws std::invalid_argument if the scene asks for markers on the faces of a body that
-// is no sheet, and for a marker spacing that the elements of the mesh cannot keep.
 std::vector<PlacedMarker> place_markers(const scene::Scene& scene, std::size_t body);
 
 // A sheet that is represented by one layer of markers, in forcing no_slip

@@ -166,14 +166,14 @@ struct FluidMemory {
 
 // Bytes of the populations of one grid, summed over its ranks, as the solver allocates
 // them.
-double populations_bytes(const fluid::FluidConfig& config, fluid::Storage storage,
-                         int ranks) {
+double populations_bytes(const fluid::FluidConfig& config, int ranks) {
     const auto parts =
         fluid::decompose(config.cells, fluid::periodic_axes(config), ranks);
     double bytes = 0;
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
-        bytes += fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage);
+        bytes +=
+            fluid::Populations::bytes_of(rows.nx, rows.row_count(), config.precision);
     }
     return bytes;
 }
@@ -187,13 +187,12 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     const auto& config = levels.front().front();
     const auto& n = config.cells;
     const double cells = 1.0 * n[0] * n[1] * n[2];
-    const auto storage = fluid::storage_of(config.precision);
     const auto parts = fluid::decompose(n, fluid::periodic_axes(config), ranks);
     FluidMemory memory;
     for (std::size_t l = 1; l < levels.size(); ++l) {
         double bytes = 0;
         for (const fluid::FluidConfig& patch : levels[l])
-            bytes += populations_bytes(patch, storage, ranks);
+            bytes += populations_bytes(patch, ranks);
         memory.held.emplace_back(fmt::format("level {}", l), bytes);
     }
     // Cells of a velocity field, which has a ghost layer in y and z.
@@ -201,7 +200,7 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
     for (int rank = 0; rank < ranks; ++rank) {
         const fluid::RowLayout rows = parts.layout(rank);
         memory.populations +=
-            fluid::Populations::bytes_of(rows.nx, rows.row_count(), storage);
+            fluid::Populations::bytes_of(rows.nx, rows.row_count(), config.precision);
         ghosted_cells += 1.0 * rows.nx * (rows.ny + 2) * (rows.nz + 2);
     }
     if (!config.obstacles.empty())
@@ -211,7 +210,7 @@ FluidMemory fluid_memory(const scene::Scene& scene, int ranks,
             "markers and the rows that they push",
             known_markers(scene, parts, markers_m) * marker_bytes +
                 forced_rows_bytes(static_cast<double>(markers_m.size()), n[0],
-                                  storage == fluid::Storage::float_));
+                                  config.precision == fluid::Precision::float_));
     if (keeps_all(scene, config))
         memory.held.emplace_back("the implicit scheme's copy", memory.populations);
     if (has_enstrophy(scene))

@@ -16,30 +16,6 @@ namespace magfsi::scene {
 
 namespace {
 
-// mean_f uses 3 min(l_i, l_j)^2 for the hourglass stiffness. If an in-plane edge is
-// shorter than the edge through the thickness, the minimum picks the wrong one and
-// bending is several times too soft.
-void check_mean_f(const Body& body, const Box& box, const Marks& marks) {
-    if (body.element != ElementVariant::mean_f) return;
-    Vec3 edge{};
-    for (int i = 0; i < 3; ++i) edge[i] = box.size_m[i] / box.elements[i];
-    const auto& size = box.size_m;
-    const auto thickness = std::ranges::min_element(size) - size.begin();
-    for (int i = 0; i < 3; ++i) {
-        // The tolerance admits the rounding of equal edges.
-        if (edge[i] >= edge[thickness] * (1 - 1e-9)) continue;
-        const int most = std::max(1, static_cast<int>(size[i] / edge[thickness] + 1e-9));
-        refuse(marks.value({"bodies", body.name, "mesh", "box", "elements"}),
-               fmt::format("mean_f elements with the edge {} along {}, shorter than {} "
-                           "through the thickness",
-                           metres(edge[i]), axis_names[i], metres(edge[thickness])),
-               "in-plane edges of at least the edge through the thickness",
-               fmt::format("take at most {} elements along {}, more layers along {}, or "
-                           "element: assumed_strain",
-                           most, axis_names[i], axis_names[thickness]));
-    }
-}
-
 // Number of elements of a mesh that is described by numbers; 1 for meshes from files,
 // which are counted when they are built.
 double elements_of(const Body& body) {
@@ -79,33 +55,9 @@ void check_element_count(const Scene& scene, const Marks& marks) {
 void check_marker_count(const Scene& scene, const Body& body, const Box& box,
                         const Marks& marks) {
     const double markers = most_markers(scene, box.size_m);
-    require(markers <= max_markers,
-            marks.value({"coupling", "immersed_boundary", "marker_spacing"}),
+    require(markers <= max_markers, marks.value({"fluid", "spacing"}),
             fmt::format("up to {:.3g} markers on \"{}\"", markers, body.name),
-            fmt::format("at most {:.0f}", max_markers),
-            "take a larger fluid.spacing or coupling.immersed_boundary.marker_spacing");
-}
-
-// Checks a marker spacing given in the scene against the longest edge of the block's
-// elements. The direction across a sheet does not count, since its markers form layers.
-void check_marker_spacing(const Scene& scene, const Body& body, const Box& box,
-                          const Marks& marks) {
-    if (!scene.coupling || !scene.fluid) return;
-    int across = -1;
-    const bool no_slip =
-        scene.coupling->immersed_boundary.forcing == coupler::Forcing::no_slip;
-    const bool sheet = scene.coupling->immersed_boundary.markers != Markers::volume;
-    for (int d = 0; sheet && d < 3; ++d) {
-        if (spans_fluid(*scene.fluid, body, d, box.size_m[d], no_slip)) continue;
-        if (across < 0 || box.size_m[d] < box.size_m[across]) across = d;
-    }
-    double longest_m = 0;
-    for (int d = 0; d < 3; ++d) {
-        if (d != across) longest_m = std::max(longest_m, box.size_m[d] / box.elements[d]);
-    }
-    require_marker_spacing(
-        scene, body, longest_m,
-        marks.value({"coupling", "immersed_boundary", "marker_spacing"}));
+            fmt::format("at most {:.0f}", max_markers), "take a larger fluid.spacing");
 }
 
 // Refuses the name of a face that the mesh does not have. Faces of a Gmsh file are known
@@ -297,17 +249,13 @@ void check_prescribed_motion(const Scene& scene, const Body& body, const Marks& 
 
 }  // namespace
 
-// n is the extent in marker spacings; faces counts both sides of all three pairs of
-// faces.
+// n is the extent in marker spacings; both sides of all three pairs of faces count.
 double most_markers(const Scene& scene, const Vec3& extent_m) {
     if (!scene.coupling || !scene.fluid) return 0;
-    const auto& boundary = scene.coupling->immersed_boundary;
-    const double apart_m = boundary.marker_spacing * scene.fluid->finest_spacing_m();
+    const double apart_m = marker_spacing * scene.fluid->finest_spacing_m();
     Vec3 n{};
     for (int i = 0; i < 3; ++i) n[i] = extent_m[i] / apart_m;
-    const double faces = 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
-    return boundary.markers == coupler::Markers::volume ? faces + n[0] * n[1] * n[2]
-                                                        : faces;
+    return 2 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
 }
 
 bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,
@@ -322,20 +270,6 @@ bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m
     return (periodic || between_walls) && extent_m >= fluid.box_m[d] - gap_m;
 }
 
-void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,
-                            const Origin& where) {
-    const double spacing = scene.coupling->immersed_boundary.marker_spacing;
-    const double most = longest_edge_m / scene.fluid->finest_spacing_m();
-    if (spacing == ImmersedBoundary{}.marker_spacing) return;  // the default
-    require(spacing <= most * (1 + 1e-9), where,
-            fmt::format("markers {} apart, further than the elements of \"{}\", each of "
-                        "which carries one",
-                        metres(spacing * scene.fluid->finest_spacing_m()), body.name),
-            fmt::format("at most {:.3g}, which is {}", std::floor(most * 1e3) / 1e3,
-                        metres(longest_edge_m)),
-            "take larger elements, or leave the key out");
-}
-
 // Checks that need the shape of a body are made here for blocks only, whose shape the
 // keys tell.
 void check_bodies(const Scene& scene, const Marks& marks) {
@@ -343,8 +277,6 @@ void check_bodies(const Scene& scene, const Marks& marks) {
     for (const Body& body : scene.bodies) {
         const auto* box = std::get_if<Box>(&body.mesh);
         if (box) check_marker_count(scene, body, *box, marks);
-        if (box) check_marker_spacing(scene, body, *box, marks);
-        if (box) check_mean_f(body, *box, marks);
         if (const auto* voxels = std::get_if<VoxelMesh>(&body.mesh))
             check_voxels(body, *voxels, marks);
         check_clamps(body, marks);

@@ -202,19 +202,10 @@ void check_own_structure(const Scene& scene, const Marks& marks) {
 
 std::optional<NoSlipObjection> objection_to_no_slip(const Scene& scene) {
     const ImmersedBoundary& boundary = scene.coupling->immersed_boundary;
-    const ImmersedBoundary usual;
-    constexpr const char* follows =
-        "none: kernel, fluid spacing and thickness decide where markers sit";
     const auto beside = [](const char* key, const char* allowed) {
         return NoSlipObjection{key, fmt::format("{} with forcing: no_slip", key), allowed,
                                "remove this key or take forcing: penalty"};
     };
-    if (boundary.markers) return beside("markers", follows);
-    if (boundary.marker_spacing != usual.marker_spacing)
-        return beside("marker_spacing", follows);
-    if (boundary.retraction != usual.retraction) return beside("retraction", follows);
-    if (boundary.rim_retraction != usual.rim_retraction)
-        return beside("rim_retraction", follows);
     if (boundary.kernel == Kernel::four_point)
         return beside("kernel",
                       "2-point or 3-point: the depth of a 4-point kernel's rim is "

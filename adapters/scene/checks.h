@@ -70,9 +70,7 @@ void check_scene(const Scene& scene, const Marks& marks);
 // reader reports it.
 void require_regular_file(const std::filesystem::path& file, const Origin& where);
 
-// Reason why a scene cannot have coupling.immersed_boundary.forcing: no_slip. Its markers
-// follow from kernel, spacing and thickness, so that options that place markers otherwise
-// have no meaning.
+// Reason why a scene cannot have coupling.immersed_boundary.forcing: no_slip.
 struct NoSlipObjection {
     const char* key;  // key in coupling.immersed_boundary
     std::string found;
@@ -100,19 +98,17 @@ void check_script(const std::filesystem::path& file, const Origin& where);
 // explain answer within seconds on one core.
 constexpr double max_elements = 250'000;
 constexpr double max_markers = 500'000;
-// Upper bound of the number of markers of a body with this bounding box: over both faces
-// and the rim of a block, or over the volume. 0 without a fluid.
+// Largest distance of the penalty's markers, in grid spacings; beyond about 1 the surface
+// leaks.
+constexpr double marker_spacing = 0.5;
+// Upper bound of the number of markers of a body with this bounding box, over both faces
+// and the rim of a block. 0 without a fluid.
 double most_markers(const Scene& scene, const Vec3& extent_m);
 
 // True if a body of this extent [m] spans the fluid's box along the axis: from one
 // periodic side to the other, or between walls so that no fluid passes.
 bool spans_fluid(const Fluid& fluid, const Body& body, int axis, double extent_m,
                  bool between_walls);
-// Refuses a marker spacing that is given in the scene and cannot be kept, because each
-// element carries at least one marker. `longest_edge_m` is that of the elements along the
-// body's surface.
-void require_marker_spacing(const Scene& scene, const Body& body, double longest_edge_m,
-                            const Origin& where);
 
 // Euclidean length.
 double length(const Vec3& v);

@@ -273,8 +273,8 @@ void keys(Io& io, Body& body) {
            "Mesh of a block wound about the axis x, from x = 0 and the side of y. Its "
            "faces are named as a block's."));
     });
-    io(key("element", "full: the paper's element, for four and more layers; mean_f: accurate in bending with few layers; "
-           "assumed_strain: in every mode, for elements of any proportion.").by_default(),
+    io(key("element", "full: the paper's element, for four and more layers; assumed_strain: accurate "
+           "in every mode with one layer, for elements of any proportion.").by_default(),
        body.element);
     io(key("inertia", "lumped: elements spread evenly on their nodes, moments of inertia are "
            "2 / n^2 too large along an axis of n elements; corrected: they are right from two "

@@ -54,22 +54,6 @@ void keys(Io& io, ImmersedBoundary& boundary) {
            "the penalty."),
        boundary.forcing);
     io(key("kernel", "Regularised delta function.").by_default(), boundary.kernel);
-    io(key("markers",
-           "Place of the markers: midway between the large faces of a sheet, below both "
-           "of them, or through the volume. Without it, below both faces of sheets and "
-           "through other bodies."),
-       boundary.markers);
-    io(key("marker_spacing", "Largest distance of markers, in fluid spacings; beyond about 1 the "
-           "surface leaks. Each element carries at least one, so that no more than the longest "
-           "edge of an element can be asked for.").above(0).at_most(1.5).by_default(),
-       boundary.marker_spacing);
-    io(key("retraction", "Depth of markers below the surface, in fluid spacings: the kernel "
-           "smears them beyond it.").at_least(0).at_most(1).by_default(),
-       boundary.retraction);
-    io(key("rim_retraction",
-           "Depth of markers below the rim of a sheet, in fluid spacings.").at_least(0).at_most(2)
-           .by_default(),
-       boundary.rim_retraction);
     io(key("strength",
            "Coefficient beta of eq. (13) as a fraction of 2 rho dV / dt. With 1 it is "
            "direct forcing.")

@@ -266,8 +266,8 @@ void keys(Io& io, Fluid& fluid) {
            .above(0).at_most(1),
        fluid.magic_number);
     io(key("precision",
-           "Precision of the populations in memory. float takes half of the memory and "
-           "of the time of double; float_double computes in double.").by_default(),
+           "Precision of the populations. float takes half of the memory and of the time of "
+           "double.").by_default(),
        fluid.precision);
     io.group(key("smagorinsky", "Eddy viscosity of unresolved turbulence.").optional(),
              fluid.smagorinsky_constant > 0, [&](auto& model) {

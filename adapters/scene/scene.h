@@ -27,8 +27,7 @@ using Vec3 = std::array<double, 3>;
 using namespace structure;
 using coupler::AccelerationMethod, coupler::Coupling;
 using coupler::ImmersedBoundary, coupler::InitialGuess, coupler::Iteration;
-using coupler::Kernel, coupler::Markers, coupler::OnNoConvergence,
-    coupler::SampledVelocity;
+using coupler::Kernel, coupler::OnNoConvergence, coupler::SampledVelocity;
 using coupler::Scheme;
 using coupler::StructureSide;
 using fluid::Block, fluid::Boundary, fluid::BoundaryKind, fluid::Collision;

@@ -156,6 +156,9 @@ constexpr RemovedWord removed_words[] = {
     {"acceleration", "under_relaxation",
      "it was removed: write aitken, which finds the factor by itself, or leave the key "
      "out for iqn_ils"},
+    {"precision", "float_double", "it was removed: write float, or double"},
+    {"element", "mean_f",
+     "it was removed: write assumed_strain, which is better in every mode"},
 };
 
 // Advice for a removed word, else the most similar one.
@@ -237,11 +240,18 @@ constexpr Renamed renamed[] = {
 struct RemovedKey {
     std::string_view group, name, instead;
 };
+constexpr std::string_view markers_follow =
+    "it was removed: markers follow from the body's shape and the fluid's spacing; leave "
+    "the key out";
 constexpr RemovedKey removed_keys[] = {
     {"iteration", "filter",
      "it was removed: leave it out; columns are dropped as qr2 did, by filter_limit"},
     {"immersed_boundary", "iterations",
      "it was removed: leave it out, and take forcing: no_slip where less slip is wanted"},
+    {"immersed_boundary", "markers", markers_follow},
+    {"immersed_boundary", "marker_spacing", markers_follow},
+    {"immersed_boundary", "retraction", markers_follow},
+    {"immersed_boundary", "rim_retraction", markers_follow},
 };
 
 // Advice about an unknown key: its new name, its replacement, the group that it belongs

@@ -21,14 +21,14 @@ std::ptrdiff_t round_up(std::ptrdiff_t value, std::ptrdiff_t unit) {
     return (value + unit - 1) / unit * unit;
 }
 
-std::ptrdiff_t size_of(Storage storage) {
-    return storage == Storage::float_ ? sizeof(float) : sizeof(double);
+std::ptrdiff_t size_of(Precision precision) {
+    return precision == Precision::float_ ? sizeof(float) : sizeof(double);
 }
 
 // Bytes of a padded row: one element more than it has cells, for the ghost, rounded up to
 // whole cache lines.
-std::ptrdiff_t row_bytes_of(int row_length, Storage storage) {
-    return round_up((row_length + 1) * size_of(storage), line);
+std::ptrdiff_t row_bytes_of(int row_length, Precision precision) {
+    return round_up((row_length + 1) * size_of(precision), line);
 }
 
 // Bytes from one direction's array to the next one's.
@@ -97,9 +97,9 @@ Real* x_end_partner(const RowPointers<Real>& p, const RowLayout& layout, int q) 
 
 }  // namespace
 
-std::size_t Populations::bytes_of(int row_length, int row_count, Storage storage) {
+std::size_t Populations::bytes_of(int row_length, int row_count, Precision precision) {
     return d3q19::directions *
-               array_bytes_of(row_count, row_bytes_of(row_length, storage)) +
+               array_bytes_of(row_count, row_bytes_of(row_length, precision)) +
            line;
 }
 
@@ -122,15 +122,15 @@ std::unique_ptr<void, Populations::Free> Populations::allocate(std::size_t bytes
     return {memory, Free{bytes}};
 }
 
-Populations::Populations(int row_length, int row_count, Storage storage)
-    : storage_(storage) {
-    const std::ptrdiff_t size = size_of(storage);
-    const std::ptrdiff_t row_bytes = row_bytes_of(row_length, storage);
+Populations::Populations(int row_length, int row_count, Precision precision)
+    : precision_(precision) {
+    const std::ptrdiff_t size = size_of(precision);
+    const std::ptrdiff_t row_bytes = row_bytes_of(row_length, precision);
     const std::ptrdiff_t array_bytes = array_bytes_of(row_count, row_bytes);
     row_stride_ = row_bytes / size;
     array_stride_ = array_bytes / size;
     bytes_ = round_up(
-        static_cast<std::ptrdiff_t>(bytes_of(row_length, row_count, storage)), page);
+        static_cast<std::ptrdiff_t>(bytes_of(row_length, row_count, precision)), page);
     memory_ = allocate(bytes_);
     void* const memory = memory_.get();
     char* const first = static_cast<char*>(memory) + line;  // row 0 has an element -1 too

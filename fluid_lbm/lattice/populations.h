@@ -22,6 +22,7 @@
 #include <span>
 
 #include "fluid_lbm/lattice/d3q19.h"
+#include "fluid_lbm/options.h"
 
 namespace magfsi::fluid {
 
@@ -76,9 +77,6 @@ inline Arrangement arrangement_after(std::int64_t steps) {
     return steps % 2 == 0 ? Arrangement::natural : Arrangement::swapped;
 }
 
-// Type that populations are stored as.
-enum class Storage { double_, float_ };
-
 // The rows of populations as numbers of one type. It is a view on memory: const does not
 // protect the values.
 template <class Real>
@@ -103,17 +101,17 @@ class Populations {
   public:
     // Allocates row_count rows of row_length cells, at rest with density 1. The threads
     // first touch those rows that the sweep will give them. Throws std::bad_alloc.
-    Populations(int row_length, int row_count, Storage storage);
+    Populations(int row_length, int row_count, Precision precision);
 
     // Memory [bytes] of such an object, padding included.
-    static std::size_t bytes_of(int row_length, int row_count, Storage storage);
+    static std::size_t bytes_of(int row_length, int row_count, Precision precision);
 
     // Calls use(rows) with rows of the stored type, PopulationRows<double> or
     // PopulationRows<float>. All code outside the kernels reads and writes populations
     // so.
     template <class Use>
     decltype(auto) visit(Use&& use) const {
-        if (storage_ == Storage::float_) return use(rows<float>());
+        if (precision_ == Precision::float_) return use(rows<float>());
         return use(rows<double>());
     }
     // The rows of the stored type, which Real must be.
@@ -122,9 +120,8 @@ class Populations {
         return {static_cast<Real*>(first_), array_stride_, row_stride_};
     }
 
-    Storage storage() const { return storage_; }
     std::size_t element_bytes() const {
-        return storage_ == Storage::float_ ? sizeof(float) : sizeof(double);
+        return precision_ == Precision::float_ ? sizeof(float) : sizeof(double);
     }
     std::ptrdiff_t row_stride() const { return row_stride_; }  // elements
     std::size_t bytes() const { return bytes_; }
@@ -146,7 +143,7 @@ class Populations {
     };
     static std::unique_ptr<void, Free> allocate(std::size_t bytes);
 
-    Storage storage_;
+    Precision precision_;
     std::ptrdiff_t row_stride_ = 0, array_stride_ = 0;  // elements
     std::size_t bytes_ = 0;
     std::unique_ptr<void, Free> memory_;

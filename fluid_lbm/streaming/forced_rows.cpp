@@ -11,7 +11,8 @@ constexpr int body_force = 0;
 }  // namespace
 
 ForcedRows::ForcedRows(int nx, int ny, int nz,
-                       const std::optional<std::array<double, 3>>& body, Storage storage)
+                       const std::optional<std::array<double, 3>>& body,
+                       Precision precision)
     : nx_(nx),
       ny_(ny),
       everywhere_(body.has_value()),
@@ -19,7 +20,7 @@ ForcedRows::ForcedRows(int nx, int ny, int nz,
       first_slot_(everywhere_ ? 1 : 0),
       slot_of_row_(static_cast<std::size_t>(ny) * nz,
                    everywhere_ ? body_force : no_force) {
-    if (storage == Storage::float_) lines_.emplace<Lines<float>>();
+    if (precision == Precision::float_) lines_.emplace<Lines<float>>();
     lines_per_row_ = std::visit(
         [&]<class Real>(const Lines<Real>&) { return (nx - 1) / per_line<Real> + 1; },
         lines_);

@@ -27,7 +27,7 @@ class ForcedRows {
     // rows are free of force until add(). Forces are stored in the type of the
     // populations, so that kernels read both alike.
     ForcedRows(int nx, int ny, int nz, const std::optional<std::array<double, 3>>& body,
-               Storage storage);
+               Precision precision);
 
     // Removes all forces but the body force.
     void clear();

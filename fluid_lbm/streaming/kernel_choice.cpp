@@ -36,14 +36,8 @@ AnyKernels choose_kernels(InstructionSet set, Precision precision, Collision col
     const KernelSet& kernels = set == InstructionSet::sse2   ? sse2::kernels
                                : set == InstructionSet::avx2 ? avx2::kernels
                                                              : avx512::kernels;
-    switch (precision) {
-        case Precision::float_:
-            return choose(kernels.on_float, collision, viscosity);
-        case Precision::float_double:
-            return choose(kernels.on_float_in_double, collision, viscosity);
-        case Precision::double_:
-            break;
-    }
+    if (precision == Precision::float_)
+        return choose(kernels.on_float, collision, viscosity);
     return choose(kernels.on_double, collision, viscosity);
 }
 

@@ -11,11 +11,6 @@
 
 namespace magfsi::fluid {
 
-// Type that populations are stored as.
-inline Storage storage_of(Precision precision) {
-    return precision == Precision::double_ ? Storage::double_ : Storage::float_;
-}
-
 // Row kernels for either type of stored populations.
 using AnyKernels = std::variant<RowKernels<double>, RowKernels<float>>;
 

@@ -12,11 +12,11 @@
 namespace magfsi::fluid::MAGFSI_ISA {
 namespace {
 
-// Collision of a row. Real: the stored type; T: the type computed with; C: the collision.
-template <class Real, class T, class C, bool Forced>
+// Collision of a row. Real: the type of the populations; C: the collision.
+template <class Real, class C, bool Forced>
 bool collide(Real* const* at, const Real* const* force, std::ptrdiff_t length,
              const CollisionParameters& parameters) {
-    using V = typename Simd<T, vector_bytes / sizeof(T)>::Vector;
+    using V = typename Simd<Real, vector_bytes / sizeof(Real)>::Vector;
     return collide_row<C, Forced, V>(at, force, length, parameters);
 }
 
@@ -41,32 +41,30 @@ void rebuild(const double* const* flow, std::ptrdiff_t length, Real* const* at) 
     rebuild_row<vector_bytes / sizeof(double)>(flow, length, at);
 }
 
-template <class Real, class T, class C>
+template <class Real, class C>
 constexpr RowKernels<Real> row_kernels_of() {
-    return {collide<Real, T, C, false>, collide<Real, T, C, true>, sample<Real>,
-            flow<Real>, rebuild<Real>};
+    return {collide<Real, C, false>, collide<Real, C, true>, sample<Real>, flow<Real>,
+            rebuild<Real>};
 }
 
-template <class Real, class T, class C>
+template <class Real, class C>
 constexpr CollisionKernels<Real> kernels_of() {
     return {C::kind,
-            {row_kernels_of<Real, T, C>(), row_kernels_of<Real, T, Smagorinsky<C>>(),
-             row_kernels_of<Real, T, ShearDependent<C>>()}};
+            {row_kernels_of<Real, C>(), row_kernels_of<Real, Smagorinsky<C>>(),
+             row_kernels_of<Real, ShearDependent<C>>()}};
 }
 
 // Table of all collisions. A new collision takes a header like bgk.h, an enumerator with
 // its word in options.h, and its name in this list.
-template <class Real, class T>
+template <class Real>
 constexpr KernelTable<Real> table() {
-    return {{kernels_of<Real, T, Bgk>(), kernels_of<Real, T, TwoRelaxationTimes>(),
-             kernels_of<Real, T, RecursiveRegularized>(),
-             kernels_of<Real, T, RecursiveMrt>()}};
+    return {{kernels_of<Real, Bgk>(), kernels_of<Real, TwoRelaxationTimes>(),
+             kernels_of<Real, RecursiveRegularized>(), kernels_of<Real, RecursiveMrt>()}};
 }
 
 }  // namespace
 
 extern const KernelSet kernels;
-constinit const KernelSet kernels = {table<double, double>(), table<float, float>(),
-                                     table<float, double>()};
+constinit const KernelSet kernels = {table<double>(), table<float>()};
 
 }  // namespace magfsi::fluid::MAGFSI_ISA

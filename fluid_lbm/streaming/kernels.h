@@ -67,7 +67,6 @@ struct KernelTable {
 struct KernelSet {
     KernelTable<double> on_double;
     KernelTable<float> on_float;
-    KernelTable<float> on_float_in_double;  // float stored, double computed
 };
 
 }  // namespace magfsi::fluid

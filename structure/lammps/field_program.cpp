@@ -17,7 +17,6 @@ template <>
 constexpr const char* law_name<ConstantField> = "constant";
 template <>
 constexpr const char* law_name<RotatingField> = "rotating";
-
 template <>
 constexpr const char* law_name<VectorField> = "vector";
 template <>
@@ -53,32 +52,10 @@ struct LawWords<FieldTable> {
     }
 };
 
-// Words are rows of time and vector.
 template <>
-struct LawWords<VectorTable> {
-    static std::string words(const VectorTable& table) {
-        std::string out = table.repeat ? "repeat_vectors" : "vectors";
-        for (std::size_t i = 0; i < table.time_s.size(); ++i) {
-            out += fmt::format(" {:.17g} {:.17g}", table.time_s[i],
-                               fmt::join(table.vector_t[i], " "));
-        }
-        return out;
-    }
-    static std::string usage() { return "vectors and repeat_vectors have 4 per row"; }
-    static std::optional<VectorTable> read(const std::string& name,
-                                           std::span<const double> values) {
-        const bool repeat = name == "repeat_vectors";
-        if ((name != "vectors" && !repeat) || values.size() % 4 != 0) return {};
-        VectorTable table;
-        table.repeat = repeat;
-        for (std::size_t i = 0; i < values.size(); i += 4) {
-            table.time_s.push_back(values[i]);
-            table.vector_t.push_back({values[i + 1], values[i + 2], values[i + 3]});
-        }
-        return table;
-    }
-};
-
+constexpr const char* law_name<VectorTable> = "vectors";
+template <>
+struct LawWords<VectorTable> : TableWords<VectorTable, &VectorTable::vector_t> {};
 template <>
 struct LawWords<FormulaField> : FormulaWords<FormulaField> {};
 
@@ -204,10 +181,6 @@ void check(const VectorTable& table) {
 
 void check(const PrecessingField& field) {
     if (!(length(field.axis) > 0)) refuse("an axis of length 0 found for a field");
-}
-
-void check(const FormulaField& field) {
-    check_formulas(field.component_t);
 }
 
 void check_plane(const std::array<int, 2>& plane) {

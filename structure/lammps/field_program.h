@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The uniform magnetic field over time (eqs. 7 to 9). A new law needs its struct in
-// structure/options.h and its part in field_program.cpp: docs/adding_a_field_law.md.
+// The uniform magnetic field over time (eqs. 7 to 9).
 #pragma once
 
 #include <array>

@@ -79,8 +79,7 @@ ElementVariant parse_element_name(const std::string& word) {
     constexpr auto words = words_of(ElementVariant{});
     const auto found = std::ranges::find(words, word);
     if (found != words.end()) return static_cast<ElementVariant>(found - words.begin());
-    refuse("{}",
-           "element " + word + " found; full, mean_f and assumed_strain are allowed");
+    refuse("element {} found; full and assumed_strain are allowed", word);
 }
 
 }  // namespace magfsi::structure

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,6 +52,12 @@ struct LawWords {
     }
 };
 
+// The word as a formula. Throws std::invalid_argument if it is none.
+inline Formula formula_of(const std::string& word) {
+    value_or_nan(word, 0);
+    return {word, word};
+}
+
 // Words of a law that is one array of three formulas: "formula" and the three texts, none
 // of which may contain blanks.
 template <class Law>
@@ -63,18 +70,48 @@ struct FormulaWords {
     static std::string usage() { return "formula has 3 formulas of t"; }
     static std::optional<Law> read_words(std::span<const std::string> words) {
         if (words.size() != 4 || words[0] != "formula") return {};
-        return Law{{Formula{words[1], words[1]}, Formula{words[2], words[2]},
-                    Formula{words[3], words[3]}}};
-    }
-    static std::optional<Law> read(const std::string&, std::span<const double>) {
-        return {};
+        return Law{{formula_of(words[1]), formula_of(words[2]), formula_of(words[3])}};
     }
 };
 
-// Throws std::invalid_argument if one of the texts is no formula.
-inline void check_formulas(std::span<const Formula> formulas) {
-    for (const Formula& one : formulas) value_or_nan(one.si, 0);
-}
+// Words of a table: its name, with "repeat_" before it if it starts again after its last
+// row, then rows of a time and a value. Values: the member that has the values, numbers
+// or vectors.
+template <class Table, auto Values>
+struct TableWords {
+    using Value =
+        typename std::remove_cvref_t<decltype(std::declval<Table>().*Values)>::value_type;
+    using Numbers = std::array<double, sizeof(Value) / sizeof(double)>;
+    static constexpr std::size_t row = 1 + Numbers{}.size();
+
+    static std::string words(const Table& table) {
+        std::string out = table.repeat ? "repeat_" : "";
+        out += law_name<Table>;
+        for (std::size_t i = 0; i < table.time_s.size(); ++i) {
+            out +=
+                fmt::format(" {:.17g} {:.17g}", table.time_s[i],
+                            fmt::join(std::bit_cast<Numbers>((table.*Values)[i]), " "));
+        }
+        return out;
+    }
+    static std::string usage() {
+        return fmt::format("{0} and repeat_{0} have {1} per row", law_name<Table>, row);
+    }
+    static std::optional<Table> read(const std::string& name,
+                                     std::span<const double> values) {
+        const bool repeat = name == std::string("repeat_") + law_name<Table>;
+        if ((name != law_name<Table> && !repeat) || values.size() % row != 0) return {};
+        Table table;
+        table.repeat = repeat;
+        for (; !values.empty(); values = values.subspan(row)) {
+            Numbers numbers{};
+            std::ranges::copy(values.subspan(1, row - 1), numbers.begin());
+            table.time_s.push_back(values[0]);
+            (table.*Values).push_back(std::bit_cast<Value>(numbers));
+        }
+        return table;
+    }
+};
 
 // Words of the law that the variant holds.
 template <class... Laws>
@@ -100,28 +137,37 @@ inline std::vector<double> numbers_of(std::span<const std::string> words) {
     return out;
 }
 
+// The law from words of which not all are numbers, or from a name and numbers; nothing if
+// this law has no such form.
+template <class Law>
+std::optional<Law> law_of_words(std::span<const std::string> words) {
+    if constexpr (requires { LawWords<Law>::read_words(words); })
+        return LawWords<Law>::read_words(words);
+    else
+        return {};
+}
+template <class Law>
+std::optional<Law> law_of_numbers(const std::string& name,
+                                  std::span<const double> values) {
+    if constexpr (requires { LawWords<Law>::read(name, values); })
+        return LawWords<Law>::read(name, values);
+    else
+        return {};
+}
+
 // Sets the variant to the law that the words give. Throws std::invalid_argument, with the
 // laws that there are, if there is no such law.
 template <class... Laws>
 void read_law(std::variant<Laws...>& out, std::span<const std::string> words) {
     if (words.empty()) refuse("a name is needed");
-    // Laws that are not made of numbers alone come first.
-    const auto read_words = [&]<class Law>(std::type_identity<Law>) {
-        if constexpr (requires { LawWords<Law>::read_words(words); }) {
-            if (std::optional<Law> law = LawWords<Law>::read_words(words)) {
-                out = *std::move(law);
-                return true;
-            }
-        }
-        return false;
-    };
-    if ((read_words(std::type_identity<Laws>{}) || ...)) return;
-    const auto values = numbers_of(words.subspan(1));
-    const auto read = [&]<class Law>(std::optional<Law> law) {
-        if (law) out = *law;
+    const auto take = [&]<class Law>(std::optional<Law> law) {
+        if (law) out = *std::move(law);
         return law.has_value();
     };
-    if ((read(LawWords<Laws>::read(words[0], values)) || ...)) return;
+    // Laws that are not made of numbers alone come first.
+    if ((take(law_of_words<Laws>(words)) || ...)) return;
+    const auto values = numbers_of(words.subspan(1));
+    if ((take(law_of_numbers<Laws>(words[0], values)) || ...)) return;
     const std::array<std::string, sizeof...(Laws)> known{LawWords<Laws>::usage()...};
     refuse("\"{}\" with {} numbers found; {}", words[0], values.size(),
            fmt::join(known, ", "));

@@ -42,7 +42,7 @@ void declare(CLI::App& app, Wanted& wanted) {
     app.add_option("--lame-lambda", wanted.material.lame_lambda_pa, "K [Pa]")->required();
     app.add_option("--density", wanted.material.density_kg_m3, "[kg/m3]")->required();
     app.add_option("--element", wanted.element,
-                   "full, mean_f or assumed_strain (the stable step's)");
+                   "full or assumed_strain (the stable step's)");
     app.add_option("--magnetization", wanted.magnetization_a_m, "uniform [A/m]");
 }
 

@@ -1,332 +1,223 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lammps/source_words.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cctype>
-#include <span>
+#include <initializer_list>
+#include <iterator>
+#include <ranges>
 #include <sstream>
+#include <string_view>
 
-#include "structure/lammps/law_words.h"
-#include "structure/refuse.h"
+#include "structure/lammps/motion_words.h"
 #include "words/path_word.h"
 
 namespace magfsi::structure {
+
+using Words = std::span<const std::string>;
+
+template <>
+constexpr const char* law_name<DipoleSource> = "dipole";
+template <>
+constexpr const char* law_name<CuboidMagnet> = "cuboid";
+template <>
+constexpr const char* law_name<CylinderMagnet> = "cylinder";
+template <>
+constexpr const char* law_name<CircularCoil> = "coil";
+template <>
+constexpr const char* law_name<StrengthOscillation> = "oscillation";
+template <>
+constexpr const char* law_name<StrengthRamp> = "ramp";
+template <>
+constexpr const char* law_name<StrengthTable> = "table";
+template <>
+struct LawWords<StrengthTable> : TableWords<StrengthTable, &StrengthTable::factor> {};
+template <>
+constexpr const char* law_name<SourcePath> = "path";
+template <>
+struct LawWords<SourcePath> : TableWords<SourcePath, &SourcePath::displacement_m> {};
+
+template <>
+struct LawWords<Formula> {
+    static std::string words(const Formula& formula) { return "formula " + formula.si; }
+    static std::string usage() { return "formula has one formula of t"; }
+    static std::optional<Formula> read_words(Words words) {
+        if (words.size() != 2 || words[0] != "formula") return {};
+        return formula_of(words[1]);
+    }
+};
+
+template <>
+struct LawWords<CoilPair> {
+    using Coil = LawWords<CircularCoil>::Numbers;
+
+    static std::string words(const CoilPair& pair) {
+        const auto coil = std::bit_cast<Coil>(static_cast<const CircularCoil&>(pair));
+        return fmt::format("{} {:.17g} {:.17g}", pair.opposed ? "opposed_pair" : "pair",
+                           fmt::join(coil, " "), pair.distance_m);
+    }
+    static std::string usage() { return "pair and opposed_pair have 7"; }
+    static std::optional<CoilPair> read(const std::string& name,
+                                        std::span<const double> values) {
+        const bool opposed = name == "opposed_pair";
+        Coil coil{};
+        if ((name != "pair" && !opposed) || values.size() != coil.size() + 1) return {};
+        std::ranges::copy(values.first(coil.size()), coil.begin());
+        return CoilPair{std::bit_cast<CircularCoil>(coil), values.back(), opposed};
+    }
+};
+
+template <>
+struct LawWords<GridField> {
+    static std::string words(const GridField& grid) {
+        return "grid " + words::path_word(grid.file);
+    }
+    static std::string usage() { return "grid has one file"; }
+    static std::optional<GridField> read_words(Words words) {
+        if (words.size() != 2 || words[0] != "grid") return {};
+        return GridField{words::path_of_word(words[1])};
+    }
+};
+
 namespace {
 
-// --- writing
-
-std::string words(const char* word,
-                  std::initializer_list<std::span<const double>> parts) {
-    std::string out = word;
-    for (const auto part : parts)
-        for (const double number : part) out += fmt::format(" {:.17g}", number);
-    return out;
-}
-std::span<const double> one(const double& number) {
-    return {&number, 1};
-}
-
-std::string rows(const char* word, const std::vector<double>& time_s,
-                 const std::vector<double>& value) {
-    std::string out = word;
-    for (std::size_t i = 0; i < time_s.size(); ++i)
-        out += fmt::format(" {:.17g} {:.17g}", time_s[i], value[i]);
-    return out;
+// Cuts the words before each keyword. The first part, of `first` words at least, begins
+// with none.
+std::vector<Words> parts_of(Words words, std::size_t first,
+                            std::initializer_list<std::string_view> keywords) {
+    std::vector<Words> parts;
+    std::size_t begin = 0;
+    for (std::size_t i = std::min(first, words.size()); i <= words.size(); ++i) {
+        if (i < words.size() && std::ranges::find(keywords, words[i]) == keywords.end())
+            continue;
+        parts.push_back(words.subspan(begin, i - begin));
+        begin = i;
+    }
+    return parts;
 }
 
-// Words of each shape, strength and motion, for std::visit.
-struct Writer {
-    std::string operator()(const DipoleSource& s) const {
-        return words("dipole", {s.moment_a_m2});
-    }
-    std::string operator()(const CuboidMagnet& s) const {
-        return words("cuboid", {s.size_m, s.remanence_t});
-    }
-    std::string operator()(const CylinderMagnet& s) const {
-        return words("cylinder",
-                     {one(s.diameter_m), one(s.height_m), s.axis, s.remanence_t});
-    }
-    std::string operator()(const CircularCoil& s) const {
-        return words("coil", {one(s.diameter_m), s.axis, one(s.current_a), one(s.turns)});
-    }
-    std::string operator()(const CoilPair& s) const {
-        return words(s.opposed ? "opposed_pair" : "pair",
-                     {one(s.diameter_m), s.axis, one(s.current_a), one(s.turns),
-                      one(s.distance_m)});
-    }
-    std::string operator()(const CoilSystem& s) const {
+// Numbers after the keyword of a part. Throws unless they are so many.
+std::vector<double> numbers_after(Words part, std::size_t count) {
+    std::vector<double> numbers = numbers_of(part.subspan(1));
+    if (numbers.size() != count)
+        refuse("\"{}\" with {} numbers found, it has {}", part[0], numbers.size(), count);
+    return numbers;
+}
+
+Vec3 vector_at(std::span<const double> numbers, std::size_t i) {
+    return {numbers[i], numbers[i + 1], numbers[i + 2]};
+}
+
+SystemCoil coil_of(std::span<const double> n) {
+    constexpr std::size_t shape = 8;  // numbers before the currents
+    if (n.size() < shape)
+        refuse(
+            "a member of a coil system with {} numbers found, it has {} and its "
+            "currents",
+            n.size(), shape);
+    return {vector_at(n, 0), n[3], vector_at(n, 4), n[7], {n.begin() + shape, n.end()}};
+}
+
+}  // namespace
+
+template <>
+struct LawWords<CoilSystem> {
+    static std::string words(const CoilSystem& system) {
         std::string out = "system";
-        if (!s.time_s.empty())
-            out += words(s.repeat ? " repeat_times" : " times", {s.time_s});
-        for (const SystemCoil& coil : s.coils) {
-            out += words(" member", {coil.position_m, one(coil.diameter_m), coil.axis,
-                                     one(coil.turns), coil.current_a});
+        if (!system.time_s.empty())
+            out += fmt::format(" {} {:.17g}", system.repeat ? "repeat_times" : "times",
+                               fmt::join(system.time_s, " "));
+        for (const SystemCoil& coil : system.coils) {
+            out += fmt::format(" member {:.17g} {:.17g} {:.17g} {:.17g}",
+                               fmt::join(coil.position_m, " "), coil.diameter_m,
+                               fmt::join(coil.axis, " "), coil.turns);
+            for (const double current_a : coil.current_a)
+                out += fmt::format(" {:.17g}", current_a);
             if (coil.current) out += " current " + coil.current->si;
         }
         return out;
     }
-    std::string operator()(const GridField& s) const {
-        return "grid " + words::path_word(s.file);
-    }
-
-    std::string operator()(const StrengthOscillation& s) const {
-        return words("oscillating", {one(s.frequency_hz), one(s.phase_rad)});
-    }
-    std::string operator()(const StrengthTable& s) const {
-        return rows(s.repeat ? "repeat_factors" : "factors", s.time_s, s.factor);
-    }
-    std::string operator()(const StrengthRamp& s) const {
-        return words("rising", {one(s.duration_s)});
-    }
-    std::string operator()(const Formula& s) const { return "factor " + s.si; }
-    std::string operator()(const Oscillation& s) const {
-        return words("swinging", {s.amplitude_m, one(s.frequency_hz), one(s.phase_rad)});
-    }
-    std::string operator()(const DisplacementRamp& s) const {
-        return words("shifting", {s.displacement_m, one(s.duration_s)});
-    }
-    std::string operator()(const FormulaMotion& s) const {
-        std::string out = "shift";
-        for (const Formula& component : s.component_m) out += " " + component.si;
-        return out;
-    }
-    std::string operator()(const SourcePath& s) const {
-        std::string out = s.repeat ? "repeat_path" : "path";
-        for (std::size_t i = 0; i < s.time_s.size(); ++i)
-            out += words("", {one(s.time_s[i]), s.displacement_m[i]});
-        return out;
+    static std::string usage() { return "system has members"; }
+    static std::optional<CoilSystem> read_words(Words words) {
+        const auto parts =
+            parts_of(words, 1, {"times", "repeat_times", "member", "current"});
+        if (words[0] != "system" || parts[0].size() != 1) return {};
+        CoilSystem system;
+        for (const Words part : parts | std::views::drop(1)) {
+            if (part[0] == "member") {
+                system.coils.push_back(coil_of(numbers_of(part.subspan(1))));
+            } else if (part[0] == "current") {
+                if (part.size() != 2 || system.coils.empty())
+                    refuse("\"current\" found, it is one formula of t after a member");
+                system.coils.back().current = formula_of(part[1]);
+            } else {
+                system.time_s = numbers_of(part.subspan(1));
+                system.repeat = part[0] == "repeat_times";
+            }
+        }
+        return system;
     }
 };
+
+namespace {
+
+std::string words_of_turning(const SourceTurning& turning) {
+    const auto* formula = std::get_if<Formula>(&turning.turns);
+    std::string out = fmt::format(" {} {:.17g} ", formula ? "angle" : "turning",
+                                  fmt::join(turning.axis, " "));
+    out +=
+        formula ? formula->si : fmt::format("{:.17g}", std::get<double>(turning.turns));
+    if (turning.about_m) out += fmt::format(" {:.17g}", fmt::join(*turning.about_m, " "));
+    return out;
+}
 
 std::string text_of(const FieldSource& source) {
-    std::string out = std::visit(Writer{}, source.shape);
-    const auto add = [&](const std::string& text) { (out += ' ') += text; };
-    out += words(" at", {source.position_m});
-    if (source.rotation)
-        out +=
-            words(" rotated", {source.rotation->axis, one(source.rotation->angle_rad)});
-    if (source.strength) add(std::visit(Writer{}, *source.strength));
-    if (source.motion) add(std::visit(Writer{}, *source.motion));
-    if (source.turning) {
-        const SourceTurning& turning = *source.turning;
-        const auto* formula = std::get_if<Formula>(&turning.turns);
-        if (formula)
-            out += " angle " + formula->si + words(" about", {turning.axis});
-        else
-            out +=
-                words(" turning", {turning.axis, one(std::get<double>(turning.turns))});
-        if (turning.about_m) out += words("", {*turning.about_m});
-    }
+    std::string out = fmt::format("{} at {:.17g}", law_words(source.shape),
+                                  fmt::join(source.position_m, " "));
+    if (const auto& turn = source.rotation)
+        out += fmt::format(" rotated {:.17g} {:.17g}", fmt::join(turn->axis, " "),
+                           turn->angle_rad);
+    if (source.strength) out += " strength " + law_words(*source.strength);
+    if (source.motion) out += " motion " + law_words(*source.motion);
+    if (source.turning) out += words_of_turning(*source.turning);
     return out;
 }
 
-// --- reading
-
-// A keyword, the texts after it that are no numbers (file or formulas), and the numbers
-// after these, which take() hands out in order.
-struct Group {
-    std::string word;
-    std::vector<std::string> texts;
-    std::vector<double> numbers{};
-    std::size_t taken = 0;
-
-    double take() {
-        if (taken == numbers.size()) refuse("\"{}\" with too few numbers found", word);
-        return numbers[taken++];
+// Reads "turning AX AY AZ FREQUENCY [X Y Z]", or "angle" with a formula as fourth word.
+SourceTurning turning_of(Words part) {
+    std::vector<std::string> rest(part.begin() + 1, part.end());
+    SourceTurning turning;
+    if (part[0] == "angle" && rest.size() > 3) {
+        turning.turns = formula_of(rest[3]);
+        rest[3] = "0";
     }
-    Vec3 take3() {
-        const double x = take(), y = take(), z = take();
-        return {x, y, z};
-    }
-    std::size_t left() const { return numbers.size() - taken; }
-    Formula formula(std::size_t i = 0) const {
-        if (i >= texts.size()) refuse("\"{}\" with too few formulas found", word);
-        value_or_nan(texts[i], 0);  // refuses what is none
-        return {texts[i], texts[i]};
-    }
-};
-
-// Number of texts, a file or formulas, that follow a keyword.
-std::size_t texts_after(const std::string& word) {
-    if (word == "shift") return 3;
-    const bool has_one =
-        word == "grid" || word == "current" || word == "factor" || word == "angle";
-    return has_one ? 1 : 0;
+    const auto n = numbers_of(rest);
+    if (n.size() != 4 && n.size() != 7)
+        refuse("\"{}\" with {} values found, it has 4, or 7 with a point", part[0],
+               n.size());
+    turning.axis = vector_at(n, 0);
+    if (part[0] == "turning") turning.turns = n[3];
+    if (n.size() == 7) turning.about_m = vector_at(n, 4);
+    return turning;
 }
 
-bool is_word(const std::string& text) {
-    return std::isalpha(static_cast<unsigned char>(text.front())) != 0;
-}
-
-// Splits a source's text at its keywords. Throws on a number or formula in the wrong
-// place.
-std::vector<Group> groups_of(const std::string& text) {
-    std::vector<Group> out;
-    std::istringstream stream(text);
-    for (std::string word; stream >> word;) {
-        if (!out.empty() && out.back().texts.size() < texts_after(out.back().word)) {
-            out.back().texts.push_back(word);
-        } else if (is_word(word)) {
-            out.push_back({word, {}});
-        } else if (out.empty()) {
-            refuse("\"{}\" found, a source of the field begins with its kind", word);
-        } else {
-            out.back().numbers.push_back(numbers_of({&word, 1}).front());
-        }
-    }
-    return out;
-}
-
-// The read_ functions interpret one group. They return false if its keyword is not
-// theirs.
-bool read_coil(Group& g, CircularCoil& coil) {
-    coil.diameter_m = g.take();
-    coil.axis = g.take3();
-    coil.current_a = g.take();
-    coil.turns = g.take();
-    return true;
-}
-
-bool read_shape(Group& g, SourceShape& out) {
-    if (g.word == "dipole") {
-        out = DipoleSource{g.take3()};
-    } else if (g.word == "cuboid") {
-        const Vec3 size_m = g.take3();
-        out = CuboidMagnet{size_m, g.take3()};
-    } else if (g.word == "cylinder") {
-        const double diameter_m = g.take(), height_m = g.take();
-        const Vec3 axis = g.take3();
-        out = CylinderMagnet{diameter_m, height_m, axis, g.take3()};
-    } else if (g.word == "coil") {
-        CircularCoil coil;
-        read_coil(g, coil);
-        out = coil;
-    } else if (g.word == "pair" || g.word == "opposed_pair") {
-        CoilPair pair;
-        read_coil(g, pair);
-        pair.distance_m = g.take();
-        pair.opposed = g.word == "opposed_pair";
-        out = pair;
-    } else if (g.word == "system") {
-        out = CoilSystem{};
-    } else if (g.word == "grid") {
-        if (g.texts.size() != 1) refuse("\"grid\" without one file found");
-        out = GridField{words::path_of_word(g.texts.front())};
-    } else {
-        return false;
-    }
-    return true;
-}
-
-bool read_member(Group& g, SourceShape& shape) {
-    auto* system = std::get_if<CoilSystem>(&shape);
-    if (!system) return false;
-    if (g.word == "times" || g.word == "repeat_times") {
-        system->repeat = g.word == "repeat_times";
-        while (g.left() > 0) system->time_s.push_back(g.take());
-        return true;
-    }
-    if (g.word == "current" && !system->coils.empty()) {
-        system->coils.back().current = g.formula();
-        return true;
-    }
-    if (g.word != "member") return false;
-    SystemCoil coil;
-    coil.position_m = g.take3();
-    coil.diameter_m = g.take();
-    coil.axis = g.take3();
-    coil.turns = g.take();
-    while (g.left() > 0) coil.current_a.push_back(g.take());
-    system->coils.push_back(coil);
-    return true;
-}
-
-bool read_strength(Group& g, FieldSource& out) {
-    if (g.word == "oscillating") {
-        const double frequency_hz = g.take();
-        out.strength = StrengthOscillation{frequency_hz, g.take()};
-    } else if (g.word == "rising") {
-        out.strength = StrengthRamp{g.take()};
-    } else if (g.word == "factor") {
-        out.strength = g.formula();
-    } else if (g.word == "factors" || g.word == "repeat_factors") {
-        StrengthTable table;
-        table.repeat = g.word == "repeat_factors";
-        while (g.left() > 0) {
-            table.time_s.push_back(g.take());
-            table.factor.push_back(g.take());
-        }
-        out.strength = table;
-    } else {
-        return false;
-    }
-    return true;
-}
-
-bool read_motion(Group& g, FieldSource& out) {
-    if (g.word == "swinging") {
-        const Vec3 amplitude_m = g.take3();
-        const double frequency_hz = g.take();
-        out.motion = Oscillation{amplitude_m, frequency_hz, g.take()};
-    } else if (g.word == "shifting") {
-        const Vec3 way_m = g.take3();
-        out.motion = DisplacementRamp{way_m, g.take()};
-    } else if (g.word == "path" || g.word == "repeat_path") {
-        SourcePath path;
-        path.repeat = g.word == "repeat_path";
-        while (g.left() > 0) {
-            path.time_s.push_back(g.take());
-            path.displacement_m.push_back(g.take3());
-        }
-        out.motion = path;
-    } else if (g.word == "shift") {
-        out.motion = FormulaMotion{{g.formula(0), g.formula(1), g.formula(2)}};
-    } else if (g.word == "turning") {
-        SourceTurning turning;
-        turning.axis = g.take3();
-        turning.turns = g.take();
-        if (g.left() > 0) turning.about_m = g.take3();
-        out.turning = turning;
-    } else if (g.word == "angle") {
-        out.turning = SourceTurning{{}, g.formula(), {}};
-    } else if (g.word == "about" && out.turning) {
-        out.turning->axis = g.take3();
-        if (g.left() > 0) out.turning->about_m = g.take3();
-    } else {
-        return false;
-    }
-    return true;
-}
-
-bool read_place(Group& g, FieldSource& out) {
-    if (g.word == "at") {
-        out.position_m = g.take3();
-        return true;
-    }
-    if (g.word != "rotated") return false;
-    const Vec3 axis = g.take3();
-    out.rotation = AxisRotation{axis, g.take()};
-    return true;
-}
-
-FieldSource source_from(const std::string& text) {
-    std::vector<Group> groups = groups_of(text);
+FieldSource source_of(Words words) {
+    // A file of a grid may have the name of a keyword.
+    const auto parts =
+        parts_of(words, 2, {"at", "rotated", "strength", "motion", "turning", "angle"});
     FieldSource source;
-    if (groups.empty() || !read_shape(groups.front(), source.shape)) {
-        refuse(
-            "\"{}\" found; a source of the field is dipole, cuboid, cylinder, coil, "
-            "pair, opposed_pair, system or grid",
-            groups.empty() ? "" : groups.front().word);
-    }
-    for (Group& g : groups) {
-        const bool known = &g == &groups.front() || read_member(g, source.shape) ||
-                           read_place(g, source) || read_strength(g, source) ||
-                           read_motion(g, source);
-        if (!known) refuse("\"{}\" found in a source of the field", g.word);
-        if (g.left() > 0) refuse("\"{}\" with too many numbers found", g.word);
+    read_law(source.shape, parts[0]);
+    for (const Words part : parts | std::views::drop(1)) {
+        if (part[0] == "at") {
+            source.position_m = vector_at(numbers_after(part, 3), 0);
+        } else if (part[0] == "rotated") {
+            const auto n = numbers_after(part, 4);
+            source.rotation = AxisRotation{vector_at(n, 0), n[3]};
+        } else if (part[0] == "strength") {
+            read_law(source.strength.emplace(), part.subspan(1));
+        } else if (part[0] == "motion") {
+            read_law(source.motion.emplace(), part.subspan(1));
+        } else {
+            source.turning = turning_of(part);
+        }
     }
     return source;
 }
@@ -343,8 +234,11 @@ std::string source_words(const std::vector<FieldSource>& sources) {
 std::vector<FieldSource> parse_source_words(const std::string& text) {
     std::vector<FieldSource> out;
     std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, ';');)
-        out.push_back(source_from(part));
+    for (std::string part; std::getline(stream, part, ';');) {
+        std::istringstream in(part);
+        const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
+        out.push_back(source_of(words));
+    }
     if (out.empty()) refuse("no source of the field found, one is needed");
     return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sources of the magnetic field as the words of one LAMMPS argument, and back.
+// Sources of the magnetic field as the words of one LAMMPS argument, and back. Shapes,
+// strengths and motions are laws in the words of law_words.h.
 #pragma once
 
 #include <string>
@@ -19,14 +20,14 @@ namespace magfsi::structure {
 //       member PX PY PZ DIAMETER AX AY AZ TURNS CURRENT1 CURRENT2 ...  (for each coil)
 //       or member PX PY PZ DIAMETER AX AY AZ TURNS current FORMULA
 //   grid FILE
-// Place, strength and motion follow, each if given:
+// Place, strength, motion and turning follow, each if given:
 //   at X Y Z
 //   rotated AX AY AZ ANGLE
-//   oscillating FREQUENCY PHASE, factors TIME F ..., repeat_factors TIME F ..., rising
-//   TIME, or factor FORMULA
-//   swinging DX DY DZ FREQUENCY PHASE, shifting DX DY DZ TIME, path TIME DX DY DZ ...,
-//   repeat_path TIME DX DY DZ ..., or shift FORMULA FORMULA FORMULA
-//   turning AX AY AZ FREQUENCY [X Y Z], or angle FORMULA about AX AY AZ [X Y Z]
+//   strength oscillation FREQUENCY PHASE, table TIME F ..., repeat_table TIME F ..., ramp
+//   TIME, or formula FORMULA
+//   motion oscillation DX DY DZ FREQUENCY PHASE, ramp DX DY DZ TIME, path TIME DX DY DZ
+//   ..., repeat_path TIME DX DY DZ ..., or formula FORMULA FORMULA FORMULA
+//   turning AX AY AZ FREQUENCY [X Y Z], or angle AX AY AZ FORMULA [X Y Z]
 //   (about the source, or about a point)
 // All numbers are in SI, angles in radians, J is the remanence [T]. Formulas are
 // functions of t [s] without blanks (structure/formula.h). Numbers are exact when read

@@ -10,7 +10,6 @@ namespace {
 
 using Hourglass = Eigen::Matrix<double, 8, 4>;
 constexpr std::array<int, 4> hourglass_modes{3, 6, 5, 7};  // xy, yz, xz, xyz
-constexpr std::array<std::array<int, 2>, 3> mode_axes{{{0, 1}, {1, 2}, {0, 2}}};
 
 // Hourglass vectors that vanish on linear fields: gamma = h - b (X^T h) / V0.
 Hourglass hourglass_vectors(const Positions8& nodes_m, const HexahedronIntegrals& in) {
@@ -23,22 +22,12 @@ Hourglass hourglass_vectors(const Positions8& nodes_m, const HexahedronIntegrals
     return gamma;
 }
 
-// Square roots of the factors by which the variant scales the entries of the matrix C of
-// full.
-Eigen::Vector4d hourglass_scale(const Vec3& length, ElementVariant variant) {
-    Eigen::Vector4d scale = Eigen::Vector4d::Ones();
-    double smallest = INFINITY;
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double li = length[mode_axes[k][0]];
-        const double lj = length[mode_axes[k][1]];
-        const double shorter = std::min(li, lj);
-        scale(k) = std::sqrt(3 * shorter * shorter / (li * li + lj * lj));
-        smallest = std::min(smallest, li * li * lj * lj);
-        sum += li * li * lj * lj;
-    }
-    if (variant == ElementVariant::mean_f) return scale;
-    return {0, 0, 0, std::sqrt(3 * smallest / sum)};
+// Square root of the factor by which assumed_strain scales the entry of the mode xyz of
+// the matrix C of full.
+double xyz_scale(const Vec3& length) {
+    const auto [x, y, z] = length;
+    const double xy = x * x * y * y, yz = y * y * z * z, xz = x * x * z * z;
+    return std::sqrt(3 * std::min({xy, yz, xz}) / (xy + yz + xz));
 }
 
 }  // namespace
@@ -50,12 +39,12 @@ Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& in,
     const Hourglass gamma = hourglass_vectors(nodes_m, in);
     // in.laplacian - mean = Gamma C Gamma^T, solved for C.
     const Eigen::Matrix4d inverse = (gamma.transpose() * gamma).inverse();
-    Eigen::Matrix4d c =
+    const Eigen::Matrix4d c =
         inverse * (gamma.transpose() * (in.laplacian - mean) * gamma) * inverse;
-    const Eigen::Vector4d scale =
-        hourglass_scale(element_edges(nodes_m).length_m, variant);
-    c = scale.asDiagonal() * c * scale.asDiagonal();
-    return mean + gamma * c * gamma.transpose();
+    const double scale = xyz_scale(element_edges(nodes_m).length_m);
+    Eigen::Matrix4d kept = Eigen::Matrix4d::Zero();
+    kept(3, 3) = scale * c(3, 3) * scale;
+    return mean + gamma * kept * gamma.transpose();
 }
 
 // The position is x(xi) = sum_m u_m xi^m with the Hadamard modes u_m = 1/8 sum_a h_m(a)

@@ -23,12 +23,10 @@ using Matrix24 = Eigen::Matrix<double, 24, 24>;  // row 3 a + d: node a, directi
 // bricks have negative stiffnesses, and that is right.
 //
 // full: L_ab = integral of grad N_a . grad N_b.
-// mean_f: L = b b^T / V0 + Gamma C Gamma^T, the family of matrices that reproduces linear
-// fields exactly. C is that of full with the entries of the three bending modes scaled,
-// so that a brick of edges l has 3 min(l_i, l_j)^2 where full has l_i^2 + l_j^2.
-// assumed_strain: as mean_f, but C has only the entry of the mode xyz, scaled so that a
-// brick has 3 times the smallest of the (l_i l_j)^2 where full has their sum;
-// hourglass_energy covers the other modes.
+// assumed_strain: L = b b^T / V0 + Gamma C Gamma^T, the family of matrices that
+// reproduces linear fields exactly. C is that of full reduced to the entry of the mode
+// xyz, and scaled so that a brick of edges l has 3 times the smallest of the (l_i l_j)^2
+// where full has their sum; hourglass_energy covers the other modes.
 Matrix8 spring_matrix(const Positions8& nodes_m, const HexahedronIntegrals& integrals,
                       ElementVariant variant);
 
@@ -79,7 +77,7 @@ struct ElementReference {
     double volume = 0;      // V0 [m3]
     // Integral of N_a [m3]
     std::array<double, 8> node_volume{};
-    // Used by the energy of assumed_strain and by the viscosity of all variants
+    // Used by the energy of assumed_strain and by the viscosity of both variants
     HourglassReference hourglass;
 };
 
@@ -102,7 +100,7 @@ VolumeAndGradient mean_volume(const Positions8& x_m,
                               const Positions8& reference_gradient_m2,
                               double reference_volume_m3);
 
-// Volume J V0 of the element's variant: exact for full, by the mean F for the others.
+// Volume J V0 of the element's variant: exact for full, by the mean F for assumed_strain.
 VolumeAndGradient element_volume(const ElementReference& reference,
                                  const Positions8& x_m);
 

@@ -15,14 +15,8 @@ constexpr std::array<ElementKernelFunction, 3> element_functions{
     &sse2::run_elements, &avx2::run_elements, &avx512::run_elements};
 
 KernelKind kind_of(const Lattice& lattice) {
-    switch (lattice.variant) {
-        case ElementVariant::full:
-            return lattice.bricks ? KernelKind::brick_full : KernelKind::general_full;
-        case ElementVariant::mean_f:
-            return lattice.bricks ? KernelKind::brick_mean_f : KernelKind::general_mean_f;
-        case ElementVariant::assumed_strain:
-            break;
-    }
+    if (lattice.variant == ElementVariant::full)
+        return lattice.bricks ? KernelKind::brick_full : KernelKind::general_full;
     return lattice.bricks ? KernelKind::brick_assumed_strain
                           : KernelKind::general_assumed_strain;
 }

@@ -249,16 +249,6 @@ MAGFSI_INLINE VolumeTerm beyond_springs(const ElementBatches& b, long batch, int
     };
     if constexpr (kind == KernelKind::brick_full || kind == KernelKind::general_full) {
         return exact_volume(b, v0, u, g);
-    } else if constexpr (kind == KernelKind::brick_mean_f) {
-        return mean_volume_of_brick(b, v0, u, g);
-    } else if constexpr (kind == KernelKind::general_mean_f) {
-        Vec f[3];
-        Vec stress[3] = {};
-        const double* gradient = of_batch(b.gradient, gradient_entries(kind));
-        mean_gradient(gradient, u, f);
-        const VolumeTerm term = mean_volume(b, v0, f, stress);
-        add_stress(gradient, stress, g);
-        return term;
     } else {
         const double* data = of_batch(b.hourglass, hourglass_entries(kind));
         if constexpr (is_brick(kind)) {
@@ -360,14 +350,10 @@ KernelResult run_elements(const ElementBatches& b, const double* x, double* f,
     switch (b.kind) {
         case KernelKind::brick_full:
             return run<KernelKind::brick_full>(b, x, f, energy);
-        case KernelKind::brick_mean_f:
-            return run<KernelKind::brick_mean_f>(b, x, f, energy);
         case KernelKind::brick_assumed_strain:
             return run<KernelKind::brick_assumed_strain>(b, x, f, energy);
         case KernelKind::general_full:
             return run<KernelKind::general_full>(b, x, f, energy);
-        case KernelKind::general_mean_f:
-            return run<KernelKind::general_mean_f>(b, x, f, energy);
         case KernelKind::general_assumed_strain:
             return run<KernelKind::general_assumed_strain>(b, x, f, energy);
     }

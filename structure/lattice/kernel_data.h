@@ -12,21 +12,18 @@ inline constexpr int batch_lanes = 8;
 // Variant of the element, with a faster form for bricks.
 enum class KernelKind {
     brick_full,
-    brick_mean_f,
     brick_assumed_strain,
     general_full,
-    general_mean_f,
     general_assumed_strain
 };
 
 constexpr bool is_brick(KernelKind kind) {
-    return kind == KernelKind::brick_full || kind == KernelKind::brick_mean_f ||
-           kind == KernelKind::brick_assumed_strain;
+    return kind == KernelKind::brick_full || kind == KernelKind::brick_assumed_strain;
 }
 
 // Entries per element of ElementBatches::gradient and ::hourglass.
 constexpr int gradient_entries(KernelKind kind) {
-    return is_brick(kind) || kind == KernelKind::general_full ? 0 : 21;
+    return kind == KernelKind::general_assumed_strain ? 21 : 0;
 }
 constexpr int hourglass_entries(KernelKind kind) {
     return kind == KernelKind::brick_assumed_strain     ? 3
@@ -41,7 +38,7 @@ struct ElementBatches {
     int element_count = 0;
     const int* node = nullptr;         // 8 entries: index of node a in x and f
     const double* spring = nullptr;    // 7 entries for bricks, 28 in general [N/m]
-    const double* gradient = nullptr;  // 21 entries for a general mean F, else none [1/m]
+    const double* gradient = nullptr;  // 21 entries for general_assumed_strain [1/m]
     // Data of the hourglass energy. Bricks: inverse squares of the half edges [1/m2];
     // general elements: metric and offset of ElementModes.
     const double* hourglass = nullptr;

@@ -14,11 +14,6 @@ namespace {
 // leaves about 1e-16; a mesh that is meant to be distorted has far more than this.
 constexpr double brick_tolerance = 1e-12;
 
-// Smallest in-plane edge over the thickness edge for mean_f. At 0.9 h the coefficient is
-// 2.4 h^2, still above the 2 h^2 of the full element at r = 1, so that meshes with
-// slightly uneven edges are accepted.
-constexpr double shortest_edge = 0.9;
-
 // In a brick only the linear modes x, y, z have a mean gradient.
 bool gradient_of_brick(const std::array<double, 21>& gradient) {
     double largest = 0;
@@ -95,50 +90,6 @@ void check_material(const Material& material) {
     }
 }
 
-// The element's local direction that is closest to a body axis.
-int edge_along(const ElementEdges& edges, int axis) {
-    int best = 0;
-    for (int d = 1; d < 3; ++d) {
-        if (std::abs(edges.direction[d](axis)) > std::abs(edges.direction[best](axis))) {
-            best = d;
-        }
-    }
-    return best;
-}
-
-// The element's edge through the thickness, along the body's smallest extent. If extents
-// tie (a rod of square section), it is the shortest edge among them.
-int thickness_edge(const ElementEdges& edges, const Vec3& extent_m) {
-    const double smallest = *std::ranges::min_element(extent_m);
-    int best = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (extent_m[axis] > smallest * (1 + 1e-6)) continue;
-        const int edge = edge_along(edges, axis);
-        if (best < 0 || edges.length_m[edge] < edges.length_m[best]) best = edge;
-    }
-    return best;
-}
-
-// Throws if a plate of mean_f would bend too easily. mean_f takes the bending stiffness
-// from 3 min(l_i, l_j)^2, which is that of the thickness only if the thickness edge is
-// the shortest. With a shorter in-plane edge a plate bends up to four times too easily.
-void refuse_soft_bending(const std::vector<Vec3>& nodes_m,
-                         const std::vector<Hexahedron>& elements) {
-    const Vec3 extent_m = bounds(nodes_m).extent_m();
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        const ElementEdges edges = element_edges(gather(nodes_m, elements[e]));
-        const double thickness = edges.length_m[thickness_edge(edges, extent_m)];
-        const double shortest = *std::ranges::min_element(edges.length_m);
-        if (shortest < shortest_edge * thickness) {
-            refuse(
-                "element {} has an in-plane edge of {:.4g} m, shorter than its thickness "
-                "of {:.4g} m, where the element mean_f bends too softly: use element "
-                "assumed_strain, more layers or fewer elements in the plane",
-                e, shortest, thickness);
-        }
-    }
-}
-
 }  // namespace
 
 Lattice build_lattice(const Body& body) {
@@ -193,7 +144,6 @@ Lattice build_lattice(const std::vector<Vec3>& nodes_m,
             out.node_mass_kg[n] += volume_m3[m][n] * materials[m].density_kg_m3;
         }
     }
-    if (variant == ElementVariant::mean_f) refuse_soft_bending(nodes_m, elements);
     return out;
 }
 

@@ -49,9 +49,8 @@ struct Lattice {
 };
 
 // Lattice of a body. Throws std::invalid_argument, with the element's number, on an
-// inverted element, a node number out of range or an unknown material, on moduli that are
-// not allowed, and on mean_f elements that bend too softly. The second form has lumped
-// masses.
+// inverted element, a node number out of range or an unknown material, and on moduli that
+// are not allowed. The second form has lumped masses.
 Lattice build_lattice(const Body& body);
 Lattice build_lattice(const std::vector<Vec3>& nodes_m,
                       const std::vector<Hexahedron>& elements,

@@ -311,10 +311,4 @@ std::vector<SurfacePoint> points_below_face(const Mesh& mesh, const Sheet& sheet
     return points;
 }
 
-std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,
-                                             double spacing_m) {
-    return points_below_face(mesh, sheet, SheetSide::top,
-                             std::numeric_limits<double>::infinity(), spacing_m);
-}
-
 }  // namespace magfsi::structure

@@ -66,9 +66,4 @@ std::vector<SurfacePoint> points_below_face(const Mesh& mesh, const Sheet& sheet
                                             SheetSide side, double depth_m,
                                             double spacing_m);
 
-// Points in the middle of the thickness. The quad between the middles of the column's
-// edges is cut as in surface_points. Normals point towards the top.
-std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,
-                                             double spacing_m);
-
 }  // namespace magfsi::structure

@@ -31,8 +31,6 @@ class Sizes(unittest.TestCase):
                      "at most 250000")
 
     def test_markers(self):
-        self.refused(testing.SMALL, {"coupling.immersed_boundary.marker_spacing": "1e-6"},
-                     "at most 500000")
         self.refused(testing.SMALL, {"fluid.spacing": "0.002 mm"}, "at most 500000")
 
     def test_cells(self):

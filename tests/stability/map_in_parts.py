@@ -29,7 +29,7 @@ class MapInParts(unittest.TestCase):
         low = {"relaxation_time": 0.501, "lattice_speed": 0.2}
         row = study("lattice", out, **low, collision="recursive_regularized")
         self.assertEqual(row["verdict"], "right")
-        weak = study("boundary", out, strength=0.25, markers="both_faces")
+        weak = study("boundary", out, strength=0.25)
         self.assertEqual(weak["verdict"], "right")
         refused = study("schemes", out, strength=4, scheme="implicit, aitken", kernel="3-point")
         self.assertEqual(refused["verdict"], "refused")

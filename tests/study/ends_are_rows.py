@@ -38,22 +38,22 @@ class EndsAreRows(unittest.TestCase):
         self.assertIn("after 2 s, the study's limit", late["cause"])
 
     def test_refused_by_the_program(self):
-        # mean_f elements may not be shorter than thick: 20 along 17.5 mm would be.
+        # A point of the longer beam lies outside the shorter one.
         study = Study(f"""
 scene: {testing.ROOT}/tutorials/beam/scene.yaml
 set: {{output: null, probes.every: 500 ms}}
 axes:
-  element: {{key: bodies.beam.element, values: [full, mean_f]}}
-  along: {{key: bodies.beam.mesh.box.elements.0, values: [10, 20]}}
+  length: {{key: bodies.beam.mesh.box.size.0, values: [17.5 mm, 10 mm]}}
+  place: {{key: probes.points.tip.at.0, values: [17.5 mm, 10 mm]}}
 errors:
   end: {{probe: "tip_uz[m]", norm: final, reference: 0.0162}}
 """)
         study.good_run()
-        ended = {(row["element"], row["along[1]"]): row for row in study.rows()}
+        ended = {(float(row["length[m]"]), float(row["place[m]"])): row for row in study.rows()}
         self.assertEqual([row["outcome"] for row in ended.values()].count("completed"), 3)
-        refused = ended["mean_f", "20"]
+        refused = ended[0.01, 0.0175]
         self.assertEqual(refused["outcome"], "refused")
-        self.assertIn("mean_f elements", refused["cause"])
+        self.assertIn("outside the body", refused["cause"])
 
 
 if __name__ == "__main__":

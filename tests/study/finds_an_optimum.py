@@ -111,19 +111,19 @@ class Finds(unittest.TestCase):
 
     def test_a_tie_and_another_setting(self):
         search = Search(SHORT + "finer: {best: 3, set: {bodies.beam.mesh.box.elements: "
-                        "[18, 4, 1]}}\ncheck: {set: {bodies.beam.element: mean_f}}\n")
+                        "[18, 4, 1]}}\ncheck: {set: {bodies.beam.element: full}}\n")
         done = search.good_run()
         self.assertIn("| finer | bar |", done.out)
-        self.assertRegex(done.out, r"with `bodies\.beam\.element: mean_f`: 0\.00\d+\.")
+        self.assertRegex(done.out, r"with `bodies\.beam\.element: full`: 0\.00\d+\.")
 
     def test_a_short_version_of_it(self):
         search = Search(SHORT + "finer: {best: 2, set: {bodies.beam.mesh.box.elements: [18, 4, 1]}}\n"
-                        "check: {set: {bodies.beam.element: full}}\n")
-        done = search.good_run("--runs", 3, "--search-only", "--set", "bodies.beam.element=mean_f")
+                        "check: {set: {bodies.beam.element: assumed_strain}}\n")
+        done = search.good_run("--runs", 3, "--search-only", "--set", "bodies.beam.element=full")
         self.assertEqual(len(search.records()), 4)  # the best once more, with its shapes
         self.assertNotIn("finer", done.out)
         best = yaml.safe_load((search.out / "best.yaml").read_text())
-        self.assertEqual(best["bodies"]["beam"]["element"], "mean_f")
+        self.assertEqual(best["bodies"]["beam"]["element"], "full")
         self.assertEqual(search.run("--runs", 0).code, 2)
         self.assertEqual(search.run("--set", "fluid").code, 2)
 
@@ -137,11 +137,11 @@ class Finds(unittest.TestCase):
     def test_words_and_templates(self):
         search = Search(SHORT.replace("runs: 8", "runs: 5").replace(
             "direction: {key: magnetic_field.constant.direction, range: [0 deg, 180 deg]}",
-            "element: {key: bodies.beam.element, values: [mean_f, assumed_strain]}")
+            "element: {key: bodies.beam.element, values: [full, assumed_strain]}")
             + "method: tpe\nderived:\n  magnetic_field.constant.direction: "
               "\"{1.5 + 100 * magnitude} rad\"\n")
         search.good_run()
-        self.assertEqual({row["element"] for row in search.rows()}, {"mean_f", "assumed_strain"})
+        self.assertEqual({row["element"] for row in search.rows()}, {"full", "assumed_strain"})
         best = yaml.safe_load((search.out / "best.yaml").read_text())
         self.assertRegex(best["magnetic_field"]["constant"]["direction"], r"1\.5\d+ rad")
 

@@ -45,7 +45,7 @@ class Refused(unittest.TestCase):
 
     def test_words_with_cmaes(self):
         self.refused(TEXT.replace("parameters:", "parameters:\n  element: {key: bodies.beam.element, "
-                                  "values: [full, mean_f]}"), "cmaes with parameters that are words")
+                                  "values: [full, assumed_strain]}"), "cmaes with parameters that are words")
 
     def test_absent_probe(self):
         search = Search(TEXT.replace("tip_uz[m]", "tip_uq[m]"))

@@ -25,14 +25,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 LENGTH_M = 17.5e-3
 GAMMA_END = 0.04  # at the end of the path
 SHOWN = (0.0, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.04)
-STYLES = {"full": ("s", "0.55"), "mean_f": ("^", "0.35"), "assumed_strain": ("o", "0.0")}
+STYLES = {"full": ("s", "0.55"), "assumed_strain": ("o", "0.0")}
 # The paper's element needs its elements about 1.41 times as long as thick: its meshes follow
 # that line and leave it on both sides.
 MESHES = {
     "full": ["12,2,1", "12,3,1", "11,4,1", "17,5,1", "25,8,2", "30,9,2", "32,9,2", "35,10,2",
              "36,10,3"],
-    "mean_f": ["6,2,1", "8,2,1", "12,2,1", "17,5,1", "17,5,2", "17,5,3", "17,5,4", "17,5,5",
-               "26,8,4"],
     "assumed_strain": ["4,1,1", "6,1,1", "6,2,1", "7,2,1", "8,1,1", "8,2,1", "10,2,1",
                        "12,2,1", "14,3,1", "15,2,1", "18,5,1", "24,3,1", "36,5,1", "18,5,2"],
 }
@@ -131,8 +129,7 @@ def sweep_rows(folder):
 
 def draw_accuracy(axes, rows, cost, limits, label):
     """Errors against a cost ("seconds" or "count"), the cheapest good meshes ringed."""
-    beside = {"full": (6, 7, "left"), "mean_f": (-7, -5, "right"),
-              "assumed_strain": (-2, -11, "center")}
+    beside = {"full": (6, 7, "left"), "assumed_strain": (-2, -11, "center")}
     for element, (marker, colour) in STYLES.items():
         mine = [row for row in rows if row["element"] == element]
         axes.plot([r[cost] for r in mine], [r["error"] for r in mine], marker, ms=4,

@@ -44,8 +44,6 @@ def beams():
     yield beam("[12, 4, 1]", "assumed_strain", 0.003, fem)
     yield beam("[12, 4, 1]", "assumed_strain", 0.01, fem)
     yield beam("[18, 6, 2]", "assumed_strain", 0.02, fem)
-    yield beam("[18, 5, 2]", "mean_f", 0.002, fem)
-    yield beam("[18, 5, 2]", "mean_f", 0.015, fem)
 
 
 # --- waves in bars: d'Alembert ------------------------------------------------------

@@ -25,8 +25,7 @@ struct Options {
     Settings settings{{128, 128, 128}, 0.3, 7};
     std::vector<Collision> collisions{Collision::bgk, Collision::trt,
                                       Collision::recursive_regularized};
-    std::vector<Precision> precisions{Precision::double_, Precision::float_,
-                                      Precision::float_double};
+    std::vector<Precision> precisions{Precision::double_, Precision::float_};
     std::vector<double> forced{0, 1.0 / 9, 1};
     bool json = false;
     std::string peer;
@@ -47,8 +46,8 @@ void declare(CLI::App& app, Options& o) {
         ->transform(CLI::CheckedTransformer(
             by_name({Collision::bgk, Collision::trt, Collision::recursive_regularized})));
     app.add_option("--precision", o.precisions)
-        ->transform(CLI::CheckedTransformer(
-            by_name({Precision::double_, Precision::float_, Precision::float_double})));
+        ->transform(
+            CLI::CheckedTransformer(by_name({Precision::double_, Precision::float_})));
     app.add_option("--forced", o.forced, "share of the rows that carry a force")
         ->check(CLI::Range(0.0, 1.0));
     app.add_flag("--json", o.json);

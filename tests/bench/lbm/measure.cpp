@@ -93,8 +93,7 @@ Result measure(MPI_Comm comm, const Settings& settings, const Variant& variant) 
     const Decomposition parts = decompose(settings.cells, {true, true, true}, ranks);
     const RowLayout layout = parts.layout(rank);
     // For the exchange alone, as large as the fluid's own.
-    const Populations populations(layout.nx, layout.row_count(),
-                                  storage_of(variant.precision));
+    const Populations populations(layout.nx, layout.row_count(), variant.precision);
     InPlaceCopy copy(comm, populations.bytes());
     const double cells =
         static_cast<double>(settings.cells[0]) * settings.cells[1] * settings.cells[2];

@@ -131,14 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
             true,
             true,
             Collision::trt,
-            Precision::float_},
-        Box{"FloatDouble",
-            {17, 8, 9},
-            {wrap, wrap, wall},
-            false,
-            true,
-            Collision::bgk,
-            Precision::float_double}),
+            Precision::float_}),
     [](const auto& box) { return box.param.name; });
 
 // ---- A state taken from a fluid on one rank and put into one on several goes on with
@@ -301,7 +294,7 @@ constexpr int nx = 16, ny = 12;
 double borrowed(const std::array<bool, 3>& periodic) {
     const Decomposition two = decompose({nx, ny, 1}, periodic, 2);
     const RowLayout rows = two.layout(0);
-    const Populations populations(rows.nx, rows.row_count(), Storage::double_);
+    const Populations populations(rows.nx, rows.row_count(), Precision::double_);
     const SlotsType slots(rows, populations, 1, 1, rows.ny);
     int bytes = 0;
     MPI_Type_size(slots.get(), &bytes);

@@ -41,7 +41,7 @@ void expect_same_on_any_ranks(const LammpsInput& input, double tolerance_m, int 
 // order, where positions of 1 cm are rounded by 1e-18 m a step, over 400 steps; the work
 // of 400 steps is a difference of larger terms.
 TEST(AnyRanks, GiveTheSameMotionEnergiesAndWork) {
-    for (const auto element : {ElementVariant::full, ElementVariant::mean_f}) {
+    for (const auto element : {ElementVariant::full, ElementVariant::assumed_strain}) {
         LammpsInput input = test::strip_in_field(element);
         Placement placement;
         placement.relaxed = ConstantField{17e-3, 4.4};

@@ -265,7 +265,7 @@ TEST(BadArguments, AreRefusedInOneSentence) {
     expect_stop({"fix a all magttice /nowhere 1 1 1"},
                 {"cannot open the lattice file /nowhere"});
     expect_stop({"fix a all magttice x 1 1 1 element half"},
-                {"element half found; full, mean_f and assumed_strain are allowed"});
+                {"element half found; full and assumed_strain are allowed"});
     expect_stop({"fix a all magttice x 1 1 1 field 0 0"},
                 {"\"field\" with 2 values found, it takes 3"});
     expect_stop({"fix a all magttice x 1 1 1 viscosity"},

@@ -14,7 +14,7 @@
 
 namespace magfsi::structure::test {
 
-inline Body strip(ElementVariant element = ElementVariant::mean_f) {
+inline Body strip(ElementVariant element = ElementVariant::assumed_strain) {
     Body body;
     body.name = "strip";
     body.mesh = box_mesh({{3.7e-3, 1.5e-3, 0.185e-3}, {20, 8, 2}});
@@ -26,7 +26,8 @@ inline Body strip(ElementVariant element = ElementVariant::mean_f) {
 }
 
 // At 0.9 of the stable step, in the field of one swimming stroke.
-inline LammpsInput strip_in_field(ElementVariant element = ElementVariant::mean_f) {
+inline LammpsInput strip_in_field(
+    ElementVariant element = ElementVariant::assumed_strain) {
     LammpsInput input;
     input.bodies = {strip(element)};
     input.field = FieldProgram{

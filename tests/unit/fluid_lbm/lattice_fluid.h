@@ -16,7 +16,7 @@ inline const auto every_collision =
     testing::Values(Collision::bgk, Collision::trt, Collision::recursive_regularized,
                     Collision::recursive_mrt);
 inline const auto every_precision =
-    testing::Values(Precision::double_, Precision::float_, Precision::float_double);
+    testing::Values(Precision::double_, Precision::float_);
 
 inline FluidConfig lattice_fluid(std::array<int, 3> cells, double relaxation_time,
                                  Collision collision) {

@@ -77,11 +77,11 @@ class Streaming : public testing::TestWithParam<Box> {
         return out;
     }
     template <class Real>
-    void expect_two_grids(Storage storage) const;
+    void expect_two_grids(Precision precision) const;
 };
 
 template <class Real>
-void Streaming::expect_two_grids(Storage storage) const {
+void Streaming::expect_two_grids(Precision precision) const {
     const auto& [n, periodic] = GetParam();
     const AnyKernels kernels =
         RowKernels<Real>{stream_row<Real>, stream_row<Real>, nullptr};
@@ -89,7 +89,7 @@ void Streaming::expect_two_grids(Storage storage) const {
     RowLayout layout{n[0], n[1], n[2], side(periodic[0]), {}, {}};
     layout.beyond_y.fill(side(periodic[1]));
     layout.beyond_z.fill(side(periodic[2]));
-    const Populations populations(n[0], layout.row_count(), storage);
+    const Populations populations(n[0], layout.row_count(), precision);
     Field field(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
     for_each_cell([&](std::array<int, 3> x) {
         for (int q = 0; q < directions; ++q) {
@@ -121,10 +121,10 @@ void Streaming::expect_two_grids(Storage storage) const {
 }
 
 TEST_P(Streaming, OfDoubleEqualsTwoGrids) {
-    expect_two_grids<double>(Storage::double_);
+    expect_two_grids<double>(Precision::double_);
 }
 TEST_P(Streaming, OfFloatEqualsTwoGrids) {
-    expect_two_grids<float>(Storage::float_);
+    expect_two_grids<float>(Precision::float_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, Streaming,

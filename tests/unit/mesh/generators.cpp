@@ -204,6 +204,12 @@ Mesh shuffled(Mesh mesh) {
     return mesh;
 }
 
+// Points in the middle of the thickness, deeper than which none lie.
+std::vector<SurfacePoint> mid_surface_points(const Mesh& mesh, const Sheet& sheet,
+                                             double spacing_m) {
+    return points_below_face(mesh, sheet, SheetSide::top, INFINITY, spacing_m);
+}
+
 void expect_strip(const Mesh& mesh, const Sheet& sheet) {
     EXPECT_EQ(sheet.layers, 3);
     EXPECT_EQ(sheet.columns.size(), 160U);

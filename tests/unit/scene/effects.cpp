@@ -249,8 +249,6 @@ std::vector<std::string> changes() {
             "coupling.substeps=",
             "coupling.timeout=31 s",
             "coupling.immersed_boundary.kernel=3-point",
-            "coupling.immersed_boundary.markers=mid_surface",
-            "coupling.immersed_boundary.marker_spacing=0.5",
             "coupling.immersed_boundary.strength=1",
             "probes.every=0.4 ms",
             "probes.bodies=[energy]",
@@ -364,10 +362,6 @@ TEST(Defaults, forcing_is_without_slip_where_that_can_be) {
     EXPECT_EQ(minimal({"fluid.solver=openfoam"}).coupling->immersed_boundary.forcing,
               penalty);
     for (const auto& [key, value] : {std::pair{"kernel", "4-point"},
-                                     {"markers", "volume"},
-                                     {"marker_spacing", "0.6"},
-                                     {"retraction", "0.3"},
-                                     {"rim_retraction", "0.8"},
                                      {"strength", "0.5"},
                                      {"strength", "2"}})
         EXPECT_EQ(forcing(std::string("immersed_boundary.") + key, value), penalty)

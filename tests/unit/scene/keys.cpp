@@ -43,7 +43,7 @@ TEST(Keys, of_a_body) {
     const auto& box = std::get<Box>(b.mesh);
     EXPECT_EQ(box.size_m, (Vec3{3.7e-3, 1.5e-3, 0.185e-3}));
     EXPECT_EQ(box.elements, (std::array{20, 8, 2}));
-    EXPECT_EQ(b.element, ElementVariant::mean_f);
+    EXPECT_EQ(b.element, ElementVariant::full);
     EXPECT_EQ(b.material.shear_modulus_pa, 33e3);
     EXPECT_EQ(b.material.lame_lambda_pa, 660e3);
     EXPECT_EQ(b.material.density_kg_m3, 1860);
@@ -148,8 +148,6 @@ TEST(Keys, of_coupling_and_outputs) {
     EXPECT_EQ(s.coupling->substeps, 12);
     EXPECT_EQ(s.coupling->timeout_s, 30);
     EXPECT_EQ(s.coupling->immersed_boundary.kernel, Kernel::four_point);
-    EXPECT_EQ(s.coupling->immersed_boundary.markers, Markers::both_faces);
-    EXPECT_EQ(s.coupling->immersed_boundary.marker_spacing, 0.45);
     EXPECT_EQ(s.coupling->immersed_boundary.strength, 0.25);
     EXPECT_EQ(s.probes->every_s, 0.2e-3);
     EXPECT_EQ(s.probes->bodies, (std::vector{BodyQuantity::energy, BodyQuantity::com}));
@@ -269,7 +267,7 @@ TEST(Keys, of_a_channel_with_obstacles) {
     const Fluid f = *complete("channel.yaml").fluid;
     EXPECT_EQ(f.collision, Collision::trt);
     EXPECT_EQ(f.magic_number, 0.25);
-    EXPECT_EQ(f.precision, Precision::float_double);
+    EXPECT_EQ(f.precision, Precision::float_);
     EXPECT_EQ(f.smagorinsky_constant, 0.16);
     const Boundary& inlet = f.boundaries[0];
     EXPECT_EQ(inlet.kind, BoundaryKind::velocity_inlet);

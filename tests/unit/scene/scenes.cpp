@@ -42,12 +42,6 @@ TEST(RightScene, may_have_cells_that_fit_but_for_rounding) {
                    {"fluid.spacing=0.3333333333 mm", "fluid.box=[16 mm, 8 mm, 5 mm]"}));
 }
 
-TEST(RightScene, may_have_mean_f_edges_equal_to_the_thickness) {
-    EXPECT_NO_THROW(read_scene(
-        test_folder / "minimal.yaml",
-        {"bodies.robot.element=mean_f", "bodies.robot.mesh.box.elements=[20, 10, 1]"}));
-}
-
 TEST(RightScene, may_be_a_fluid_alone) {
     const Scene s = read_scene(test_folder / "minimal.yaml",
                                {"bodies=", "magnetic_field=", "gravity="});

@@ -60,7 +60,7 @@ TEST(LinearFields, SpringMatrixTurnsPositionsIntoGradientIntegrals) {
             const Positions8 x = test::distorted_element(random);
             const HexahedronIntegrals in = integrate_hexahedron(x, 0);
             const Positions8 product = spring_matrix(x, in, variant) * x;
-            // Rounding, times the condition of the 4x4 system behind mean_f.
+            // Rounding, times the condition of the 4x4 system behind assumed_strain.
             EXPECT_LT((product - in.gradient).norm(), 1e-12 * in.gradient.norm());
         }
     }

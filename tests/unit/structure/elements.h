@@ -17,7 +17,7 @@ namespace magfsi::structure::test {
 
 using namespace magfsi::test;
 
-inline constexpr std::array all_variants{ElementVariant::full, ElementVariant::mean_f,
+inline constexpr std::array all_variants{ElementVariant::full,
                                          ElementVariant::assumed_strain};
 
 // The paper's G and K = 20 G, in Pa.

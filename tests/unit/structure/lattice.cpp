@@ -38,22 +38,6 @@ TEST(BadElements, ANodeThatTheMeshLacksIsNamed) {
               "element 0 names node 8, but the mesh has nodes 0 to 7");
 }
 
-TEST(BadElements, MeanFWithAShortInPlaneEdgeIsRefusedWithAdvice) {
-    const Mesh mesh = box_mesh({{8e-4, 2e-4, 1e-4}, {16, 2, 1}});
-    test::expect_says(message(mesh, ElementVariant::mean_f),
-                      {"use element assumed_strain"});
-    EXPECT_EQ(message(mesh, ElementVariant::full), "");
-    EXPECT_EQ(message(mesh, ElementVariant::assumed_strain), "");
-}
-
-TEST(BadElements, MeanFTakesFlatElementsInAnyDirection) {
-    for (const Box& box :
-         {Box{{8e-4, 4e-4, 1e-4}, {4, 2, 1}}, Box{{1e-4, 8e-4, 4e-4}, {1, 4, 2}},
-          Box{{8e-4, 2e-4, 2e-4}, {4, 2, 2}}}) {
-        EXPECT_EQ(message(box_mesh(box), ElementVariant::mean_f), "");
-    }
-}
-
 TEST(TwoMaterials, GiveANodeBetweenThemTheMassOfBoth) {
     const Body body = test::soft_and_stiff_bar();
     const Lattice lattice = build_lattice(body);

@@ -296,7 +296,7 @@ Body strip() {
     body.name = "strip";
     body.mesh = box_mesh({{3.7e-3, 1.5e-3, 0.185e-3}, {20, 8, 2}});
     body.material = test::soft_material();
-    body.element = ElementVariant::mean_f;
+    body.element = ElementVariant::assumed_strain;
     body.magnetization_a_m =
         harmonic_magnetization(body.mesh, {62e3, 3.7e-3, pi / 4, 0, 2});
     return body;

@@ -293,9 +293,10 @@ TEST(SourceWords, RefuseWhatIsNoSource) {
     for (const char* text :
          {"", "dipole 1 2", "dipole 1 2 3 4", "magnet 1 2 3", "1 2 3",
           "coil 0.1 0 0 0 1 1", "cuboid 1 0 1 0 0 1", "dipole 1 0 0 spinning 3",
-          "dipole 1 0 x", "dipole 1 0 0 shift t t", "dipole 1 0 0 factor sin(",
-          "dipole 1 0 0 angle t", "grid", "dipole 1 0 0 member 1 1 1",
-          "system member 0 0 0 0.1 0 0 1 1 2 3"}) {
+          "dipole 1 0 x", "dipole 1 0 0 motion formula t t",
+          "dipole 1 0 0 strength formula sin(", "dipole 1 0 0 angle t",
+          "dipole 1 0 0 at 1 2", "grid", "dipole 1 0 0 member 1 1 1", "system current t",
+          "system member 0 0 0 0.1", "system member 0 0 0 0.1 0 0 1 1 2 3"}) {
         EXPECT_THROW(SourceField(parse_source_words(text)), std::invalid_argument)
             << text;
     }

@@ -63,12 +63,6 @@ TEST_F(BeamTip, FullNeedsTwoLayersOfCubes) {
     EXPECT_LT(study({34, 6, 2}, ElementVariant::full).largest_error, 0.01);
 }
 
-// Its twist is too stiff, which a clamped wide plate feels where it curls: no mesh of up
-// to 1400 elements came below 1.5 %.
-TEST_F(BeamTip, MeanFWithThreeLayersIsWithinThreePercent) {
-    EXPECT_LT(study({18, 2, 3}, ElementVariant::mean_f).largest_error, 0.03);
-}
-
 TEST_F(BeamTip, AssumedStrainNeedsOneLayer) {
     EXPECT_LT(study({8, 1, 1}, ElementVariant::assumed_strain).largest_error, 0.03);
     EXPECT_LT(study({16, 2, 1}, ElementVariant::assumed_strain).largest_error, 0.01);
@@ -128,11 +122,6 @@ TEST(FewElements, OneLayerOfAssumedStrainBendsRightly) {
     EXPECT_LT(std::abs(error_of_rise(variant, {18, 6, 2}, false)), 0.03);
     // Distorted elements do not represent bending exactly; measured -1.7 to -4.2 %.
     EXPECT_LT(std::abs(error_of_rise(variant, {17, 5, 1}, true)), 0.05);
-}
-
-// Measured for mean_f with two layers at any r up to 4: -3 %.
-TEST(FewElements, TwoLayersOfMeanFBendWithinFourPercent) {
-    EXPECT_LT(std::abs(error_of_rise(ElementVariant::mean_f, {18, 6, 2}, false)), 0.04);
 }
 
 // The rod load is lambda = 12 gamma (L/H)^2 G/E with E/G = 62/21 for K = 20 G.

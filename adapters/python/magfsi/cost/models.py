@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from magfsi.cost import command
 from magfsi.cost.variants import CannotRun
 
-ELEMENTS = ("assumed_strain", "mean_f", "full")
+ELEMENTS = ("assumed_strain", "full")
 IN_FLUID = (("coupling.immersed_boundary.forcing", ("penalty", "no_slip")),
             ("coupling.immersed_boundary.kernel", ("2-point", "3-point", "4-point")))
 COLLISIONS = ("trt", "recursive_regularized")

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "structure/lammps/effects/prescribed_motion/motion_law.h"
 
-#include "structure/lammps/law_words.h"
+#include "structure/lammps/motion_words.h"
 #include "structure/refuse.h"
 
 namespace magfsi::structure {
-
-template <>
-constexpr const char* law_name<Oscillation> = "oscillation";
-template <>
-constexpr const char* law_name<DisplacementRamp> = "ramp";
-template <>
-struct LawWords<FormulaMotion> : FormulaWords<FormulaMotion> {};
 
 namespace {
 
@@ -23,9 +16,8 @@ void check(const DisplacementRamp& r) {
     if (!(r.duration_s > 0)) refuse("a ramp needs a duration above zero");
 }
 
-void check(const FormulaMotion& f) {
-    check_formulas(f.component_m);
-}
+// A formula is checked as it is read.
+void check(const FormulaMotion&) {}
 
 }  // namespace
 
